@@ -13,21 +13,21 @@ class Timeline;
 class Track;
 class Values;
 struct Blueprint;
-struct Description;
+struct EffectDescription;
 struct Event;
 struct Phase;
 struct Pipeline;
 struct Room;
 struct Scene;
 struct Script;
-struct Segment;
+struct ComposedInterval;
 struct State;
 struct Stick;
-struct Taken;
+struct BlueprintDraft;
 struct Tree;
 
 /// Whether somebody still waits for what may take long; asked now and then on the way.
-using GoesOn = std::function<bool()>;
+using ShouldContinue = std::function<bool()>;
 
 using EffectPtr = std::shared_ptr<const Effect>;
 using MethodPtr = std::shared_ptr<const Method>;

@@ -31,7 +31,7 @@ sim::StudyPlan planFor(const AccuracyRequest &request, const Experiment &experim
     else if (QFileInfo::exists(request.what))
         plan.frames = std::clamp<std::int64_t>(experiment.frames, 1, mostOwnFrames);
     plan.secondsToPreview = std::numeric_limits<double>::infinity(); // nobody watches
-    plan.inUse = sim::Way{experiment.script.method, experiment.script.step};
+    plan.inUse = sim::MethodSetup{experiment.script.method, experiment.script.step};
     return plan;
 }
 

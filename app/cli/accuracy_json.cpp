@@ -11,14 +11,14 @@ namespace app {
 
 namespace {
 
-QString idOf(const sim::Way &way)
+QString idOf(const sim::MethodSetup &setup)
 {
-    return QString::fromStdString(way.method->id());
+    return QString::fromStdString(setup.method->id());
 }
 
 void addStep(QJsonObject &object, sim::StepSize step)
 {
-    if (step.adaptive())
+    if (step.isAdaptive())
         object["tolerance"] = step.tolerance;
     else
         object["h"] = step.h;
@@ -46,15 +46,15 @@ QJsonObject rowJson(const sim::AccuracyRow &row)
 {
     const bool isMeasured = row.outcome == sim::Outcome::measured;
     const auto number = [&](double value) { return isMeasured ? QJsonValue(value) : QJsonValue(); };
-    QJsonObject object{{"method", idOf(row.way)},
-                       {"order", row.way.method->order()},
+    QJsonObject object{{"method", idOf(row.setup)},
+                       {"order", row.setup.method->order()},
                        {"error", number(row.error)},
                        {"evaluations", number(row.evaluations)},
                        {"ns_per_frame", number(row.nsPerFrame)},
                        {"spread", number(row.spread)},
                        {"status", statusOf(row.outcome)},
                        {"front", row.front}};
-    addStep(object, row.way.step);
+    addStep(object, row.setup.step);
     if (row.why)
         object["reason"] = sentenceFor(*row.why);
     return object;
@@ -65,8 +65,9 @@ QJsonValue cheapestJson(const sim::Accuracy &found, double error)
     const sim::AccuracyRow *row = found.cheapest(error);
     if (!row)
         return {};
-    QJsonObject object{{"method", idOf(row->way)}, {"error", row->error}, {"ns_per_frame", row->nsPerFrame}};
-    addStep(object, row->way.step);
+    QJsonObject object{
+        {"method", idOf(row->setup)}, {"error", row->error}, {"ns_per_frame", row->nsPerFrame}};
+    addStep(object, row->setup.step);
     return object;
 }
 
@@ -75,7 +76,7 @@ QString endOf(sim::ReferenceRun::End end)
     switch (end) {
     case sim::ReferenceRun::End::span:
         return QStringLiteral("span");
-    case sim::ReferenceRun::End::parted:
+    case sim::ReferenceRun::End::diverged:
         return QStringLiteral("parted");
     case sim::ReferenceRun::End::notFinite:
         return QStringLiteral("not_finite");
@@ -100,8 +101,8 @@ QJsonObject referenceJson(const sim::ReferenceRun &reference)
                        {"step", stepJson(reference.step)},
                        {"check_step", stepJson(reference.checkStep)},
                        {"ends_by", endOf(reference.end)}};
-    if (reference.jump)
-        object["no_limit"] = QString::fromStdString(reference.jump->id());
+    if (reference.discontinuity)
+        object["no_limit"] = QString::fromStdString(reference.discontinuity->id());
     return object;
 }
 

@@ -76,13 +76,13 @@ private:
         const sim::Method *method = nullptr;
         std::size_t count = 0; // of methods, drawn or not: each keeps its sign on every plot
         for (const sim::AccuracyRow &row : found.rows) {
-            const bool isNew = row.way.method.get() != method;
-            method = row.way.method.get();
+            const bool isNew = row.setup.method.get() != method;
+            method = row.setup.method.get();
             if (isNew)
                 ++count;
             if (!isDrawn(row))
                 continue;
-            if (ladders.empty() || ladders.back().rows.front()->way.method->id() != method->id())
+            if (ladders.empty() || ladders.back().rows.front()->setup.method->id() != method->id())
                 ladders.push_back({{}, signOf(count - 1)});
             ladders.back().rows.push_back(&row);
         }
@@ -160,8 +160,8 @@ private:
     void drawInUse()
     {
         for (const sim::AccuracyRow &row : m_report.found.rows) {
-            const bool isInUse = row.way.method->id() == m_report.inUse.method->id() &&
-                                 row.way.step == m_report.inUse.step && isDrawn(row);
+            const bool isInUse = row.setup.method->id() == m_report.inUse.method->id() &&
+                                 row.setup.step == m_report.inUse.step && isDrawn(row);
             if (!isInUse)
                 continue;
             m_svg.ring(at(row), 9, now, "3");
@@ -186,7 +186,7 @@ private:
             const QPointF name(right + 34, places[i]);
             m_svg.line(end(sorted[i]) + QPointF(7, 0), name - QPointF(10, 0), SvgDrawing::faint, "1");
             m_svg.sign(name, sorted[i]->sign, SvgDrawing::paper);
-            m_svg.text(name + QPointF(12, 4), phrase(sorted[i]->rows.front()->way.method->title()),
+            m_svg.text(name + QPointF(12, 4), phrase(sorted[i]->rows.front()->setup.method->title()),
                        {{"fill", SvgDrawing::ink}});
         }
     }

@@ -18,14 +18,14 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Accuracy)
 };
 
-QString id(const sim::Way &way)
+QString id(const sim::MethodSetup &setup)
 {
-    return QString::fromStdString(way.method->id());
+    return QString::fromStdString(setup.method->id());
 }
 
-QString wayText(const sim::Way &way)
+QString wayText(const sim::MethodSetup &setup)
 {
-    return id(way) + ", " + stepText(way.step);
+    return id(setup) + ", " + stepText(setup.step);
 }
 
 QString shortNumber(double value)
@@ -38,10 +38,10 @@ QString microseconds(double ns)
     return shortNumber(ns / 1000.0);
 }
 
-const sim::AccuracyRow *rowOf(const sim::Accuracy &found, const sim::Way &way)
+const sim::AccuracyRow *rowOf(const sim::Accuracy &found, const sim::MethodSetup &setup)
 {
     for (const sim::AccuracyRow &row : found.rows) {
-        if (row.way.method->id() == way.method->id() && row.way.step == way.step)
+        if (row.setup.method->id() == setup.method->id() && row.setup.step == setup.step)
             return &row;
     }
     return nullptr;
@@ -54,9 +54,9 @@ QString titleLine(const QString &method)
            Text::tr("ns/frame").rightJustified(12) + Text::tr("+-").rightJustified(9) + '\n';
 }
 
-QString rowLine(const sim::AccuracyRow &row, const sim::Way &inUse)
+QString rowLine(const sim::AccuracyRow &row, const sim::MethodSetup &inUse)
 {
-    QString line = id(row.way).leftJustified(22) + stepText(row.way.step).leftJustified(16);
+    QString line = id(row.setup).leftJustified(22) + stepText(row.setup.step).leftJustified(16);
     if (row.outcome == sim::Outcome::unstable)
         return line + Text::tr("unstable").rightJustified(11) + '\n';
     if (row.outcome == sim::Outcome::tooLong)
@@ -68,7 +68,7 @@ QString rowLine(const sim::AccuracyRow &row, const sim::Way &inUse)
             QString::number(row.nsPerFrame, 'f', 0).rightJustified(12) +
             QString::number(row.spread, 'f', 0).rightJustified(9);
     line += row.front ? QStringLiteral("  *") : QString();
-    const bool isInUse = row.way.method->id() == inUse.method->id() && row.way.step == inUse.step;
+    const bool isInUse = row.setup.method->id() == inUse.method->id() && row.setup.step == inUse.step;
     return line + (isInUse ? "  " + Text::tr("in use") : QString()) + '\n';
 }
 
@@ -79,10 +79,10 @@ QString rowLines(const AccuracyReport &report)
     const sim::Method *refused = nullptr;
     for (const sim::AccuracyRow &row : report.found.rows) {
         text += rowLine(row, report.inUse);
-        if (row.outcome != sim::Outcome::doesNotFit || refused == row.way.method.get())
+        if (row.outcome != sim::Outcome::doesNotFit || refused == row.setup.method.get())
             continue;
-        refused = row.way.method.get();
-        text += id(row.way).leftJustified(22) + sentenceFor(*row.why) + '\n';
+        refused = row.setup.method.get();
+        text += id(row.setup).leftJustified(22) + sentenceFor(*row.why) + '\n';
     }
     return text;
 }
@@ -90,12 +90,13 @@ QString rowLines(const AccuracyReport &report)
 QString referenceSentence(const sim::ReferenceRun &reference)
 {
     const QString apart = shortNumber(reference.disagreement);
-    if (reference.jump)
+    if (reference.discontinuity)
         return Text::
             tr("There is no continuous motion behind this scene: what %1 does depends on the step. So each "
                "method is compared with itself at a finer step (%2), which is up to %3 px from the next "
                "coarser one.")
-                .arg(quoted(QString::fromStdString(reference.jump->id())), stepText(reference.step), apart);
+                .arg(quoted(QString::fromStdString(reference.discontinuity->id())), stepText(reference.step),
+                     apart);
     return Text::tr("Errors are distances from %1 (%2). Its check, %3 (%4), is up to %5 px from it.")
         .arg(QString::fromStdString(reference.method), stepText(reference.step),
              QString::fromStdString(reference.check), stepText(reference.checkStep), apart);
@@ -108,7 +109,7 @@ QString horizonSentence(const sim::Accuracy &found)
     switch (found.reference.end) {
     case sim::ReferenceRun::End::span:
         break;
-    case sim::ReferenceRun::End::parted:
+    case sim::ReferenceRun::End::diverged:
         return start + Text::tr(": after it they are too far apart to be believed.");
     case sim::ReferenceRun::End::notFinite:
         return start + Text::tr(": after it the reference stops being finite.");
@@ -125,7 +126,7 @@ QString cheapestSentence(const sim::Accuracy &found, double error)
     if (!row)
         return Text::tr("Nothing that was measured is within %1 px.").arg(within);
     return Text::tr("To be within %1 px this scene costs %2 \u00b5s a frame: %3, which is %4 px off.")
-        .arg(within, microseconds(row->nsPerFrame), wayText(row->way), shortNumber(row->error));
+        .arg(within, microseconds(row->nsPerFrame), wayText(row->setup), shortNumber(row->error));
 }
 
 QString inUseSentence(const AccuracyReport &report)
@@ -142,8 +143,8 @@ QString inUseSentence(const AccuracyReport &report)
 
 QString stepText(sim::StepSize step)
 {
-    return step.adaptive() ? Text::tr("tolerance %1").arg(toleranceNumber(step.tolerance))
-                           : Text::tr("h %1").arg(exactNumber(step.h));
+    return step.isAdaptive() ? Text::tr("tolerance %1").arg(toleranceNumber(step.tolerance))
+                             : Text::tr("h %1").arg(exactNumber(step.h));
 }
 
 QString accuracyTable(const AccuracyReport &report)

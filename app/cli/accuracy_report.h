@@ -13,7 +13,7 @@ struct AccuracyReport
 {
     QString experiment;
     std::optional<double> tolerance; ///< px: the error that was asked for
-    sim::Way inUse;
+    sim::MethodSetup inUse;
     sim::Accuracy found;
 };
 

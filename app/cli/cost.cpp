@@ -39,7 +39,7 @@ Beginning beginningOf(const sim::Script &script, std::int64_t frame)
     StatusLine status;
     const auto goesOn = [&] {
         if (status.isDue())
-            status.show(Text::tr("Frame %1 of %2").arg(track.at().frame).arg(frame));
+            status.show(Text::tr("Frame %1 of %2").arg(track.cursor().frame).arg(frame));
         return !isInterrupted();
     };
     if (!track.seek({frame, 0}, goesOn))
@@ -48,17 +48,17 @@ Beginning beginningOf(const sim::Script &script, std::int64_t frame)
         throw Refusal(Text::tr("The run does not reach frame %1. %2 Ask for the frames after an earlier one.")
                           .arg(frame)
                           .arg(sentenceFor(*track.stop())));
-    std::shared_ptr<const sim::Segment> segment;
-    sim::State state = track.preview(segment);
-    state.frame = track.at().frame;
-    return {segment->scene, state};
+    std::shared_ptr<const sim::ComposedInterval> interval;
+    sim::State state = track.preview(interval);
+    state.frame = track.cursor().frame;
+    return {interval->scene, state};
 }
 
 /// Effects that the scene lists and the pipeline does without, and those that the file has switched off.
 std::vector<UnusedEffect> unusedEffects(const sim::Script &script, const sim::Pipeline &pipeline)
 {
     std::vector<UnusedEffect> unused;
-    for (const sim::EffectPtr &effect : pipeline.leftOut)
+    for (const sim::EffectPtr &effect : pipeline.idleEffects)
         unused.push_back({QString::fromStdString(effect->id()), Text::tr("changes nothing")});
     sim::Script all = script;
     all.effectsOff.clear();

@@ -109,7 +109,7 @@ QString costJson(const CostReport &report)
                        {"rest_ns", report.cost.restNs},
                        {"rest_spread", report.cost.restSpread},
                        {"rounds", report.cost.rounds}};
-    if (report.step.adaptive())
+    if (report.step.isAdaptive())
         object["tolerance"] = report.step.tolerance;
     else
         object["h"] = report.step.h;

@@ -24,13 +24,13 @@ struct Text
 
 QString presetChoice(const lessons::Parameter &parameter)
 {
-    return parameter.choices.value(qsizetype(std::lround(parameter.preset)));
+    return parameter.choices.value(qsizetype(std::lround(parameter.defaultValue)));
 }
 
 QStringList needsOf(const sim::Method &method)
 {
     QStringList needs;
-    for (const std::string &need : method.needs())
+    for (const std::string &need : method.requirements())
         needs.push_back(QString::fromStdString(need));
     if (method.stepping() == sim::Stepping::adaptive)
         needs.push_back(QStringLiteral("tolerance"));
@@ -45,7 +45,7 @@ QJsonObject parameterJson(const lessons::Parameter &parameter)
                 {"choices", QJsonArray::fromStringList(parameter.choices)}};
     return {{"id", parameter.id},
             {"unit", parameter.unit},
-            {"default", parameter.preset},
+            {"default", parameter.defaultValue},
             {"min", parameter.min},
             {"max", parameter.max}};
 }
@@ -83,7 +83,7 @@ QString parameterLine(const lessons::Parameter &parameter)
         return start + Text::tr("%1; one of %2").arg(presetChoice(parameter), parameter.choices.join(", ")) +
                '\n';
     QString line = start + Text::tr("%1; %2 to %3")
-                               .arg(exactNumber(parameter.preset), exactNumber(parameter.min),
+                               .arg(exactNumber(parameter.defaultValue), exactNumber(parameter.min),
                                     exactNumber(parameter.max));
     if (!parameter.unit.isEmpty())
         line += ' ' + parameter.unit;

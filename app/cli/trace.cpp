@@ -33,37 +33,37 @@ void append(std::string &text, Number value)
     text.append(digits, end);
 }
 
-const char *titles(lessons::Columns columns)
+const char *titles(lessons::TraceColumns columns)
 {
     switch (columns) {
-    case lessons::Columns::place:
+    case lessons::TraceColumns::position:
         return "frame,body,x,y\n";
-    case lessons::Columns::placeAndAngle:
+    case lessons::TraceColumns::positionAndAngle:
         return "frame,body,x,y,angle\n";
-    case lessons::Columns::placeAndVelocity:
+    case lessons::TraceColumns::positionAndVelocity:
         break;
     }
     return "frame,body,x,y,vx,vy\n";
 }
 
-void appendRow(std::string &text, const sim::Track &track, lessons::Columns columns)
+void appendRow(std::string &text, const sim::Track &track, lessons::TraceColumns columns)
 {
-    const sim::State &state = track.now();
+    const sim::State &state = track.state();
     const auto cell = [&text](double value) {
         text += ',';
         append(text, value);
     };
-    for (int point = 0; point < state.points(); ++point) {
-        append(text, track.at().frame);
+    for (int point = 0; point < state.pointCount(); ++point) {
+        append(text, track.cursor().frame);
         text += ',';
-        text += track.shown().scene.names[static_cast<std::size_t>(point)];
-        cell(state.at(point).x);
-        cell(state.at(point).y);
-        if (columns == lessons::Columns::placeAndAngle)
+        text += track.interval().scene.names[static_cast<std::size_t>(point)];
+        cell(state.positionOf(point).x);
+        cell(state.positionOf(point).y);
+        if (columns == lessons::TraceColumns::positionAndAngle)
             cell(state.angle[point]);
-        if (columns == lessons::Columns::placeAndVelocity) {
-            cell(state.speed(point).x);
-            cell(state.speed(point).y);
+        if (columns == lessons::TraceColumns::positionAndVelocity) {
+            cell(state.velocityOf(point).x);
+            cell(state.velocityOf(point).y);
         }
         text += '\n';
     }
@@ -71,13 +71,13 @@ void appendRow(std::string &text, const sim::Track &track, lessons::Columns colu
 
 /// Writes the rows up to frame `frames`, and sets `last` to the last one. Returns whether all were written; if not, the
 /// caller asks why.
-bool writeRows(sim::Track &track, std::int64_t frames, lessons::Columns columns, Output &output,
+bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns columns, Output &output,
                std::int64_t &last)
 {
     RunProgress progress(frames);
     output.buffer() += titles(columns);
     appendRow(output.buffer(), track, columns);
-    for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
+    for (std::int64_t frame = track.framesPerOutput(); frame <= frames; frame += track.framesPerOutput()) {
         // Asked within a row, too: one can take long.
         const auto goesOn = [&] {
             progress.at(last);
@@ -93,7 +93,7 @@ bool writeRows(sim::Track &track, std::int64_t frames, lessons::Columns columns,
     return true;
 }
 
-int writeTrace(const Experiment &experiment, lessons::Columns columns)
+int writeTrace(const Experiment &experiment, lessons::TraceColumns columns)
 {
     std::optional<Waiting> waiting(Text::tr("Setting up the run"));
     sim::Track track(experiment.script, historyBudget);
@@ -127,7 +127,7 @@ int trace(const QString &file)
         const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
         const Experiment experiment = experimentIn(file, library);
         const lessons::Step *step = library.lesson(experiment.lesson)->step(experiment.step);
-        return writeTrace(experiment, step->columns);
+        return writeTrace(experiment, step->traceColumns);
     } catch (const Refusal &refusal) {
         say(refusal.sentence());
         return exitBadUse;

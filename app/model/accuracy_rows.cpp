@@ -18,13 +18,13 @@ void append(QByteArray &text, double value)
 
 void appendRow(QByteArray &text, const sim::AccuracyRow &row)
 {
-    text += quotedField(QString::fromStdString(row.way.method->id()));
-    text += ',' + QByteArray::number(row.way.method->order()) + ',';
-    if (!row.way.step.adaptive())
-        appendNumber(text, row.way.step.h);
+    text += quotedField(QString::fromStdString(row.setup.method->id()));
+    text += ',' + QByteArray::number(row.setup.method->order()) + ',';
+    if (!row.setup.step.isAdaptive())
+        appendNumber(text, row.setup.step.h);
     text += ',';
-    if (row.way.step.adaptive())
-        appendNumber(text, row.way.step.tolerance);
+    if (row.setup.step.isAdaptive())
+        appendNumber(text, row.setup.step.tolerance);
     append(text, row.error);
     append(text, row.evaluations);
     const bool isTimed = row.nsPerFrame > 0.0;
@@ -59,7 +59,7 @@ QByteArray errorsOverRun(const sim::Accuracy &accuracy, const std::vector<std::s
     QByteArray text = "frame";
     std::size_t frames = 0;
     for (const std::size_t row : rows) {
-        text += ',' + quotedField(QStringLiteral("%1 [px]").arg(wayWords(accuracy.rows[row].way)));
+        text += ',' + quotedField(QStringLiteral("%1 [px]").arg(wayWords(accuracy.rows[row].setup)));
         frames = std::max(frames, accuracy.rows[row].errorAt.size());
     }
     text += '\n';

@@ -24,7 +24,7 @@ struct AccuracyStudy::Run
     std::optional<sim::Error> error; ///< written before the thread ends, read after
 };
 
-bool sameWay(const sim::Way &a, const sim::Way &b)
+bool sameWay(const sim::MethodSetup &a, const sim::MethodSetup &b)
 {
     return a.method && b.method && a.method->id() == b.method->id() && a.step == b.step;
 }
@@ -87,7 +87,7 @@ void AccuracyStudy::begin()
     const auto run = std::make_shared<Run>();
     m_run = run;
     sim::StudyPlan plan;
-    plan.inUse = sim::Way{m_subject->script.method, m_subject->script.step};
+    plan.inUse = sim::MethodSetup{m_subject->script.method, m_subject->script.step};
     m_thread = std::thread([this, run, plan, script = m_subject->script, function = m_function] {
         QElapsedTimer sinceTold;
         const auto tell = [&](const sim::Accuracy &soFar, double done) {
@@ -171,10 +171,10 @@ const sim::AccuracyRow *AccuracyStudy::inUse() const
     if (!m_accuracy)
         return nullptr;
     const sim::Script &script = m_session.timeline().script();
-    const sim::Way way{script.method, script.step};
+    const sim::MethodSetup setup{script.method, script.step};
     const auto &rows = m_accuracy->rows;
     const auto found = std::find_if(rows.begin(), rows.end(),
-                                    [&](const sim::AccuracyRow &row) { return sameWay(row.way, way); });
+                                    [&](const sim::AccuracyRow &row) { return sameWay(row.setup, setup); });
     return found == rows.end() ? nullptr : &*found;
 }
 
@@ -201,9 +201,9 @@ void AccuracyStudy::follow()
     emit changed();
 }
 
-void AccuracyStudy::adopt(const sim::Way &way)
+void AccuracyStudy::adopt(const sim::MethodSetup &setup)
 {
-    m_session.use(way.method, way.step);
+    m_session.use(setup.method, setup.step);
 }
 
 }

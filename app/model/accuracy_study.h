@@ -50,7 +50,7 @@ public:
     const sim::AccuracyRow *inUse() const;
     QString refusal() const { return m_refusal; }
     /// Uses the method and step of `way` from now on.
-    void adopt(const sim::Way &way);
+    void adopt(const sim::MethodSetup &setup);
 
     const Session &session() const { return m_session; }
 
@@ -93,6 +93,6 @@ private:
 };
 
 /// Whether two ways are the same.
-bool sameWay(const sim::Way &a, const sim::Way &b);
+bool sameWay(const sim::MethodSetup &a, const sim::MethodSetup &b);
 
 }

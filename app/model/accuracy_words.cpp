@@ -81,7 +81,7 @@ QString nothingWithin(const sim::Accuracy &accuracy, const QString &goal)
     if (!closest)
         return Text::tr("Nothing here comes within %1.").arg(goal);
     return Text::tr("Nothing here comes within %1. The closest is %2: %3 off.")
-        .arg(goal, bold(wayWords(closest->way)), pixels(closest->error));
+        .arg(goal, bold(wayWords(closest->setup)), pixels(closest->error));
 }
 
 QString horizonRemark(const sim::Accuracy &accuracy)
@@ -92,8 +92,8 @@ QString horizonRemark(const sim::Accuracy &accuracy)
     switch (accuracy.reference.end) {
     case End::span:
         return {};
-    case End::parted:
-        if (accuracy.reference.kind == sim::ReferenceRun::Kind::ownRefinement)
+    case End::diverged:
+        if (accuracy.reference.kind == sim::ReferenceRun::Kind::selfRefinement)
             return upTo + ' ' +
                    Text::tr("After it, even the two finest steps part: here the smallest difference grows.");
         return upTo + ' ' +
@@ -110,9 +110,10 @@ QString horizonRemark(const sim::Accuracy &accuracy)
 QString limitRemark(const sim::Accuracy &accuracy)
 {
     const sim::ReferenceRun &reference = accuracy.reference;
-    if (reference.kind != sim::ReferenceRun::Kind::ownRefinement || reference.method.empty())
+    if (reference.kind != sim::ReferenceRun::Kind::selfRefinement || reference.method.empty())
         return {};
-    const QString jump = reference.jump ? phrase(reference.jump->title()) : Text::tr("one of its effects");
+    const QString jump =
+        reference.discontinuity ? phrase(reference.discontinuity->title()) : Text::tr("one of its effects");
     return Text::tr("This scene has no exact motion to compare with: %1 acts once a step, however "
                     "short the step is. So each method is compared with its own finest steps.")
         .arg(jump);
@@ -122,7 +123,7 @@ QString fitRemark(const sim::Accuracy &accuracy)
 {
     QStringList names;
     for (const sim::AccuracyRow &row : accuracy.rows) {
-        const QString name = methodTitle(*row.way.method);
+        const QString name = methodTitle(*row.setup.method);
         if (row.outcome == Outcome::doesNotFit && !names.contains(name))
             names << name;
     }
@@ -148,16 +149,16 @@ QString methodTitle(const sim::Method &method)
     return phrase(method.title());
 }
 
-QString wayWords(const sim::Way &way)
+QString wayWords(const sim::MethodSetup &setup)
 {
-    const QString size = stepTitle(way.step);
-    return way.step.adaptive() ? Text::tr("%1, tolerance %2").arg(methodTitle(*way.method), size)
-                               : Text::tr("%1, step %2").arg(methodTitle(*way.method), size);
+    const QString size = stepTitle(setup.step);
+    return setup.step.isAdaptive() ? Text::tr("%1, tolerance %2").arg(methodTitle(*setup.method), size)
+                                   : Text::tr("%1, step %2").arg(methodTitle(*setup.method), size);
 }
 
 QString rowWords(const sim::AccuracyRow &row)
 {
-    QStringList lines{wayWords(row.way)};
+    QStringList lines{wayWords(row.setup)};
     switch (row.outcome) {
     case Outcome::measured:
         lines << (row.error == 0.0 ? Text::tr("Not off at all, to the last digit")
@@ -204,11 +205,11 @@ QString verdictOn(const sim::Accuracy &accuracy, double target, const sim::Accur
     if (best && best == inUse)
         text =
             Text::tr("To be within %1, nothing is cheaper than what you use: %2, at %3 a frame and %4 off.")
-                .arg(goal, bold(wayWords(inUse->way)), bold(duration(inUse->nsPerFrame)),
+                .arg(goal, bold(wayWords(inUse->setup)), bold(duration(inUse->nsPerFrame)),
                      pixels(inUse->error));
     else if (best)
         text = Text::tr("To be within %1, this scene costs %2 a frame: %3.")
-                   .arg(goal, bold(duration(best->nsPerFrame)), bold(wayWords(best->way)));
+                   .arg(goal, bold(duration(best->nsPerFrame)), bold(wayWords(best->setup)));
     else
         text = nothingWithin(accuracy, goal);
     if (!best || best != inUse)
@@ -237,7 +238,7 @@ QString unstableWords(const sim::Accuracy &accuracy)
         bool fails = false;
         bool holds = false;
         for (const sim::AccuracyRow &row : accuracy.rows) {
-            if (row.way.method->id() != method->id())
+            if (row.setup.method->id() != method->id())
                 continue;
             fails |= row.outcome == Outcome::unstable;
             holds |= row.outcome == Outcome::measured;
@@ -261,14 +262,14 @@ std::vector<Slope> slopesOf(const sim::Accuracy &accuracy, const sim::Method &me
     std::vector<Slope> slopes;
     const sim::AccuracyRow *before = nullptr;
     for (const sim::AccuracyRow &row : accuracy.rows) {
-        if (row.way.method->id() != method.id() || row.way.step.adaptive())
+        if (row.setup.method->id() != method.id() || row.setup.step.isAdaptive())
             continue;
         const bool counts = row.outcome == Outcome::measured && row.error > 0.0 &&
                             row.error > worthNaming * accuracy.reference.disagreement;
-        if (counts && before && row.way.step.h < before->way.step.h)
+        if (counts && before && row.setup.step.h < before->setup.step.h)
             slopes.push_back(
                 {before, &row,
-                 std::log(before->error / row.error) / std::log(before->way.step.h / row.way.step.h)});
+                 std::log(before->error / row.error) / std::log(before->setup.step.h / row.setup.step.h)});
         before = counts ? &row : nullptr;
     }
     return slopes;

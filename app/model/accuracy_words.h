@@ -14,7 +14,7 @@ QString pixels(double px);
 /// Returns nanoseconds in the unit of all times that are measured: "0.15\u2009µs", "1300\u2009µs".
 QString duration(double ns);
 /// "RK4, step 1/4 frame"; "Dormand–Prince 5(4), tolerance 0.05\u2009px".
-QString wayWords(const sim::Way &way);
+QString wayWords(const sim::MethodSetup &setup);
 QString methodTitle(const sim::Method &method);
 
 /// All that is known about a row, one thing a line.

@@ -29,15 +29,15 @@ void Attempts::check(const QString &lesson, const lessons::Step &step, const sim
             askLater();
             return false;
         }
-        const bool kept = lessons::keeps(budget, timeline.script(), m_timing);
+        const bool kept = lessons::staysWithin(budget, timeline.script(), m_timing);
         m_sinceMeasured.start();
         return kept;
     };
     for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
         const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
-        if (m_progress.isDone(lesson, step.id, i) || (one.whileStopped && plays))
+        if (m_progress.isDone(lesson, step.id, i) || (one.onlyWhilePaused && plays))
             continue;
-        if (one.done(timeline) && (!one.budget || keeps(*one.budget)))
+        if (one.isDone(timeline) && (!one.budget || keeps(*one.budget)))
             m_progress.markDone(lesson, step.id, i);
     }
 }
@@ -48,9 +48,9 @@ QString Attempts::todo(const QString &lesson, const lessons::Step &step, int num
     const lessons::Try &one = step.tries[static_cast<std::size_t>(number)];
     if (m_progress.isDone(lesson, step.id, number))
         return {};
-    if (!one.done(timeline))
+    if (!one.isDone(timeline))
         return one.conditions.todo(timeline);
-    if (one.whileStopped && plays)
+    if (one.onlyWhilePaused && plays)
         return tr("stop here: press **Space**.");
     if (one.budget && !m_isAsked)
         return tr("it is too far off, or a frame takes too long. Try another method or step.");
@@ -73,18 +73,18 @@ bool Attempts::mayBeDoneByWaiting(const QString &lesson, const lessons::Step &st
     std::vector<const lessons::Try *> open;
     for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
         const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
-        if (!m_progress.isDone(lesson, step.id, i) && !one.done(timeline))
+        if (!m_progress.isDone(lesson, step.id, i) && !one.isDone(timeline))
             open.push_back(&one);
     }
     if (open.empty())
         return false;
-    if (timeline.now().points() > manyPoints && !timeline.isOver())
+    if (timeline.state().pointCount() > manyPoints && !timeline.isFinished())
         return true; // to find out takes too long before it sleeps
     sim::Timeline later = timeline;
     for (const std::int64_t frames : laterFrames) {
-        later.seek({timeline.at().frame + frames, 0});
+        later.seek({timeline.cursor().frame + frames, 0});
         for (const lessons::Try *one : open) {
-            if (one->done(later))
+            if (one->isDone(later))
                 return true;
         }
     }

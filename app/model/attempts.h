@@ -20,7 +20,7 @@ public:
     explicit Attempts(Progress &progress) : m_progress(progress) {}
 
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
-    void setTiming(lessons::Timing timing) { m_timing = std::move(timing); }
+    void setTiming(lessons::TimeMeasurement timing) { m_timing = std::move(timing); }
 
     /// Ticks what is done at the moment of `timeline`, a run of this step, which plays or stands.
     void check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline, bool plays);
@@ -42,7 +42,7 @@ private:
     void askLater();
 
     Progress &m_progress;
-    lessons::Timing m_timing = lessons::measuredTime;
+    lessons::TimeMeasurement m_timing = lessons::measureTime;
     bool m_isAsked = false;        ///< whether checkDue() is on its way
     QElapsedTimer m_sinceMeasured; ///< since a budget was last looked at
 };

@@ -29,7 +29,7 @@ double angleOf(const sim::Blueprint &plan, int foot, int body, int gait)
     return std::round(std::atan2(bone.y + drop, bone.x) * 180.0 / std::numbers::pi);
 }
 
-double inverseMass(const sim::BuiltPoint &point)
+double inverseMass(const sim::BlueprintPoint &point)
 {
     return point.fixed ? 0.0 : 1.0 / point.mass;
 }
@@ -42,7 +42,7 @@ bool contains(const std::vector<int> &sorted, int one)
 std::string freeName(const sim::Blueprint &plan)
 {
     std::set<std::string> names;
-    for (const sim::BuiltPoint &point : plan.points)
+    for (const sim::BlueprintPoint &point : plan.points)
         names.insert(point.name);
     const auto name = [](int number) { return std::string("p").append(std::to_string(number)); };
     int number = 0;
@@ -129,7 +129,7 @@ std::optional<int> addPoint(sim::Blueprint &plan, sim::Vec2 at)
 {
     if (plan.points.size() >= built::mostPoints || !built::place.holds(at.x) || !built::place.holds(at.y))
         return {};
-    sim::BuiltPoint point;
+    sim::BlueprintPoint point;
     point.name = freeName(plan);
     point.x = at;
     plan.points.push_back(point);
@@ -140,7 +140,7 @@ std::optional<int> addSpring(sim::Blueprint &plan, int a, int b)
 {
     if (a == b || plan.springs.size() >= built::mostLinks)
         return {};
-    const double k = plan.springs.empty() ? sim::BuiltSpring().k : plan.springs.back().k;
+    const double k = plan.springs.empty() ? sim::BlueprintSpring().k : plan.springs.back().k;
     plan.springs.push_back({a, b, k, apart(plan, a, b)});
     return static_cast<int>(plan.springs.size()) - 1;
 }
@@ -179,7 +179,7 @@ std::optional<int> addGait(sim::Blueprint &plan)
 {
     if (plan.gaits.size() >= built::mostGaits)
         return {};
-    plan.gaits.push_back(plan.gaits.empty() ? sim::BuiltGait() : plan.gaits.back());
+    plan.gaits.push_back(plan.gaits.empty() ? sim::BlueprintGait() : plan.gaits.back());
     return static_cast<int>(plan.gaits.size()) - 1;
 }
 
@@ -191,11 +191,11 @@ void erase(sim::Blueprint &plan, const Chosen &chosen)
     eraseNumbers(plan.points, chosen.points);
     reconnect(plan.springs, numbers);
     reconnect(plan.sticks, numbers);
-    for (sim::BuiltFoot &foot : plan.feet) {
+    for (sim::BlueprintFoot &foot : plan.feet) {
         foot.foot = numbers[std::size_t(foot.foot)];
         foot.body = numbers[std::size_t(foot.body)];
     }
-    std::erase_if(plan.feet, [](const sim::BuiltFoot &foot) { return foot.foot < 0 || foot.body < 0; });
+    std::erase_if(plan.feet, [](const sim::BlueprintFoot &foot) { return foot.foot < 0 || foot.body < 0; });
 }
 
 std::optional<Chosen> duplicate(sim::Blueprint &plan, const Chosen &chosen, sim::Vec2 by)
@@ -204,11 +204,11 @@ std::optional<Chosen> duplicate(sim::Blueprint &plan, const Chosen &chosen, sim:
     Chosen added;
     std::vector<int> copies(plan.points.size(), -1);
     for (const int one : chosen.points) {
-        const sim::BuiltPoint &old = plan.points[std::size_t(one)];
+        const sim::BlueprintPoint &old = plan.points[std::size_t(one)];
         const std::optional<int> copy = addPoint(next, old.x + by);
         if (!copy)
             return {};
-        sim::BuiltPoint made = old;
+        sim::BlueprintPoint made = old;
         std::swap(made.name, next.points[std::size_t(*copy)].name);
         made.x = next.points[std::size_t(*copy)].x;
         next.points[std::size_t(*copy)] = std::move(made);
@@ -219,7 +219,7 @@ std::optional<Chosen> duplicate(sim::Blueprint &plan, const Chosen &chosen, sim:
     added.sticks = copyLinks(next.sticks, copies);
     if (next.springs.size() > built::mostLinks || next.sticks.size() > built::mostLinks)
         return {};
-    for (sim::BuiltFoot foot : plan.feet) {
+    for (sim::BlueprintFoot foot : plan.feet) {
         foot.foot = copies[std::size_t(foot.foot)];
         foot.body = copies[std::size_t(foot.body)];
         if (foot.foot >= 0 && foot.body >= 0)
@@ -252,7 +252,7 @@ void keepTies(sim::Blueprint &plan, const sim::Blueprint &before)
     };
     follow(plan.springs);
     follow(plan.sticks);
-    for (sim::BuiltFoot &foot : plan.feet) {
+    for (sim::BlueprintFoot &foot : plan.feet) {
         const auto isMoved = [&](int point) {
             return plan.points[std::size_t(point)].x != before.points[std::size_t(point)].x;
         };

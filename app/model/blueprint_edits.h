@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// Parts of a built scene, by number; each list in order, without one twice.
+/// DoubleDouble of a built scene, by number; each list in order, without one twice.
 struct Chosen
 {
     std::vector<int> points;

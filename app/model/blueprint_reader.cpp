@@ -105,26 +105,27 @@ private:
         }
     }
 
-    sim::BuiltPoint point(const QString &name, const JsonValue &value) const
+    sim::BlueprintPoint point(const QString &name, const JsonValue &value) const
     {
         const JsonFields body(m_file, value, tr("the body %1").arg(quoted(name)));
         QStringList known = {"x", "y", "vx", "vy", "mass", "size", "fixed"};
-        for (const sim::Description *effect : m_step.catalogue) {
-            for (const sim::Setting &setting : effect->ofPoints)
-                known.push_back(QString::fromUtf8(setting.id));
+        for (const sim::EffectDescription *effect : m_step.availableEffects) {
+            for (const sim::ParameterSpec &parameter : effect->pointProperties)
+                known.push_back(QString::fromUtf8(parameter.id));
         }
         body.refuseOthers(known);
-        sim::BuiltPoint point;
+        sim::BlueprintPoint point;
         point.name = name.toStdString();
         point.x = {number(body, "x", built::place), number(body, "y", built::place)};
         point.v = {number(body, "vx", built::speed, 0.0), number(body, "vy", built::speed, 0.0)};
         point.mass = number(body, "mass", built::mass, point.mass);
         point.size = number(body, "size", built::size, point.size);
         point.fixed = truth(body, "fixed", false);
-        for (const sim::Description *effect : m_step.catalogue) {
-            for (const sim::Setting &setting : effect->ofPoints) {
-                const double own = number(body, setting.id, {setting.min, setting.max}, setting.preset);
-                sim::setValue(point, setting, own);
+        for (const sim::EffectDescription *effect : m_step.availableEffects) {
+            for (const sim::ParameterSpec &parameter : effect->pointProperties) {
+                const double own =
+                    number(body, parameter.id, {parameter.min, parameter.max}, parameter.defaultValue);
+                sim::setValue(point, parameter, own);
             }
         }
         return point;
@@ -183,7 +184,7 @@ private:
         forEach("gaits", built::mostGaits, [this](const JsonValue &value) {
             const JsonFields fields(m_file, value, tr("a gait group"));
             fields.refuseOthers({"k", "leg", "drop", "speed", "start", "pulls_body"});
-            sim::BuiltGait gait;
+            sim::BlueprintGait gait;
             gait.k = number(fields, "k", built::stiffness, gait.k);
             gait.leg = number(fields, "leg", built::length, gait.leg);
             gait.drop = number(fields, "drop", built::drop, gait.drop);
@@ -219,7 +220,7 @@ private:
     void readEffects()
     {
         QStringList known;
-        for (const sim::Description *effect : m_step.catalogue)
+        for (const sim::EffectDescription *effect : m_step.availableEffects)
             known.push_back(QString::fromUtf8(effect->id));
         forEach("effects", std::size_t(known.size()), [&](const JsonValue &value) {
             const QString id = textOf(m_file, value, "effects");

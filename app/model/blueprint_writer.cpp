@@ -44,15 +44,15 @@ QString block(const char *name, const QString &brackets, const QStringList &entr
 
 QStringList pointEntries(const sim::Blueprint &plan)
 {
-    const sim::BuiltPoint usual;
+    const sim::BlueprintPoint usual;
     QStringList entries;
-    for (const sim::BuiltPoint &one : plan.points) {
+    for (const sim::BlueprintPoint &one : plan.points) {
         Entry entry;
         entry.number("x", one.x.x).number("y", one.x.y);
         entry.number("vx", one.v.x, 0.0).number("vy", one.v.y, 0.0);
         entry.number("mass", one.mass, usual.mass).number("size", one.size, usual.size);
         entry.truth("fixed", one.fixed, false);
-        for (const auto &[setting, value] : one.more)
+        for (const auto &[setting, value] : one.properties)
             entry.number(setting.c_str(), value);
         entries.push_back('"' + QString::fromStdString(one.name) + "\": " + entry.line());
     }
@@ -61,9 +61,9 @@ QStringList pointEntries(const sim::Blueprint &plan)
 
 QStringList gaitEntries(const sim::Blueprint &plan)
 {
-    const sim::BuiltGait usual;
+    const sim::BlueprintGait usual;
     QStringList entries;
-    for (const sim::BuiltGait &one : plan.gaits) {
+    for (const sim::BlueprintGait &one : plan.gaits) {
         Entry entry;
         entry.number("k", one.k).number("leg", one.leg).number("drop", one.drop);
         entry.number("speed", one.speed, usual.speed).number("start", one.start, usual.start);
@@ -81,21 +81,21 @@ QString blueprintText(const sim::Blueprint &plan)
         return QString::fromStdString(plan.points[static_cast<std::size_t>(point)].name);
     };
     QStringList springs, sticks, feet, effects;
-    for (const sim::BuiltSpring &one : plan.springs)
+    for (const sim::BlueprintSpring &one : plan.springs)
         springs << Entry()
                        .text("a", name(one.a))
                        .text("b", name(one.b))
                        .number("k", one.k)
                        .number("length", one.length)
                        .line();
-    for (const sim::BuiltStick &one : plan.sticks)
+    for (const sim::BlueprintStick &one : plan.sticks)
         sticks << Entry()
                       .text("a", name(one.a))
                       .text("b", name(one.b))
                       .number("length", one.length)
                       .number("share", one.share, 0.5)
                       .line();
-    for (const sim::BuiltFoot &one : plan.feet)
+    for (const sim::BlueprintFoot &one : plan.feet)
         feet << Entry()
                     .text("foot", name(one.foot))
                     .text("body", name(one.body))

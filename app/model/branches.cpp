@@ -128,7 +128,7 @@ std::int64_t firstDifferent(const sim::Script &a, const sim::Script &b)
 
 std::int64_t lastShared(const sim::Script &a, const sim::Script &b)
 {
-    const std::int64_t row = a.step.rowFrames;
+    const std::int64_t row = a.step.framesPerOutput;
     return std::max<std::int64_t>(0, firstDifferent(a, b) - 1) / row * row;
 }
 

@@ -22,7 +22,7 @@ struct Text
 
 const sim::Phase &nextPhase(const sim::Timeline &run)
 {
-    return run.track().next()->pipeline.phaseAt(run.at().phase);
+    return run.track().nextInterval()->pipeline.phaseAt(run.cursor().phase);
 }
 
 QString sentenceFor(const Breakpoint &breakpoint, const sim::Timeline &run)
@@ -32,7 +32,7 @@ QString sentenceFor(const Breakpoint &breakpoint, const sim::Timeline &run)
             ? breakpoint.condition
             : Text::tr("%1, line %2").arg(fileName(breakpoint.place->file)).arg(breakpoint.place->line);
     return Text::tr("Stopped at frame %1 before %2: %3.")
-        .arg(QString::number(run.at().frame), phrase(nextPhase(run).title), why);
+        .arg(QString::number(run.cursor().frame), phrase(nextPhase(run).title), why);
 }
 
 }
@@ -40,7 +40,7 @@ QString sentenceFor(const Breakpoint &breakpoint, const sim::Timeline &run)
 ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &timeline)
 {
     const sim::Track &track = timeline.track();
-    ConditionNames names{track.shown().scene, timeline.values(), track.next()->pipeline};
+    ConditionNames names{track.interval().scene, timeline.values(), track.nextInterval()->pipeline};
     for (const lessons::Parameter &parameter : step.parameters) {
         if (!parameter.choices.isEmpty())
             names.choices[parameter.id] = parameter.choices;
@@ -81,7 +81,8 @@ void BreakWatch::watch(const std::vector<Breakpoint> &breakpoints, const lessons
 
 void BreakWatch::fit(const sim::Timeline &run)
 {
-    const std::shared_ptr<const sim::Segment> shown = run.track().shownPtr(), next = run.track().next();
+    const std::shared_ptr<const sim::ComposedInterval> shown = run.track().intervalPtr(),
+                                                       next = run.track().nextInterval();
     if (shown == m_shown && next == m_next)
         return;
     m_shown = shown;
@@ -106,7 +107,7 @@ void BreakWatch::fit(const sim::Timeline &run)
 bool BreakWatch::holds(const Watched &one, const sim::Timeline &run) const
 {
     return one.isInForce &&
-           (!one.condition || one.condition->holds({run.now(), run.at().frame, &nextPhase(run)}));
+           (!one.condition || one.condition->holds({run.state(), run.cursor().frame, &nextPhase(run)}));
 }
 
 void BreakWatch::look(const sim::Timeline &run)
@@ -118,7 +119,7 @@ void BreakWatch::look(const sim::Timeline &run)
 
 sim::Cursor BreakWatch::nextPlace(const sim::Timeline &run, sim::Cursor target) const
 {
-    const sim::Pipeline &pipeline = run.track().next()->pipeline;
+    const sim::Pipeline &pipeline = run.track().nextInterval()->pipeline;
     const auto mayStopAt = [&](int phase) {
         return std::any_of(m_watched.begin(), m_watched.end(), [&](const Watched &one) {
             return one.isInForce &&
@@ -126,19 +127,19 @@ sim::Cursor BreakWatch::nextPlace(const sim::Timeline &run, sim::Cursor target) 
                                                        phase % pipeline.phasesPerStep()) != one.phases.end());
         });
     };
-    const sim::Cursor at = run.at();
-    const sim::Cursor rowEnd{at.frame + run.track().rowFrames(), 0};
-    for (int phase = at.phase + 1; phase < pipeline.phasesPerRow(); ++phase) {
+    const sim::Cursor at = run.cursor();
+    const sim::Cursor outputEnd{at.frame + run.track().framesPerOutput(), 0};
+    for (int phase = at.phase + 1; phase < pipeline.phasesPerOutput(); ++phase) {
         if (mayStopAt(phase))
             return std::min(target, {at.frame, phase});
     }
-    return std::min(target, rowEnd);
+    return std::min(target, outputEnd);
 }
 
 std::optional<BreakHit> BreakWatch::hitAt(const sim::Timeline &run)
 {
     fit(run);
-    const int phase = run.at().phase % m_next->pipeline.phasesPerStep();
+    const int phase = run.cursor().phase % m_next->pipeline.phasesPerStep();
     const Breakpoint *hit = nullptr;
     for (Watched &one : m_watched) {
         const bool isHere = !one.breakpoint.place ||
@@ -152,28 +153,29 @@ std::optional<BreakHit> BreakWatch::hitAt(const sim::Timeline &run)
     }
     if (!hit)
         return std::nullopt;
-    return BreakHit{hit->id, run.at(), sentenceFor(*hit, run)};
+    return BreakHit{hit->id, run.cursor(), sentenceFor(*hit, run)};
 }
 
 std::optional<BreakHit> BreakWatch::run(sim::Timeline &run, sim::Cursor target)
 {
-    if (run.at() != m_last)
+    if (run.cursor() != m_last)
         m_rowsOver = 0;
     look(run);
-    target.frame = target.frame / run.track().rowFrames() * run.track().rowFrames(); // as seek() has it
+    target.frame =
+        target.frame / run.track().framesPerOutput() * run.track().framesPerOutput(); // as seek() has it
     std::optional<BreakHit> hit;
-    while (!hit && run.at() < target) {
+    while (!hit && run.cursor() < target) {
         const sim::Cursor wanted = nextPlace(run, target);
         run.seek(wanted);
-        if (run.at() != wanted) { // the run ends on the way
+        if (run.cursor() != wanted) { // the run ends on the way
             run.seek(target);
             break;
         }
         hit = hitAt(run);
-        if (run.at().phase == 0)
-            m_rowsOver = run.isOver() ? m_rowsOver + 1 : 0;
+        if (run.cursor().phase == 0)
+            m_rowsOver = run.isFinished() ? m_rowsOver + 1 : 0;
     }
-    m_last = run.at();
+    m_last = run.cursor();
     return hit;
 }
 
@@ -183,7 +185,7 @@ bool BreakWatch::mayStillStop(const sim::Timeline &run) const
         return one.isInForce && one.condition && one.condition->readsFrame();
     });
     // What sleeps goes through the same states again and again: after a whole round all of them were looked at.
-    return isWatching() && (readsFrame || !run.isOver() || m_rowsOver <= sim::SleepWatch::longest);
+    return isWatching() && (readsFrame || !run.isFinished() || m_rowsOver <= sim::CycleDetector::longest);
 }
 
 }

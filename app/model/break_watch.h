@@ -56,8 +56,8 @@ private:
 
     const lessons::Step *m_step = nullptr;
     std::vector<Watched> m_watched;
-    std::shared_ptr<const sim::Segment> m_shown, m_next; ///< what m_watched fits
-    sim::Cursor m_last;                                  ///< where run() left off
+    std::shared_ptr<const sim::ComposedInterval> m_shown, m_next; ///< what m_watched fits
+    sim::Cursor m_last;                                           ///< where run() left off
     int m_rowsOver = 0; ///< rows in a row that were looked at since the run is over
 };
 

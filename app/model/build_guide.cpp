@@ -61,7 +61,7 @@ void BuildGuide::follow()
         return;
     }
     m_hasWalked = m_hasWalked || step() == Step::done;
-    if (m_hasWalked && m_session.timeline().at().frame == 0) {
+    if (m_hasWalked && m_session.timeline().cursor().frame == 0) {
         leave();
         return;
     }
@@ -79,9 +79,9 @@ int BuildGuide::body() const
 
 bool BuildGuide::hasOppositeFeet() const
 {
-    const std::vector<sim::BuiltFoot> &feet = m_bench.plan().feet;
-    return std::any_of(feet.begin(), feet.end(), [&](const sim::BuiltFoot &one) {
-        return std::any_of(feet.begin(), feet.end(), [&](const sim::BuiltFoot &other) {
+    const std::vector<sim::BlueprintFoot> &feet = m_bench.plan().feet;
+    return std::any_of(feet.begin(), feet.end(), [&](const sim::BlueprintFoot &one) {
+        return std::any_of(feet.begin(), feet.end(), [&](const sim::BlueprintFoot &other) {
             return one.body == other.body && offOpposite(one.angle, other.angle) <= askew;
         });
     });
@@ -90,7 +90,7 @@ bool BuildGuide::hasOppositeFeet() const
 bool BuildGuide::swings() const
 {
     const sim::Blueprint &plan = m_bench.plan();
-    return std::any_of(plan.feet.begin(), plan.feet.end(), [&](const sim::BuiltFoot &one) {
+    return std::any_of(plan.feet.begin(), plan.feet.end(), [&](const sim::BlueprintFoot &one) {
         return plan.gaits[std::size_t(one.gait)].speed != 0.0;
     });
 }
@@ -113,10 +113,10 @@ BuildGuide::Step BuildGuide::footStep() const
 BuildGuide::Step BuildGuide::runStep() const
 {
     const sim::Vec2 from = m_bench.plan().points[std::size_t(body())].x;
-    const sim::State &now = m_session.timeline().now();
-    if (body() < now.points() && std::abs(now.at(body()).x - from.x) >= far)
+    const sim::State &now = m_session.timeline().state();
+    if (body() < now.pointCount() && std::abs(now.positionOf(body()).x - from.x) >= far)
         return Step::done;
-    return m_session.isPlaying() || m_session.timeline().at().frame > 0 ? Step::watch : Step::play;
+    return m_session.isPlaying() || m_session.timeline().cursor().frame > 0 ? Step::watch : Step::play;
 }
 
 BuildGuide::Step BuildGuide::step() const
@@ -149,7 +149,7 @@ std::vector<int> BuildGuide::points() const
         return {body()};
     std::vector<int> feet;
     if (step() == Step::foot) {
-        for (const sim::BuiltFoot &one : m_bench.plan().feet)
+        for (const sim::BlueprintFoot &one : m_bench.plan().feet)
             feet.push_back(one.foot);
     }
     return feet;
@@ -183,7 +183,7 @@ QString BuildGuide::text() const
     case Step::play:
         return tr("Press Play (Space).");
     case Step::watch:
-        return m_session.timeline().at().frame < patience
+        return m_session.timeline().cursor().frame < patience
                    ? tr("Watch it: it lands, and then its feet push it along.")
                    : tr("It does not walk yet. Press Home, and make Swing 0.05.");
     case Step::done:

@@ -20,7 +20,7 @@ lessons::Parameter parameterOf(const Named &named, double preset)
     parameter.name = named.name;
     parameter.unit = named.unit;
     parameter.help = named.help;
-    parameter.preset = preset;
+    parameter.defaultValue = preset;
     parameter.min = parameter.sliderMin = named.span.min;
     parameter.max = parameter.sliderMax = named.span.max;
     parameter.decimals = named.decimals;

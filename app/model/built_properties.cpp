@@ -23,8 +23,9 @@ struct Text
 
 /// A property of all chosen parts of one list: `parts(plan)` is the list, `numbers(chosen)` which of it are chosen;
 /// `read(part)` and `write(part, value)` are the property of one part.
-template <class Parts, class Numbers, class Read, class Write>
-BuiltProperty propertyOf(lessons::Parameter about, Parts parts, Numbers numbers, Read read, Write write)
+template <class DoubleDouble, class Numbers, class Read, class Write>
+BuiltProperty propertyOf(lessons::Parameter about, DoubleDouble parts, Numbers numbers, Read read,
+                         Write write)
 {
     BuiltProperty property;
     property.about = std::move(about);
@@ -51,8 +52,8 @@ BuiltProperty propertyOf(lessons::Parameter about, Parts parts, Numbers numbers,
 }
 
 /// The same for what is a field of a part: `field(part)`.
-template <class Parts, class Numbers, class Field>
-BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field field)
+template <class DoubleDouble, class Numbers, class Field>
+BuiltProperty propertyOf(const Named &named, DoubleDouble parts, Numbers numbers, Field field)
 {
     const auto read = [field](auto part) { return static_cast<double>(field(part)); };
     const auto write = [field](auto &part, double value) {
@@ -157,15 +158,15 @@ void addPoints(Collector &all, const sim::Blueprint &plan, const Chosen &chosen)
 /// What effects read of points, while they are in the scene.
 void addSettings(Collector &all, const sim::Blueprint &plan, sim::EffectList known)
 {
-    for (const sim::Description *effect : known) {
-        if (!sim::has(plan, effect->id))
+    for (const sim::EffectDescription *effect : known) {
+        if (!sim::hasEffect(plan, effect->id))
             continue;
-        for (const sim::Setting &setting : effect->ofPoints) {
-            const auto read = [&setting](const auto &point) { return sim::valueOf(point, setting); };
-            const auto write = [&setting](auto &point, double value) {
-                sim::setValue(point, setting, value);
+        for (const sim::ParameterSpec &parameter : effect->pointProperties) {
+            const auto read = [&parameter](const auto &point) { return sim::valueOf(point, parameter); };
+            const auto write = [&parameter](auto &point, double value) {
+                sim::setValue(point, parameter, value);
             };
-            all.add(propertyOf(lessons::parameterOf(setting), pointsOf, chosenPoints, read, write));
+            all.add(propertyOf(lessons::parameterFromSpec(parameter), pointsOf, chosenPoints, read, write));
         }
     }
 }
@@ -192,7 +193,7 @@ void addSticks(Collector &all, const Chosen &chosen)
 
 void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
 {
-    const sim::BuiltFoot &one = plan.feet[std::size_t(foot)];
+    const sim::BlueprintFoot &one = plan.feet[std::size_t(foot)];
     const auto theFoot = [foot](const Chosen &) { return std::vector<int>{foot}; };
     const int gait = one.gait;
     const auto theGait = [gait](const Chosen &) { return std::vector<int>{gait}; };
@@ -211,7 +212,7 @@ void addFootOf(Collector &all, const sim::Blueprint &plan, int foot)
          {0.0, last},
          0},
         feetOf, theFoot, [](auto &leg) -> auto & { return leg.gait; });
-    group.about.whole = true;
+    group.about.isInteger = true;
     all.add(std::move(group));
     all.begin(Text::tr("Gait group %1").arg(gait));
     all.add(ofGait(

@@ -15,9 +15,9 @@ constexpr std::int64_t mostComputed = 200'000; ///< points times steps
 using Value = std::variant<double, sim::Vec2>;
 
 /// What `phase` computes under the symbol's name, which may be a part of a pair ("v.x").
-std::optional<Value> valueIn(const std::vector<sim::Live> &all, const std::string &name)
+std::optional<Value> valueIn(const std::vector<sim::LiveValue> &all, const std::string &name)
 {
-    for (const sim::Live &live : all) {
+    for (const sim::LiveValue &live : all) {
         if (live.name == name)
             return live.value;
         const sim::Vec2 *pair = std::get_if<sim::Vec2>(&live.value);
@@ -44,18 +44,19 @@ double parameterAt(const sim::Script &script, const std::string &id, std::int64_
 CodeHistory parameterHistory(const std::string &id, const sim::Track &run)
 {
     CodeHistory history;
-    const std::int64_t rowFrames = run.rowFrames();
-    std::int64_t frame = std::max<std::int64_t>(0, run.at().frame - (historyFrames - 1) * rowFrames);
-    for (; frame <= run.at().frame; frame += rowFrames)
-        history.samples.push_back({frame, parameterAt(run.script(), id, frame + rowFrames)});
+    const std::int64_t framesPerOutput = run.framesPerOutput();
+    std::int64_t frame =
+        std::max<std::int64_t>(0, run.cursor().frame - (historyFrames - 1) * framesPerOutput);
+    for (; frame <= run.cursor().frame; frame += framesPerOutput)
+        history.samples.push_back({frame, parameterAt(run.script(), id, frame + framesPerOutput)});
     return history;
 }
 
 /// Runs `phases` phases of a row on `state`; what the last run of phase number `which` of a step came to.
-std::optional<Value> runRow(sim::State &state, const sim::Segment &segment, int phases, int which,
+std::optional<Value> runRow(sim::State &state, const sim::ComposedInterval &interval, int phases, int which,
                             const std::string &name, int point)
 {
-    const sim::Pipeline &pipeline = segment.pipeline;
+    const sim::Pipeline &pipeline = interval.pipeline;
     const int perStep = pipeline.phasesPerStep();
     const int last = (phases - 1 - which) / perStep * perStep + which;
     std::optional<Value> value;
@@ -76,11 +77,11 @@ std::optional<Value> runRow(sim::State &state, const sim::Segment &segment, int 
 /// How many rows before the cursor may be computed again.
 std::int64_t rowsToCompute(const sim::Track &run)
 {
-    const std::int64_t perRow = run.script().step.perRow * std::max(1, run.now().points());
+    const std::int64_t perRow = run.script().step.stepsPerOutput * std::max(1, run.state().pointCount());
     const std::int64_t most = std::min<std::int64_t>(historyFrames, mostComputed / perRow);
-    const std::int64_t rowFrames = run.rowFrames();
-    const std::int64_t first = std::max<std::int64_t>(0, run.at().frame - most * rowFrames);
-    const std::int64_t way = (first - run.knownBefore(first)) / rowFrames;
+    const std::int64_t framesPerOutput = run.framesPerOutput();
+    const std::int64_t first = std::max<std::int64_t>(0, run.cursor().frame - most * framesPerOutput);
+    const std::int64_t way = (first - run.cachedFrameBefore(first)) / framesPerOutput;
     return way * perRow > 10 * mostComputed ? 0 : most;
 }
 
@@ -90,24 +91,26 @@ CodeHistory historyOf(const CodeSymbol &symbol, const sim::Track &run, const std
 {
     if (!symbol.parameter.isEmpty())
         return parameterHistory(symbol.parameter.toStdString(), run);
-    const sim::FlushTiny flush;
+    const sim::FlushDenormals flush;
     CodeHistory history;
-    const std::int64_t rows = rowsToCompute(run), rowFrames = run.rowFrames();
-    const bool isInside = run.at().phase > 0;
+    const std::int64_t rows = rowsToCompute(run), framesPerOutput = run.framesPerOutput();
+    const bool isInside = run.cursor().phase > 0;
     if (symbol.phase < 0 || (rows == 0 && !isInside))
         return history;
     const std::string name = symbol.name.toStdString();
-    std::int64_t frame = std::max<std::int64_t>(0, run.at().frame - rows * rowFrames);
+    std::int64_t frame = std::max<std::int64_t>(0, run.cursor().frame - rows * framesPerOutput);
     sim::State state = run.stateAt(frame);
-    for (; frame < run.at().frame || (isInside && frame == run.at().frame); frame += rowFrames) {
-        const std::shared_ptr<const sim::Segment> segment = run.segmentAt(frame + rowFrames);
-        state = run.begunAfter(std::move(state), frame);
-        const int point = segment->scene.find(body);
-        const int phases = frame < run.at().frame ? segment->pipeline.phasesPerRow() : run.at().phase;
-        if (symbol.phase >= segment->pipeline.phasesPerStep() || point < 0)
+    for (; frame < run.cursor().frame || (isInside && frame == run.cursor().frame);
+         frame += framesPerOutput) {
+        const std::shared_ptr<const sim::ComposedInterval> interval = run.intervalAt(frame + framesPerOutput);
+        state = run.stateAfterInput(std::move(state), frame);
+        const int point = interval->scene.find(body);
+        const int phases =
+            frame < run.cursor().frame ? interval->pipeline.phasesPerOutput() : run.cursor().phase;
+        if (symbol.phase >= interval->pipeline.phasesPerStep() || point < 0)
             return history; // another scene: the numbers before would be of something else
-        if (const auto value = runRow(state, *segment, phases, symbol.phase, name, point))
-            history.samples.push_back({frame + rowFrames, *value});
+        if (const auto value = runRow(state, *interval, phases, symbol.phase, name, point))
+            history.samples.push_back({frame + framesPerOutput, *value});
     }
     return history;
 }

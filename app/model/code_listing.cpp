@@ -65,7 +65,7 @@ bool isOfEffect(const sim::Phase &phase, const sim::Region &region)
 {
     if (!phase.effect)
         return true;
-    for (const sim::Directions way : {sim::Directions::published, sim::Directions::apart}) {
+    for (const sim::DirectionRule way : {sim::DirectionRule::published, sim::DirectionRule::regularised}) {
         const std::vector<sim::Region> own = phase.effect->regions(way);
         if (std::find(own.begin(), own.end(), region) != own.end())
             return true;
@@ -171,21 +171,22 @@ int CodeListing::goneLines() const
     return static_cast<int>(count);
 }
 
-CodeListing listingOf(const lessons::Step &step, const sim::Segment &segment, const sim::Method &method)
+CodeListing listingOf(const lessons::Step &step, const sim::ComposedInterval &interval,
+                      const sim::Method &method)
 {
     SourceBook book;
     CodeListing listing;
-    CodeSection scene{CodeSection::Role::scene, Text::tr("Scene"), sim::Kind::motion, {}, {}};
-    append(scene.lines, book, step.setUp);
+    CodeSection scene{CodeSection::Role::scene, Text::tr("Scene"), sim::EffectKind::motion, {}, {}};
+    append(scene.lines, book, step.sceneSource);
     listing.sections.push_back(std::move(scene));
     CodeSection order{CodeSection::Role::order,
                       Text::tr("%1: the order").arg(phrase(method.title())),
-                      sim::Kind::motion,
+                      sim::EffectKind::motion,
                       {},
                       {}};
     append(order.lines, book, method.region());
     listing.sections.push_back(std::move(order));
-    appendPhases(listing, book, segment.pipeline);
+    appendPhases(listing, book, interval.pipeline);
     return listing;
 }
 
@@ -195,9 +196,9 @@ std::optional<CodeListing> listingAtStart(const lessons::Step &step, const sim::
     for (const sim::MethodPtr &tried : {method, script.method}) {
         try {
             script.method = tried;
-            sim::Segment segment{script.values, sceneOf(script, script.values), {}};
-            segment.pipeline = sim::compose(segment.scene, *tried, script.step);
-            return listingOf(step, segment, *tried);
+            sim::ComposedInterval interval{script.values, sceneOf(script, script.values), {}};
+            interval.pipeline = sim::compose(interval.scene, *tried, script.step);
+            return listingOf(step, interval, *tried);
         } catch (const sim::Error &) {
             continue; // the other method, then
         }

@@ -45,7 +45,7 @@ struct CodeSection
     };
     Role role = Role::phase;
     QString title;
-    sim::Kind kind = sim::Kind::motion;
+    sim::EffectKind kind = sim::EffectKind::motion;
     std::vector<int> phases; ///< indices into the pipeline's phases; empty for scene and order
     std::vector<CodeLine> lines;
     std::vector<GoneLine> gone = {}; ///< in order
@@ -70,7 +70,8 @@ struct CodeListing
 
 /// The set-up of `step`, then the method's order, then the phases of `segment`. Phases of different groups with the
 /// same source share a section.
-CodeListing listingOf(const lessons::Step &step, const sim::Segment &segment, const sim::Method &method);
+CodeListing listingOf(const lessons::Step &step, const sim::ComposedInterval &interval,
+                      const sim::Method &method);
 
 /// The listing of a step that nobody has touched, computed by `method` or, where that does not fit, by the
 /// step's own; empty when neither does.

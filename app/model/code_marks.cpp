@@ -83,22 +83,22 @@ QString wordFor(When when)
 }
 
 /// How much a phase works on: "10 pulls", "6 points".
-QString amountOf(const sim::Phase &phase, const sim::Segment &segment)
+QString amountOf(const sim::Phase &phase, const sim::ComposedInterval &interval)
 {
     const int points = phase.points.count;
-    const int count = phase.effect ? phase.effect->count(segment.scene.start, phase.points) : points;
-    if (phase.kind == sim::Kind::spring)
+    const int count = phase.effect ? phase.effect->count(interval.scene.start, phase.points) : points;
+    if (phase.kind == sim::EffectKind::spring)
         return count == 1 ? Text::tr("1 pull") : Text::tr("%1 pulls").arg(count);
     return count == 1 ? Text::tr("1 point") : Text::tr("%1 points").arg(count);
 }
 
-QString noteOf(const SectionMark &mark, const sim::Phase &phase, const sim::Segment &segment)
+QString noteOf(const SectionMark &mark, const sim::Phase &phase, const sim::ComposedInterval &interval)
 {
     QStringList parts = {mark.shortNote};
-    if (phase.group >= 0 && segment.scene.groups.size() > 1)
-        parts << phrase(segment.scene.groups[static_cast<std::size_t>(phase.group)].title);
+    if (phase.group >= 0 && interval.scene.groups.size() > 1)
+        parts << phrase(interval.scene.groups[static_cast<std::size_t>(phase.group)].title);
     if (mark.when != When::next)
-        parts << amountOf(phase, segment);
+        parts << amountOf(phase, interval);
     return parts.join(QStringLiteral(" · "));
 }
 
@@ -108,11 +108,11 @@ std::vector<SectionMark> marksOf(const CodeListing &listing, const sim::Timeline
                                  const std::vector<CodeChip> &chips, int point)
 {
     std::vector<SectionMark> marks(listing.sections.size());
-    if (timeline.at() == sim::Cursor{})
+    if (timeline.cursor() == sim::Cursor{})
         return marks;
-    const sim::Segment &segment = timeline.track().shown();
-    const sim::Pipeline &pipeline = segment.pipeline;
-    const int done = timeline.at().phase > 0 ? timeline.at().phase : pipeline.phasesPerRow();
+    const sim::ComposedInterval &interval = timeline.track().interval();
+    const sim::Pipeline &pipeline = interval.pipeline;
+    const int done = timeline.cursor().phase > 0 ? timeline.cursor().phase : pipeline.phasesPerOutput();
     const int last = (done - 1) % pipeline.phasesPerStep();
     for (std::size_t i = 0; i < marks.size(); ++i) {
         const CodeSection &section = listing.sections[i];
@@ -125,7 +125,7 @@ std::vector<SectionMark> marksOf(const CodeListing &listing, const sim::Timeline
         mark.selected = phase.points.contains(point);
         mark.shortNote = wordFor(mark.when);
         if (!mark.shortNote.isEmpty())
-            mark.note = noteOf(mark, phase, segment);
+            mark.note = noteOf(mark, phase, interval);
         if (mark.when == When::now)
             mark.result = resultOf(listing, i, chips);
     }

@@ -11,12 +11,12 @@ namespace app {
 
 namespace {
 
-using enum sim::Kind;
+using enum sim::EffectKind;
 
 struct OfKind
 {
     const char *name;
-    std::optional<sim::Kind> kind; ///< of the phase; empty: any
+    std::optional<sim::EffectKind> kind; ///< of the phase; empty: any
     const char *unit;
     const char *what; ///< in the context CodeSymbols; may be empty
 };
@@ -68,7 +68,7 @@ Meaning meaningOf(const QString &name, const sim::Phase &phase)
     const auto *described =
         phase.effect ? sim::findDescription(sim::allEffects(), phase.effect->id()) : nullptr;
     if (described) {
-        for (const sim::Variable &one : described->variables) {
+        for (const sim::CodeVariable &one : described->variables) {
             if (whole == QLatin1String(one.name))
                 return {QString::fromUtf8(one.unit), phrase(one.meaning)};
         }

@@ -26,7 +26,7 @@ constexpr double choicesWay = 24.0;  ///< px
 /// A number with the decimals that the parameter is shown with.
 double rounded(const lessons::Parameter &parameter, double value)
 {
-    return QString::number(value, 'f', parameter.isWhole() ? 0 : parameter.decimals).toDouble();
+    return QString::number(value, 'f', parameter.hasWholeValues() ? 0 : parameter.decimals).toDouble();
 }
 
 }
@@ -36,16 +36,16 @@ std::optional<sim::Cursor> runTarget(const CodeSection &section, const sim::Time
     if (section.phases.empty())
         return std::nullopt;
     const sim::Track &track = timeline.track();
-    const sim::Pipeline &pipeline = track.next()->pipeline;
-    const sim::Cursor at = track.at();
+    const sim::Pipeline &pipeline = track.nextInterval()->pipeline;
+    const sim::Cursor at = track.cursor();
     for (int phase = at.phase;; ++phase) {
-        const bool isNextRow = phase >= pipeline.phasesPerRow();
-        const int index = phase % pipeline.phasesPerRow();
+        const bool isNextRow = phase >= pipeline.phasesPerOutput();
+        const int index = phase % pipeline.phasesPerOutput();
         if (!section.has(index % pipeline.phasesPerStep()))
             continue;
-        const std::int64_t frame = at.frame + (isNextRow ? track.rowFrames() : 0);
-        return index + 1 < pipeline.phasesPerRow() ? sim::Cursor{frame, index + 1}
-                                                   : sim::Cursor{frame + track.rowFrames(), 0};
+        const std::int64_t frame = at.frame + (isNextRow ? track.framesPerOutput() : 0);
+        return index + 1 < pipeline.phasesPerOutput() ? sim::Cursor{frame, index + 1}
+                                                      : sim::Cursor{frame + track.framesPerOutput(), 0};
     }
 }
 
@@ -53,8 +53,8 @@ std::optional<sim::Cursor> momentOf(const CodeSection &section, const sim::Timel
 {
     if (section.phases.empty())
         return std::nullopt;
-    const sim::Cursor at = timeline.at();
-    const int perStep = timeline.track().next()->pipeline.phasesPerStep();
+    const sim::Cursor at = timeline.cursor();
+    const int perStep = timeline.track().nextInterval()->pipeline.phasesPerStep();
     const int stepStart = at.phase > 0 ? (at.phase - 1) / perStep * perStep : 0;
     int after = perStep;
     for (int phase = 0; phase < perStep; ++phase) {
@@ -70,7 +70,7 @@ double draggedValue(const lessons::Parameter &parameter, double from, double way
     if (!parameter.choices.isEmpty())
         return std::clamp(from + std::round(way / choicesWay), parameter.min, parameter.max);
     double value = from + way / slidersWay * (parameter.sliderMax - parameter.sliderMin);
-    if (parameter.scale == lessons::Scale::decades && from > 0.0 && parameter.sliderMin > 0.0)
+    if (parameter.scale == lessons::Scale::logarithmic && from > 0.0 && parameter.sliderMin > 0.0)
         value = from * std::pow(parameter.sliderMax / parameter.sliderMin, way / slidersWay);
     return way == 0.0 ? from : std::clamp(rounded(parameter, value), parameter.min, parameter.max);
 }
@@ -87,9 +87,10 @@ double typedValue(const lessons::Parameter &parameter, const QString &text)
     bool isNumber = false;
     const double value = QLocale::c().toDouble(plain, &isNumber);
     const bool fits = isNumber && std::isfinite(value) && value >= parameter.min && value <= parameter.max;
-    if (!fits || (parameter.isWhole() && value != std::round(value)))
-        throw Refusal((parameter.isWhole() ? Text::tr("%1 can be a whole number from %2 to %3, and not %4.")
-                                           : Text::tr("%1 can be a number from %2 to %3, and not %4."))
+    if (!fits || (parameter.hasWholeValues() && value != std::round(value)))
+        throw Refusal((parameter.hasWholeValues()
+                           ? Text::tr("%1 can be a whole number from %2 to %3, and not %4.")
+                           : Text::tr("%1 can be a number from %2 to %3, and not %4."))
                           .arg(parameter.name, writtenNumber(parameter.min, 0),
                                writtenNumber(parameter.max, 0), quoted(text)));
     return value;
@@ -100,7 +101,7 @@ QString typedText(const lessons::Parameter &parameter, double value)
     const auto choice = static_cast<qsizetype>(std::lround(value));
     if (choice >= 0 && choice < parameter.choices.size())
         return parameter.choices[choice];
-    return writtenNumber(value, parameter.isWhole() ? 0 : parameter.decimals);
+    return writtenNumber(value, parameter.hasWholeValues() ? 0 : parameter.decimals);
 }
 
 }

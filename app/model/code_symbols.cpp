@@ -92,35 +92,36 @@ bool isGiven(const CodeSection &section, std::size_t first, std::size_t end, con
 }
 
 /// All numbers that the phase can tell of `point`: those of a state in which everything of it has changed.
-std::vector<sim::Live> liveOf(const sim::Phase &phase, const sim::Segment &segment, int point)
+std::vector<sim::LiveValue> liveOf(const sim::Phase &phase, const sim::ComposedInterval &interval, int point)
 {
-    const sim::State &start = segment.scene.start;
+    const sim::State &start = interval.scene.start;
     sim::State after = start;
-    after.place(point, start.at(point) + sim::Vec2{1.0, 1.0});
-    after.push(point, start.speed(point) + sim::Vec2{1.0, 1.0});
+    after.place(point, start.positionOf(point) + sim::Vec2{1.0, 1.0});
+    after.setVelocity(point, start.velocityOf(point) + sim::Vec2{1.0, 1.0});
     return phase.explain(start, after, point);
 }
 
 /// The names that the phase computes a number for itself.
-QStringList computedBy(const sim::Phase &phase, const sim::Segment &segment)
+QStringList computedBy(const sim::Phase &phase, const sim::ComposedInterval &interval)
 {
     QStringList names;
     if (phase.points.count == 0)
         return names;
-    for (const sim::Live &live : liveOf(phase, segment, phase.points.first))
+    for (const sim::LiveValue &live : liveOf(phase, interval, phase.points.first))
         names << QString::fromStdString(live.name);
     return names;
 }
 
 /// The names that mean a parameter in a phase's code, with its id.
-QHash<QString, QString> namesIn(const CodeSection &section, const SetUp &setUp, const sim::Segment &segment)
+QHash<QString, QString> namesIn(const CodeSection &section, const SetUp &setUp,
+                                const sim::ComposedInterval &interval)
 {
     QHash<QString, QString> names;
-    const sim::Phase &phase = segment.pipeline.phases[static_cast<std::size_t>(section.phases.front())];
+    const sim::Phase &phase = interval.pipeline.phases[static_cast<std::size_t>(section.phases.front())];
     if (!phase.effect)
         return names;
     const QStringList handed = setUp.handed.value(QString::fromStdString(phase.effect->id()));
-    const QStringList computed = computedBy(phase, segment);
+    const QStringList computed = computedBy(phase, interval);
     for (auto it = setUp.names.begin(); it != setUp.names.end(); ++it) {
         if (handed.contains(it.key().section('.', 0, 0)) && !computed.contains(it.key()))
             names.insert(it.key(), it.value());
@@ -170,7 +171,7 @@ CodeSymbol parameterSymbol(const CodeWord &word, const lessons::Parameter &param
 std::vector<CodeWord> wordsOf(const QString &line)
 {
     static const QRegularExpression tokens(QStringLiteral(
-        R"re(//.*|\bvalues\s*(?:\[\s*"(\w+)"\s*\]|\.whole\s*\(\s*"(\w+)"\s*\))|"(?:\\.|[^"\\])*"|\d[\d.']*(?:e[+-]?\d+)?\w*|([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*)(?![\w.]*(?:<|\s*\(|::)))re"));
+        R"re(//.*|\bvalues\s*(?:\[\s*"(\w+)"\s*\]|\.integer\s*\(\s*"(\w+)"\s*\))|"(?:\\.|[^"\\])*"|\d[\d.']*(?:e[+-]?\d+)?\w*|([A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*)(?![\w.]*(?:<|\s*\(|::)))re"));
     std::vector<CodeWord> words;
     for (auto found = tokens.globalMatch(line); found.hasNext();) {
         const QRegularExpressionMatch match = found.next();
@@ -182,7 +183,7 @@ std::vector<CodeWord> wordsOf(const QString &line)
 }
 
 std::vector<ParameterSpot> parameterSpots(const CodeListing &listing, const lessons::Step &step,
-                                          const sim::Segment &segment)
+                                          const sim::ComposedInterval &interval)
 {
     std::vector<ParameterSpot> spots;
     SetUp setUp;
@@ -192,14 +193,14 @@ std::vector<ParameterSpot> parameterSpots(const CodeListing &listing, const less
             setUp = readSetUp(section);
             addSetUpSpots(spots, listing, s, setUp, step);
         } else if (section.role == CodeSection::Role::phase) {
-            addPhaseSpots(spots, listing, s, namesIn(section, setUp, segment));
+            addPhaseSpots(spots, listing, s, namesIn(section, setUp, interval));
         }
     }
     std::erase_if(spots, [&](const ParameterSpot &spot) { return !step.parameter(spot.word.parameter); });
     return spots;
 }
 
-QString unitOf(const sim::Live &live, const sim::Phase &phase)
+QString unitOf(const sim::LiveValue &live, const sim::Phase &phase)
 {
     const bool isNumber = std::holds_alternative<double>(live.value);
     if (isNumber && (live.name == "x" || live.name == "v")) // of what turns
@@ -211,7 +212,8 @@ QString unitOf(const sim::Live &live, const sim::Phase &phase)
 
 std::optional<CodeSymbol> symbolAt(const CodeListing &listing, std::size_t section, std::size_t line,
                                    qsizetype column, const std::vector<ParameterSpot> &spots,
-                                   const lessons::Step &step, const sim::Segment &segment, int point)
+                                   const lessons::Step &step, const sim::ComposedInterval &interval,
+                                   int point)
 {
     for (const ParameterSpot &spot : spots) {
         if (spot.section == section && spot.line == line && spot.word.contains(column))
@@ -225,16 +227,16 @@ std::optional<CodeSymbol> symbolAt(const CodeListing &listing, std::size_t secti
         return std::nullopt;
     // Of the same phase of several groups, that which works on the point.
     const auto works = [&](int one) {
-        return segment.pipeline.phases[static_cast<std::size_t>(one)].points.contains(point);
+        return interval.pipeline.phases[static_cast<std::size_t>(one)].points.contains(point);
     };
     const auto found = std::find_if(its.phases.begin(), its.phases.end(), works);
     const int phase = found == its.phases.end() ? its.phases.front() : *found;
-    const sim::Phase &runs = segment.pipeline.phases[static_cast<std::size_t>(phase)];
+    const sim::Phase &runs = interval.pipeline.phases[static_cast<std::size_t>(phase)];
     const int asked = runs.points.contains(point) ? point : runs.points.first;
     if (runs.points.count == 0)
         return std::nullopt;
     const QString whole = word->name.section('.', 0, 0);
-    for (const sim::Live &live : liveOf(runs, segment, asked)) {
+    for (const sim::LiveValue &live : liveOf(runs, interval, asked)) {
         const QString name = QString::fromStdString(live.name);
         const bool isPart = std::holds_alternative<sim::Vec2>(live.value) &&
                             (word->name == name + ".x" || word->name == name + ".y");

@@ -34,7 +34,7 @@ struct ParameterSpot
 /// into, and the same name in the source of an effect that the set-up hands it to. A name that the code computes anew,
 /// as the part of a velocity that is kept in a step, is none.
 std::vector<ParameterSpot> parameterSpots(const CodeListing &listing, const lessons::Step &step,
-                                          const sim::Segment &segment);
+                                          const sim::ComposedInterval &interval);
 
 /// A word whose number is known while the program runs.
 struct CodeSymbol
@@ -52,9 +52,10 @@ struct CodeSymbol
 /// for, where each point has its own.
 std::optional<CodeSymbol> symbolAt(const CodeListing &listing, std::size_t section, std::size_t line,
                                    qsizetype column, const std::vector<ParameterSpot> &spots,
-                                   const lessons::Step &step, const sim::Segment &segment, int point);
+                                   const lessons::Step &step, const sim::ComposedInterval &interval,
+                                   int point);
 
 /// The unit of a number that `phase` computes; empty for what has none.
-QString unitOf(const sim::Live &live, const sim::Phase &phase);
+QString unitOf(const sim::LiveValue &live, const sim::Phase &phase);
 
 }

@@ -27,7 +27,7 @@ struct Text
 struct Placed
 {
     std::size_t line = 0;
-    sim::Live live;
+    sim::LiveValue live;
 };
 
 std::optional<std::size_t> firstLine(const CodeSection &section, const QString &pattern)
@@ -63,7 +63,7 @@ QString assignmentOf(const QString &name)
 
 /// A pair of which the code assigns single coordinates, on the lines that do it for the changed ones; empty when
 /// it is not clear which lines these are.
-std::vector<Placed> coordinates(const CodeSection &section, const sim::Live &live)
+std::vector<Placed> coordinates(const CodeSection &section, const sim::LiveValue &live)
 {
     const auto *after = std::get_if<sim::Vec2>(&live.value);
     const auto *before = live.before ? std::get_if<sim::Vec2>(&*live.before) : nullptr;
@@ -84,7 +84,7 @@ std::vector<Placed> coordinates(const CodeSection &section, const sim::Live &liv
     return placed;
 }
 
-std::vector<Placed> placesOf(const CodeSection &section, const sim::Live &live)
+std::vector<Placed> placesOf(const CodeSection &section, const sim::LiveValue &live)
 {
     std::vector<Placed> placed = coordinates(section, live);
     if (placed.empty()) {
@@ -124,7 +124,7 @@ std::pair<QString, QString> shownChange(const Value &before, const Value &after)
 }
 
 /// Says the value in full, with its name and unit: also what is noise.
-QString tipFor(const sim::Live &live, const sim::Phase &phase)
+QString tipFor(const sim::LiveValue &live, const sim::Phase &phase)
 {
     const QString name = QString::fromStdString(live.name);
     const QString its = unitOf(live, phase);
@@ -177,9 +177,9 @@ void put(std::vector<CodeChip> &chips, CodeChip chip, const QString &name, QHash
 }
 
 /// The number of single pulls behind the sum that a phase gives `point`.
-int pullsOn(const sim::Phase &phase, const sim::Segment &segment, int point)
+int pullsOn(const sim::Phase &phase, const sim::ComposedInterval &interval, int point)
 {
-    return phase.effect ? phase.effect->count(segment.scene.start, {point, 1}) : 0;
+    return phase.effect ? phase.effect->count(interval.scene.start, {point, 1}) : 0;
 }
 
 QString shownParameter(const lessons::Parameter &parameter, double value)
@@ -187,7 +187,9 @@ QString shownParameter(const lessons::Parameter &parameter, double value)
     const auto choice = static_cast<qsizetype>(std::lround(value));
     if (choice >= 0 && choice < parameter.choices.size())
         return parameter.choices[choice];
-    return QLocale::c().toString(value, 'f', parameter.isWhole() ? 0 : parameter.decimals).replace('-', u'−');
+    return QLocale::c()
+        .toString(value, 'f', parameter.hasWholeValues() ? 0 : parameter.decimals)
+        .replace('-', u'−');
 }
 
 }
@@ -209,7 +211,7 @@ QString shownValue(const Value &value, int more)
 double noiseOf(const sim::Scene &scene)
 {
     constexpr double ofTheExtent = 1e-12;
-    const double extent = scene.start.points() > 0 ? scene.start.position.abs().maxCoeff() : 0.0;
+    const double extent = scene.start.pointCount() > 0 ? scene.start.position.abs().maxCoeff() : 0.0;
     return ofTheExtent * (extent > 0.0 ? extent : 1.0);
 }
 
@@ -222,7 +224,7 @@ Value withoutNoise(const Value &value, double noise)
     return sim::Vec2{quiet(pair.x), quiet(pair.y)};
 }
 
-std::optional<std::size_t> lineOf(const CodeSection &section, const sim::Live &live)
+std::optional<std::size_t> lineOf(const CodeSection &section, const sim::LiveValue &live)
 {
     const QString name = QRegularExpression::escape(QString::fromStdString(live.name));
     for (const QString &pattern : {assignmentOf(name), QStringLiteral("^return\\b.*\\b%1\\b").arg(name),
@@ -233,23 +235,23 @@ std::optional<std::size_t> lineOf(const CodeSection &section, const sim::Live &l
     return std::nullopt;
 }
 
-std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim::Moment> &moments,
-                              const sim::Segment &segment, int point)
+std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim::PhaseExplanation> &moments,
+                              const sim::ComposedInterval &interval, int point)
 {
     std::vector<CodeChip> chips;
     QHash<qsizetype, QString> names;
-    const double noise = noiseOf(segment.scene);
-    for (const sim::Moment &moment : moments) {
+    const double noise = noiseOf(interval.scene);
+    for (const sim::PhaseExplanation &moment : moments) {
         const auto section = std::find_if(listing.sections.begin(), listing.sections.end(),
                                           [&](const CodeSection &one) { return one.has(moment.phase); });
         if (section == listing.sections.end())
             continue;
         const auto index = static_cast<std::size_t>(section - listing.sections.begin());
-        const sim::Phase &phase = segment.pipeline.phases[static_cast<std::size_t>(moment.phase)];
-        for (const sim::Live &live : moment.live) {
+        const sim::Phase &phase = interval.pipeline.phases[static_cast<std::size_t>(moment.phase)];
+        for (const sim::LiveValue &live : moment.live) {
             for (const Placed &placed : placesOf(*section, live)) {
                 CodeChip chip = chipFor(index, placed, phase, noise);
-                const int pulls = live.name == "pull" ? pullsOn(phase, segment, point) : 0;
+                const int pulls = live.name == "pull" ? pullsOn(phase, interval, point) : 0;
                 if (pulls > 1)
                     chip.tip += '\n' + Text::tr("The sum of %1 pulls").arg(pulls);
                 put(chips, std::move(chip), QString::fromStdString(placed.live.name), names);
@@ -269,7 +271,7 @@ std::vector<CodeChip> parameterChips(const CodeListing &listing, const lessons::
                                      const sim::Values &values)
 {
     static const QRegularExpression reads(
-        QStringLiteral("\\bvalues\\s*(?:\\[\\s*\"(\\w+)\"\\s*\\]|\\.whole\\s*\\(\\s*\"(\\w+)\"\\s*\\))"));
+        QStringLiteral("\\bvalues\\s*(?:\\[\\s*\"(\\w+)\"\\s*\\]|\\.integer\\s*\\(\\s*\"(\\w+)\"\\s*\\))"));
     std::vector<CodeChip> chips;
     QHash<qsizetype, QString> names;
     for (std::size_t s = 0; s < listing.sections.size(); ++s) {

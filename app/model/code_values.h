@@ -21,8 +21,8 @@ struct CodeChip
 };
 
 /// The numbers of `moments` on the lines that assign them. `point` is the point whose numbers they are.
-std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim::Moment> &moments,
-                              const sim::Segment &segment, int point);
+std::vector<CodeChip> chipsOf(const CodeListing &listing, const std::vector<sim::PhaseExplanation> &moments,
+                              const sim::ComposedInterval &interval, int point);
 
 /// Removes the values of the lines that run as phase `next` of a step: they are what these lines computed before, perhaps
 /// for another body.
@@ -34,7 +34,7 @@ std::vector<CodeChip> parameterChips(const CodeListing &listing, const lessons::
 
 /// The line of `section` that stands for `live`: the one that assigns it, else one that returns it, else the
 /// first that names it.
-std::optional<std::size_t> lineOf(const CodeSection &section, const sim::Live &live);
+std::optional<std::size_t> lineOf(const CodeSection &section, const sim::LiveValue &live);
 
 /// A number as a person reads it: three digits or so, with a minus sign. `more` asks for further decimals, or fewer.
 QString shownNumber(double value, int more = 0);

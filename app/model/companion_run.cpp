@@ -28,12 +28,12 @@ void CompanionRun::take(const sim::Script &script)
     m_script = script;
     const sim::MethodPtr method = sim::findMethod(m_companion.method.toStdString());
     sim::Script own =
-        sim::scriptFor(script, {method, sim::stepFor(*method, sim::StepSize::of(m_companion.h))});
+        sim::scriptFor(script, {method, sim::stepFor(*method, sim::StepSize::ofLength(m_companion.h))});
     for (const auto &[id, value] : m_companion.values)
         own.values.set(id.toStdString(), value);
     try {
         if (from > 1) { // a hand changes the input many times a second: what was before it stays
-            sim::Track::NewInput input = m_track->prepared(std::move(own.input), from);
+            sim::Track::NewInput input = m_track->prepareInput(std::move(own.input), from);
             m_track->seek({std::min(from - 1, m_track->computed()), 0});
             m_track->replaceInput(std::move(input));
         } else {

@@ -18,23 +18,23 @@ bool sameWork(const sim::Script &a, const sim::Script &b)
 
 }
 
-void measureCost(const CostSubject &subject, const sim::GoesOn &goesOn,
+void measureCost(const CostSubject &subject, const sim::ShouldContinue &shouldContinue,
                  const std::function<void(const sim::FrameCost &)> &tell)
 {
-    sim::CostMeter meter(subject.segment->scene, subject.script.method, subject.script.step, subject.state);
+    sim::CostMeter meter(subject.interval->scene, subject.script.method, subject.script.step, subject.state);
     QElapsedTimer clock, sinceTold;
     clock.start();
     sinceTold.start();
     int rounds = 0;
     while ((rounds < CostWatch::leastRounds || !clock.hasExpired(CostWatch::mostMilliseconds)) &&
-           meter.round(goesOn)) {
+           meter.round(shouldContinue)) {
         ++rounds;
         if (rounds == CostWatch::leastRounds || sinceTold.hasExpired(CostWatch::tellMilliseconds)) {
             tell(meter.result());
             sinceTold.start();
         }
     }
-    if (rounds > 0 && goesOn())
+    if (rounds > 0 && shouldContinue())
         tell(meter.result());
 }
 
@@ -59,7 +59,7 @@ CostWatch::~CostWatch()
 CostWatch::About CostWatch::here() const
 {
     return {m_session.lesson().id + '/' + m_session.step().id, withoutInput(m_session.timeline().script()),
-            m_session.timeline().at().frame};
+            m_session.timeline().cursor().frame};
 }
 
 CostWatch::Stage CostWatch::stage() const
@@ -97,7 +97,7 @@ void CostWatch::follow()
 void CostWatch::followPlaying()
 {
     // What touches a wall costs more than what hangs in the air: where it has come to, it is measured again.
-    if (m_watched && !m_session.isPlaying() && m_session.timeline().at().frame != m_about.frame)
+    if (m_watched && !m_session.isPlaying() && m_session.timeline().cursor().frame != m_about.frame)
         startLater();
 }
 
@@ -128,9 +128,10 @@ void CostWatch::start()
     m_about = here();
     m_job = std::make_shared<Job>();
     const sim::Track &track = m_session.timeline().track();
-    CostSubject subject{m_session.timeline().script(), track.next(), {}};
-    const std::int64_t frame = track.at().frame;
-    subject.state = track.begunAfter(track.at().phase > 0 ? track.stateAt(frame) : track.now(), frame);
+    CostSubject subject{m_session.timeline().script(), track.nextInterval(), {}};
+    const std::int64_t frame = track.cursor().frame;
+    subject.state =
+        track.stateAfterInput(track.cursor().phase > 0 ? track.stateAt(frame) : track.state(), frame);
     m_pool.start([this, job = m_job, subject = std::move(subject), function = m_function] {
         const auto tell = [&](const sim::FrameCost &cost) {
             QMetaObject::invokeMethod(

@@ -16,17 +16,17 @@ namespace app {
 struct CostSubject
 {
     sim::Script script;
-    std::shared_ptr<const sim::Segment> segment;
+    std::shared_ptr<const sim::ComposedInterval> interval;
     sim::State state;
 };
 
 /// Who measures: reports what is known after each round, and leaves off when `goesOn` says no. Runs on a thread of its
 /// own; throws sim::Error where the scene cannot be computed.
-using CostFunction = std::function<void(const CostSubject &, const sim::GoesOn &goesOn,
+using CostFunction = std::function<void(const CostSubject &, const sim::ShouldContinue &shouldContinue,
                                         const std::function<void(const sim::FrameCost &)> &tell)>;
 
 /// Rounds of a sim::CostMeter, for a second and at least a few.
-void measureCost(const CostSubject &subject, const sim::GoesOn &goesOn,
+void measureCost(const CostSubject &subject, const sim::ShouldContinue &shouldContinue,
                  const std::function<void(const sim::FrameCost &)> &tell);
 
 /// What the next frame of the session costs, measured on a thread of its own while somebody watches: for a second after

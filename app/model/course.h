@@ -34,12 +34,12 @@ public:
 
     /// The sample at the end of the row at `frame`; null where there is none yet.
     const Sample *at(std::int64_t frame) const;
-    std::int64_t rowFrames() const { return m_rowFrames; }
+    std::int64_t rowFrames() const { return m_framesPerOutput; }
     /// The frames that have samples: from `first` to `last`, both included; last < first: none.
     std::int64_t first() const { return m_first; }
     std::int64_t last() const
     {
-        return m_first + static_cast<std::int64_t>(m_samples.size() - 1) * m_rowFrames;
+        return m_first + static_cast<std::int64_t>(m_samples.size() - 1) * m_framesPerOutput;
     }
     bool isEmpty() const { return m_samples.empty(); }
 
@@ -58,7 +58,7 @@ private:
     QTimer m_later;
     std::deque<Sample> m_samples; ///< by row, from m_first on
     std::int64_t m_first = 0;
-    int m_rowFrames = 1;
+    int m_framesPerOutput = 1;
     sim::State m_before;             ///< at the end of the last sample's row
     sim::Script m_script;            ///< of the run that the samples are from, without its input
     std::vector<sim::Event> m_input; ///< of that run

@@ -51,7 +51,7 @@ void DifferenceCourse::setOf(Of of)
 std::int64_t DifferenceCourse::end() const
 {
     const sim::Timeline &timeline = m_session.timeline();
-    return timeline.ghost() ? std::min(timeline.computed(), timeline.ghost()->computed()) : 0;
+    return timeline.comparison() ? std::min(timeline.computed(), timeline.comparison()->computed()) : 0;
 }
 
 void DifferenceCourse::restart()
@@ -66,7 +66,7 @@ void DifferenceCourse::restart()
         m_run = withoutInput(timeline.script());
         m_branch = m_session.beside()->script;
         m_shared = lastShared(timeline.script(), *m_branch);
-        m_rows = std::lcm(timeline.track().rowFrames(), timeline.ghost()->rowFrames());
+        m_rows = std::lcm(timeline.track().framesPerOutput(), timeline.comparison()->framesPerOutput());
         m_spacing = m_rows;
         m_next = m_shared / m_rows * m_rows;
         m_isTooLarge = false;
@@ -81,7 +81,7 @@ void DifferenceCourse::dropChanged()
         return;
     const sim::Timeline &timeline = m_session.timeline();
     // A change of input concerns the rows after the cursor.
-    const std::int64_t at = timeline.at().frame;
+    const std::int64_t at = timeline.cursor().frame;
     const bool isSame = m_branch && isComparing() && m_session.beside() &&
                         m_session.beside()->script == m_branch && sameRun(m_run, timeline.script()) &&
                         lastShared(timeline.script(), *m_branch) == m_shared;
@@ -124,8 +124,8 @@ void DifferenceCourse::fill()
         emit changed();
 }
 
-void DifferenceCourse::pairUp(const std::shared_ptr<const sim::Segment> &one,
-                              const std::shared_ptr<const sim::Segment> &other)
+void DifferenceCourse::pairUp(const std::shared_ptr<const sim::ComposedInterval> &one,
+                              const std::shared_ptr<const sim::ComposedInterval> &other)
 {
     if (one == m_one && other == m_other)
         return;
@@ -145,10 +145,10 @@ void DifferenceCourse::pairUp(const std::shared_ptr<const sim::Segment> &one,
 void DifferenceCourse::look()
 {
     const sim::Track &run = m_session.timeline().track();
-    const sim::Track &branch = *m_session.timeline().ghost();
+    const sim::Track &branch = *m_session.timeline().comparison();
     const std::int64_t frame = m_next;
-    pairUp(run.segmentAt(frame), branch.segmentAt(frame));
-    m_isTooLarge = std::max(m_one->scene.start.points(), m_other->scene.start.points()) > mostPoints;
+    pairUp(run.intervalAt(frame), branch.intervalAt(frame));
+    m_isTooLarge = std::max(m_one->scene.start.pointCount(), m_other->scene.start.pointCount()) > mostPoints;
     if (m_isTooLarge) {
         m_samples.clear();
         return;
@@ -159,7 +159,7 @@ void DifferenceCourse::look()
     for (const Pair &pair : m_pairs) {
         if (m_of == Of::selected && pair.one != selected)
             continue;
-        const double distance = shownLength(one.at(pair.one) - other.at(pair.other));
+        const double distance = shownLength(one.positionOf(pair.one) - other.positionOf(pair.other));
         if (distance > farthest.distance)
             farthest = {frame, distance, m_one->scene.names[static_cast<std::size_t>(pair.one)]};
     }

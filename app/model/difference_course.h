@@ -41,7 +41,7 @@ public:
     const Session &session() const { return m_session; }
 
     /// Whether there is a branch beside the run to compare with.
-    bool isComparing() const { return m_session.timeline().ghost() != nullptr; }
+    bool isComparing() const { return m_session.timeline().comparison() != nullptr; }
     /// Whether one of the two has too many points.
     bool isTooLarge() const { return m_isTooLarge; }
     /// By frame. Where a body is not in both runs there is no sample.
@@ -74,8 +74,8 @@ private:
     void fill();
     void look();
     void thin();
-    void pairUp(const std::shared_ptr<const sim::Segment> &one,
-                const std::shared_ptr<const sim::Segment> &other);
+    void pairUp(const std::shared_ptr<const sim::ComposedInterval> &one,
+                const std::shared_ptr<const sim::ComposedInterval> &other);
 
     Session &m_session;
     QTimer m_later;
@@ -90,7 +90,7 @@ private:
     std::int64_t m_next = 0;
     sim::Script m_run;                           ///< without its input
     std::shared_ptr<const sim::Script> m_branch; ///< the one that is compared
-    std::shared_ptr<const sim::Segment> m_one, m_other;
+    std::shared_ptr<const sim::ComposedInterval> m_one, m_other;
     std::vector<Pair> m_pairs; ///< of those two: the bodies that both have
 };
 

@@ -45,10 +45,10 @@ void EffectLedger::askLessons()
 
 const std::vector<sim::EffectPtr> &EffectLedger::listed() const
 {
-    const std::shared_ptr<const sim::Segment> segment = m_session.timeline().track().next();
-    if (m_listedIn.lock() != segment) {
+    const std::shared_ptr<const sim::ComposedInterval> interval = m_session.timeline().track().nextInterval();
+    if (m_listedIn.lock() != interval) {
         m_listed = m_session.listedEffects();
-        m_listedIn = segment;
+        m_listedIn = interval;
     }
     return m_listed;
 }
@@ -58,10 +58,10 @@ std::vector<EffectLine> EffectLedger::lines() const
     EffectFacts facts;
     facts.listed = listed();
     facts.off = m_session.timeline().script().effectsOff;
-    facts.leftOut = m_session.timeline().track().next()->pipeline.leftOut;
+    facts.leftOut = m_session.timeline().track().nextInterval()->pipeline.idleEffects;
     facts.cost = m_costs.cost();
     facts.known = m_known;
-    facts.offered = m_session.step().catalogue;
+    facts.offered = m_session.step().availableEffects;
     return effectLines(facts);
 }
 
@@ -73,7 +73,7 @@ QString EffectLedger::caption() const
     const QString frame = frameWords(*m_costs.cost());
     if (stage != CostWatch::Stage::done)
         return tr("%1, measuring…").arg(frame);
-    return m_session.timeline().at().frame == m_costs.frame()
+    return m_session.timeline().cursor().frame == m_costs.frame()
                ? tr("%1, measured now").arg(frame)
                : tr("%1, measured at frame %2").arg(frame).arg(m_costs.frame());
 }

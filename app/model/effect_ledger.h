@@ -37,7 +37,7 @@ private:
     CostWatch m_costs;
     /// All effects of the segment at the cursor: a large scene takes time to set up.
     mutable std::vector<sim::EffectPtr> m_listed;
-    mutable std::weak_ptr<const sim::Segment> m_listedIn;
+    mutable std::weak_ptr<const sim::ComposedInterval> m_listedIn;
     std::vector<KnownEffect> m_known;
     bool m_isAsked = false;
     bool m_knowsAll = false;

@@ -144,13 +144,13 @@ EffectLine listedLine(const EffectFacts &facts, const sim::Effect &effect)
 }
 
 /// Whether the scene lists an effect with the id of `effect`.
-bool isListed(const EffectFacts &facts, const sim::Description &effect)
+bool isListed(const EffectFacts &facts, const sim::EffectDescription &effect)
 {
     return std::any_of(facts.listed.begin(), facts.listed.end(),
                        [&](const sim::EffectPtr &one) { return one->id() == effect.id; });
 }
 
-EffectLine offeredLine(const sim::Description &effect)
+EffectLine offeredLine(const sim::EffectDescription &effect)
 {
     EffectLine line;
     line.id = QString::fromUtf8(effect.id);
@@ -181,7 +181,7 @@ EffectLine restLine(const sim::FrameCost *cost)
 }
 
 /// What one kind of effects has that is not listed: one line, however many there are.
-std::optional<EffectLine> absentLine(const EffectFacts &facts, sim::Kind kind)
+std::optional<EffectLine> absentLine(const EffectFacts &facts, sim::EffectKind kind)
 {
     const auto isListed = [&](const KnownEffect &known) {
         return std::any_of(
@@ -240,12 +240,12 @@ std::vector<EffectLine> effectLines(const EffectFacts &facts)
         ids.push_back(effect->id());
         lines.push_back(listedLine(facts, *effect));
     }
-    for (const sim::Description *effect : facts.offered) {
+    for (const sim::EffectDescription *effect : facts.offered) {
         if (!isListed(facts, *effect))
             lines.push_back(offeredLine(*effect));
     }
     lines.push_back(restLine(facts.cost));
-    std::vector<sim::Kind> kinds;
+    std::vector<sim::EffectKind> kinds;
     for (const KnownEffect &known : facts.known) {
         if (std::find(kinds.begin(), kinds.end(), known.kind) != kinds.end())
             continue;

@@ -23,7 +23,7 @@ struct EffectLine
     QString id;
     QString title;
     QString help; ///< what it is for and what was measured, a line each
-    sim::Kind kind = sim::Kind::motion;
+    sim::EffectKind kind = sim::EffectKind::motion;
     EffectRole role = EffectRole::acts;
     double ns = 0.0; ///< a frame; 0 where nothing was measured
     // As shown; empty where there is nothing to say.
@@ -49,7 +49,7 @@ struct EffectFacts
     std::vector<sim::EffectPtr> leftOut;
     const sim::FrameCost *cost = nullptr; ///< null: not measured yet
     std::vector<KnownEffect> known;
-    std::vector<const sim::Description *> offered = {}; ///< what a scene that is built can have
+    std::vector<const sim::EffectDescription *> offered = {}; ///< what a scene that is built can have
 };
 
 /// A line for each id that is listed, then for each that is offered, then the rest of the frame, then one for each kind that has absent effects.

@@ -34,7 +34,7 @@ void EnergyCourse::setWatched(bool watched)
 
 const sim::Balance *EnergyCourse::at(std::int64_t frame) const
 {
-    const std::int64_t row = (frame - m_first) / m_rowFrames;
+    const std::int64_t row = (frame - m_first) / m_framesPerOutput;
     if (frame < m_first || row >= static_cast<std::int64_t>(m_balances.size()))
         return nullptr;
     return &m_balances[static_cast<std::size_t>(row)];
@@ -42,9 +42,9 @@ const sim::Balance *EnergyCourse::at(std::int64_t frame) const
 
 std::optional<sim::NoEnergy> EnergyCourse::whyNone(const sim::Scene &scene)
 {
-    if (scene.start.points() > mostPoints)
+    if (scene.start.pointCount() > mostPoints)
         return sim::NoEnergy::tooLarge;
-    return sim::Meter::whyNot(scene);
+    return sim::StoredEnergyReader::whyNot(scene);
 }
 
 void EnergyCourse::restartAt(std::int64_t frame)
@@ -56,14 +56,15 @@ void EnergyCourse::restartAt(std::int64_t frame)
         return;
     m_start = m_first = frame;
     const sim::Timeline &timeline = m_session.timeline();
-    m_rowFrames = timeline.track().rowFrames();
+    m_framesPerOutput = timeline.track().framesPerOutput();
     m_script = withoutInput(timeline.script());
     m_input = timeline.script().input;
-    const std::shared_ptr<const sim::Segment> segment = timeline.track().segmentAt(frame);
-    m_whyNot = whyNone(segment->scene);
+    const std::shared_ptr<const sim::ComposedInterval> interval = timeline.track().intervalAt(frame);
+    m_whyNot = whyNone(interval->scene);
     if (!m_whyNot) {
         sim::Balance nothing;
-        nothing.before = nothing.after = sim::Meter(segment->scene).read(timeline.track().stateAt(frame));
+        nothing.before = nothing.after =
+            sim::StoredEnergyReader(interval->scene).read(timeline.track().stateAt(frame));
         m_balances.push_back(nothing);
     }
     emit changed();
@@ -80,13 +81,14 @@ void EnergyCourse::dropChanged()
     // What a learner does concerns the rows after the cursor; what is undone may be long past.
     const std::int64_t differs = firstDifference(m_input, timeline.script().input);
     m_input = timeline.script().input;
-    if (!sameRun(m_script, timeline.script()) || timeline.at().frame < m_first ||
-        differs <= timeline.at().frame) {
+    if (!sameRun(m_script, timeline.script()) || timeline.cursor().frame < m_first ||
+        differs <= timeline.cursor().frame) {
         restart();
         return;
     }
-    if (last() > timeline.at().frame) {
-        m_balances.resize(static_cast<std::size_t>((timeline.at().frame - m_first) / m_rowFrames + 1));
+    if (last() > timeline.cursor().frame) {
+        m_balances.resize(
+            static_cast<std::size_t>((timeline.cursor().frame - m_first) / m_framesPerOutput + 1));
         emit changed();
     }
     fill();
@@ -105,13 +107,13 @@ void EnergyCourse::fillFor(double milliseconds)
     if (!m_watched || m_whyNot)
         return;
     const sim::Timeline &timeline = m_session.timeline();
-    const std::int64_t cursor = timeline.at().frame;
+    const std::int64_t cursor = timeline.cursor().frame;
     if (cursor < m_first) {
         restart();
         return;
     }
-    if (cursor - last() > mostAhead * m_rowFrames) {
-        restartAt(std::max<std::int64_t>(0, cursor - rowsBefore * m_rowFrames));
+    if (cursor - last() > mostAhead * m_framesPerOutput) {
+        restartAt(std::max<std::int64_t>(0, cursor - rowsBefore * m_framesPerOutput));
         return;
     }
     QElapsedTimer clock;
@@ -131,11 +133,11 @@ void EnergyCourse::fillFor(double milliseconds)
 void EnergyCourse::countNext()
 {
     const sim::Track &track = m_session.timeline().track();
-    const std::int64_t frame = last() + m_rowFrames;
-    const bool fits = track.segmentAt(frame)->scene.start.points() <= mostPoints;
+    const std::int64_t frame = last() + m_framesPerOutput;
+    const bool fits = track.intervalAt(frame)->scene.start.pointCount() <= mostPoints;
     const std::optional<sim::Balance> row = fits ? m_ledger.row(track, frame) : std::nullopt;
     if (!row) { // a number has changed the scene so that it has none
-        m_whyNot = whyNone(track.segmentAt(frame)->scene);
+        m_whyNot = whyNone(track.intervalAt(frame)->scene);
         m_balances.clear();
         return;
     }
@@ -143,7 +145,7 @@ void EnergyCourse::countNext()
     m_balances.back().append(*row);
     if (m_balances.size() > mostRows) {
         m_balances.pop_front();
-        m_first += m_rowFrames;
+        m_first += m_framesPerOutput;
     }
 }
 

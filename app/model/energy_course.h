@@ -34,12 +34,12 @@ public:
     const sim::Balance *at(std::int64_t frame) const;
     /// The frame from which it is counted.
     std::int64_t start() const { return m_start; }
-    std::int64_t rowFrames() const { return m_rowFrames; }
+    std::int64_t rowFrames() const { return m_framesPerOutput; }
     /// The frames that have balances: from first() to last(), both included; last() < first(): none.
     std::int64_t first() const { return m_first; }
     std::int64_t last() const
     {
-        return m_first + (static_cast<std::int64_t>(m_balances.size()) - 1) * m_rowFrames;
+        return m_first + (static_cast<std::int64_t>(m_balances.size()) - 1) * m_framesPerOutput;
     }
     /// Why the scene at the cursor has no energy to count, if it has none.
     std::optional<sim::NoEnergy> whyNot() const { return m_whyNot; }
@@ -64,7 +64,7 @@ private:
     std::deque<sim::Balance> m_balances; ///< by row, from m_first on
     std::int64_t m_start = 0;
     std::int64_t m_first = 0;
-    int m_rowFrames = 1;
+    int m_framesPerOutput = 1;
     std::optional<sim::NoEnergy> m_whyNot;
     sim::Script m_script;            ///< of the run that is counted, without its input
     std::vector<sim::Event> m_input; ///< of that run

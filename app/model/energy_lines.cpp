@@ -28,43 +28,45 @@ struct Words
 {
     QString title;
     QString help;
-    sim::Kind kind;
+    sim::EffectKind kind;
 };
 
 Words wordsOf(Account account)
 {
-    using sim::Kind;
+    using sim::EffectKind;
     switch (account) {
     case Account::hand:
         return {Text::tr("Done by the hand"), Text::tr("What you put in by grabbing and dragging"),
-                Kind::driver};
+                EffectKind::driver};
     case Account::changes:
         return {Text::tr("Changed with a number"),
                 Text::tr("A stiffness or a length that changes also changes what springs hold"),
-                Kind::driver};
+                EffectKind::driver};
     case Account::motors:
-        return {Text::tr("Done by what drives"), Text::tr("What clocks and steering put in"), Kind::driver};
+        return {Text::tr("Done by what drives"), Text::tr("What clocks and steering put in"),
+                EffectKind::driver};
     case Account::wind:
-        return {Text::tr("Done by wind"), Text::tr("What the wind puts in, or takes"), Kind::wind};
+        return {Text::tr("Done by wind"), Text::tr("What the wind puts in, or takes"), EffectKind::wind};
     case Account::pulls:
         return {Text::tr("Done by one-way pulls"),
                 Text::tr("A pull that pulls nothing back holds nothing: what it does, it makes or takes"),
-                Kind::spring};
+                EffectKind::spring};
     case Account::gravity:
         return {Text::tr("Given by gravity"), Text::tr("It pulls everything down, and nothing pulls back"),
-                Kind::gravity};
+                EffectKind::gravity};
     case Account::anchors:
         return {Text::tr("Given by what stands fast"),
-                Text::tr("Springs to a place that cannot move pull on it, and it pulls back"), Kind::spring};
+                Text::tr("Springs to a place that cannot move pull on it, and it pulls back"),
+                EffectKind::spring};
     case Account::damping:
         return {Text::tr("Lost by damping"), Text::tr("What damping takes from everything that moves"),
-                Kind::damping};
+                EffectKind::damping};
     case Account::impact:
         return {Text::tr("At impacts"), Text::tr("What walls and ground take, and what they lift bodies by"),
-                Kind::contact};
+                EffectKind::contact};
     case Account::sticks:
         return {Text::tr("Changed by sticks"),
-                Text::tr("What sticks and joints change when they put things right"), Kind::stick};
+                Text::tr("What sticks and joints change when they put things right"), EffectKind::stick};
     case Account::drift:
         break;
     }
@@ -73,7 +75,7 @@ Words wordsOf(Account account)
         Text::tr(
             "Made or lost by the method's error: nothing in the scene explains it. A smaller step or another "
             "method makes it smaller."),
-        Kind::motion};
+        EffectKind::motion};
 }
 
 QString size(double value)
@@ -92,7 +94,8 @@ double cleaned(double value, double scale)
     return std::abs(value) <= rounding * scale ? 0.0 : value;
 }
 
-EnergyLine held(const char *id, const QString &title, const QString &help, sim::Kind kind, double amount)
+EnergyLine held(const char *id, const QString &title, const QString &help, sim::EffectKind kind,
+                double amount)
 {
     EnergyLine line;
     line.id = QString::fromLatin1(id);
@@ -140,12 +143,12 @@ EnergyLines::EnergyLines(const EnergyCourse &course) : m_course(course)
 
 void EnergyLines::look(const sim::Balance &balance)
 {
-    const sim::Stock &stock = balance.after;
-    m_lowest = std::min(m_lowest, stock.gravity);
-    m_isHigh = m_isHigh || stock.gravity != 0.0;
-    m_hasSprings = m_hasSprings || stock.springs != 0.0;
-    m_scale = std::max({m_scale, stock.moving, std::abs(stock.springs), std::abs(stock.gravity)});
-    m_push = std::max(m_push, sim::length(stock.momentum));
+    const sim::StoredEnergy &stored = balance.after;
+    m_lowest = std::min(m_lowest, stored.gravity);
+    m_isHigh = m_isHigh || stored.gravity != 0.0;
+    m_hasSprings = m_hasSprings || stored.springs != 0.0;
+    m_scale = std::max({m_scale, stored.moving, std::abs(stored.springs), std::abs(stored.gravity)});
+    m_push = std::max(m_push, sim::length(stored.momentum));
     for (const sim::AccountName &name : sim::accountNames()) {
         m_scale = std::max(m_scale, std::abs(balance.energy[name.account]));
         m_push = std::max(m_push, sim::length(balance.momentum[name.account]));
@@ -172,16 +175,16 @@ std::vector<EnergyLine> EnergyLines::energyAt(std::int64_t frame) const
         lines.push_back(line);
     }
     lines.push_back(held("moving", Text::tr("In what moves"),
-                         Text::tr("Half of mass × speed², added up over all points"), sim::Kind::motion,
+                         Text::tr("Half of mass × speed², added up over all points"), sim::EffectKind::motion,
                          cleaned(balance->after.moving, m_scale)));
     if (m_isHigh)
         lines.push_back(held("height", Text::tr("Held by height"),
                              Text::tr("Mass × gravity × height, counted from the lowest of this run"),
-                             sim::Kind::gravity, cleaned(balance->after.gravity - m_lowest, m_scale)));
+                             sim::EffectKind::gravity, cleaned(balance->after.gravity - m_lowest, m_scale)));
     if (m_hasSprings)
         lines.push_back(held("springs", Text::tr("What springs hold"),
                              Text::tr("Half of stiffness × stretch², added up over all springs"),
-                             sim::Kind::spring, cleaned(balance->after.springs, m_scale)));
+                             sim::EffectKind::spring, cleaned(balance->after.springs, m_scale)));
     return lines;
 }
 
@@ -204,7 +207,7 @@ std::vector<EnergyLine> EnergyLines::momentumAt(std::int64_t frame) const
     }
     lines.push_back(held("momentum", Text::tr("In what moves"),
                          Text::tr("Mass × velocity, added up over all points: to the right, and down"),
-                         sim::Kind::motion, 0.0));
+                         sim::EffectKind::motion, 0.0));
     put(lines.back(), balance->after.momentum, energyNumber);
     return lines;
 }

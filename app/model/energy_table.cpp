@@ -50,7 +50,7 @@ QByteArray rowsOf(const EnergyCourse &course, const QByteArray &titles, Write &&
 
 QByteArray energyTable(const EnergyCourse &course)
 {
-    const QString unit = energyUnit(course.session().timeline().now().spin.rows() > 0);
+    const QString unit = energyUnit(course.session().timeline().state().spin.rows() > 0);
     QByteArray titles;
     for (const char *held : {"moving", "height", "springs"})
         titles += title(QString::fromLatin1(held), unit);

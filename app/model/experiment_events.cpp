@@ -6,17 +6,17 @@ namespace {
 
 const std::vector<EventKind> &allKinds()
 {
-    using lessons::Does;
+    using lessons::Interaction;
     static const auto x = QStringLiteral("x");
     static const auto y = QStringLiteral("y");
     static const std::vector<EventKind> kinds = {
-        {QStringLiteral("grab"), {QStringLiteral("body")}, {}, Does::hand},
-        {QStringLiteral("move"), {x, y}, {}, Does::hand},
-        {QStringLiteral("release"), {}, {}, Does::hand},
-        {QStringLiteral("pointer"), {x, y}, {QStringLiteral("down")}, Does::pointer},
-        {QStringLiteral("target"), {x, y}, {}, Does::target},
-        {QStringLiteral("gust"), {QStringLiteral("degrees")}, {}, Does::gust},
-        {QStringLiteral("key"), {QStringLiteral("key"), QStringLiteral("down")}, {}, Does::keys},
+        {QStringLiteral("grab"), {QStringLiteral("body")}, {}, Interaction::drag},
+        {QStringLiteral("move"), {x, y}, {}, Interaction::drag},
+        {QStringLiteral("release"), {}, {}, Interaction::drag},
+        {QStringLiteral("pointer"), {x, y}, {QStringLiteral("down")}, Interaction::pointer},
+        {QStringLiteral("target"), {x, y}, {}, Interaction::target},
+        {QStringLiteral("gust"), {QStringLiteral("degrees")}, {}, Interaction::gust},
+        {QStringLiteral("key"), {QStringLiteral("key"), QStringLiteral("down")}, {}, Interaction::keys},
         {QStringLiteral("set"), {QStringLiteral("parameter"), QStringLiteral("value")}, {}, {}},
     };
     return kinds;
@@ -28,7 +28,7 @@ std::vector<EventKind> eventKindsOf(const lessons::Step &step)
 {
     std::vector<EventKind> known;
     for (const EventKind &kind : allKinds()) {
-        if (!kind.does || step.can(*kind.does))
+        if (!kind.does || step.accepts(*kind.does))
             known.push_back(kind);
     }
     return known;

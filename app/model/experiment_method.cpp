@@ -27,7 +27,7 @@ sim::StepSize readH(const QString &file, const JsonValue &value)
 {
     const double h = numberOf(file, value, "h");
     try {
-        return sim::StepSize::of(h);
+        return sim::StepSize::ofLength(h);
     } catch (const sim::Error &) {
         refuse(file, value.line,
                Text::tr("\"h\" is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: "
@@ -40,7 +40,7 @@ sim::StepSize readTolerance(const QString &file, const JsonValue &value)
 {
     const double tolerance = numberOf(file, value, "tolerance");
     try {
-        return sim::StepSize::within(tolerance);
+        return sim::StepSize::withTolerance(tolerance);
     } catch (const sim::Error &) {
         refuse(file, value.line,
                Text::tr("\"tolerance\" is %1; it can be 1e-13 to 100 px.").arg(exactNumber(tolerance)));

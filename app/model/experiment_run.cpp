@@ -130,7 +130,7 @@ private:
     /// What the step's run begins with, with the file's values: what the file gives itself counts in its place.
     void openRun()
     {
-        if (!m_step.opening)
+        if (!m_step.prepareScript)
             return;
         sim::Script opened = m_step.scriptWith(script().values, script().method);
         if (!m_fields.find("h") && !m_fields.find("tolerance"))
@@ -160,7 +160,7 @@ private:
         const JsonValue *links = m_fields.find("links");
         if (!links)
             return;
-        const auto own = [this] { return script().build(script().values).start.points(); };
+        const auto own = [this] { return script().build(script().values).start.pointCount(); };
         const std::optional<int> &given = script().values.points;
         script().values.sticks = readSticks(m_file, *links, given ? *given : own());
     }
@@ -241,7 +241,7 @@ private:
         if (!script().values.blueprint)
             return;
         sim::Blueprint plan = *script().values.blueprint;
-        for (sim::BuiltPoint &point : plan.points) {
+        for (sim::BlueprintPoint &point : plan.points) {
             const auto start = script().bodies.find(point.name);
             if (start == script().bodies.end())
                 continue;
@@ -278,7 +278,7 @@ private:
 
     std::int64_t rowOf(const ReadEvent &read)
     {
-        return sim::rowEndOf(read.event.frame, script().step.rowFrames);
+        return sim::outputStepEnd(read.event.frame, script().step.framesPerOutput);
     }
 
     void compose(const sim::Values &values, int line)

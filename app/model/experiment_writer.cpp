@@ -68,7 +68,7 @@ QStringList parameterEntries(const sim::Script &script, const lessons::Step &ste
     QStringList entries;
     for (const lessons::Parameter &parameter : step.parameters) {
         const double value = script.values[parameter.id.toStdString()];
-        if (value == parameter.preset)
+        if (value == parameter.defaultValue)
             continue;
         jsonNumber(value);
         entries.push_back(jsonText(parameter.id) + ": " + parameterText(parameter, value));
@@ -181,7 +181,7 @@ QStringList inputEntries(const sim::Script &script, const lessons::Step &step, s
 
 void writeStep(sim::StepSize step, Writer &writer)
 {
-    if (step.adaptive())
+    if (step.isAdaptive())
         writer.field("tolerance", jsonNumber(step.tolerance));
     else
         writer.field("h", jsonNumber(step.h));
@@ -193,7 +193,7 @@ void writeRun(const sim::Script &script, std::int64_t frames, const lessons::Ste
     const sim::Script untouched = step.script();
     if (script.method->id() != untouched.method->id())
         writer.field("method", jsonText(script.method->id()));
-    const sim::Script opened = step.opening ? step.scriptWith(script.values, script.method) : untouched;
+    const sim::Script opened = step.prepareScript ? step.scriptWith(script.values, script.method) : untouched;
     if (script.step != sim::stepFor(*script.method, opened.step))
         writeStep(script.step, writer);
     writer.field("frames", QString::number(frames));
@@ -231,7 +231,7 @@ void writeName(const QString &name, bool isNamed, bool isKept, Writer &writer)
 /// The first frame of the row from which a branch is another run than `own`; 0 where nothing is shared.
 std::int64_t forkOf(const sim::Script &branch, const sim::Script &own)
 {
-    const std::int64_t row = own.step.rowFrames;
+    const std::int64_t row = own.step.framesPerOutput;
     const std::int64_t first = std::min(firstDifferent(branch, own), mostFrames);
     const std::int64_t before = (first + row - 1) / row - 1; ///< rows that both share
     return before > 0 ? before * row + 1 : 0;

@@ -32,30 +32,30 @@ void Foresight::begin(const sim::Track &run)
 
 bool Foresight::isOver(const sim::Track &run)
 {
-    if (m_isOver || run.isOver())
+    if (m_isOver || run.isFinished())
         return true;
-    const bool stands = run.at().phase == 0 && !isApart(run.now(), m_last);
+    const bool stands = run.cursor().phase == 0 && !isApart(run.state(), m_last);
     if (!stands) {
-        m_last = run.now();
+        m_last = run.state();
         m_ahead.reset();
         return false;
     }
-    if (run.at().frame < m_again)
+    if (run.cursor().frame < m_again)
         return false;
     if (!m_ahead)
         begin(run);
     QElapsedTimer clock;
     clock.start();
-    while (!m_ahead->isOver() && clock.elapsed() < sliceMilliseconds) {
-        m_ahead->seek({m_ahead->at().frame + m_ahead->rowFrames(), 0});
-        const bool tooFar = m_ahead->at().frame > run.at().frame + farthest;
-        if (tooFar || isApart(m_ahead->now(), m_last)) {
-            m_again = tooFar ? std::numeric_limits<std::int64_t>::max() : run.at().frame + lookAgain;
+    while (!m_ahead->isFinished() && clock.elapsed() < sliceMilliseconds) {
+        m_ahead->seek({m_ahead->cursor().frame + m_ahead->framesPerOutput(), 0});
+        const bool tooFar = m_ahead->cursor().frame > run.cursor().frame + farthest;
+        if (tooFar || isApart(m_ahead->state(), m_last)) {
+            m_again = tooFar ? std::numeric_limits<std::int64_t>::max() : run.cursor().frame + lookAgain;
             m_ahead.reset();
             return false;
         }
     }
-    m_isOver = m_ahead->isOver();
+    m_isOver = m_ahead->isFinished();
     return m_isOver;
 }
 

@@ -10,7 +10,7 @@ namespace app {
 
 namespace {
 
-bool canBeDrawn(const lessons::Guide &guide)
+bool canBeDrawn(const lessons::Overlay &guide)
 {
     return std::isfinite(guide.a.x) && std::isfinite(guide.a.y) && std::isfinite(guide.b.x) &&
            std::isfinite(guide.b.y) && std::isfinite(guide.size);
@@ -18,19 +18,19 @@ bool canBeDrawn(const lessons::Guide &guide)
 
 }
 
-std::vector<lessons::Guide> guidesOf(const lessons::Step &step, const sim::Track &track,
-                                     const sim::Segment &segment, const sim::State &state)
+std::vector<lessons::Overlay> guidesOf(const lessons::Step &step, const sim::Track &track,
+                                       const sim::ComposedInterval &interval, const sim::State &state)
 {
-    std::vector<lessons::Guide> guides;
-    if (step.guides)
-        guides = step.guides(segment.scene, state, segment.values);
-    if (step.guidesOfRun) {
-        const sim::Cursor at = track.at();
-        const std::int64_t frame = at.phase > 0 ? at.frame + track.rowFrames() : at.frame;
-        const std::vector<lessons::Guide> more = step.guidesOfRun(track.script(), state, frame);
+    std::vector<lessons::Overlay> guides;
+    if (step.overlays)
+        guides = step.overlays(interval.scene, state, interval.values);
+    if (step.runOverlays) {
+        const sim::Cursor at = track.cursor();
+        const std::int64_t frame = at.phase > 0 ? at.frame + track.framesPerOutput() : at.frame;
+        const std::vector<lessons::Overlay> more = step.runOverlays(track.script(), state, frame);
         guides.insert(guides.end(), more.begin(), more.end());
     }
-    std::erase_if(guides, [](const lessons::Guide &guide) { return !canBeDrawn(guide); });
+    std::erase_if(guides, [](const lessons::Overlay &guide) { return !canBeDrawn(guide); });
     return guides;
 }
 

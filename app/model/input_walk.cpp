@@ -92,7 +92,9 @@ void walkInput(const sim::Script &script, const std::vector<sim::Event> &input,
     const int count = static_cast<int>(input.size());
     for (int first = 0, end = 0; first < count; first = end) {
         const auto at = [&input](int index) -> const sim::Event & { return input[std::size_t(index)]; };
-        const auto rowOf = [&](int index) { return sim::rowEndOf(at(index).frame, script.step.rowFrames); };
+        const auto rowOf = [&](int index) {
+            return sim::outputStepEnd(at(index).frame, script.step.framesPerOutput);
+        };
         int changed = -1;
         for (end = first; end < count && rowOf(end) == rowOf(first); ++end) {
             const auto *set = std::get_if<sim::Set>(&at(end).what);

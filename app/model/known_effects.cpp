@@ -14,7 +14,7 @@ namespace {
 std::vector<sim::EffectPtr> effectsOf(const lessons::Step &step)
 {
     try {
-        return step.scene(step.presets()).effects;
+        return step.scene(step.defaultValues()).effects;
     } catch (const sim::Error &) {
         return {}; // a step that does not open knows nothing
     }

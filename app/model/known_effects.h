@@ -13,7 +13,7 @@ struct KnownEffect
     std::string id;
     std::string title; ///< in English; see SIM_TEXT
     std::string purpose;
-    sim::Kind kind = sim::Kind::motion;
+    sim::EffectKind kind = sim::EffectKind::motion;
     QString lesson; ///< the title of the first one that lists it
 };
 

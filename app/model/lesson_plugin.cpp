@@ -83,7 +83,7 @@ QStringList stepIds(const QJsonObject &data)
 
 void checkStep(const lessons::Step &step)
 {
-    if (!step.scene || !step.look)
+    if (!step.scene || !step.view)
         refuseLesson(Text::tr("the step %1 has no scene or no look").arg(quoted(step.id)));
     if (!sim::findMethod(step.method.toStdString()))
         refuseLesson(Text::tr("the step %1 wants the method %2, which is not there")

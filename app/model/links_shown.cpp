@@ -8,9 +8,9 @@ namespace app {
 namespace {
 
 /// Pairs of points, the smaller number first.
-using Pairs = std::set<sim::Tie>;
+using Pairs = std::set<sim::Coupling>;
 
-sim::Tie pairOf(int a, int b)
+sim::Coupling pairOf(int a, int b)
 {
     return {std::min(a, b), std::max(a, b)};
 }
@@ -18,26 +18,26 @@ sim::Tie pairOf(int a, int b)
 /// What is held together: a drag that looks at two points holds nothing.
 Pairs heldBy(const std::vector<sim::EffectPtr> &effects)
 {
-    std::vector<sim::Tie> ties;
+    std::vector<sim::Coupling> ties;
     for (const sim::EffectPtr &effect : effects) {
-        if (effect->kind() == sim::Kind::spring || effect->kind() == sim::Kind::stick)
-            effect->ties(ties);
+        if (effect->kind() == sim::EffectKind::spring || effect->kind() == sim::EffectKind::stick)
+            effect->addCouplings(ties);
     }
     Pairs pairs;
-    for (const sim::Tie &tie : ties)
+    for (const sim::Coupling &tie : ties)
         pairs.insert(pairOf(tie.first, tie.second));
     return pairs;
 }
 
 }
 
-void dropLinks(lessons::Look &look, const std::vector<sim::EffectPtr> &listed,
+void dropLinks(lessons::View &look, const std::vector<sim::EffectPtr> &listed,
                const std::vector<sim::EffectPtr> &acting)
 {
     const Pairs all = heldBy(listed);
     const Pairs still = heldBy(acting);
     const auto isLoose = [&](int a, int b) {
-        const sim::Tie pair = pairOf(a, b);
+        const sim::Coupling pair = pairOf(a, b);
         return all.contains(pair) && !still.contains(pair);
     };
     const auto hasLoosePart = [&](const std::vector<int> &points) {
@@ -47,16 +47,16 @@ void dropLinks(lessons::Look &look, const std::vector<sim::EffectPtr> &listed,
         }
         return false;
     };
-    std::erase_if(look.legs, [&](const lessons::LegLook &leg) { return isLoose(leg.from, leg.to); });
-    std::erase_if(look.sticks, [&](const lessons::StickLook &stick) { return isLoose(stick.a, stick.b); });
-    std::erase_if(look.springs, [&](const lessons::SpringLook &one) { return isLoose(one.a, one.b); });
-    std::erase_if(look.sheets, [&](const lessons::SheetLook &sheet) {
+    std::erase_if(look.legs, [&](const lessons::LegView &leg) { return isLoose(leg.from, leg.to); });
+    std::erase_if(look.sticks, [&](const lessons::StickView &stick) { return isLoose(stick.a, stick.b); });
+    std::erase_if(look.springs, [&](const lessons::SpringView &one) { return isLoose(one.a, one.b); });
+    std::erase_if(look.sheets, [&](const lessons::SheetView &sheet) {
         const auto &[a, b, c, d] = sheet.corners;
         return isLoose(a, b) || isLoose(b, c) || isLoose(c, d) || isLoose(d, a);
     });
-    std::erase_if(look.limbs, [&](const lessons::LimbLook &limb) { return isLoose(limb.a, limb.b); });
-    std::erase_if(look.chains, [&](const lessons::ChainLook &chain) { return hasLoosePart(chain.points); });
-    std::erase_if(look.skins, [&](const lessons::SkinLook &skin) { return hasLoosePart(skin.outline); });
+    std::erase_if(look.limbs, [&](const lessons::LimbView &limb) { return isLoose(limb.a, limb.b); });
+    std::erase_if(look.chains, [&](const lessons::ChainView &chain) { return hasLoosePart(chain.points); });
+    std::erase_if(look.skins, [&](const lessons::SkinView &skin) { return hasLoosePart(skin.outline); });
 }
 
 }

@@ -11,17 +11,18 @@ constexpr std::size_t most = 4;
 
 }
 
-std::shared_ptr<const lessons::Look> LookCache::of(const lessons::Step &step, const sim::Script &script,
-                                                   const std::shared_ptr<const sim::Segment> &segment)
+std::shared_ptr<const lessons::View>
+LookCache::of(const lessons::Step &step, const sim::Script &script,
+              const std::shared_ptr<const sim::ComposedInterval> &interval)
 {
     for (const Made &made : m_made) {
-        if (made.segment.lock() == segment)
+        if (made.interval.lock() == interval)
             return made.look;
     }
-    lessons::Look look = step.look(segment->scene, segment->values);
+    lessons::View look = step.view(interval->scene, interval->values);
     if (!script.effectsOff.empty())
-        dropLinks(look, script.build(segment->values).effects, segment->scene.effects);
-    m_made.push_back({segment, std::make_shared<const lessons::Look>(std::move(look))});
+        dropLinks(look, script.build(interval->values).effects, interval->scene.effects);
+    m_made.push_back({interval, std::make_shared<const lessons::View>(std::move(look))});
     if (m_made.size() > most)
         m_made.pop_front();
     return m_made.back().look;

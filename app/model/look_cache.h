@@ -16,14 +16,14 @@ class LookCache
 {
 public:
     /// The look of `segment`, which is one of a run of `script` in `step`.
-    std::shared_ptr<const lessons::Look> of(const lessons::Step &step, const sim::Script &script,
-                                            const std::shared_ptr<const sim::Segment> &segment);
+    std::shared_ptr<const lessons::View> of(const lessons::Step &step, const sim::Script &script,
+                                            const std::shared_ptr<const sim::ComposedInterval> &interval);
 
 private:
     struct Made
     {
-        std::weak_ptr<const sim::Segment> segment;
-        std::shared_ptr<const lessons::Look> look;
+        std::weak_ptr<const sim::ComposedInterval> interval;
+        std::shared_ptr<const lessons::View> look;
     };
 
     std::deque<Made> m_made; ///< the last ones

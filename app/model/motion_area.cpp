@@ -23,7 +23,7 @@ QRectF boxOfPlaces(const sim::State &state, double radius)
         .adjusted(-radius, -radius, radius, radius);
 }
 
-QRectF boxOfTree(const lessons::TreeLook &tree, const sim::State &state)
+QRectF boxOfTree(const lessons::TreeView &tree, const sim::State &state)
 {
     const int count = std::min(static_cast<int>(tree.length.size()), static_cast<int>(state.angle.rows()));
     if (count > mostTurned)
@@ -41,14 +41,14 @@ QRectF boxOfTree(const lessons::TreeLook &tree, const sim::State &state)
 
 }
 
-QRectF subjectBox(const lessons::Look &look, const sim::State &state)
+QRectF subjectBox(const lessons::View &look, const sim::State &state)
 {
-    if (state.points() == 0)
+    if (state.pointCount() == 0)
         return {};
     if (look.tree)
         return boxOfTree(*look.tree, state);
     QRectF box;
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         const double radius = look.bodies[static_cast<std::size_t>(i)].radius;
         const QPointF at(state.position(i, 0), state.position(i, 1));
         box |= QRectF(at, at).adjusted(-radius, -radius, radius, radius);
@@ -56,12 +56,14 @@ QRectF subjectBox(const lessons::Look &look, const sim::State &state)
     return box;
 }
 
-double followedX(const lessons::Look &look, const sim::State &state)
+double followedX(const lessons::View &look, const sim::State &state)
 {
-    return look.follow >= 0 && look.follow < state.points() ? state.at(look.follow).x : 0.0;
+    return look.followedPoint >= 0 && look.followedPoint < state.pointCount()
+               ? state.positionOf(look.followedPoint).x
+               : 0.0;
 }
 
-MotionArea::MotionArea(const sim::Script &script, std::shared_ptr<const lessons::Look> look,
+MotionArea::MotionArea(const sim::Script &script, std::shared_ptr<const lessons::View> look,
                        std::int64_t from, std::int64_t to)
     : m_track(script, 0), m_look(std::move(look)), m_from(from), m_to(to)
 {
@@ -73,14 +75,14 @@ bool MotionArea::goOn(qint64 milliseconds)
     QElapsedTimer clock;
     clock.start();
     do {
-        if (m_track.isOver() &&
+        if (m_track.isFinished() &&
             m_area.isNull()) // it rests before the first frame that counts: as it does there
-            m_from = m_track.at().frame;
-        if (m_track.isOver() || m_track.at().frame + m_track.rowFrames() > m_to) {
+            m_from = m_track.cursor().frame;
+        if (m_track.isFinished() || m_track.cursor().frame + m_track.framesPerOutput() > m_to) {
             add();
             return true;
         }
-        m_track.seek({m_track.at().frame + m_track.rowFrames(), 0});
+        m_track.seek({m_track.cursor().frame + m_track.framesPerOutput(), 0});
         add();
     } while (clock.elapsed() < milliseconds);
     return false;
@@ -88,8 +90,8 @@ bool MotionArea::goOn(qint64 milliseconds)
 
 void MotionArea::add()
 {
-    const sim::State &state = m_track.now();
-    if (m_track.at().frame < m_from || state.points() != static_cast<int>(m_look->bodies.size()))
+    const sim::State &state = m_track.state();
+    if (m_track.cursor().frame < m_from || state.pointCount() != static_cast<int>(m_look->bodies.size()))
         return;
     m_area |= subjectBox(*m_look, state).translated(-followedX(*m_look, state), 0.0);
 }

@@ -26,17 +26,18 @@ bool NumberTable::Way::goTo(std::int64_t frame)
     if (isOver || frame > frames)
         return false;
     if (frame > 0)
-        before = track.now();
+        before = track.state();
     track.seek({frame, 0});
-    isOver = track.at().frame != frame;
+    isOver = track.cursor().frame != frame;
     return !isOver;
 }
 
 void NumberTable::Way::read(const std::vector<Quantity> &quantities, std::span<double> into)
 {
-    if (reader.segment() != &track.shown())
-        reader = QuantityReader(quantities, track.shownPtr());
-    reader.read({track.now(), before ? &*before : nullptr, static_cast<double>(track.rowFrames())}, into);
+    if (reader.segment() != &track.interval())
+        reader = QuantityReader(quantities, track.intervalPtr());
+    reader.read({track.state(), before ? &*before : nullptr, static_cast<double>(track.framesPerOutput())},
+                into);
 }
 
 NumberTable::NumberTable(NumberSheet sheet, const QString &path, QObject *parent)
@@ -46,7 +47,7 @@ NumberTable::NumberTable(NumberSheet sheet, const QString &path, QObject *parent
     m_later.setInterval(0);
     connect(&m_later, &QTimer::timeout, this, &NumberTable::writeSlice);
     m_run = std::make_unique<Way>(m_sheet.run, m_sheet.frames);
-    if (m_sheet.old && m_sheet.old->step.rowFrames == m_sheet.run.step.rowFrames)
+    if (m_sheet.old && m_sheet.old->step.framesPerOutput == m_sheet.run.step.framesPerOutput)
         m_old = std::make_unique<Way>(*m_sheet.old, m_sheet.oldFrames);
     m_last = std::max(m_sheet.frames, m_old ? m_sheet.oldFrames : 0);
     writeTitles();
@@ -106,14 +107,14 @@ void NumberTable::writeRow()
     if (m_old)
         append(*m_old);
     m_text += '\n';
-    m_frame += m_run->track.rowFrames();
+    m_frame += m_run->track.framesPerOutput();
 }
 
-void NumberTable::append(Way &way)
+void NumberTable::append(Way &setup)
 {
     std::vector<double> row(m_sheet.quantities.size(), std::nan(""));
-    if (way.goTo(m_frame))
-        way.read(m_sheet.quantities, row);
+    if (setup.goTo(m_frame))
+        setup.read(m_sheet.quantities, row);
     for (const double value : row) {
         m_text += ',';
         appendNumber(m_text, value);

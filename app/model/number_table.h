@@ -65,7 +65,7 @@ private:
     void writeTitles();
     void writeSlice();
     void writeRow();
-    void append(Way &way);
+    void append(Way &setup);
     void end();
 
     NumberSheet m_sheet;

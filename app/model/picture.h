@@ -13,10 +13,10 @@ namespace app {
 /// What there is to draw of one run at one moment.
 struct Picture
 {
-    std::shared_ptr<const sim::Segment> segment;
+    std::shared_ptr<const sim::ComposedInterval> interval;
     sim::State state;
-    std::shared_ptr<const lessons::Look> look; ///< one and the same for all states of a segment
-    std::vector<lessons::Guide> guides;
+    std::shared_ptr<const lessons::View> look; ///< one and the same for all states of a segment
+    std::vector<lessons::Overlay> guides;
 };
 
 }

@@ -75,12 +75,13 @@ void PlotCourse::restart()
     if (m_isStale)
         return;
     const sim::Timeline &timeline = m_session.timeline();
-    m_rowFrames = timeline.track().rowFrames();
+    m_framesPerOutput = timeline.track().framesPerOutput();
     m_script = withoutInput(timeline.script());
     m_input = timeline.script().input;
-    m_window = windowAfter(m_window, {timeline.at().frame, timeline.computed(), m_rowFrames, m_mostRows});
-    const std::int64_t stride = strideOf(m_window, m_rowFrames, mostBuckets);
-    m_run = RunSampler(allBound(), m_window.first, m_rowFrames, stride);
+    m_window =
+        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
+    const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
+    m_run = RunSampler(allBound(), m_window.first, m_framesPerOutput, stride);
     restartGhost();
     tell();
     fill();
@@ -95,18 +96,18 @@ void PlotCourse::tell()
 void PlotCourse::restartGhost()
 {
     ++m_ghostRevision;
-    const sim::Track *ghost = m_session.timeline().ghost();
-    const bool fits = ghost && ghost->rowFrames() == m_rowFrames;
+    const sim::Track *ghost = m_session.timeline().comparison();
+    const bool fits = ghost && ghost->framesPerOutput() == m_framesPerOutput;
     m_ghostScript = fits ? std::optional(ghost->script()) : std::nullopt;
-    m_ghost =
-        fits ? RunSampler(allBound(), ghostStart(), m_rowFrames, m_run.samples().stride()) : RunSampler();
+    m_ghost = fits ? RunSampler(allBound(), ghostStart(), m_framesPerOutput, m_run.samples().stride())
+                   : RunSampler();
 }
 
 std::int64_t PlotCourse::ghostStart() const
 {
     // The last moment that both share, so that the two curves meet.
-    const std::int64_t wide = strideOf(m_window, m_rowFrames, mostBuckets) * m_rowFrames;
-    const std::int64_t fork = std::max<std::int64_t>(0, m_session.timeline().fork() - m_rowFrames);
+    const std::int64_t wide = strideOf(m_window, m_framesPerOutput, mostBuckets) * m_framesPerOutput;
+    const std::int64_t fork = std::max<std::int64_t>(0, m_session.timeline().forkFrame() - m_framesPerOutput);
     return std::max(m_window.first, fork / wide * wide);
 }
 
@@ -123,9 +124,9 @@ void PlotCourse::dropChanged()
     }
     // What a learner does concerns the rows after the cursor; what is undone may be long past.
     const std::vector<sim::Event> &input = timeline.script().input;
-    m_run.forgetAfter(std::min(timeline.at().frame, firstDifference(m_input, input) - 1));
+    m_run.forgetAfter(std::min(timeline.cursor().frame, firstDifference(m_input, input) - 1));
     m_input = input;
-    const sim::Track *ghost = timeline.ghost();
+    const sim::Track *ghost = timeline.comparison();
     if (ghost ? !m_ghostScript || !isSame(*m_ghostScript, ghost->script()) : m_ghostScript.has_value())
         restartGhost();
     moveWindow();
@@ -145,11 +146,11 @@ void PlotCourse::changeSelection()
 void PlotCourse::move(RunSampler &sampler, std::int64_t first, std::int64_t stride)
 {
     const Samples &samples = sampler.samples();
-    const std::int64_t wide = samples.stride() * m_rowFrames;
+    const std::int64_t wide = samples.stride() * m_framesPerOutput;
     const bool goesOn = first >= samples.firstFrame() && first <= samples.nextFrame() &&
                         (first - samples.firstFrame()) % wide == 0;
     if (!goesOn || stride < samples.stride()) {
-        sampler = RunSampler(allBound(), first, m_rowFrames, stride);
+        sampler = RunSampler(allBound(), first, m_framesPerOutput, stride);
         return;
     }
     sampler.forgetBefore(first);
@@ -161,11 +162,11 @@ bool PlotCourse::moveWindow()
 {
     const sim::Timeline &timeline = m_session.timeline();
     const PlotWindow next =
-        windowAfter(m_window, {timeline.at().frame, timeline.computed(), m_rowFrames, m_mostRows});
+        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
     if (next == m_window)
         return false;
     m_window = next;
-    const std::int64_t stride = strideOf(m_window, m_rowFrames, mostBuckets);
+    const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
     move(m_run, m_window.first, stride);
     if (m_ghostScript) {
         ++m_ghostRevision;
@@ -198,7 +199,7 @@ bool PlotCourse::takeRow()
         m_run.takeRow(timeline.track());
         return true;
     }
-    const sim::Track *ghost = m_ghostScript ? timeline.ghost() : nullptr;
+    const sim::Track *ghost = m_ghostScript ? timeline.comparison() : nullptr;
     if (!ghost || m_ghost.samples().nextFrame() > endOf(*ghost))
         return false;
     ++m_ghostRevision;

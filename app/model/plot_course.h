@@ -33,7 +33,7 @@ public:
 
     const Session &session() const { return m_session; }
     const PlotWindow &window() const { return m_window; }
-    int rowFrames() const { return m_rowFrames; }
+    int rowFrames() const { return m_framesPerOutput; }
     const Samples &run() const { return m_run.samples(); }
     /// The old run, from where it differs; empty where there is none.
     const Samples &ghost() const { return m_ghost.samples(); }
@@ -66,7 +66,7 @@ signals:
 private:
     std::vector<Quantity> allBound() const;
     std::optional<std::vector<double>> kept(std::int64_t frame) const;
-    std::vector<double> read(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+    std::vector<double> read(const sim::Track &track, std::shared_ptr<const sim::ComposedInterval> interval,
                              const sim::State &state, std::int64_t start) const;
     std::vector<double> readAt(const sim::Timeline &run) const;
     void restart();
@@ -90,7 +90,7 @@ private:
     RunSampler m_run;
     RunSampler m_ghost;
     PlotWindow m_window;
-    int m_rowFrames = 1;
+    int m_framesPerOutput = 1;
     std::int64_t m_mostRows = 480;
     sim::Script m_script;                     ///< of the run that is read, without its input
     std::vector<sim::Event> m_input;          ///< of that run

@@ -27,32 +27,34 @@ std::optional<std::vector<double>> PlotCourse::kept(std::int64_t frame) const
 }
 
 /// What is read of `state`; `start`: the frame with which quantities that compare two moments compare it.
-std::vector<double> PlotCourse::read(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+std::vector<double> PlotCourse::read(const sim::Track &track,
+                                     std::shared_ptr<const sim::ComposedInterval> interval,
                                      const sim::State &state, std::int64_t start) const
 {
     std::vector<double> values(m_quantities.size(), std::numeric_limits<double>::quiet_NaN());
-    const QuantityReader reader(allBound(), std::move(segment));
+    const QuantityReader reader(allBound(), std::move(interval));
     std::optional<sim::State> before;
-    if (start >= 0 && (start - track.knownBefore(start)) / m_rowFrames * state.points() <= mostComputedAgain)
+    if (start >= 0 && (start - track.cachedFrameBefore(start)) / m_framesPerOutput * state.pointCount() <=
+                          mostComputedAgain)
         before = track.stateAt(start);
-    reader.read({state, before ? &*before : nullptr, static_cast<double>(m_rowFrames)}, values);
+    reader.read({state, before ? &*before : nullptr, static_cast<double>(m_framesPerOutput)}, values);
     return values;
 }
 
 std::vector<double> PlotCourse::readAt(const sim::Timeline &run) const
 {
     const sim::Track &track = run.track();
-    const sim::Cursor at = track.at();
-    std::shared_ptr<const sim::Segment> segment = track.shownPtr();
-    const sim::State state = run.hasPending() ? track.preview(segment) : track.now();
-    return read(track, std::move(segment), state, at.phase > 0 ? at.frame : at.frame - m_rowFrames);
+    const sim::Cursor at = track.cursor();
+    std::shared_ptr<const sim::ComposedInterval> interval = track.intervalPtr();
+    const sim::State state = run.hasPendingInput() ? track.preview(interval) : track.state();
+    return read(track, std::move(interval), state, at.phase > 0 ? at.frame : at.frame - m_framesPerOutput);
 }
 
 std::vector<double> PlotCourse::now() const
 {
     const sim::Timeline &timeline = m_session.timeline();
-    if (timeline.at().phase == 0 && !timeline.hasPending()) {
-        if (std::optional<std::vector<double>> values = kept(timeline.at().frame))
+    if (timeline.cursor().phase == 0 && !timeline.hasPendingInput()) {
+        if (std::optional<std::vector<double>> values = kept(timeline.cursor().frame))
             return *std::move(values);
     }
     return readAt(timeline);
@@ -62,24 +64,24 @@ std::vector<double> PlotCourse::begun() const
 {
     const sim::Timeline &timeline = m_session.timeline();
     const sim::Track &track = timeline.track();
-    const std::int64_t frame = timeline.at().frame;
-    if (timeline.at().phase == 0)
+    const std::int64_t frame = timeline.cursor().frame;
+    if (timeline.cursor().phase == 0)
         return now();
     if (std::optional<std::vector<double>> values = kept(frame))
         return *std::move(values);
     const sim::State state = track.stateAt(frame);
-    return read(track, track.segmentAt(frame), state, frame - m_rowFrames);
+    return read(track, track.intervalAt(frame), state, frame - m_framesPerOutput);
 }
 
 std::optional<PlotCourse::Inside> PlotCourse::inside() const
 {
     const sim::Timeline &shown = m_session.shown();
-    const sim::Timeline &run = shown.at().phase > 0 ? shown : m_session.timeline();
-    const sim::Cursor at = run.at();
+    const sim::Timeline &run = shown.cursor().phase > 0 ? shown : m_session.timeline();
+    const sim::Cursor at = run.cursor();
     if (at.phase == 0)
         return std::nullopt;
-    const double share = double(at.phase) / run.track().shown().pipeline.phasesPerRow();
-    return Inside{static_cast<double>(at.frame) + share * m_rowFrames, readAt(run)};
+    const double share = double(at.phase) / run.track().interval().pipeline.phasesPerOutput();
+    return Inside{static_cast<double>(at.frame) + share * m_framesPerOutput, readAt(run)};
 }
 
 }

@@ -20,13 +20,14 @@ constexpr double mostAside = 0.05;        ///< of its way in x, for a body that 
 /// Returns how wide the first body's way is in x and in y, over the first frames of `run`.
 sim::Vec2 wayOfFirst(sim::Track &run)
 {
-    sim::Vec2 low = run.now().at(0), high = low;
-    std::int64_t left = mostWork / run.now().points();
+    sim::Vec2 low = run.state().positionOf(0), high = low;
+    std::int64_t left = mostWork / run.state().pointCount();
     const auto goesOn = [&left] { return --left > 0; };
-    for (std::int64_t frame = run.rowFrames(); frame <= framesAhead && left > 0; frame += run.rowFrames()) {
+    for (std::int64_t frame = run.framesPerOutput(); frame <= framesAhead && left > 0;
+         frame += run.framesPerOutput()) {
         if (!run.seek({frame, 0}, goesOn) || run.stop())
             break;
-        const sim::Vec2 at = run.now().at(0);
+        const sim::Vec2 at = run.state().positionOf(0);
         low = {std::min(low.x, at.x), std::min(low.y, at.y)};
         high = {std::max(high.x, at.x), std::max(high.y, at.y)};
     }
@@ -156,7 +157,7 @@ PlotSpec firstPlot(const sim::Script &script)
 {
     try {
         sim::Track run(script, 0);
-        if (run.now().angle.rows() > 0)
+        if (run.state().angle.rows() > 0)
             return {{Measured::angle}, {}};
         const sim::Vec2 way = wayOfFirst(run);
         return {{way.y < mostAside * way.x ? Measured::placeX : Measured::placeY}, {}};

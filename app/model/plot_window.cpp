@@ -29,7 +29,7 @@ double roundStep(double step)
 
 PlotWindow windowAfter(const PlotWindow &was, const PlotView &view)
 {
-    const std::int64_t row = view.rowFrames;
+    const std::int64_t row = view.framesPerOutput;
     const std::int64_t reach = std::max(view.at, view.computed) / row;
     std::int64_t rows = PlotWindow::leastRows;
     while (rows < reach && rows < view.mostRows)
@@ -53,9 +53,9 @@ PlotWindow windowAfter(const PlotWindow &was, const PlotView &view)
     return {start * row, (start + rows) * row};
 }
 
-std::int64_t strideOf(const PlotWindow &window, int rowFrames, std::int64_t mostBuckets)
+std::int64_t strideOf(const PlotWindow &window, int framesPerOutput, std::int64_t mostBuckets)
 {
-    const std::int64_t rows = (window.last - window.first) / rowFrames + 1;
+    const std::int64_t rows = (window.last - window.first) / framesPerOutput + 1;
     std::int64_t stride = 1;
     while ((rows + stride - 1) / stride > mostBuckets)
         stride *= 2;

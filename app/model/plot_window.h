@@ -20,7 +20,7 @@ struct PlotView
 {
     std::int64_t at = 0;       ///< the cursor's frame
     std::int64_t computed = 0; ///< the last frame of the run
-    int rowFrames = 1;
+    int framesPerOutput = 1;
     std::int64_t mostRows = 480; ///< leastRows times a power of two
 };
 
@@ -29,7 +29,7 @@ struct PlotView
 PlotWindow windowAfter(const PlotWindow &was, const PlotView &view);
 
 /// The fewest rows to the bucket with which a window has no more than `mostBuckets` of them: a power of two.
-std::int64_t strideOf(const PlotWindow &window, int rowFrames, std::int64_t mostBuckets);
+std::int64_t strideOf(const PlotWindow &window, int framesPerOutput, std::int64_t mostBuckets);
 
 /// The numbers that an axis covers.
 struct PlotRange

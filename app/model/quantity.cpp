@@ -57,9 +57,9 @@ bool isOfVelocity(Measured what)
 
 sim::Vec2 change(const QuantityReader::Moment &moment, int point)
 {
-    if (!moment.before || moment.before->points() != moment.now.points())
+    if (!moment.before || moment.before->pointCount() != moment.now.pointCount())
         return {none, none};
-    return (moment.now.speed(point) - moment.before->speed(point)) / moment.frames;
+    return (moment.now.velocityOf(point) - moment.before->velocityOf(point)) / moment.frames;
 }
 
 double angular(const Eigen::ArrayXd &values, int point)
@@ -129,24 +129,25 @@ std::optional<NoValue> whyNot(const Quantity &quantity, const sim::Scene &scene)
     const Eigen::ArrayXd &angles = quantity.what == Measured::angle ? scene.start.angle : scene.start.spin;
     if (isAngle && angles.rows() == 0)
         return NoValue::noAngle;
-    if (isOfVelocity(quantity.what) && !scene.hasInertia(body))
+    if (isOfVelocity(quantity.what) && !scene.movesByVelocity(body))
         return NoValue::noInertia;
-    if (isEnergy(quantity.what) && sim::Meter::whyNot(scene))
+    if (isEnergy(quantity.what) && sim::StoredEnergyReader::whyNot(scene))
         return NoValue::noEnergyHere;
     return std::nullopt;
 }
 
-QuantityReader::QuantityReader(std::vector<Quantity> quantities, std::shared_ptr<const sim::Segment> segment)
-    : m_quantities(std::move(quantities)), m_segment(std::move(segment))
+QuantityReader::QuantityReader(std::vector<Quantity> quantities,
+                               std::shared_ptr<const sim::ComposedInterval> interval)
+    : m_quantities(std::move(quantities)), m_interval(std::move(interval))
 {
-    const sim::Scene &scene = m_segment->scene;
+    const sim::Scene &scene = m_interval->scene;
     for (const Quantity &quantity : m_quantities) {
         Ends ends;
         if (!whyNot(quantity, scene)) {
             ends.body = scene.find(quantity.body.toStdString());
             ends.other = scene.find(quantity.other.toStdString());
-            if (isEnergy(quantity.what) && !m_meter)
-                m_meter.emplace(scene);
+            if (isEnergy(quantity.what) && !m_reader)
+                m_reader.emplace(scene);
         }
         m_ends.push_back(ends);
     }
@@ -164,20 +165,20 @@ double QuantityReader::valueOf(Measured what, Ends ends, const Moment &moment) c
     if (what == Measured::time)
         return static_cast<double>(now.frame);
     if (isEnergy(what))
-        return m_meter ? energyOf(what, ends.body, now) : none;
+        return m_reader ? energyOf(what, ends.body, now) : none;
     if (ends.body < 0)
         return none;
     switch (what) {
     case Measured::placeX:
-        return now.at(ends.body).x;
+        return now.positionOf(ends.body).x;
     case Measured::placeY:
-        return now.at(ends.body).y;
+        return now.positionOf(ends.body).y;
     case Measured::velocityX:
-        return now.speed(ends.body).x;
+        return now.velocityOf(ends.body).x;
     case Measured::velocityY:
-        return now.speed(ends.body).y;
+        return now.velocityOf(ends.body).y;
     case Measured::speed:
-        return sim::length(now.speed(ends.body));
+        return sim::length(now.velocityOf(ends.body));
     case Measured::accelerationX:
         return change(moment, ends.body).x;
     case Measured::accelerationY:
@@ -189,7 +190,7 @@ double QuantityReader::valueOf(Measured what, Ends ends, const Moment &moment) c
     case Measured::spin:
         return angular(now.spin, ends.body);
     case Measured::distance:
-        return ends.other < 0 ? none : sim::length(now.at(ends.other) - now.at(ends.body));
+        return ends.other < 0 ? none : sim::length(now.positionOf(ends.other) - now.positionOf(ends.body));
     default:
         return none;
     }
@@ -199,13 +200,13 @@ double QuantityReader::energyOf(Measured what, int point, const sim::State &stat
 {
     switch (what) {
     case Measured::ownMotion:
-        return point < 0 ? none : m_meter->moving(state, point);
+        return point < 0 ? none : m_reader->moving(state, point);
     case Measured::motion:
-        return m_meter->moving(state);
+        return m_reader->moving(state);
     case Measured::stored:
-        return m_meter->stored(state);
+        return m_reader->stored(state);
     default:
-        return m_meter->read(state).total();
+        return m_reader->read(state).total();
     }
 }
 

@@ -27,7 +27,7 @@ enum class Measured {
     spin,          ///< degrees/frame
     ownMotion,     ///< kinetic energy of one body
     distance,      ///< px, to another body
-    motion,        ///< kinetic energy of everything together: see sim::Stock, as for the next two
+    motion,        ///< kinetic energy of everything together: see sim::StoredEnergy, as for the next two
     stored,        ///< what springs hold and what lies high
     energy,        ///< both
 };
@@ -62,7 +62,7 @@ enum class NoValue {
     noSuchBody,  ///< there is nothing of that name
     noInertia,   ///< the body has no velocity: something else puts it where it goes
     noAngle,     ///< nothing in the scene has an angle
-    noEnergyHere ///< see sim::Meter::whyNot()
+    noEnergyHere ///< see sim::StoredEnergyReader::whyNot()
 };
 /// `quantity` must name its bodies.
 std::optional<NoValue> whyNot(const Quantity &quantity, const sim::Scene &scene);
@@ -73,9 +73,9 @@ class QuantityReader
 public:
     QuantityReader() = default;
     /// `quantities` must name their bodies.
-    QuantityReader(std::vector<Quantity> quantities, std::shared_ptr<const sim::Segment> segment);
+    QuantityReader(std::vector<Quantity> quantities, std::shared_ptr<const sim::ComposedInterval> interval);
 
-    const sim::Segment *segment() const { return m_segment.get(); }
+    const sim::ComposedInterval *segment() const { return m_interval.get(); }
     /// A moment of a run.
     struct Moment
     {
@@ -98,8 +98,8 @@ private:
 
     std::vector<Quantity> m_quantities;
     std::vector<Ends> m_ends;
-    std::shared_ptr<const sim::Segment> m_segment;
-    std::optional<sim::Meter> m_meter; ///< where the scene has energy, and somebody asks for it
+    std::shared_ptr<const sim::ComposedInterval> m_interval;
+    std::optional<sim::StoredEnergyReader> m_reader; ///< where the scene has energy, and somebody asks for it
 };
 
 }

@@ -171,7 +171,7 @@ QString noValueWords(const Quantity &quantity, const sim::Scene &scene, NoValue 
     case NoValue::noEnergyHere:
         break;
     }
-    return noEnergyWords(sim::Meter::whyNot(scene).value_or(sim::NoEnergy::nothingMoves));
+    return noEnergyWords(sim::StoredEnergyReader::whyNot(scene).value_or(sim::NoEnergy::nothingMoves));
 }
 
 QString valueWords(double value, const QString &unit)

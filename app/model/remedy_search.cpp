@@ -27,7 +27,7 @@ RemedySearch::~RemedySearch()
 const sim::Stop *RemedySearch::stop() const
 {
     const std::optional<sim::Stop> &stop = m_session.timeline().stop();
-    return stop && m_session.timeline().at().frame == stop->frame ? &*stop : nullptr;
+    return stop && m_session.timeline().cursor().frame == stop->frame ? &*stop : nullptr;
 }
 
 void RemedySearch::forget()
@@ -80,9 +80,10 @@ QString remedyHelp(const sim::Remedy &remedy)
     const QString what = RemedySearch::tr(
         "Computes the run again with that, up to this frame. What you did is kept, and the old run "
         "stays as a ghost.");
-    if (remedy.heldFor == 0)
+    if (remedy.stableFrames == 0)
         return what + ' ' + RemedySearch::tr("Not tried out: that would take long.");
-    return what + ' ' + RemedySearch::tr("Tried out: it holds for %n frames.", nullptr, int(remedy.heldFor));
+    return what + ' ' +
+           RemedySearch::tr("Tried out: it holds for %n frames.", nullptr, int(remedy.stableFrames));
 }
 
 }

@@ -11,36 +11,36 @@ constexpr double shortest = 1e-6; ///< px: a length below that is none
 
 using Pair = std::pair<int, int>;
 
-Pair pairOf(const sim::RestEnd &rest)
+Pair pairOf(const sim::RestTarget &rest)
 {
     return std::minmax(rest.mover, rest.anchor);
 }
 
 /// What is nailed stays where it is; else the smaller disc goes, and of two alike the later point.
-bool goesRather(const sim::RestEnd &one, const sim::RestEnd &other, const sim::State &state,
-                const lessons::Look &look)
+bool goesRather(const sim::RestTarget &one, const sim::RestTarget &other, const sim::State &state,
+                const lessons::View &look)
 {
-    if (state.feels(one.mover) != state.feels(other.mover))
-        return state.feels(one.mover);
+    if (state.isDynamic(one.mover) != state.isDynamic(other.mover))
+        return state.isDynamic(one.mover);
     const auto radius = [&look](int point) { return look.bodies[static_cast<std::size_t>(point)].radius; };
     if (radius(one.mover) != radius(other.mover))
         return radius(one.mover) < radius(other.mover);
     return one.mover > other.mover;
 }
 
-std::vector<sim::RestEnd> restsOf(const sim::Effect &effect, const sim::State &state)
+std::vector<sim::RestTarget> restsOf(const sim::Effect &effect, const sim::State &state)
 {
-    std::vector<sim::RestEnd> rests;
-    effect.rests(state, rests);
+    std::vector<sim::RestTarget> rests;
+    effect.addRestTargets(state, rests);
     return rests;
 }
 
 void addMarks(std::vector<RestMark> &marks, const sim::Effect &effect, const sim::State &state,
-              const lessons::Look &look)
+              const lessons::View &look)
 {
-    std::map<Pair, sim::RestEnd> chosen;
-    for (const sim::RestEnd &rest : restsOf(effect, state)) {
-        if (sim::length(rest.place - state.at(rest.anchor)) <= shortest)
+    std::map<Pair, sim::RestTarget> chosen;
+    for (const sim::RestTarget &rest : restsOf(effect, state)) {
+        if (sim::length(rest.position - state.positionOf(rest.anchor)) <= shortest)
             continue;
         const auto [place, isFirst] = chosen.try_emplace(pairOf(rest), rest);
         if (!isFirst && goesRather(rest, place->second, state, look))
@@ -52,11 +52,11 @@ void addMarks(std::vector<RestMark> &marks, const sim::Effect &effect, const sim
 
 }
 
-std::vector<RestMark> restMarks(const sim::Scene &scene, const sim::State &state, const lessons::Look &look)
+std::vector<RestMark> restMarks(const sim::Scene &scene, const sim::State &state, const lessons::View &look)
 {
     std::vector<RestMark> marks;
     for (const sim::EffectPtr &effect : scene.effects) {
-        if (!effect->idle())
+        if (!effect->isIdle())
             addMarks(marks, *effect, state, look);
     }
     return marks;

@@ -21,13 +21,13 @@ QString restSentence(const sim::Track &track)
 {
     if (track.sleep())
         return Text::tr("Everything rests: a frame costs nothing until something is touched.");
-    const sim::Awake awake = sim::awakeBy(track.shown().pipeline, track.now());
-    switch (awake.why) {
-    case sim::Awake::Why::time:
+    const sim::SleepBlocker awake = sim::sleepBlockerOf(track.interval().pipeline, track.state());
+    switch (awake.reason) {
+    case sim::SleepBlocker::Reason::time:
         return Text::tr("Nothing rests now: “%1” changes with the time.").arg(phrase(awake.effect->title()));
-    case sim::Awake::Why::ownSteps:
+    case sim::SleepBlocker::Reason::adaptiveSteps:
         return Text::tr("With a method that chooses its own steps, what rests costs as much as what moves.");
-    case sim::Awake::Why::nothing:
+    case sim::SleepBlocker::Reason::nothing:
         break;
     }
     return Text::tr("What comes to rest costs nothing until it is touched.");

@@ -13,7 +13,8 @@ class RunSampler
 public:
     RunSampler() = default;
     /// `quantities` must name their bodies. See Samples for the other two.
-    RunSampler(std::vector<Quantity> quantities, std::int64_t first, int rowFrames, std::int64_t stride);
+    RunSampler(std::vector<Quantity> quantities, std::int64_t first, int framesPerOutput,
+               std::int64_t stride);
 
     const Samples &samples() const { return m_samples; }
     /// Takes the next row of `track`, which was computed before: into the samples, or on the way to their first.
@@ -30,7 +31,7 @@ private:
     std::vector<Quantity> m_quantities;
     Samples m_samples;
     QuantityReader m_reader;
-    int m_rowFrames = 1;
+    int m_framesPerOutput = 1;
     bool m_comparesRows = false;     ///< whether one of them takes the row before
     std::optional<sim::State> m_end; ///< at the end of the row that was taken last
 };

@@ -16,14 +16,14 @@ void take(Samples::Bucket &bucket, const Samples::Bucket &later)
 
 }
 
-Samples::Samples(std::size_t columns, std::int64_t first, int rowFrames, std::int64_t stride)
-    : m_columns(columns), m_first(first), m_stride(stride), m_rowFrames(rowFrames)
+Samples::Samples(std::size_t columns, std::int64_t first, int framesPerOutput, std::int64_t stride)
+    : m_columns(columns), m_first(first), m_stride(stride), m_framesPerOutput(framesPerOutput)
 {
 }
 
 std::size_t Samples::bucketNear(std::int64_t frame) const
 {
-    const std::int64_t bucket = (frame - m_first) / (m_stride * m_rowFrames);
+    const std::int64_t bucket = (frame - m_first) / (m_stride * m_framesPerOutput);
     return static_cast<std::size_t>(
         std::clamp<std::int64_t>(bucket, 0, static_cast<std::int64_t>(size()) - 1));
 }
@@ -43,9 +43,9 @@ void Samples::add(std::span<const double> row)
 
 void Samples::forgetAfter(std::int64_t frame)
 {
-    if (frame >= nextFrame() - m_rowFrames)
+    if (frame >= nextFrame() - m_framesPerOutput)
         return;
-    const std::int64_t rows = frame < m_first ? 0 : (frame - m_first) / m_rowFrames + 1;
+    const std::int64_t rows = frame < m_first ? 0 : (frame - m_first) / m_framesPerOutput + 1;
     const std::int64_t buckets = rows / m_stride;
     m_buckets.resize(static_cast<std::size_t>(buckets) * m_columns);
     m_rows = buckets * m_stride;
@@ -53,7 +53,7 @@ void Samples::forgetAfter(std::int64_t frame)
 
 void Samples::forgetBefore(std::int64_t frame)
 {
-    const std::int64_t wide = m_stride * m_rowFrames;
+    const std::int64_t wide = m_stride * m_framesPerOutput;
     const std::int64_t buckets =
         std::clamp<std::int64_t>((frame - m_first) / wide, 0, static_cast<std::int64_t>(size()));
     m_buckets.erase(m_buckets.begin(), m_buckets.begin() + static_cast<std::ptrdiff_t>(buckets) *

@@ -21,13 +21,13 @@ public:
 
     Samples() = default;
     /// From the row at frame `first` on. `stride`: rows that share a bucket.
-    Samples(std::size_t columns, std::int64_t first, int rowFrames, std::int64_t stride);
+    Samples(std::size_t columns, std::int64_t first, int framesPerOutput, std::int64_t stride);
 
     std::size_t columns() const { return m_columns; }
     std::int64_t stride() const { return m_stride; }
     std::int64_t firstFrame() const { return m_first; }
     /// The frame of the row that comes next.
-    std::int64_t nextFrame() const { return m_first + m_rows * m_rowFrames; }
+    std::int64_t nextFrame() const { return m_first + m_rows * m_framesPerOutput; }
     /// How many buckets there are.
     std::size_t size() const { return m_columns == 0 ? 0 : m_buckets.size() / m_columns; }
     bool isEmpty() const { return m_rows == 0; }
@@ -38,7 +38,7 @@ public:
     /// The frame of the first row of a bucket.
     std::int64_t frameOf(std::size_t bucket) const
     {
-        return m_first + static_cast<std::int64_t>(bucket) * m_stride * m_rowFrames;
+        return m_first + static_cast<std::int64_t>(bucket) * m_stride * m_framesPerOutput;
     }
     /// The bucket of the row at `frame`, or the nearest there is. There must be one.
     std::size_t bucketNear(std::int64_t frame) const;
@@ -57,7 +57,7 @@ private:
     std::int64_t m_first = 0;
     std::int64_t m_rows = 0;
     std::int64_t m_stride = 1;
-    int m_rowFrames = 1;
+    int m_framesPerOutput = 1;
     std::vector<Bucket> m_buckets; ///< by bucket, then by column
 };
 

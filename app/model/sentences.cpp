@@ -124,7 +124,7 @@ QString sentenceFor(const sim::Error &error)
 
 QString pullTitle(const sim::Effect &effect, const QString &body, const QString &other)
 {
-    const bool isSpring = effect.kind() == sim::Kind::spring;
+    const bool isSpring = effect.kind() == sim::EffectKind::spring;
     if (other.isEmpty())
         return isSpring ? Text::tr("The spring of %1").arg(body)
                         : Text::tr("What pulls %1 (%2)").arg(body, phrase(effect.title()));

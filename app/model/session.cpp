@@ -114,7 +114,7 @@ void Session::leave()
     letGo();
     letUp();
     m_left.insert_or_assign(keyOf(lesson().id, step().id),
-                            Left{m_timeline->script(), m_timeline->at(), m_branches});
+                            Left{m_timeline->script(), m_timeline->cursor(), m_branches});
 }
 
 void Session::start(sim::Script script, sim::Cursor at, Branches branches)
@@ -134,7 +134,7 @@ void Session::start(sim::Script script, sim::Cursor at, Branches branches)
     if (step().companion)
         m_companion.emplace(*step().companion);
     bringCompanion();
-    m_selected = QString::fromStdString(m_timeline->track().shown().scene.names.front());
+    m_selected = QString::fromStdString(m_timeline->track().interval().scene.names.front());
     m_breakpoints.open(keyOf(lesson().id, step().id));
     m_watch.watch(m_breakpoints.all(), step());
     emit stepOpened();

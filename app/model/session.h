@@ -48,7 +48,7 @@ public:
     /// What is still to do for the thing to try with this number, which has been begun; see Attempts::todo().
     QString todo(int number) const;
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
-    void setTiming(lessons::Timing timing) { m_attempts.setTiming(std::move(timing)); }
+    void setTiming(lessons::TimeMeasurement timing) { m_attempts.setTiming(std::move(timing)); }
 
     /// Opens a step as it was left, or new. Names that do not exist change nothing.
     void openStep(const QString &lesson, const QString &step);
@@ -147,7 +147,7 @@ public:
     /// The parameter of the step that damps, if it has one.
     std::optional<sim::DampRange> damping() const;
     /// The one that counts passes over sticks, if it has one.
-    std::optional<sim::PassRange> passes() const;
+    std::optional<sim::IterationRange> passes() const;
     void grab(const QString &body);
     void moveHand(sim::Vec2 to);
     void letGo();
@@ -209,7 +209,7 @@ public:
     /// What the step has to say about this moment; may be empty.
     QString note() const;
     /// What the ghost differs by, for example "before: damp 0.85", or what the learner calls it.
-    QString ghostName() const { return m_timeline->ghost() && beside() ? beside()->name : QString(); }
+    QString ghostName() const { return m_timeline->comparison() && beside() ? beside()->name : QString(); }
     /// Deletes the branch that is shown as the ghost.
     void forgetGhost();
     /// The body whose values are shown.
@@ -217,9 +217,9 @@ public:
     void select(const QString &body);
     /// What the phases of the step under way, or of the last one, did to the selected body.
     /// Empty where finding out would take too long: in a crowd, far from a moment that is kept.
-    std::vector<sim::Moment> moments() const;
+    std::vector<sim::PhaseExplanation> moments() const;
     /// Inside a frame: the accelerations so far.
-    std::vector<sim::Gathered> gathered() const { return sim::gathered(shown().track()); }
+    std::vector<sim::ForceSnapshot> gathered() const { return sim::accumulatedForces(shown().track()); }
 
 signals:
     /// Another step is open: everything is new.
@@ -255,7 +255,7 @@ private:
     /// What changes a timeline, and returns whether the run as it was became the ghost.
     using Edit = std::function<bool(sim::Timeline &)>;
 
-    Picture pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+    Picture pictureOf(const sim::Track &track, std::shared_ptr<const sim::ComposedInterval> interval,
                       sim::State state) const;
     void setStep(sim::StepSize step);
     void runAgain(const sim::Remedy &remedy);

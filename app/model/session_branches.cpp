@@ -37,7 +37,7 @@ void Session::edit(const Deed &deed, const Edit &edit)
         emit said(sentenceFor(error));
         return;
     }
-    const bool isLeft = forked || before.branches.own().end > m_timeline->at().frame;
+    const bool isLeft = forked || before.branches.own().end > m_timeline->cursor().frame;
     if (isLeft)
         branchOff(before, computed, deed);
     nameOwn(deed);
@@ -66,7 +66,7 @@ Branch Session::leftRun(const Stand &before, std::int64_t computed, const QStrin
 void Session::branchOff(const Stand &before, std::int64_t computed, const Deed &deed)
 {
     const QString differs = deed.before.isEmpty() ? deed.what : deed.before;
-    m_branches.add(leftRun(before, computed, tr("before: %1").arg(differs)), m_timeline->at().frame);
+    m_branches.add(leftRun(before, computed, tr("before: %1").arg(differs)), m_timeline->cursor().frame);
     m_branches.setOwn({});
     m_branches.limit();
 }
@@ -92,7 +92,7 @@ void Session::hideWhatIsGone()
         return;
     m_beside = 0;
     m_coming.reset();
-    m_timeline->forgetGhost();
+    m_timeline->dropComparison();
 }
 
 void Session::showBeside(int id)
@@ -102,9 +102,9 @@ void Session::showBeside(int id)
         return;
     m_beside = branch ? id : 0;
     m_coming.reset();
-    m_timeline->forgetGhost();
+    m_timeline->dropComparison();
     if (branch) {
-        m_coming.emplace(*branch->script, m_timeline->ghostBudget());
+        m_coming.emplace(*branch->script, m_timeline->comparisonBudget());
         m_sinceSaid.start();
         bring();
     }
@@ -116,9 +116,10 @@ void Session::bring()
 {
     if (!m_coming || !beside())
         return;
-    const std::int64_t goal = m_timeline->at().frame;
+    const std::int64_t goal = m_timeline->cursor().frame;
     if (goNearer(*m_coming, goal)) {
-        m_timeline->showBeside(std::move(*m_coming), firstDifferent(*beside()->script, m_timeline->script()));
+        m_timeline->setComparison(std::move(*m_coming),
+                                  firstDifferent(*beside()->script, m_timeline->script()));
         m_coming.reset();
         runIsAnother();
         return;
@@ -126,7 +127,7 @@ void Session::bring()
     if (m_sinceSaid.hasExpired(sayAgainMilliseconds)) {
         m_sinceSaid.start();
         emit said(tr("Computing “%1” again: frame %2 of %3. Esc stops.")
-                      .arg(beside()->name, QString::number(m_coming->at().frame), QString::number(goal)));
+                      .arg(beside()->name, QString::number(m_coming->cursor().frame), QString::number(goal)));
     }
     if (std::exchange(m_bringDue, true))
         return;
@@ -147,17 +148,17 @@ void Session::stopGoing()
 
 bool Session::replaceRun(const sim::Script &script)
 {
-    const sim::Track *ghost = m_timeline->ghost();
+    const sim::Track *ghost = m_timeline->comparison();
     const std::int64_t shared = lastShared(script, m_timeline->script());
     const bool isGhost = ghost && sameScript(ghost->script(), script);
     if (isGhost)
-        m_timeline->swapWithGhost();
+        m_timeline->swapWithComparison();
     // Watchers take it that input changes after the cursor only.
-    m_timeline->seek({std::min(m_timeline->at().frame, shared), 0});
+    m_timeline->seek({std::min(m_timeline->cursor().frame, shared), 0});
     if (isGhost)
         return true;
     return sameRun(script, m_timeline->script()) ? m_timeline->replaceInput(script.input)
-                                                 : m_timeline->replace(script);
+                                                 : m_timeline->replaceScript(script);
 }
 
 void Session::goBackTo(int id)

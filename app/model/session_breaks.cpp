@@ -24,7 +24,7 @@ void Session::watchBreakpoints()
         emit playingChanged();
     });
     connect(this, &Session::moved, this, [this] {
-        if (m_hit && m_hit->at != m_timeline->at())
+        if (m_hit && m_hit->at != m_timeline->cursor())
             m_hit.reset();
     });
 }
@@ -37,17 +37,17 @@ void Session::stopFor(const BreakHit &hit)
 
 std::optional<BreakHit> Session::stepRow()
 {
-    const sim::Cursor rowEnd{m_timeline->at().frame + m_timeline->track().rowFrames(), 0};
+    const sim::Cursor outputEnd{m_timeline->cursor().frame + m_timeline->track().framesPerOutput(), 0};
     if (m_watch.isWatching())
-        return m_watch.run(*m_timeline, rowEnd);
-    m_timeline->seek(rowEnd);
+        return m_watch.run(*m_timeline, outputEnd);
+    m_timeline->seek(outputEnd);
     return std::nullopt;
 }
 
 void Session::runTo(sim::Cursor cursor)
 {
     pause();
-    if (!m_watch.isWatching() || cursor <= m_timeline->at()) {
+    if (!m_watch.isWatching() || cursor <= m_timeline->cursor()) {
         goTo(cursor);
         return;
     }
@@ -63,19 +63,19 @@ void Session::runOn()
 {
     QElapsedTimer clock;
     clock.start();
-    const int rowFrames = m_timeline->track().rowFrames();
-    const sim::Cursor goal{m_goingTo->frame / rowFrames * rowFrames, m_goingTo->phase};
+    const int framesPerOutput = m_timeline->track().framesPerOutput();
+    const sim::Cursor goal{m_goingTo->frame / framesPerOutput * framesPerOutput, m_goingTo->phase};
     const auto isThere = [&] {
         const std::optional<sim::Stop> &stop = m_timeline->stop();
-        return m_timeline->at() >= goal || (stop && m_timeline->at().frame >= stop->frame);
+        return m_timeline->cursor() >= goal || (stop && m_timeline->cursor().frame >= stop->frame);
     };
     std::optional<BreakHit> hit;
     while (!hit && !isThere() && clock.elapsed() < sliceMilliseconds) {
-        const sim::Cursor rowEnd{m_timeline->at().frame + rowFrames, 0};
-        if (m_timeline->isOver() && !m_watch.mayStillStop(*m_timeline))
+        const sim::Cursor outputEnd{m_timeline->cursor().frame + framesPerOutput, 0};
+        if (m_timeline->isFinished() && !m_watch.mayStillStop(*m_timeline))
             m_timeline->seek(goal);
         else
-            hit = m_watch.run(*m_timeline, std::min(goal, rowEnd));
+            hit = m_watch.run(*m_timeline, std::min(goal, outputEnd));
     }
     if (!hit && !isThere()) {
         approachLater();

@@ -27,23 +27,23 @@ bool Session::takeUp(const Deed &deed, const sim::Script &script)
     letGo();
     letUp();
     Stand before = stand();
-    const sim::Cursor was = m_timeline->at();
+    const sim::Cursor was = m_timeline->cursor();
     try {
         m_timeline->seek({});
-        m_timeline->replace(script);
+        m_timeline->replaceScript(script);
     } catch (const sim::Error &error) {
         m_timeline->seek(was);
         emit said(sentenceFor(error));
         return false;
     }
-    m_timeline->forgetGhost(); // what was built before is no other run of this scene
+    m_timeline->dropComparison(); // what was built before is no other run of this scene
     m_branches = {};
     m_coming.reset();
     m_beside = 0;
     runIsAnother();
     remember(deed, std::move(before));
-    const std::vector<std::string> &names = m_timeline->track().shown().scene.names;
-    if (m_timeline->track().shown().scene.find(m_selected.toStdString()) < 0)
+    const std::vector<std::string> &names = m_timeline->track().interval().scene.names;
+    if (m_timeline->track().interval().scene.find(m_selected.toStdString()) < 0)
         select(QString::fromStdString(names.front()));
     return true;
 }

@@ -53,13 +53,13 @@ void Session::setParameter(const QString &id, double value)
     if (!declared)
         return;
     value = std::clamp(value, declared->min, declared->max);
-    if (declared->isWhole())
+    if (declared->hasWholeValues())
         value = std::round(value);
     const double was = parameter(id);
     if (value == was)
         return;
-    if (declared->opens) {
-        sim::Values values = step().presets();
+    if (declared->restartsRun) {
+        sim::Values values = step().defaultValues();
         values.set(id.toStdString(), value);
         startAnew({tr("Change %1").arg(withinSentence(declared->name)), declared->name, {}, declared->name},
                   values, {m_timeline->script().method, sim::findMethod(step().method.toStdString())});
@@ -67,18 +67,18 @@ void Session::setParameter(const QString &id, double value)
     }
     edit({tr("Change %1").arg(withinSentence(declared->name)), written(*declared, was), id,
           written(*declared, value)},
-         [&](sim::Timeline &timeline) { return timeline.set(id.toStdString(), value); });
+         [&](sim::Timeline &timeline) { return timeline.setParameter(id.toStdString(), value); });
 }
 
 void Session::resetParameters()
 {
     const std::vector<lessons::Parameter> &all = step().parameters;
     if (std::all_of(all.begin(), all.end(),
-                    [this](const auto &one) { return parameter(one.id) == one.preset; }))
+                    [this](const auto &one) { return parameter(one.id) == one.defaultValue; }))
         return;
     m_deeds.beginMacro(tr("Reset all parameters"));
     for (const lessons::Parameter &one : all)
-        setParameter(one.id, one.preset);
+        setParameter(one.id, one.defaultValue);
     m_deeds.endMacro();
 }
 
@@ -106,8 +106,8 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
              sim::Script script = timeline.script();
              script.method = method;
              script.step = step;
-             const bool forked = timeline.replace(std::move(script));
-             if (was.adaptive() != step.adaptive())
+             const bool forked = timeline.replaceScript(std::move(script));
+             if (was.isAdaptive() != step.isAdaptive())
                  m_otherStep = was;
              return forked;
          });
@@ -115,23 +115,24 @@ void Session::use(const sim::MethodPtr &method, sim::StepSize step)
 
 std::optional<sim::DampRange> Session::damping() const
 {
-    const lessons::Parameter *kept = step().parameterFor(lessons::Role::keptSpeed);
+    const lessons::Parameter *kept = step().parameterFor(lessons::ParameterRole::damping);
     if (!kept)
         return std::nullopt;
     return sim::DampRange{kept->id.toStdString(), kept->min, std::pow(10.0, -kept->decimals)};
 }
 
-std::optional<sim::PassRange> Session::passes() const
+std::optional<sim::IterationRange> Session::passes() const
 {
-    const lessons::Parameter *passes = step().parameterFor(lessons::Role::passes);
-    return passes ? std::optional(sim::PassRange{passes->id.toStdString(), passes->max}) : std::nullopt;
+    const lessons::Parameter *passes = step().parameterFor(lessons::ParameterRole::iterations);
+    return passes ? std::optional(sim::IterationRange{passes->id.toStdString(), passes->max}) : std::nullopt;
 }
 
 void Session::use(const sim::Remedy &remedy)
 {
     const std::optional<sim::Stop> &stop = m_timeline->stop();
     // What sticks are like comes from the whole way: passes changed from here on would not mend what is behind.
-    if ((stop && m_timeline->at().frame == stop->frame) || remedy.kind == sim::Remedy::Kind::morePasses)
+    if ((stop && m_timeline->cursor().frame == stop->frame) ||
+        remedy.kind == sim::Remedy::Kind::moreIterations)
         runAgain(remedy);
     else if (remedy.kind == sim::Remedy::Kind::moreDamping)
         setParameter(QString::fromStdString(remedy.parameter), remedy.value);
@@ -142,7 +143,7 @@ void Session::use(const sim::Remedy &remedy)
 void Session::runAgain(const sim::Remedy &remedy)
 {
     pause();
-    const std::int64_t frame = m_timeline->at().frame;
+    const std::int64_t frame = m_timeline->cursor().frame;
     const lessons::Parameter *changed =
         remedy.setsParameter() ? step().parameter(QString::fromStdString(remedy.parameter)) : nullptr;
     const QString was =
@@ -150,8 +151,8 @@ void Session::runAgain(const sim::Remedy &remedy)
     m_timeline->seek({}); // the way to that frame may be long: goTo() takes it in slices
     edit({tr("Apply remedy"), was, {}, tr("a remedy")}, [&](sim::Timeline &timeline) {
         const sim::StepSize step = timeline.script().step;
-        const bool forked = timeline.replace(sim::mended(timeline.script(), remedy));
-        if (step.adaptive() != timeline.script().step.adaptive())
+        const bool forked = timeline.replaceScript(sim::withRemedy(timeline.script(), remedy));
+        if (step.isAdaptive() != timeline.script().step.isAdaptive())
             m_otherStep = step;
         return forked;
     });
@@ -166,7 +167,7 @@ void Session::setStep(sim::StepSize step)
 void Session::setStepSize(double h)
 {
     try {
-        setStep(sim::StepSize::of(h));
+        setStep(sim::StepSize::ofLength(h));
     } catch (const sim::Error &error) {
         emit said(sentenceFor(error));
     }
@@ -175,7 +176,7 @@ void Session::setStepSize(double h)
 void Session::setTolerance(double tolerance)
 {
     try {
-        setStep(sim::StepSize::within(tolerance));
+        setStep(sim::StepSize::withTolerance(tolerance));
     } catch (const sim::Error &error) {
         emit said(sentenceFor(error));
     }
@@ -183,19 +184,19 @@ void Session::setTolerance(double tolerance)
 
 void Session::grab(const QString &body)
 {
-    if (m_timeline->track().shown().scene.find(body.toStdString()) < 0)
+    if (m_timeline->track().interval().scene.find(body.toStdString()) < 0)
         return;
     select(body);
     m_holding = true;
     edit(handDeed(body),
-         [&](sim::Timeline &timeline) { return timeline.hand(sim::Grab{body.toStdString()}); });
+         [&](sim::Timeline &timeline) { return timeline.applyInput(sim::Grab{body.toStdString()}); });
 }
 
 void Session::moveHand(sim::Vec2 to)
 {
     if (!m_holding || !std::isfinite(to.x) || !std::isfinite(to.y))
         return;
-    edit(handDeed(m_selected), [&](sim::Timeline &timeline) { return timeline.hand(sim::Move{to}); });
+    edit(handDeed(m_selected), [&](sim::Timeline &timeline) { return timeline.applyInput(sim::Move{to}); });
 }
 
 void Session::letGo()
@@ -203,18 +204,18 @@ void Session::letGo()
     if (!m_holding)
         return;
     m_holding = false;
-    edit(handDeed(m_selected), [](sim::Timeline &timeline) { return timeline.hand(sim::Release{}); });
+    edit(handDeed(m_selected), [](sim::Timeline &timeline) { return timeline.applyInput(sim::Release{}); });
     endGesture();
 }
 
 void Session::point(sim::Vec2 at, bool down)
 {
-    if (!step().can(lessons::Does::pointer) || !std::isfinite(at.x) || !std::isfinite(at.y))
+    if (!step().accepts(lessons::Interaction::pointer) || !std::isfinite(at.x) || !std::isfinite(at.y))
         return;
     m_pointerDown = down ? std::optional(at) : std::nullopt;
     edit({tr("Move pointer"), tr("the pointer"), QStringLiteral(":pointer"), tr("the pointer")},
          [&](sim::Timeline &timeline) {
-             return timeline.hand(sim::Pointer{at, down});
+             return timeline.applyInput(sim::Pointer{at, down});
          });
     if (!down)
         endGesture();
@@ -222,20 +223,20 @@ void Session::point(sim::Vec2 at, bool down)
 
 void Session::aim(sim::Vec2 target)
 {
-    if (!step().can(lessons::Does::target) || !std::isfinite(target.x) || !std::isfinite(target.y))
+    if (!step().accepts(lessons::Interaction::target) || !std::isfinite(target.x) || !std::isfinite(target.y))
         return;
     edit({tr("Set target"), tr("the target"), {}, tr("the target")},
-         [&](sim::Timeline &timeline) { return timeline.hand(sim::Target{target}); });
+         [&](sim::Timeline &timeline) { return timeline.applyInput(sim::Target{target}); });
 }
 
 void Session::steer(bool sim::Keys::*key, bool down)
 {
-    if (!step().can(lessons::Does::keys) || m_keys.*key == down)
+    if (!step().accepts(lessons::Interaction::keys) || m_keys.*key == down)
         return;
     m_keys.*key = down;
     edit({tr("Press arrow keys"), tr("the keys"), QStringLiteral(":keys"), tr("the keys")},
          [&](sim::Timeline &timeline) {
-             return timeline.hand(sim::Key{key, down});
+             return timeline.applyInput(sim::Key{key, down});
          });
     if (m_keys == sim::Keys{})
         endGesture();
@@ -251,7 +252,7 @@ void Session::letUp()
 
 void Session::startWith(const lessons::Preset &preset)
 {
-    sim::Values values = step().presets();
+    sim::Values values = step().defaultValues();
     for (const auto &[id, value] : preset.values)
         values.set(id.toStdString(), value);
     startAnew({tr("Choose “%1”").arg(preset.title), preset.title, {}, preset.title}, values,

@@ -11,8 +11,8 @@ namespace app {
 std::vector<sim::EffectPtr> Session::listedEffects() const
 {
     const sim::Script &script = m_timeline->script();
-    const sim::Segment &segment = *m_timeline->track().next();
-    return script.effectsOff.empty() ? segment.scene.effects : script.build(segment.values).effects;
+    const sim::ComposedInterval &interval = *m_timeline->track().nextInterval();
+    return script.effectsOff.empty() ? interval.scene.effects : script.build(interval.values).effects;
 }
 
 bool Session::isOff(const QString &effect) const
@@ -40,7 +40,7 @@ void Session::setEffect(const QString &id, bool on)
             if (!known && (other == id ? !on : isOff(other)))
                 script.effectsOff.push_back(one->id());
         }
-        return timeline.replace(std::move(script));
+        return timeline.replaceScript(std::move(script));
     });
 }
 

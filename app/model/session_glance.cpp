@@ -16,13 +16,16 @@ constexpr double mostWork = 200'000.0;
 double workTo(const sim::Track &run, sim::Cursor at)
 {
     const sim::Script &script = run.script();
-    const std::int64_t rowFrames = run.rowFrames();
-    const std::int64_t rows = (at.frame - run.knownBefore(at.frame)) / rowFrames + (at.phase > 0 ? 1 : 0);
+    const std::int64_t framesPerOutput = run.framesPerOutput();
+    const std::int64_t rows =
+        (at.frame - run.cachedFrameBefore(at.frame)) / framesPerOutput + (at.phase > 0 ? 1 : 0);
     // A method that chooses its steps takes as many as it took until now.
-    const double counted = run.now().turns() / static_cast<double>(std::max<std::int64_t>(1, run.at().frame));
-    const double planned = double(std::max(1, script.method->evaluations())) * script.step.perRow;
-    const double turns = std::max(planned, counted * static_cast<double>(rowFrames));
-    return static_cast<double>(rows) * turns * run.now().points();
+    const double counted =
+        run.state().forceEvaluations() / static_cast<double>(std::max<std::int64_t>(1, run.cursor().frame));
+    const double planned =
+        double(std::max(1, script.method->evaluationsPerStep())) * script.step.stepsPerOutput;
+    const double turns = std::max(planned, counted * static_cast<double>(framesPerOutput));
+    return static_cast<double>(rows) * turns * run.state().pointCount();
 }
 
 }
@@ -31,17 +34,18 @@ bool Session::canShow(sim::Cursor at) const
 {
     if (isPlaying() || m_goingTo || m_coming || m_holding || m_pointerDown || m_companionDue)
         return false;
-    const sim::Track *ghost = m_timeline->ghost();
+    const sim::Track *ghost = m_timeline->comparison();
     return workTo(m_timeline->track(), at) + (ghost ? workTo(*ghost, {at.frame, 0}) : 0.0) <= mostWork;
 }
 
 void Session::glance(sim::Cursor at)
 {
-    const std::int64_t rowFrames = m_timeline->track().rowFrames();
-    at.frame = std::clamp<std::int64_t>(at.frame, 0, m_timeline->computed()) / rowFrames * rowFrames;
+    const std::int64_t framesPerOutput = m_timeline->track().framesPerOutput();
+    at.frame =
+        std::clamp<std::int64_t>(at.frame, 0, m_timeline->computed()) / framesPerOutput * framesPerOutput;
     if (m_marked == at && m_look)
         return;
-    if (at == m_timeline->at() || !canShow(at)) {
+    if (at == m_timeline->cursor() || !canShow(at)) {
         mark(at);
         return;
     }

@@ -18,13 +18,13 @@ constexpr std::int64_t mostComputedAgain = 3'000'000; ///< points times steps, f
 
 }
 
-Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::Segment> segment,
+Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::ComposedInterval> interval,
                            sim::State state) const
 {
     Picture picture;
-    picture.look = m_looks.of(step(), track.script(), segment);
-    picture.guides = guidesOf(step(), track, *segment, state);
-    picture.segment = std::move(segment);
+    picture.look = m_looks.of(step(), track.script(), interval);
+    picture.guides = guidesOf(step(), track, *interval, state);
+    picture.interval = std::move(interval);
     picture.state = std::move(state);
     return picture;
 }
@@ -32,16 +32,16 @@ Picture Session::pictureOf(const sim::Track &track, std::shared_ptr<const sim::S
 Picture Session::picture() const
 {
     const sim::Track &track = shown().track();
-    if (!shown().hasPending())
-        return pictureOf(track, track.shownPtr(), track.now());
-    std::shared_ptr<const sim::Segment> segment;
-    sim::State state = track.preview(segment);
-    return pictureOf(track, std::move(segment), std::move(state));
+    if (!shown().hasPendingInput())
+        return pictureOf(track, track.intervalPtr(), track.state());
+    std::shared_ptr<const sim::ComposedInterval> interval;
+    sim::State state = track.preview(interval);
+    return pictureOf(track, std::move(interval), std::move(state));
 }
 
 bool Session::bringCompanion()
 {
-    m_companionIsThere = !m_companion || m_companion->follow(m_timeline->script(), shown().at().frame);
+    m_companionIsThere = !m_companion || m_companion->follow(m_timeline->script(), shown().cursor().frame);
     return m_companionIsThere;
 }
 
@@ -60,21 +60,23 @@ std::optional<Picture> Session::companion() const
     const sim::Track *track = m_companion && m_companionIsThere ? m_companion->track() : nullptr;
     if (!track)
         return std::nullopt;
-    if (!shown().hasPending())
-        return pictureOf(*track, track->shownPtr(), track->now());
-    std::shared_ptr<const sim::Segment> segment;
-    sim::State state = track->preview(segment);
-    return pictureOf(*track, std::move(segment), std::move(state));
+    if (!shown().hasPendingInput())
+        return pictureOf(*track, track->intervalPtr(), track->state());
+    std::shared_ptr<const sim::ComposedInterval> interval;
+    sim::State state = track->preview(interval);
+    return pictureOf(*track, std::move(interval), std::move(state));
 }
 
-std::vector<sim::Moment> Session::moments() const
+std::vector<sim::PhaseExplanation> Session::moments() const
 {
     const sim::Track &track = shown().track();
-    const std::int64_t end = track.at().phase > 0 ? track.at().frame : track.at().frame - track.rowFrames();
-    const std::int64_t rows = (end - track.knownBefore(std::max<std::int64_t>(0, end))) / track.rowFrames();
-    if (rows * track.script().step.perRow * track.now().points() > mostComputedAgain)
+    const std::int64_t end =
+        track.cursor().phase > 0 ? track.cursor().frame : track.cursor().frame - track.framesPerOutput();
+    const std::int64_t rows =
+        (end - track.cachedFrameBefore(std::max<std::int64_t>(0, end))) / track.framesPerOutput();
+    if (rows * track.script().step.stepsPerOutput * track.state().pointCount() > mostComputedAgain)
         return {};
-    return track.moments(m_selected.toStdString());
+    return track.explainPhases(m_selected.toStdString());
 }
 
 QString Session::ownCaption() const
@@ -90,10 +92,10 @@ QString Session::note() const
 
 std::optional<Picture> Session::ghost() const
 {
-    const sim::Track *track = shown().ghost();
-    if (!track || track->at().frame != shown().at().frame)
+    const sim::Track *track = shown().comparison();
+    if (!track || track->cursor().frame != shown().cursor().frame)
         return std::nullopt;
-    return pictureOf(*track, track->shownPtr(), track->now());
+    return pictureOf(*track, track->intervalPtr(), track->state());
 }
 
 }

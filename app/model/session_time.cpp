@@ -25,7 +25,8 @@ constexpr double fallsBehind = 0.8; ///< of what is due
 /// The input that a run of `step` with the values of `script` begins with.
 std::vector<sim::Event> openingInput(const lessons::Step &step, const sim::Script &script)
 {
-    return step.opening ? step.scriptWith(script.values, script.method).input : std::vector<sim::Event>();
+    return step.prepareScript ? step.scriptWith(script.values, script.method).input
+                              : std::vector<sim::Event>();
 }
 
 }
@@ -73,14 +74,14 @@ void Session::frameForward()
 void Session::frameBack()
 {
     pause();
-    const sim::Cursor at = m_timeline->at();
-    goTo({at.phase > 0 ? at.frame : at.frame - m_timeline->track().rowFrames(), 0});
+    const sim::Cursor at = m_timeline->cursor();
+    goTo({at.phase > 0 ? at.frame : at.frame - m_timeline->track().framesPerOutput(), 0});
 }
 
 void Session::phaseForward()
 {
     pause();
-    m_timeline->stepPhase();
+    m_timeline->nextPhase();
     checkTries();
     emit moved();
 }
@@ -88,7 +89,7 @@ void Session::phaseForward()
 void Session::phaseBack()
 {
     pause();
-    m_timeline->stepPhaseBack();
+    m_timeline->previousPhase();
     checkTries();
     emit moved();
 }
@@ -114,30 +115,31 @@ void Session::approach()
     }
     QElapsedTimer clock;
     clock.start();
-    const int rowFrames = m_timeline->track().rowFrames();
+    const int framesPerOutput = m_timeline->track().framesPerOutput();
     const std::int64_t target = m_goingTo->frame;
-    const std::int64_t steps = std::min(sliceSteps, slicePoints / m_timeline->now().points());
+    const std::int64_t steps = std::min(sliceSteps, slicePoints / m_timeline->state().pointCount());
     const std::int64_t slice =
-        std::max<std::int64_t>(1, steps / m_timeline->script().step.perRow) * rowFrames;
+        std::max<std::int64_t>(1, steps / m_timeline->script().step.stepsPerOutput) * framesPerOutput;
     // Back, or far on, to the nearest moment that is kept.
-    const std::int64_t kept = m_timeline->track().knownBefore(target);
-    if (target < m_timeline->at().frame || kept > m_timeline->at().frame)
+    const std::int64_t kept = m_timeline->track().cachedFrameBefore(target);
+    if (target < m_timeline->cursor().frame || kept > m_timeline->cursor().frame)
         m_timeline->seek({kept, 0});
-    else if (m_timeline->at().phase > 0 && target == m_timeline->at().frame)
+    else if (m_timeline->cursor().phase > 0 && target == m_timeline->cursor().frame)
         m_timeline->seek({target, 0});
     const auto isThere = [&] {
         const std::optional<sim::Stop> &stop = m_timeline->stop();
-        return m_timeline->at().frame + rowFrames > target || (stop && m_timeline->at().frame >= stop->frame);
+        return m_timeline->cursor().frame + framesPerOutput > target ||
+               (stop && m_timeline->cursor().frame >= stop->frame);
     };
     while (!isThere() && clock.elapsed() < sliceMilliseconds) {
-        const std::int64_t next = m_timeline->isOver() ? target : m_timeline->at().frame + slice;
+        const std::int64_t next = m_timeline->isFinished() ? target : m_timeline->cursor().frame + slice;
         m_timeline->seek({std::min(target, next), 0});
     }
     if (bringCompanion() && isThere()) {
         const int phase = m_goingTo->phase;
         m_goingTo.reset();
         if (phase > 0)
-            m_timeline->seek({m_timeline->at().frame, phase});
+            m_timeline->seek({m_timeline->cursor().frame, phase});
         return;
     }
     approachLater();
@@ -177,7 +179,7 @@ void Session::restart()
         script.input = openingInput(step(), script);
         m_timeline->seek({});
         edit({tr("Restart"), tr("the restart")},
-             [&](sim::Timeline &timeline) { return timeline.replace(std::move(script)); });
+             [&](sim::Timeline &timeline) { return timeline.replaceScript(std::move(script)); });
         showBeside(0); // a ghost would do again what is to be gone
         emit said(tr("A fresh run. The run as it was is under “Runs”, and undo (Ctrl+Z) brings it back."));
     }
@@ -198,17 +200,17 @@ bool Session::hasInput() const
 
 std::optional<sim::Vec2> Session::recordedHand() const
 {
-    if (!isGlancing() && (m_holding || m_pointerDown || m_timeline->hasPending()))
+    if (!isGlancing() && (m_holding || m_pointerDown || m_timeline->hasPendingInput()))
         return {};
-    const sim::State &now = shown().now();
+    const sim::State &now = shown().state();
     if (now.hold.point >= 0)
-        return now.at(now.hold.point);
-    return now.outside.pointerDown ? now.outside.pointer : std::nullopt;
+        return now.positionOf(now.hold.point);
+    return now.input.pointerDown ? now.input.pointer : std::nullopt;
 }
 
 void Session::startTimeByHand()
 {
-    const sim::Cursor at = m_timeline->at();
+    const sim::Cursor at = m_timeline->cursor();
     const bool isAtAnEnd = at.phase == 0 && (at.frame == 0 || at.frame >= m_timeline->computed());
     if (isPlaying() || isWorkshop() || m_timeline->stop() || !isAtAnEnd)
         return;
@@ -244,7 +246,7 @@ void Session::advance(int frames)
     else
         judgePace(frames, played);
     const std::optional<sim::Stop> &stop = m_timeline->stop();
-    if (stop && m_timeline->at().frame == stop->frame) {
+    if (stop && m_timeline->cursor().frame == stop->frame) {
         if (isPlaying() || !wasStopped)
             emit said(sentenceFor(*stop));
         pause();
@@ -263,10 +265,10 @@ void Session::wakeUp()
 
 bool Session::isOver()
 {
-    const sim::Track *ghost = m_timeline->ghost();
+    const sim::Track *ghost = m_timeline->comparison();
     const sim::Track *companion = m_companion ? m_companion->track() : nullptr;
-    return m_timeline->at().frame >= m_timeline->computed() && m_companionIsThere &&
-           (!companion || companion->isOver()) && m_foresight.isOver(m_timeline->track()) &&
+    return m_timeline->cursor().frame >= m_timeline->computed() && m_companionIsThere &&
+           (!companion || companion->isFinished()) && m_foresight.isOver(m_timeline->track()) &&
            (!ghost || m_ghostForesight.isOver(*ghost));
 }
 

@@ -70,7 +70,7 @@ bool Session::opensAnew(const sim::Script &script) const
     return std::any_of(all.begin(), all.end(), [&](const lessons::Parameter &one) {
         const std::string id = one.id.toStdString();
         const sim::Values &now = m_timeline->script().values;
-        return one.opens && script.values.has(id) && now.has(id) && script.values[id] != now[id];
+        return one.restartsRun && script.values.has(id) && now.has(id) && script.values[id] != now[id];
     });
 }
 
@@ -96,7 +96,7 @@ void Session::restore(const Stand &to, const QString &left, Leaves leaves)
     m_keys = {};
     m_pointerDown.reset();
     m_goingTo.reset();
-    const sim::Cursor at = m_timeline->at();
+    const sim::Cursor at = m_timeline->cursor();
     bool forked = false;
     try {
         forked = replaceRun(*to.script);

@@ -16,13 +16,14 @@ bool goNearer(sim::Track &run, std::int64_t frame)
 {
     QElapsedTimer clock;
     clock.start();
-    const int rowFrames = run.rowFrames();
+    const int framesPerOutput = run.framesPerOutput();
     run.seek({std::min(frame, run.computed()), 0});
     const auto isThere = [&] {
-        return run.at().frame + rowFrames > frame || (run.stop() && run.at().frame == run.stop()->frame);
+        return run.cursor().frame + framesPerOutput > frame ||
+               (run.stop() && run.cursor().frame == run.stop()->frame);
     };
     while (!isThere() && clock.elapsed() < sliceMilliseconds)
-        run.seek({run.isOver() ? frame : run.at().frame + rowFrames, 0});
+        run.seek({run.isFinished() ? frame : run.cursor().frame + framesPerOutput, 0});
     return isThere();
 }
 

@@ -59,12 +59,12 @@ void StabilityLook::read()
 {
     m_reads = true;
     const sim::Timeline &shown = m_session.shown();
-    std::shared_ptr<const sim::Segment> segment;
-    const sim::State state = shown.track().preview(segment); // both of the row to come
-    m_pool.start([this, script = shown.script(), segment, state, at = shown.at()] {
+    std::shared_ptr<const sim::ComposedInterval> interval;
+    const sim::State state = shown.track().preview(interval); // both of the row to come
+    m_pool.start([this, script = shown.script(), interval, state, at = shown.cursor()] {
         QElapsedTimer clock;
         clock.start();
-        auto reading = std::make_shared<const StabilityReading>(readStability(script, segment, state));
+        auto reading = std::make_shared<const StabilityReading>(readStability(script, interval, state));
         const int took = static_cast<int>(clock.elapsed());
         QMetaObject::invokeMethod(
             this, [this, at, reading, took] { take(at, reading, took); }, Qt::QueuedConnection);

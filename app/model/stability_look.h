@@ -27,10 +27,10 @@ public:
     /// The last reading since they began to look; null before the first.
     const StabilityReading *reading() const { return m_reading.get(); }
     /// Whether it is of the moment that is looked at.
-    bool isCurrent() const { return m_reading && m_readAt == m_session.shown().at(); }
+    bool isCurrent() const { return m_reading && m_readAt == m_session.shown().cursor(); }
     /// Whether that one is still to come after a while: most are there before anybody sees that they were not.
     bool isLate() const { return m_isLate; }
-    std::int64_t frame() const { return m_session.shown().at().frame; }
+    std::int64_t frame() const { return m_session.shown().cursor().frame; }
 
     static constexpr int patienceMilliseconds = 120;
 

@@ -7,16 +7,16 @@
 
 namespace app {
 
-StabilityReading readStability(const sim::Script &script, std::shared_ptr<const sim::Segment> segment,
-                               const sim::State &state)
+StabilityReading readStability(const sim::Script &script,
+                               std::shared_ptr<const sim::ComposedInterval> interval, const sim::State &state)
 {
     StabilityReading reading;
     try {
-        reading.stability = sim::stabilityOf(segment->scene, state, *script.method, script.step.h);
+        reading.stability = sim::stabilityOf(interval->scene, state, *script.method, script.step.h);
     } catch (const sim::Error &) {
         reading.stability.bound = sim::Bound::unknown; // no such scene: the session says why
     }
-    reading.segment = std::move(segment);
+    reading.interval = std::move(interval);
     reading.method = script.method;
     reading.step = script.step;
     return reading;

@@ -13,7 +13,7 @@ namespace app {
 struct StabilityReading
 {
     sim::Stability stability;
-    std::shared_ptr<const sim::Segment> segment; ///< whose names and effects those are
+    std::shared_ptr<const sim::ComposedInterval> interval; ///< whose names and effects those are
     sim::MethodPtr method;
     sim::StepSize step;
     // Looked for only while somebody reads them:
@@ -23,7 +23,8 @@ struct StabilityReading
 
 /// Reads it, without what somebody reads besides. May be called from any thread. Where the scene cannot be, the bound is
 /// unknown: the session says why.
-StabilityReading readStability(const sim::Script &script, std::shared_ptr<const sim::Segment> segment,
+StabilityReading readStability(const sim::Script &script,
+                               std::shared_ptr<const sim::ComposedInterval> interval,
                                const sim::State &state);
 
 }

@@ -27,7 +27,7 @@ struct StabilityWatch::Job
 struct StabilityWatch::Subject
 {
     sim::Script script;
-    std::shared_ptr<const sim::Segment> segment;
+    std::shared_ptr<const sim::ComposedInterval> interval;
     sim::State state;
     std::int64_t frame = 0;
 };
@@ -36,7 +36,7 @@ struct StabilityWatch::Subject
 struct StabilityWatch::Offers
 {
     std::optional<sim::DampRange> damping;
-    std::optional<sim::PassRange> passes;
+    std::optional<sim::IterationRange> passes;
 };
 
 StabilityWatch::StabilityWatch(Session &session, QObject *parent)
@@ -66,11 +66,11 @@ StabilityWatch::~StabilityWatch()
 StabilityWatch::Subject StabilityWatch::subject() const
 {
     const sim::Track &track = m_session.timeline().track();
-    std::shared_ptr<const sim::Segment>
-        segment; // of the row to come: its input may change how many points there are
-    sim::State state = track.preview(segment);
-    return {m_session.timeline().script(), std::move(segment), std::move(state),
-            m_session.timeline().at().frame};
+    std::shared_ptr<const sim::ComposedInterval>
+        interval; // of the row to come: its input may change how many points there are
+    sim::State state = track.preview(interval);
+    return {m_session.timeline().script(), std::move(interval), std::move(state),
+            m_session.timeline().cursor().frame};
 }
 
 void StabilityWatch::follow()
@@ -102,11 +102,11 @@ void StabilityWatch::forget()
 StabilityReading StabilityWatch::readingOf(const Subject &about, const std::optional<Offers> &offers,
                                            const std::shared_ptr<Job> &job)
 {
-    StabilityReading reading = readStability(about.script, about.segment, about.state);
+    StabilityReading reading = readStability(about.script, about.interval, about.state);
     if (!offers || job->stop)
         return reading;
     try {
-        reading.remedies = sim::remediesFor(about.script, about.segment->values, about.state,
+        reading.remedies = sim::remediesFor(about.script, about.interval->values, about.state,
                                             reading.stability, offers->damping ? &*offers->damping : nullptr);
         reading.sticks =
             sim::adviseOnSticks(about.script, about.frame, offers->passes ? &*offers->passes : nullptr,
@@ -209,7 +209,7 @@ void StabilityWatch::noteSpot()
 bool StabilityWatch::canMap(MapPlane plane) const
 {
     const lessons::Step &step = m_session.step();
-    return m_session.timeline().now().points() <= sim::mostSwinging &&
+    return m_session.timeline().state().pointCount() <= sim::maxAnalysedPoints &&
            m_session.timeline().script().method->stepLimit() == sim::StepLimit::stiffness &&
            step.parameter(QStringLiteral("k")) &&
            (plane == MapPlane::step || step.parameter(QStringLiteral("damp"))) && !nothingSwings();
@@ -279,7 +279,7 @@ void StabilityWatch::startMap()
         try {
             QElapsedTimer sinceTold;
             sinceTold.start();
-            const sim::GrowthMap all = sim::growthMap(about.script, about.segment->values, about.state, x, y,
+            const sim::GrowthMap all = sim::growthMap(about.script, about.interval->values, about.state, x, y,
                                                       [&](const sim::GrowthMap &soFar) {
                                                           if (sinceTold.elapsed() < pauseMilliseconds)
                                                               return !job->stop;

@@ -58,17 +58,17 @@ QString frames(double h)
 QString nameOf(const StabilityReading &reading, int point)
 {
     const auto index = static_cast<std::size_t>(point);
-    return bodyTitle(QString::fromStdString(reading.segment->scene.names[index]));
+    return bodyTitle(QString::fromStdString(reading.interval->scene.names[index]));
 }
 
 /// "The spring foot 3 – body", "The spring of foot 0", "legs, foot 0 – body".
 QString culpritWords(const StabilityReading &reading)
 {
-    const sim::Culprit &culprit = reading.stability.culprit;
-    if (!culprit.effect)
+    const sim::DominantEffect &dominant = reading.stability.dominant;
+    if (!dominant.effect)
         return {};
-    return pullTitle(*culprit.effect, nameOf(reading, culprit.point),
-                     culprit.other < 0 ? QString() : nameOf(reading, culprit.other));
+    return pullTitle(*dominant.effect, nameOf(reading, dominant.point),
+                     dominant.other < 0 ? QString() : nameOf(reading, dominant.other));
 }
 
 /// Which spring decides.
@@ -81,12 +81,12 @@ QString decides(const StabilityReading &reading)
 /// What it looks like past the limit.
 QString manner(const StabilityReading &reading)
 {
-    switch (reading.stability.manner) {
-    case sim::Manner::overAndBack:
+    switch (reading.stability.growthKind) {
+    case sim::GrowthKind::alternating:
         return Text::tr("Past the limit it swings to the other side at each step, farther each time.");
-    case sim::Manner::wider:
+    case sim::GrowthKind::oscillating:
         return Text::tr("Past the limit it swings wider and wider.");
-    case sim::Manner::away:
+    case sim::GrowthKind::monotonic:
         break;
     }
     return Text::tr("Past the limit all of it drifts off, faster and faster: one end moves before the other "
@@ -124,7 +124,7 @@ Nearness nearnessOf(const Stability &stability)
         return Nearness::none;
     if (!stability.holds())
         return Nearness::past;
-    return stability.share() > sim::wellHeld ? Nearness::near : Nearness::far;
+    return stability.share() > sim::safeShare ? Nearness::near : Nearness::far;
 }
 
 QString growthWords(double growth)
@@ -180,7 +180,7 @@ QString stabilityVerdict(const StabilityReading &reading)
         return Text::tr(
                    "<b>Too many points.</b> With more than %1 of them it would take too long to find the "
                    "stiffest swing. Where nobody feels anybody, a few of them tell it for all.")
-            .arg(sim::mostSwinging);
+            .arg(sim::maxAnalysedPoints);
     case Bound::stiffness:
         break;
     }
@@ -195,8 +195,8 @@ QString leftOutWords(const StabilityReading &reading)
 {
     QStringList names;
     bool hasSticks = false;
-    for (const sim::EffectPtr &effect : reading.stability.leftOut) {
-        hasSticks = hasSticks || effect->kind() == sim::Kind::stick;
+    for (const sim::EffectPtr &effect : reading.stability.ignored) {
+        hasSticks = hasSticks || effect->kind() == sim::EffectKind::stick;
         const QString name = phrase(effect->title());
         if (!names.contains(name))
             names << name;
@@ -247,10 +247,10 @@ QString remedyLabel(const sim::Remedy &remedy)
     case sim::Remedy::Kind::moreDamping:
         return Text::tr("&Damp more: %1 %2")
             .arg(QString::fromStdString(remedy.parameter), writtenNumber(remedy.value, 2));
-    case sim::Remedy::Kind::morePasses:
+    case sim::Remedy::Kind::moreIterations:
         return Text::tr("Use %n &passes", nullptr, static_cast<int>(remedy.value));
-    case sim::Remedy::Kind::holdingMethod:
-    case sim::Remedy::Kind::boundlessMethod:
+    case sim::Remedy::Kind::stableMethod:
+    case sim::Remedy::Kind::unlimitedMethod:
         break;
     }
     return Text::tr("&Use %1").arg(methodTitle(*remedy.method));
@@ -265,10 +265,10 @@ QString remedyOutcome(const sim::Remedy &remedy)
 {
     if (remedy.stickError)
         return Text::tr("then sticks are up to %1\u2009px wrong").arg(roughNumber(*remedy.stickError));
-    if (remedy.kind != sim::Remedy::Kind::boundlessMethod)
+    if (remedy.kind != sim::Remedy::Kind::unlimitedMethod)
         return remedy.share > 0.0 ? Text::tr("then at %1").arg(percent(remedy.share))
                                   : Text::tr("then damping holds every step");
-    return remedy.step.adaptive() ? Text::tr("keeps its own steps") : Text::tr("has no such limit");
+    return remedy.step.isAdaptive() ? Text::tr("keeps its own steps") : Text::tr("has no such limit");
 }
 
 }

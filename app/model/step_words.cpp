@@ -35,7 +35,7 @@ QString toleranceTitle(double tolerance)
 
 QString stepTitle(const sim::StepSize &step)
 {
-    return step.adaptive() ? toleranceTitle(step.tolerance) : stepTitle(step.h);
+    return step.isAdaptive() ? toleranceTitle(step.tolerance) : stepTitle(step.h);
 }
 
 double stepFromText(const QString &text)

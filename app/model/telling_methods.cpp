@@ -16,7 +16,7 @@ std::vector<const sim::AccuracyRow *> byExactness(const sim::Accuracy &accuracy)
         if (row.outcome != sim::Outcome::measured)
             continue;
         const auto same = std::find_if(best.begin(), best.end(), [&](const sim::AccuracyRow *one) {
-            return one->way.method->id() == row.way.method->id();
+            return one->setup.method->id() == row.setup.method->id();
         });
         if (same == best.end())
             best.push_back(&row);
@@ -36,8 +36,8 @@ std::vector<std::string> tellingMethods(const sim::Accuracy &accuracy, const std
     std::vector<std::string> chosen = {own};
     std::set<int> orders;
     for (const sim::AccuracyRow &row : accuracy.rows) {
-        if (row.way.method->id() == own)
-            orders.insert(row.way.method->order());
+        if (row.setup.method->id() == own)
+            orders.insert(row.setup.method->order());
     }
     const auto add = [&](const sim::Method &method) {
         const bool isNew = std::find(chosen.begin(), chosen.end(), method.id()) == chosen.end();
@@ -47,16 +47,16 @@ std::vector<std::string> tellingMethods(const sim::Accuracy &accuracy, const std
         }
     };
     if (const sim::AccuracyRow *cheapest = accuracy.cheapest(target))
-        add(*cheapest->way.method);
+        add(*cheapest->setup.method);
     const std::vector<const sim::AccuracyRow *> exact = byExactness(accuracy);
     if (!exact.empty())
-        add(*exact.front()->way.method);
+        add(*exact.front()->setup.method);
     for (const sim::AccuracyRow *row : exact) {
-        if (orders.count(row->way.method->order()) == 0)
-            add(*row->way.method);
+        if (orders.count(row->setup.method->order()) == 0)
+            add(*row->setup.method);
     }
     for (const sim::AccuracyRow *row : exact)
-        add(*row->way.method);
+        add(*row->setup.method);
     return chosen;
 }
 

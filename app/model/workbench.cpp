@@ -20,7 +20,7 @@ void toggle(std::vector<int> &numbers, int one)
 
 bool sameParts(const sim::Blueprint &a, const sim::Blueprint &b)
 {
-    const auto sameName = [](const sim::BuiltPoint &one, const sim::BuiltPoint &other) {
+    const auto sameName = [](const sim::BlueprintPoint &one, const sim::BlueprintPoint &other) {
         return one.name == other.name;
     };
     return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), sameName) &&
@@ -74,9 +74,9 @@ void Workbench::followSelection()
     if (m_isSharing || !isOpen())
         return;
     const std::string name = m_session.selected().toStdString();
-    const std::vector<sim::BuiltPoint> &points = plan().points;
+    const std::vector<sim::BlueprintPoint> &points = plan().points;
     const auto found = std::find_if(points.begin(), points.end(),
-                                    [&](const sim::BuiltPoint &one) { return one.name == name; });
+                                    [&](const sim::BlueprintPoint &one) { return one.name == name; });
     if (found == points.end())
         return;
     const int point = static_cast<int>(found - points.begin());

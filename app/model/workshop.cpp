@@ -24,15 +24,15 @@ struct Text
 };
 
 /// The values of a workshop's run: what was taken, inside the range that each parameter has.
-sim::Values valuesOf(const lessons::Step &workshop, const sim::Taken &taken)
+sim::Values valuesOf(const lessons::Step &workshop, const sim::BlueprintDraft &draft)
 {
-    sim::Values values = workshop.presets();
-    for (const auto &[id, number] : taken.numbers) {
+    sim::Values values = workshop.defaultValues();
+    for (const auto &[id, number] : draft.parameters) {
         const lessons::Parameter *parameter = workshop.parameter(QString::fromStdString(id));
         if (parameter)
             values.set(id, std::clamp(number, parameter->min, parameter->max));
     }
-    values.blueprint = std::make_shared<const sim::Blueprint>(taken.blueprint);
+    values.blueprint = std::make_shared<const sim::Blueprint>(draft.blueprint);
     return values;
 }
 
@@ -40,7 +40,7 @@ sim::Values valuesOf(const lessons::Step &workshop, const sim::Taken &taken)
 /// built is one group.
 QStringList orderOf(const sim::Scene &scene, const sim::Method &method)
 {
-    const std::vector<std::string> needs = method.needs();
+    const std::vector<std::string> needs = method.requirements();
     QStringList order;
     if (scene.groups.size() > 1 && std::find(needs.begin(), needs.end(), "groups") != needs.end()) {
         for (const sim::Group &group : scene.groups)
@@ -49,10 +49,10 @@ QStringList orderOf(const sim::Scene &scene, const sim::Method &method)
     return order;
 }
 
-QString sentenceOf(const sim::Taken &taken, const QStringList &order)
+QString sentenceOf(const sim::BlueprintDraft &draft, const QStringList &order)
 {
     QStringList names;
-    for (const std::string &one : taken.left)
+    for (const std::string &one : draft.omitted)
         names << phrase(one);
     if (!order.isEmpty())
         names << Text::tr("the order in which points move (%1), as here all move at once")
@@ -66,7 +66,7 @@ QString sentenceOf(const sim::Taken &taken, const QStringList &order)
 /// Whether a file can hold where all points are, and how fast.
 bool isWithinLimits(const sim::Blueprint &plan)
 {
-    return std::all_of(plan.points.begin(), plan.points.end(), [](const sim::BuiltPoint &one) {
+    return std::all_of(plan.points.begin(), plan.points.end(), [](const sim::BlueprintPoint &one) {
         return built::place.holds(one.x.x) && built::place.holds(one.x.y) && built::speed.holds(one.v.x) &&
                built::speed.holds(one.v.y);
     });
@@ -93,29 +93,29 @@ const LessonEntry *workshopOf(const LessonLibrary &library)
 TakenScene takenScene(const Session &session, const lessons::Step &workshop)
 {
     const Picture picture = session.picture();
-    if (picture.state.points() > int(built::mostPoints))
+    if (picture.state.pointCount() > int(built::mostPoints))
         throw Refusal(Text::tr("This scene has %1 points; one that you build can have %2.")
-                          .arg(picture.state.points())
+                          .arg(picture.state.pointCount())
                           .arg(built::mostPoints));
-    const std::optional<sim::Taken> taken =
-        lessons::blueprintOf(picture.segment->scene, picture.state, *picture.look);
-    if (!taken)
+    const std::optional<sim::BlueprintDraft> draft =
+        lessons::blueprintOf(picture.interval->scene, picture.state, *picture.look);
+    if (!draft)
         throw Refusal(
             Text::tr("This scene cannot be built from points: its branches turn in their joints. Take "
                      "another one, or open the sandbox and look at its examples."));
-    if (!isWithinLimits(taken->blueprint))
+    if (!isWithinLimits(draft->blueprint))
         throw Refusal(
             Text::tr("This scene has flown apart: a point is farther away than %1 px, or that fast. "
                      "Go back in time, and take it from there.")
                 .arg(exactNumber(built::place.max)));
     const sim::Script &now = session.timeline().script();
     TakenScene scene;
-    scene.script = workshop.scriptWith(valuesOf(workshop, *taken), now.method);
+    scene.script = workshop.scriptWith(valuesOf(workshop, *draft), now.method);
     scene.script.step = now.step;
-    scene.sentence = sentenceOf(*taken, orderOf(picture.segment->scene, *now.method));
+    scene.sentence = sentenceOf(*draft, orderOf(picture.interval->scene, *now.method));
     if (!fits(scene.script)) {
         scene.script = workshop.script();
-        scene.script.values = valuesOf(workshop, *taken);
+        scene.script.values = valuesOf(workshop, *draft);
     }
     return scene;
 }
@@ -149,12 +149,13 @@ bool takeExample(Session &session, const lessons::Example &example)
 bool canBuild(const Session &session)
 {
     return session.isWorkshop() && session.blueprint() && !session.isPlaying() &&
-           session.timeline().at() == sim::Cursor{};
+           session.timeline().cursor() == sim::Cursor{};
 }
 
 bool setBuiltEffect(Session &session, const QString &id, bool present)
 {
-    const sim::Description *effect = sim::findDescription(session.step().catalogue, id.toStdString());
+    const sim::EffectDescription *effect =
+        sim::findDescription(session.step().availableEffects, id.toStdString());
     if (!effect || !session.blueprint())
         return false;
     if (!canBuild(session)) {
@@ -176,8 +177,9 @@ bool startEmpty(Session &session)
     sim::Blueprint plan;
     plan.points = {{"p0", {270, 200}, {}, 1.0, 20.0, false}};
     plan.effects = {"gravity", "damping", "walls"};
-    std::erase_if(plan.effects,
-                  [&](const std::string &id) { return !sim::findDescription(session.step().catalogue, id); });
+    std::erase_if(plan.effects, [&](const std::string &id) {
+        return !sim::findDescription(session.step().availableEffects, id);
+    });
     script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
     if (!session.takeUp({Text::tr("Start new scene"), {}, {}}, script))
         return false;

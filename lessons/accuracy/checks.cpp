@@ -28,18 +28,18 @@ struct Text
 double stepOf(const Timeline &run)
 {
     const sim::StepSize &step = run.script().step;
-    return step.adaptive() ? std::numeric_limits<double>::infinity() : step.h;
+    return step.isAdaptive() ? std::numeric_limits<double>::infinity() : step.h;
 }
 
 bool isAdaptive(const Timeline &run)
 {
-    return run.script().step.adaptive();
+    return run.script().step.isAdaptive();
 }
 
 /// Whether the cursor stands between two frames.
 bool isBetweenFrames(const Timeline &run)
 {
-    return run.at().phase == 0 && run.at().frame > 0;
+    return run.cursor().phase == 0 && run.cursor().frame > 0;
 }
 
 /// Whether nothing but method and step was changed.
@@ -53,7 +53,7 @@ bool isAsGiven(const Timeline &run, const Values &presets)
 /// px at the cursor, between two frames.
 double offBy(const Exact &exact, const Timeline &run)
 {
-    return isBetweenFrames(run) ? exact->distance(run.script(), run.now(), run.at().frame)
+    return isBetweenFrames(run) ? exact->distance(run.script(), run.state(), run.cursor().frame)
                                 : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -61,7 +61,7 @@ double offBy(const Exact &exact, const Timeline &run)
 double driftOf(const Exact &exact, const Timeline &run)
 {
     return isBetweenFrames(run)
-               ? energyDrift(*exact, run.script(), run.track().shown().scene, run.now(), run.values())
+               ? energyDrift(*exact, run.script(), run.track().interval().scene, run.state(), run.values())
                : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -69,8 +69,9 @@ double driftOf(const Exact &exact, const Timeline &run)
 double averageComputations(const Timeline &run)
 {
     if (isAdaptive(run))
-        return run.now().turns() / static_cast<double>(std::max<std::int64_t>(1, run.at().frame));
-    return computations(run.script(), run.now(), nullptr);
+        return run.state().forceEvaluations() /
+               static_cast<double>(std::max<std::int64_t>(1, run.cursor().frame));
+    return computations(run.script(), run.state(), nullptr);
 }
 
 Condition stepIs(double h, const QString &todo = {})
@@ -93,10 +94,10 @@ Condition exactlyAt(std::int64_t frame)
 {
     return {
         [frame](const Timeline &run) {
-            return run.at() == sim::Cursor{frame, 0};
+            return run.cursor() == sim::Cursor{frame, 0};
         },
         Text::tr("go to frame %2. This is frame %1.").replace(QStringLiteral("%2"), QString::number(frame)),
-        [](const Timeline &run) { return static_cast<double>(run.at().frame); }, 0};
+        [](const Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
 }
 
 Condition asGiven(const Values &presets)
@@ -122,12 +123,12 @@ Condition driftReaches(const Exact &exact, double percent)
 /// The method `id` with steps of 1/16 frame comes to frame 60.
 Conditions toFrame60By(const char *id, const QString &choose)
 {
-    return {stepIs(1.0 / 16), byMethod(id, choose), exactlyAt(60)};
+    return {stepIs(1.0 / 16), runsMethod(id, choose), exactlyAt(60)};
 }
 
 double footFromStart(const Timeline &run)
 {
-    return sim::length(placeOf(run, "foot") - sim::Vec2{270.0, 200.0});
+    return sim::length(positionOf(run, "foot") - sim::Vec2{270.0, 200.0});
 }
 
 }
@@ -161,7 +162,7 @@ std::vector<Try> bigStepTries(const Exact &exact)
             .conditions =
                 {
                     stepIs(5.0),
-                    isSet("k", 0.2, Text::tr("set **k** back to 0.2.")),
+                    parameterSetTo("k", 0.2, Text::tr("set **k** back to 0.2.")),
                     {[](const Timeline &run) {
                          return isBetweenFrames(run) && !(footFromStart(run) < 1000.0);
                      },
@@ -176,7 +177,7 @@ std::vector<Try> bigStepTries(const Exact &exact)
                 "forgives a big step."),
             .conditions =
                 {
-                    isSet("k", 0.02),
+                    parameterSetTo("k", 0.02),
                     {[](const Timeline &run) { return run.script().values["k"] <= 0.025; },
                      Text::tr("set **k** at frame 0: press **Home**.")},
                     oneFrameSteps(),
@@ -196,7 +197,7 @@ std::vector<Try> energyTries(const Exact &exact)
             .text = Text::tr(
                 "Choose **Explicit Euler** as method, and play until there is twice the energy: a drift of "
                 "100 %."),
-            .conditions = {byMethod("explicit_euler"), driftReaches(exact, 100.0)},
+            .conditions = {runsMethod("explicit_euler"), driftReaches(exact, 100.0)},
             .hint =
                 Text::tr("Above the picture, press **Method** and choose **Explicit Euler**. Press **Space** "
                          "and watch the drift above the parameters."),
@@ -207,7 +208,7 @@ std::vector<Try> energyTries(const Exact &exact)
             .conditions =
                 {
                     stepIs(0.125),
-                    byMethod("explicit_euler", Text::tr("choose **Explicit Euler** as method.")),
+                    runsMethod("explicit_euler", Text::tr("choose **Explicit Euler** as method.")),
                     driftReaches(exact, 10.0),
                 },
             .hint =
@@ -220,7 +221,7 @@ std::vector<Try> energyTries(const Exact &exact)
             .text = Text::tr(
                 "Choose **Velocity Verlet** with steps of 1 frame. Play 200 frames: the drift stays within "
                 "half a percent."),
-            .conditions = {byMethod("velocity_verlet"), oneFrameSteps(), playedTo(200)},
+            .conditions = {runsMethod("velocity_verlet"), oneFrameSteps(), playedTo(200)},
             .hint =
                 Text::tr("Choose **Velocity Verlet** as method and **1 frame** as step. Press **Space**, and "
                          "stop after frame 200."),
@@ -305,14 +306,14 @@ std::vector<Try> adaptTries(const Exact &exact, const Values &presets)
                 "steps get shorter than 1 frame."),
             .conditions =
                 {
-                    letGoOf("foot"),
-                    fastEnough(),
+                    released("foot"),
+                    thrownAtLeast(),
                     adaptive(Text::tr("choose **Dormand–Prince 5(4)** as method.")),
                     {[](const Timeline &run) { return distance(run, "foot", "body") <= 10.0; },
                      Text::tr("it has to pass the middle within 10 px. Throw it closer by.")},
-                    {[](const Timeline &run) { return lastStep(run.now()) < 1.0; },
+                    {[](const Timeline &run) { return lastStep(run.state()) < 1.0; },
                      Text::tr("its step there is %1 frames long: choose a **tolerance** of 0.001 px."),
-                     [](const Timeline &run) { return lastStep(run.now()); }},
+                     [](const Timeline &run) { return lastStep(run.state()); }},
                 },
             .hint = Text::tr(
                 "Press **Tolerance** and choose **0.001 px**, then press **Home**. Take the foot and "
@@ -325,7 +326,7 @@ std::vector<Try> adaptTries(const Exact &exact, const Values &presets)
                 "does it pay for a frame?"),
             .conditions =
                 {
-                    byMethod("rk4"),
+                    runsMethod("rk4"),
                     asGiven(presets),
                     exactlyAt(150),
                     lessOffThan(exact, 0.2, 2),
@@ -349,7 +350,7 @@ std::vector<Try> bounceTries(const Exact &exact, const Values &presets)
             .conditions =
                 {
                     stepIs(0.125),
-                    byMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method.")),
+                    runsMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method.")),
                     playedTo(200),
                 },
             .hint = Text::tr(
@@ -371,9 +372,11 @@ std::vector<Try> bounceTries(const Exact &exact, const Values &presets)
                              "stopped bouncing."),
             .conditions =
                 {
-                    isSet("bounce", 0.5),
+                    parameterSetTo("bounce", 0.5),
                     adaptive(Text::tr("choose **Dormand–Prince 5(4)** as method.")),
-                    {[](const Timeline &run) { return isBetweenFrames(run) && run.now().resting.any(); },
+                    {[](const Timeline &run) {
+                         return isBetweenFrames(run) && run.state().restingContacts.any();
+                     },
                      Text::tr("play on until the ball lies on the floor.")},
                 },
             .hint = Text::tr(
@@ -428,7 +431,7 @@ std::vector<Try> crowdTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return run.values()["creatures"] >= 20'000.0; }},
-                    keptFor("creatures", someTime),
+                    unchangedFor("creatures", someTime),
                 },
             .hint = Text::tr(
                 "Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. "
@@ -441,9 +444,9 @@ std::vector<Try> crowdTries()
             .text = Text::tr("Set **Bounce** to 0 and wait until all lie still."),
             .conditions =
                 {
-                    isSet("bounce", 0.0),
+                    parameterSetTo("bounce", 0.0),
                     {[](const Timeline &run) {
-                         return isBetweenFrames(run) && (run.now().velocity.abs() <= stillness).all() &&
+                         return isBetweenFrames(run) && (run.state().velocity.abs() <= stillness).all() &&
                                 isStill(run);
                      },
                      Text::tr("let time run (**Space**) until nothing moves.")},
@@ -456,7 +459,7 @@ std::vector<Try> crowdTries()
             .text = Text::tr(
                 "Set **Gravity** to 0 and play on for 60 frames. It is left out now: its phase is gone "
                 "from the strip below."),
-            .conditions = {isSet("gravity", 0.0), keptFor("gravity", someTime)},
+            .conditions = {parameterSetTo("gravity", 0.0), unchangedFor("gravity", someTime)},
             .hint =
                 Text::tr("Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds."),
         },

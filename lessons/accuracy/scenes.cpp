@@ -70,8 +70,8 @@ Scene setUp(const Values &values)
     placeFeet(scene, {{322, 154}, {210, 170},
                       {225, 252}, {330, 230},
                       {275, 272}});
-    scene.start.push(0, {2, 3});
-    scene.start.push(1, {-1, 3});
+    scene.start.setVelocity(0, {2, 3});
+    scene.start.setVelocity(1, {-1, 3});
 
     std::vector<Link> links;
     for (int i = 0; i < feet; ++i) {
@@ -98,7 +98,7 @@ Scene setUp(const Values &values)
     Scene scene = pairOnHandle();
     const int body = 1;
     scene.start.place(foot, {440, 200});
-    scene.start.push(foot, {0, 0.2});
+    scene.start.setVelocity(foot, {0, 0.2});
 
     std::vector<Link> links = {{foot, body}};
     double k = values["k"];
@@ -121,7 +121,7 @@ Scene setUp(const Values &values)
     Scene scene = loneFoot();
     scene.names = {SIM_TEXT("ball")};
     scene.start.place(foot, {60, 130});
-    scene.start.push(foot, {1.6, 0});
+    scene.start.setVelocity(foot, {1.6, 0});
 
     double gravity = values["gravity"];
     add<Gravity>(scene, gravity);
@@ -153,8 +153,8 @@ Scene setUp(const Values &values)
     const int body = feet; // comes last
     placeFeet(scene, {{322, 154}, {210, 170},
                       {265, 272}});
-    scene.start.push(0, {2, 3});
-    scene.start.push(1, {-1, 3});
+    scene.start.setVelocity(0, {2, 3});
+    scene.start.setVelocity(1, {-1, 3});
 
     std::vector<Link> links;
     for (int i = 0; i < feet; ++i) {
@@ -201,7 +201,7 @@ double heightFor(int count)
 //! [crowd]
 Scene setUp(const Values &values)
 {
-    int count = values.whole("creatures");
+    int count = values.integer("creatures");
     Scene scene = crowdByParts(count, feet);
     Room room = roomFor(count);
     double high = heightFor(count);
@@ -226,7 +226,7 @@ Scene setUp(const Values &values)
             double right = one(f, 2 * i);
             double down = one(f, 2 * i + 1);
             scene.start.place(foot,
-                scene.start.at(i) +
+                scene.start.positionOf(i) +
                 Vec2{100 * right - 50,
                      100 * down - 50});
             links.push_back({foot, i});

@@ -26,11 +26,11 @@ struct Text
 /// A step with what all steps of this lesson share: the exact motion in the scene, and how far off it is.
 Step stepOf(const char *id, const QString &title, const Exact &exact)
 {
-    Step step = lessons::stepCalled("accuracy", id, title);
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return creatureLookWithLegs(scene); };
-    step.guidesOfRun = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
+    Step step = lessons::makeStep("accuracy", id, title);
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return creatureViewWithLegs(scene); };
+    step.runOverlays = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
         const sim::Scene scene = script.build(script.values);
-        return exactMarks(*exact, creatureLook(scene), script, state, frame);
+        return exactMarks(*exact, creatureView(scene), script, state, frame);
     };
     step.measures = {offMeasure(exact)};
     step.method = "semi_implicit_euler";
@@ -43,15 +43,15 @@ Parameter creatures()
         .id = "creatures",
         .name = Text::tr("Creatures"),
         .help = Text::tr("How many creatures there are."),
-        .preset = 200.0,
+        .defaultValue = 200.0,
         .min = 1.0,
         .max = 100'000.0,
         .sliderMin = 1.0,
         .sliderMax = 100'000.0,
         .decimals = 0,
-        .whole = true,
+        .isInteger = true,
     };
-    parameter.scale = Scale::decades;
+    parameter.scale = Scale::logarithmic;
     return parameter;
 }
 
@@ -79,7 +79,7 @@ Step bigStep()
     step.explanation = bigStepExplanation();
     step.tries = bigStepTries(exact);
     step.scene = big_step::setUp;
-    step.guides = turningPlaces;
+    step.overlays = turningPlaces;
     step.measures.push_back(computationsMeasure());
     return step;
 }
@@ -103,7 +103,7 @@ Step energyStep()
     step.explanation = energyExplanation();
     step.tries = energyTries(exact);
     step.scene = energy::setUp;
-    step.guides = turningPlaces;
+    step.overlays = turningPlaces;
     step.measures.insert(step.measures.begin(), driftMeasure(exact));
     return step;
 }
@@ -124,7 +124,7 @@ Step halveStep()
         "The **Accuracy** plot (Measure, at the top) shows a method as a ladder: three of them, or all by "
         "**Show all methods**. Steeper is a higher order.");
     step.explanation = halveExplanation();
-    step.tries = halveTries(exact, step.presets());
+    step.tries = halveTries(exact, step.defaultValues());
     step.scene = halve::setUp;
     step.measures.push_back(computationsMeasure());
     return step;
@@ -145,10 +145,10 @@ Step adaptStep()
         "for one step; errors add up on the way, so after 150 frames more than 0.001 px is missing.");
     step.method = "dormand_prince";
     step.explanation = adaptExplanation();
-    step.tries = adaptTries(exact, step.presets());
+    step.tries = adaptTries(exact, step.defaultValues());
     step.scene = adapt::setUp;
-    step.guides = turningRings;
-    step.look = smallMiddle;
+    step.overlays = turningRings;
+    step.view = smallMiddle;
     step.measures.push_back(stepMeasure());
     step.measures.push_back(computationsMeasure());
     return step;
@@ -172,10 +172,10 @@ Step bounceStep()
         "frames. So a ball that hardly leaves the floor is put to rest.");
     step.method = "rk4";
     step.explanation = bounceExplanation();
-    step.tries = bounceTries(exact, step.presets());
+    step.tries = bounceTries(exact, step.defaultValues());
     step.scene = accuracy::bounce::setUp;
-    step.look = ballInRoom;
-    step.guidesOfRun = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
+    step.view = ballInRoom;
+    step.runOverlays = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
         return exactMarks(*exact, ballLook(script.values), script, state, frame);
     };
     step.measures.push_back(driftMeasure(exact));
@@ -200,7 +200,7 @@ Step budgetStep()
         "so let it play on.\n\n"
         "**Measure** (at the top), then **Show all methods**: click a mark to use it.");
     step.explanation = budgetExplanation();
-    step.tries = budgetTries(step.presets());
+    step.tries = budgetTries(step.defaultValues());
     step.scene = budget::setUp;
     step.measures.push_back(computationsMeasure());
     return step;
@@ -208,7 +208,7 @@ Step budgetStep()
 
 Step crowdStep()
 {
-    Step step = lessons::stepCalled("accuracy", "crowd", Text::tr("A crowd"));
+    Step step = lessons::makeStep("accuracy", "crowd", Text::tr("A crowd"));
     step.addParameters(
         {creatures(), lessons::gravity(), lessons::bounce(), stiffness(0.2), damping(0.85), radius()});
     step.narration = Text::tr(
@@ -228,7 +228,7 @@ Step crowdStep()
     step.explanation = crowdExplanation();
     step.tries = crowdTries();
     step.scene = crowd::setUp;
-    step.look = crowdInRoom;
+    step.view = crowdInRoom;
     return step;
 }
 

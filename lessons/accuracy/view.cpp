@@ -33,38 +33,38 @@ constexpr double leastShown = 0.05; ///< px: a shorter distance has no line
 
 }
 
-Look smallMiddle(const Scene &scene, const Values &)
+View smallMiddle(const Scene &scene, const Values &)
 {
-    Look look = creatureLook(scene);
-    look.bodies[1] = {BodyLook::Shape::joint, 4.0}; // so that what happens there is seen
+    View look = creatureView(scene);
+    look.bodies[1] = {BodyView::Shape::joint, 4.0}; // so that what happens there is seen
     look.springs = actingSprings(scene);
     return look;
 }
 
-Look ballLook(const Values &values)
+View ballLook(const Values &values)
 {
-    Look look;
-    look.bodies = {{BodyLook::Shape::body, ballRadius}};
+    View look;
+    look.bodies = {{BodyView::Shape::body, ballRadius}};
     look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
     return look;
 }
 
-Look ballInRoom(const Scene &scene, const Values &values)
+View ballInRoom(const Scene &scene, const Values &values)
 {
-    Look look = ballLook(values);
+    View look = ballLook(values);
     if (!effectOf<sim::Walls>(scene))
         look.room.reset();
     return look;
 }
 
-Look crowdInRoom(const Scene &scene, const Values &values)
+View crowdInRoom(const Scene &scene, const Values &values)
 {
-    const int count = values.whole("creatures");
-    Look look = crowdByPartsLook(scene, count);
+    const int count = values.integer("creatures");
+    View look = crowdByPartsView(scene, count);
     const sim::Room room = crowd::roomFor(count);
     const double border = 20.0;
     const double high = crowd::heightFor(count) + border;
-    if (acts(scene, sim::Kind::contact))
+    if (hasEffectOfKind(scene, sim::EffectKind::contact))
         look.room = room;
     look.stage = {room.left - border, room.floor - high, room.right - room.left + 2.0 * border,
                   high + border};
@@ -73,10 +73,10 @@ Look crowdInRoom(const Scene &scene, const Values &values)
 
 double energyOf(const Scene &, const State &state, const Values &values)
 {
-    const double moving = 0.5 * std::pow(sim::length(state.speed(foot)), 2);
+    const double moving = 0.5 * std::pow(sim::length(state.velocityOf(foot)), 2);
     if (values.has("gravity"))
-        return moving + values["gravity"] * (values["floor"] - ballRadius - state.at(foot).y);
-    return moving + 0.5 * values["k"] * std::pow(sim::length(state.at(foot) - centre), 2);
+        return moving + values["gravity"] * (values["floor"] - ballRadius - state.positionOf(foot).y);
+    return moving + 0.5 * values["k"] * std::pow(sim::length(state.positionOf(foot) - centre), 2);
 }
 
 double energyDrift(ExactRun &exact, const Script &script, const Scene &scene, const State &state,
@@ -92,16 +92,17 @@ double energyDrift(ExactRun &exact, const Script &script, const Scene &scene, co
 
 double computations(const Script &script, const State &state, const State *before)
 {
-    if (script.step.adaptive())
-        return before ? state.turns() - before->turns() : nothing;
-    return double(script.method->evaluations()) * script.step.perRow / script.step.rowFrames;
+    if (script.step.isAdaptive())
+        return before ? state.forceEvaluations() - before->forceEvaluations() : nothing;
+    return double(script.method->evaluationsPerStep()) * script.step.stepsPerOutput /
+           script.step.framesPerOutput;
 }
 
 double lastStep(const State &state)
 {
     double shortest = nothing;
-    for (const sim::Ahead &ahead : state.ahead)
-        shortest = std::fmin(shortest, ahead.length);
+    for (const sim::AdaptiveStep &lastStep : state.adaptiveSteps)
+        shortest = std::fmin(shortest, lastStep.length);
     return shortest;
 }
 
@@ -138,7 +139,7 @@ Measure stepMeasure()
         .decimals = 3,
         .ofRun =
             [](const Script &script, const Scene &, const State &state, const State *before, const Values &) {
-                return !script.step.adaptive() ? script.step.h : before ? lastStep(state) : nothing;
+                return !script.step.isAdaptive() ? script.step.h : before ? lastStep(state) : nothing;
             },
     };
 }
@@ -155,55 +156,55 @@ Measure computationsMeasure()
     };
 }
 
-std::vector<Guide> exactMarks(ExactRun &exact, const Look &look, const Script &script, const State &state,
-                              std::int64_t frame)
+std::vector<Overlay> exactMarks(ExactRun &exact, const View &look, const Script &script, const State &state,
+                                std::int64_t frame)
 {
     const State *right = exact.at(script, frame);
-    if (!right || right->points() != state.points())
+    if (!right || right->pointCount() != state.pointCount())
         return {};
-    std::vector<Guide> marks;
+    std::vector<Overlay> marks;
     std::size_t worst = 0;
     int farthest = -1;
     double distance = leastShown;
-    for (int i = 0; i < state.points(); ++i) {
-        if (!state.feels(i)) // it is wherever it was put
+    for (int i = 0; i < state.pointCount(); ++i) {
+        if (!state.isDynamic(i)) // it is wherever it was put
             continue;
-        const double away = sim::length(state.at(i) - right->at(i));
+        const double away = sim::length(state.positionOf(i) - right->positionOf(i));
         if (away >= distance) {
             worst = marks.size();
             farthest = i;
             distance = away;
         }
-        marks.push_back({.shape = Guide::Shape::ring,
-                         .a = right->at(i),
+        marks.push_back({.shape = Overlay::Shape::ring,
+                         .a = right->positionOf(i),
                          .size = look.bodies[static_cast<std::size_t>(i)].radius,
-                         .about = Guide::About::exactMotion});
+                         .about = Overlay::About::exactMotion});
     }
     if (farthest >= 0) {
         marks[worst].label = Text::tr("%1 px off").arg(QLocale().toString(distance, 'f', 1));
-        marks.push_back({.shape = Guide::Shape::line,
-                         .a = state.at(farthest),
-                         .b = right->at(farthest),
-                         .about = Guide::About::exactMotion});
+        marks.push_back({.shape = Overlay::Shape::line,
+                         .a = state.positionOf(farthest),
+                         .b = right->positionOf(farthest),
+                         .about = Overlay::About::exactMotion});
     }
     return marks;
 }
 
-std::vector<Guide> turningPlaces(const Scene &scene, const State &, const Values &)
+std::vector<Overlay> turningPlaces(const Scene &scene, const State &, const Values &)
 {
-    const sim::Vec2 start = scene.start.at(foot);
-    return {{.shape = Guide::Shape::cross, .a = centre},
-            {.shape = Guide::Shape::cross, .a = start},
-            {.shape = Guide::Shape::cross, .a = centre + (centre - start)}};
+    const sim::Vec2 start = scene.start.positionOf(foot);
+    return {{.shape = Overlay::Shape::cross, .a = centre},
+            {.shape = Overlay::Shape::cross, .a = start},
+            {.shape = Overlay::Shape::cross, .a = centre + (centre - start)}};
 }
 
-std::vector<Guide> turningRings(const Scene &scene, const State &state, const Values &values)
+std::vector<Overlay> turningRings(const Scene &scene, const State &state, const Values &values)
 {
-    const sim::Vec2 middle = state.at(1);
-    return {{.shape = Guide::Shape::ring, .a = middle, .size = values["radius"]},
-            {.shape = Guide::Shape::ring,
+    const sim::Vec2 middle = state.positionOf(1);
+    return {{.shape = Overlay::Shape::ring, .a = middle, .size = values["radius"]},
+            {.shape = Overlay::Shape::ring,
              .a = middle,
-             .size = sim::length(scene.start.at(foot) - scene.start.at(1))}};
+             .size = sim::length(scene.start.positionOf(foot) - scene.start.positionOf(1))}};
 }
 
 }

@@ -15,12 +15,12 @@ namespace accuracy {
 using Exact = std::shared_ptr<lessons::ExactRun>;
 
 /// A creature whose body is a small joint.
-lessons::Look smallMiddle(const sim::Scene &scene, const sim::Values &values);
+lessons::View smallMiddle(const sim::Scene &scene, const sim::Values &values);
 /// A ball in its room; the second without the room where no walls act.
-lessons::Look ballLook(const sim::Values &values);
-lessons::Look ballInRoom(const sim::Scene &scene, const sim::Values &values);
+lessons::View ballLook(const sim::Values &values);
+lessons::View ballInRoom(const sim::Scene &scene, const sim::Values &values);
 /// The picture grows with the crowd.
-lessons::Look crowdInRoom(const sim::Scene &scene, const sim::Values &values);
+lessons::View crowdInRoom(const sim::Scene &scene, const sim::Values &values);
 
 /// Of what moves and what the springs (and gravity) hold, in px^2/frame^2, with masses of 1; NaN for a scene that
 /// is none of this lesson's with one point.
@@ -44,15 +44,15 @@ lessons::Measure computationsMeasure();
 
 /// Where everything should be: a ring for each point that moves by itself, and a line from the one that is farthest
 /// off, with its distance.
-std::vector<lessons::Guide> exactMarks(lessons::ExactRun &exact, const lessons::Look &look,
-                                       const sim::Script &script, const sim::State &state,
-                                       std::int64_t frame);
+std::vector<lessons::Overlay> exactMarks(lessons::ExactRun &exact, const lessons::View &look,
+                                         const sim::Script &script, const sim::State &state,
+                                         std::int64_t frame);
 
 /// Where the spring of the first two steps ends, and the two places between which its foot swings without damping.
-std::vector<lessons::Guide> turningPlaces(const sim::Scene &scene, const sim::State &state,
-                                          const sim::Values &values);
+std::vector<lessons::Overlay> turningPlaces(const sim::Scene &scene, const sim::State &state,
+                                            const sim::Values &values);
 /// Where the spring of `adapt` has its length, and how far out its foot comes without damping.
-std::vector<lessons::Guide> turningRings(const sim::Scene &scene, const sim::State &state,
-                                         const sim::Values &values);
+std::vector<lessons::Overlay> turningRings(const sim::Scene &scene, const sim::State &state,
+                                           const sim::Values &values);
 
 }

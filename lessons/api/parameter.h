@@ -8,12 +8,12 @@
 namespace lessons {
 
 /// What a parameter is for the run as a whole.
-using Role = sim::Meaning;
+using ParameterRole = sim::ParameterRole;
 
 /// How the slider's way is divided.
 enum class Scale {
-    even,    ///< the same way for the same difference
-    decades, ///< the same way from 1 to 10 as from 10 to 100; sliderMin is a power of ten
+    linear,      ///< the same way for the same difference
+    logarithmic, ///< the same way from 1 to 10 as from 10 to 100; sliderMin is a power of ten
 };
 
 /// A number (or a choice) that a learner sets. Declared once: panel, range, tooltip, file and command line all
@@ -25,25 +25,25 @@ struct Parameter
     QString symbol = {}; ///< as formulas write it; may be empty
     QString unit = {};   ///< may be empty
     QString help = {};   ///< one sentence: what it does
-    double preset = 0.0;
+    double defaultValue = 0.0;
     double min = 0.0; ///< the least and the most that files may give
     double max = 1.0;
     double sliderMin = 0.0; ///< the stretch that the slider covers
     double sliderMax = 1.0;
     int decimals = 2;         ///< shown after the point
     QStringList choices = {}; ///< ids; when not empty the value is a position in this list
-    bool whole = false;       ///< a count: nothing between two whole numbers
-    Role role = Role::none;
+    bool isInteger = false;   ///< a count: nothing between two whole numbers
+    ParameterRole role = ParameterRole::none;
     QStringList choiceTitles = {}; ///< what a learner reads in place of the ids; empty: the ids
     QStringList choiceHelps = {};  ///< one sentence each; may be empty
     /// Another value is another experiment: the run begins anew with it, as Step::opening has it.
-    bool opens = false;
-    Scale scale = Scale::even;
+    bool restartsRun = false;
+    Scale scale = Scale::linear;
     /// Ids of the effects that read it, where a learner chooses effects: it is offered while one of them is in the scene.
     /// Empty: always.
     QStringList effects = {};
 
-    bool isWhole() const { return whole; }
+    bool hasWholeValues() const { return isInteger; }
 };
 
 // A choice among many has titles with a group before them: "Stiff springs › at the limit". Those of a group stand in a

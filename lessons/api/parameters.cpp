@@ -29,50 +29,50 @@ Parameter place(Parameter own)
 
 }
 
-Parameter parameterOf(const sim::Setting &setting)
+Parameter parameterFromSpec(const sim::ParameterSpec &spec)
 {
     const auto said = [](const char *text) {
         return *text ? QCoreApplication::translate("sim", text) : QString();
     };
     Parameter parameter;
-    parameter.id = QString::fromUtf8(setting.id);
-    parameter.name = said(setting.name);
-    parameter.symbol = QString::fromUtf8(setting.symbol);
-    parameter.unit = said(setting.unit);
-    parameter.help = said(setting.help);
-    parameter.preset = setting.preset;
-    parameter.min = setting.min;
-    parameter.max = setting.max;
-    parameter.sliderMin = setting.sliderMin;
-    parameter.sliderMax = setting.sliderMax;
-    parameter.decimals = setting.decimals;
-    parameter.whole = setting.whole;
-    parameter.role = setting.meaning;
+    parameter.id = QString::fromUtf8(spec.id);
+    parameter.name = said(spec.name);
+    parameter.symbol = QString::fromUtf8(spec.symbol);
+    parameter.unit = said(spec.unit);
+    parameter.help = said(spec.help);
+    parameter.defaultValue = spec.defaultValue;
+    parameter.min = spec.min;
+    parameter.max = spec.max;
+    parameter.sliderMin = spec.sliderMin;
+    parameter.sliderMax = spec.sliderMax;
+    parameter.decimals = spec.decimals;
+    parameter.isInteger = spec.isInteger;
+    parameter.role = spec.role;
     return parameter;
 }
 
-std::vector<Parameter> settingsOf(std::span<const sim::Description *const> known)
+std::vector<Parameter> parametersOf(std::span<const sim::EffectDescription *const> known)
 {
     std::vector<Parameter> all;
-    for (const sim::Description *effect : known) {
-        for (const sim::Setting &setting : effect->settings) {
-            const QString id = QString::fromUtf8(setting.id);
+    for (const sim::EffectDescription *effect : known) {
+        for (const sim::ParameterSpec &parameter : effect->parameters) {
+            const QString id = QString::fromUtf8(parameter.id);
             auto found =
                 std::find_if(all.begin(), all.end(), [&](const Parameter &one) { return one.id == id; });
             if (found == all.end())
-                found = all.insert(all.end(), parameterOf(setting));
+                found = all.insert(all.end(), parameterFromSpec(parameter));
             found->effects << QString::fromUtf8(effect->id);
         }
     }
     return all;
 }
 
-Parameter settingOf(const sim::Description &effect, const char *id, double preset)
+Parameter effectParameter(const sim::EffectDescription &effect, const char *id, double preset)
 {
-    const auto found = std::find_if(effect.settings.begin(), effect.settings.end(),
+    const auto found = std::find_if(effect.parameters.begin(), effect.parameters.end(),
                                     [id](const auto &one) { return std::string_view(one.id) == id; });
-    Parameter parameter = parameterOf(*found);
-    parameter.preset = preset;
+    Parameter parameter = parameterFromSpec(*found);
+    parameter.defaultValue = preset;
     return parameter;
 }
 
@@ -84,7 +84,7 @@ Parameter stiffness(double preset)
         .symbol = "k",
         .unit = Text::tr("1/frame²"),
         .help = Text::tr("How hard a spring pulls: this share of the missing distance, each frame."),
-        .preset = preset,
+        .defaultValue = preset,
         .min = 0.0,
         .max = 1e9,
         .sliderMin = 0.0,
@@ -94,7 +94,7 @@ Parameter stiffness(double preset)
 
 Parameter damping(double preset)
 {
-    return settingOf(sim::described::damping, "damp", preset);
+    return effectParameter(sim::descriptions::damping, "damp", preset);
 }
 
 Parameter radius(double preset)
@@ -104,7 +104,7 @@ Parameter radius(double preset)
         .name = Text::tr("Radius"),
         .unit = Text::tr("px"),
         .help = Text::tr("The distance that the spring keeps."),
-        .preset = preset,
+        .defaultValue = preset,
         .min = 0.0,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -120,7 +120,7 @@ Parameter offset(double preset)
         .name = Text::tr("Offset"),
         .unit = Text::tr("px"),
         .help = Text::tr("How far to the right of the body the spring ends. Below 0: to the left."),
-        .preset = preset,
+        .defaultValue = preset,
         .min = -1e6,
         .max = 1e6,
         .sliderMin = -150.0,
@@ -135,29 +135,29 @@ Parameter feet(int preset)
         .id = "feet",
         .name = Text::tr("Feet"),
         .help = Text::tr("How many feet the body has."),
-        .preset = double(preset),
+        .defaultValue = double(preset),
         .min = 1.0,
         .max = 100.0,
         .sliderMin = 1.0,
         .sliderMax = 24.0,
         .decimals = 0,
-        .whole = true,
+        .isInteger = true,
     };
 }
 
 Parameter gravity(double preset)
 {
-    return settingOf(sim::described::gravity, "gravity", preset);
+    return effectParameter(sim::descriptions::gravity, "gravity", preset);
 }
 
 Parameter bounce(double preset)
 {
-    return settingOf(sim::described::walls, "bounce", preset);
+    return effectParameter(sim::descriptions::walls, "bounce", preset);
 }
 
 Parameter ground(double preset)
 {
-    return settingOf(sim::described::ground, "ground", preset);
+    return effectParameter(sim::descriptions::ground, "ground", preset);
 }
 
 Parameter choice(const char *id, const QString &name, const QString &help, const QStringList &choices)
@@ -167,14 +167,14 @@ Parameter choice(const char *id, const QString &name, const QString &help, const
         .id = id,
         .name = name,
         .help = help,
-        .preset = 0.0,
+        .defaultValue = 0.0,
         .min = 0.0,
         .max = last,
         .sliderMin = 0.0,
         .sliderMax = last,
         .decimals = 0,
         .choices = choices,
-        .whole = true,
+        .isInteger = true,
     };
 }
 
@@ -185,14 +185,14 @@ std::vector<Parameter> centre()
             .id = "centre_x",
             .name = Text::tr("Centre x"),
             .help = Text::tr("How far to the right the cross is."),
-            .preset = 270.0,
+            .defaultValue = 270.0,
             .sliderMax = 540.0,
         }),
         place({
             .id = "centre_y",
             .name = Text::tr("Centre y"),
             .help = Text::tr("How far down the cross is."),
-            .preset = 200.0,
+            .defaultValue = 200.0,
             .sliderMax = 400.0,
         }),
     };
@@ -200,8 +200,8 @@ std::vector<Parameter> centre()
 
 std::vector<Parameter> room()
 {
-    return {parameterOf(sim::settings::left), parameterOf(sim::settings::right),
-            parameterOf(sim::settings::floor)};
+    return {parameterFromSpec(sim::settings::left), parameterFromSpec(sim::settings::right),
+            parameterFromSpec(sim::settings::floor)};
 }
 
 }

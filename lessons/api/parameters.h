@@ -11,11 +11,11 @@
 namespace lessons {
 
 /// Returns a setting of an effect as a parameter, in the learner's language.
-Parameter parameterOf(const sim::Setting &setting);
+Parameter parameterFromSpec(const sim::ParameterSpec &parameter);
 /// Returns the settings of all effects of `known`, each once, with the effects that read it.
-std::vector<Parameter> settingsOf(std::span<const sim::Description *const> known);
+std::vector<Parameter> parametersOf(std::span<const sim::EffectDescription *const> known);
 /// Returns the setting `id` of the effect `effect`, with another preset.
-Parameter settingOf(const sim::Description &effect, const char *id, double preset);
+Parameter effectParameter(const sim::EffectDescription &effect, const char *id, double preset);
 
 Parameter stiffness(double preset = 0.2);
 Parameter damping(double preset = 0.9);

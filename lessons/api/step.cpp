@@ -9,9 +9,9 @@
 
 namespace lessons {
 
-bool Step::can(Does what) const
+bool Step::accepts(Interaction what) const
 {
-    return std::find(does.begin(), does.end(), what) != does.end();
+    return std::find(interactions.begin(), interactions.end(), what) != interactions.end();
 }
 
 void Step::addParameters(const std::vector<Parameter> &more)
@@ -28,7 +28,7 @@ const Parameter *Step::parameter(const QString &wanted) const
     return nullptr;
 }
 
-const Parameter *Step::parameterFor(Role role) const
+const Parameter *Step::parameterFor(ParameterRole role) const
 {
     for (const Parameter &parameter : parameters) {
         if (parameter.role == role)
@@ -37,17 +37,17 @@ const Parameter *Step::parameterFor(Role role) const
     return nullptr;
 }
 
-sim::Values Step::presets() const
+sim::Values Step::defaultValues() const
 {
     sim::Values values;
     for (const Parameter &parameter : parameters)
-        values.set(parameter.id.toStdString(), parameter.preset);
+        values.set(parameter.id.toStdString(), parameter.defaultValue);
     return values;
 }
 
 sim::Script Step::script() const
 {
-    return scriptWith(presets(), sim::findMethod(method.toStdString()));
+    return scriptWith(defaultValues(), sim::findMethod(method.toStdString()));
 }
 
 sim::Script Step::scriptWith(const sim::Values &values, const sim::MethodPtr &by) const
@@ -56,18 +56,18 @@ sim::Script Step::scriptWith(const sim::Values &values, const sim::MethodPtr &by
     script.build = scene;
     script.values = values;
     script.method = by;
-    script.step = sim::stepFor(*by, sim::StepSize::of(h));
-    if (opening)
-        opening(script);
+    script.step = sim::stepFor(*by, sim::StepSize::ofLength(h));
+    if (prepareScript)
+        prepareScript(script);
     return script;
 }
 
-Step stepCalled(const QString &lesson, const QString &id, const QString &title)
+Step makeStep(const QString &lesson, const QString &id, const QString &title)
 {
     Step step;
     step.id = id;
     step.title = title;
-    step.setUp = {QStringLiteral("lessons/%1/scenes.cpp").arg(lesson).toStdString(), id.toStdString()};
+    step.sceneSource = {QStringLiteral("lessons/%1/scenes.cpp").arg(lesson).toStdString(), id.toStdString()};
     return step;
 }
 

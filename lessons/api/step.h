@@ -17,8 +17,8 @@
 
 namespace lessons {
 
-struct Guide;
-struct Look;
+struct Overlay;
+struct View;
 
 /// A number that is measured of every frame, with its course over the last frames.
 struct Measure
@@ -46,8 +46,8 @@ struct Preset
 };
 
 /// What a learner can do in a scene besides changing parameters; files name each by its event.
-enum class Does {
-    hand,    ///< grab, move, release
+enum class Interaction {
+    drag,    ///< grab, move, release
     pointer, ///< the pointer's place and button reach the scene
     target,  ///< a click sets a target
     gust,    ///< a frame's turbulence; files only
@@ -55,7 +55,7 @@ enum class Does {
 };
 
 /// What `trace` writes of each body besides its name.
-enum class Columns { placeAndVelocity, place, placeAndAngle };
+enum class TraceColumns { positionAndVelocity, position, positionAndAngle };
 
 /// Whose the points and sticks of a scene are.
 enum class PointsFrom {
@@ -93,45 +93,45 @@ struct Step
     std::vector<Parameter> parameters;
     std::vector<Try> tries;
     std::function<sim::Scene(const sim::Values &)> scene;
-    sim::Region setUp; ///< the source of `scene`
-    std::function<Look(const sim::Scene &, const sim::Values &)> look;
+    sim::Region sceneSource; ///< the source of `scene`
+    std::function<View(const sim::Scene &, const sim::Values &)> view;
     /// May be empty.
-    std::function<std::vector<Guide>(const sim::Scene &, const sim::State &, const sim::Values &)> guides;
+    std::function<std::vector<Overlay>(const sim::Scene &, const sim::State &, const sim::Values &)> overlays;
     /// Guides that a state alone does not tell, besides those; may be empty. `frame`: the whole frame that the state
     /// stands for; inside a frame the one that is under way.
-    std::function<std::vector<Guide>(const sim::Script &, const sim::State &, std::int64_t frame)>
-        guidesOfRun;
+    std::function<std::vector<Overlay>(const sim::Script &, const sim::State &, std::int64_t frame)>
+        runOverlays;
     /// Then both figures stand on the look's stage, each with a caption over it.
     std::optional<Companion> companion = {};
     /// What the step says of the moment at the run's cursor, between two frames, over the scene; may be empty.
     std::function<QString(const sim::Track &)> note = {};
     /// Adds to a script with values and method what its run begins with besides them: input, starts of bodies, its
     /// step. May be empty.
-    std::function<void(sim::Script &)> opening = {};
+    std::function<void(sim::Script &)> prepareScript = {};
     /// Shown beside the scene; may be empty.
     std::vector<Measure> measures;
     /// Offered as a gallery; may be empty.
-    std::vector<Preset> presetGallery;
+    std::vector<Preset> presets;
     /// Offered as a gallery where a learner builds the scene; may be empty.
     std::vector<Example> examples = {};
     /// Where a learner builds the scene: the effects that it can have besides those of its springs, sticks and feet.
-    std::vector<const sim::Description *> catalogue = {};
+    std::vector<const sim::EffectDescription *> availableEffects = {};
     /// Whether one of look().feet stands on the ground; needed where there are any.
-    std::function<bool(const sim::Scene &, const sim::State &, const sim::Values &, int point)> stands;
-    std::vector<Does> does = {Does::hand};
-    Columns columns = Columns::placeAndVelocity;
+    std::function<bool(const sim::Scene &, const sim::State &, const sim::Values &, int point)> isFootDown;
+    std::vector<Interaction> interactions = {Interaction::drag};
+    TraceColumns traceColumns = TraceColumns::positionAndVelocity;
     PointsFrom points = PointsFrom::step;
     QString method = QStringLiteral("published");
     double h = 1.0; ///< frames
 
-    bool can(Does what) const;
+    bool accepts(Interaction what) const;
     /// Adds parameters after those it has.
     void addParameters(const std::vector<Parameter> &more);
 
     const Parameter *parameter(const QString &wanted) const;
     /// The first with that role; null where there is none.
-    const Parameter *parameterFor(Role role) const;
-    sim::Values presets() const;
+    const Parameter *parameterFor(ParameterRole role) const;
+    sim::Values defaultValues() const;
     /// The run of this step that nobody has touched.
     sim::Script script() const;
     /// The same with other values and by another method.
@@ -139,6 +139,6 @@ struct Step
 };
 
 /// A step of the lesson in folder `lesson`, whose scene is set up in the region `id` of its scenes.cpp.
-Step stepCalled(const QString &lesson, const QString &id, const QString &title);
+Step makeStep(const QString &lesson, const QString &id, const QString &title);
 
 }

@@ -20,7 +20,7 @@ struct Try
     /// hold, and not after every frame: it takes some milliseconds.
     std::optional<Budget> budget = {};
     /// Whether the thing is to stop at the right moment: it counts only while the run does not play.
-    bool whileStopped = false;
+    bool onlyWhilePaused = false;
     /// Markdown, one to three sentences: what to drag, to set or to press. May be empty.
     QString hint = {};
     /// Markdown, one or two sentences: what there was to see. Shown when the thing is done; needed where its text asks
@@ -28,7 +28,7 @@ struct Try
     QString answer = {};
 
     /// Whether all conditions hold at the cursor.
-    bool done(const sim::Timeline &run) const { return conditions.hold(run); }
+    bool isDone(const sim::Timeline &run) const { return conditions.hold(run); }
 };
 
 }

@@ -27,7 +27,8 @@ struct Text
 bool wasSent(const Timeline &run)
 {
     const std::vector<sim::Event> &input = run.script().input;
-    const std::int64_t begun = run.at().frame + (run.at().phase > 0 ? run.track().rowFrames() : 0);
+    const std::int64_t begun =
+        run.cursor().frame + (run.cursor().phase > 0 ? run.track().framesPerOutput() : 0);
     return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
         return std::holds_alternative<sim::Target>(event.what) && event.frame <= begun && begun > 0;
     });
@@ -37,7 +38,7 @@ bool wasSent(const Timeline &run)
 bool wasSentSince(const Timeline &run, const std::string &id)
 {
     const std::vector<sim::Event> &input = run.script().input;
-    const std::int64_t set = frameOfSet(run, id);
+    const std::int64_t set = lastSetFrame(run, id);
     return wasSent(run) && std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
                return std::holds_alternative<sim::Target>(event.what) && event.frame >= set;
            });
@@ -49,15 +50,15 @@ double framesSinceSent(const Timeline &run)
     std::int64_t last = 0;
     for (const sim::Event &event : run.script().input) {
         if (std::holds_alternative<sim::Target>(event.what) &&
-            event.frame <= run.at().frame + run.track().rowFrames())
+            event.frame <= run.cursor().frame + run.track().framesPerOutput())
             last = std::max(last, event.frame);
     }
-    return static_cast<double>(run.at().frame - last);
+    return static_cast<double>(run.cursor().frame - last);
 }
 
 sim::Vec2 toTarget(const Timeline &run)
 {
-    return run.now().outside.target - run.now().at(lead);
+    return run.state().input.target - run.state().positionOf(lead);
 }
 
 /// How far away the last click was from the lead, as that was then, in px.
@@ -66,10 +67,10 @@ double clickedAway(const Timeline &run)
     std::optional<double> away;
     for (const sim::Event &event : run.script().input) {
         const auto *target = std::get_if<sim::Target>(&event.what);
-        if (!target || event.frame > run.at().frame + run.track().rowFrames())
+        if (!target || event.frame > run.cursor().frame + run.track().framesPerOutput())
             continue;
-        const std::int64_t before = std::clamp<std::int64_t>(event.frame - 1, 0, run.at().frame);
-        away = sim::length(target->at - run.track().stateAt(before).at(lead));
+        const std::int64_t before = std::clamp<std::int64_t>(event.frame - 1, 0, run.cursor().frame);
+        away = sim::length(target->at - run.track().stateAt(before).positionOf(lead));
     }
     return away.value_or(0.0);
 }
@@ -93,7 +94,7 @@ Condition arrived()
 /// How fast the lead goes away from its target, in px/frame.
 double backingUp(const Timeline &run)
 {
-    const sim::Vec2 v = run.now().speed(lead), way = toTarget(run);
+    const sim::Vec2 v = run.state().velocityOf(lead), way = toTarget(run);
     return -dot(v, way) / std::max(1.0, sim::length(way));
 }
 
@@ -115,7 +116,7 @@ double width(const Timeline &run)
 
 double tailRightOfLead(const Timeline &run)
 {
-    return placeOf(run, "tail").x - placeOf(run, "lead").x;
+    return positionOf(run, "tail").x - positionOf(run, "lead").x;
 }
 
 /// px; 0 where it is too near.
@@ -127,7 +128,7 @@ double tailTooFar(const Timeline &run)
 /// How fast the fastest point of a tentacle moves, in px/frame.
 double whip(const Timeline &run)
 {
-    const auto &v = run.now().velocity;
+    const auto &v = run.state().velocity;
     const Eigen::Index count = v.rows() - firstOfTentacles;
     return count > 0 ? v.bottomRows(count).matrix().rowwise().norm().maxCoeff() : 0.0;
 }
@@ -151,7 +152,7 @@ std::vector<Try> motorTries()
         {
             .text = Text::tr(
                 "Take the lead in your hand and throw it, at 5 px per frame or more. It comes back."),
-            .conditions = {letGoOf("lead"), fastEnough(), arrived()},
+            .conditions = {released("lead"), thrownAtLeast(), arrived()},
             .hint = Text::tr(
                 "Press **Space**. Take the head (the lead), swing it quickly, let go on the way, and "
                 "wait."),
@@ -160,9 +161,9 @@ std::vector<Try> motorTries()
             .text = Text::tr("Set **keep** to 1 and click somewhere else. After 100 frames it still swings."),
             .conditions =
                 {
-                    isSet("keep", 1.0),
+                    parameterSetTo("keep", 1.0),
                     sentSince("keep"),
-                    {[](const Timeline &run) { return run.at().phase == 0 && !isStill(run); },
+                    {[](const Timeline &run) { return run.cursor().phase == 0 && !isStill(run); },
                      Text::tr("click somewhere else: it stands still.")},
                     atLeast(100.0, framesSinceSent,
                             Text::tr("let time run for 100 frames after the click. So far: %1."), 0),
@@ -193,7 +194,7 @@ std::vector<Try> orientationTries()
         },
         {
             .text = Text::tr("Pull it at least 75 px away by its tail, let go, and wait until it is back."),
-            .conditions = {letGoOf("tail"), carriedFar(75.0), arrived()},
+            .conditions = {released("tail"), draggedAtLeast(75.0), arrived()},
             .hint =
                 Text::tr("Press **Space**. Take the tail, carry it across the picture, let go, and wait."),
         },
@@ -232,7 +233,7 @@ std::vector<Try> anticipationTries()
                     insideAFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
-                         return last && last->kind == sim::Kind::driver;
+                         return last && last->kind == sim::EffectKind::driver;
                      },
                      Text::tr("press **Shift+→** until the anticipation is the last phase that was done.")},
                     backsUp(),
@@ -243,7 +244,7 @@ std::vector<Try> anticipationTries()
         },
         {
             .text = Text::tr("Set **anticipation** to 0.6 and click far away. It winds up like a spring."),
-            .conditions = {isSet("anticipation", 0.6), sent(), backsUp()},
+            .conditions = {parameterSetTo("anticipation", 0.6), sent(), backsUp()},
             .hint = Text::tr("Type 0.6 into the field beside **Anticipation**. Press **Space** and click far "
                              "away."),
         },
@@ -257,11 +258,11 @@ std::vector<Try> anticipationTries()
                          const std::vector<sim::Event> &input = run.script().input;
                          return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
                              return std::holds_alternative<sim::Target>(event.what) &&
-                                    event.frame > run.fork();
+                                    event.frame > run.forkFrame();
                          });
                      },
                      Text::tr("go back to before a click, and change **anticipation** there.")},
-                    besideGhost(),
+                    playedBesideGhost(),
                 },
             .hint =
                 Text::tr("Play, click the background, and stop. Drag the timeline back to before the click, "
@@ -300,8 +301,8 @@ std::vector<Try> squashStretchTries()
             .conditions =
                 {
                     ghostDiffers("soft"),
-                    isSet("soft", 1.0, Text::tr("set **soft** to 1 there.")),
-                    besideGhost(),
+                    parameterSetTo("soft", 1.0, Text::tr("set **soft** to 1 there.")),
+                    playedBesideGhost(),
                 },
             .hint =
                 Text::tr("Play, click the background, and stop. Drag the timeline back to the left, type 1 "
@@ -341,9 +342,9 @@ std::vector<Try> volumeTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return heldBody(run).starts_with("side"); }},
-                    carriedFar(40.0),
+                    draggedAtLeast(40.0),
                     {[](const Timeline &run) {
-                         return std::abs(sim::areaOf(run.now(), corners) / restArea(run.values()) - 1.0) <
+                         return std::abs(sim::areaOf(run.state(), corners) / restArea(run.values()) - 1.0) <
                                 1e-6;
                      },
                      Text::tr("hold it still until the area is right again.")},
@@ -362,10 +363,11 @@ std::vector<Try> tentaclesTries()
             .text = Text::tr("Set **tentacles** to 8, send it somewhere, and wait until it has arrived."),
             .conditions =
                 {
-                    isSet("tentacles", 8.0),
+                    parameterSetTo("tentacles", 8.0),
                     sentSince("tentacles"),
                     {[](const Timeline &run) {
-                         return sim::length(toTarget(run)) < 2.0 && sim::length(run.now().speed(lead)) < 0.1;
+                         return sim::length(toTarget(run)) < 2.0 &&
+                                sim::length(run.state().velocityOf(lead)) < 0.1;
                      },
                      Text::tr("let time run (**Space**) until it has arrived.")},
                 },
@@ -378,7 +380,7 @@ std::vector<Try> tentaclesTries()
                 "Set **water** to 0.98 and send it to and fro until a tentacle whips at 40 px per frame."),
             .conditions =
                 {
-                    isSet("water", 0.98),
+                    parameterSetTo("water", 0.98),
                     sent(),
                     atLeast(40.0, whip,
                             Text::tr("send it to and fro, farther and faster. The fastest tip moves at %1 px "
@@ -391,7 +393,7 @@ std::vector<Try> tentaclesTries()
         },
         {
             .text = Text::tr("Go back in time, change **water**, and compare with the ghost."),
-            .conditions = {ghostDiffers("water"), besideGhost()},
+            .conditions = {ghostDiffers("water"), playedBesideGhost()},
             .hint = Text::tr("Play, click the background, and stop. Drag the timeline back to the left, type "
                              "another **Water**, and play on for a second."),
         },

@@ -29,8 +29,8 @@ Parameter keptByLead()
         .name = Text::tr("Keep"),
         .unit = Text::tr("per frame"),
         .help = Text::tr("The share of its speed that the lead keeps each frame."),
-        .preset = 0.7,
-        .role = lessons::Role::keptSpeed,
+        .defaultValue = 0.7,
+        .role = lessons::ParameterRole::damping,
     });
 }
 
@@ -46,7 +46,7 @@ Parameter pixels(Parameter own)
 /// Returns `own` as a coordinate of the first target.
 Parameter place(Parameter own)
 {
-    own.preset = 200.0;
+    own.defaultValue = 200.0;
     own = pixels(own);
     own.min = -1e6;
     return own;
@@ -58,7 +58,7 @@ Parameter count(Parameter own)
     own.sliderMin = own.min;
     own.sliderMax = own.max;
     own.decimals = 0;
-    own.whole = true;
+    own.isInteger = true;
     return own;
 }
 
@@ -72,7 +72,7 @@ std::vector<Parameter> motorParameters()
             .name = Text::tr("Stiffness"),
             .symbol = "k",
             .help = Text::tr("How hard the motor pulls: this times the way to the target."),
-            .preset = 0.9,
+            .defaultValue = 0.9,
             .min = 0.0,
             .max = 1e9,
             .sliderMin = 0.0,
@@ -83,7 +83,7 @@ std::vector<Parameter> motorParameters()
             .id = "dt",
             .name = Text::tr("Time step"),
             .help = Text::tr("How much of its own time passes in a frame: the pull counts dt × dt."),
-            .preset = 0.25,
+            .defaultValue = 0.25,
             .min = 0.0,
             .max = 100.0,
             .sliderMin = 0.0,
@@ -110,7 +110,7 @@ Parameter restLength()
         .id = "rest_length",
         .name = Text::tr("Rest length"),
         .help = Text::tr("How far the tail is from the lead at rest."),
-        .preset = 40.0,
+        .defaultValue = 40.0,
         .sliderMax = 120.0,
     });
 }
@@ -121,7 +121,7 @@ Parameter anticipationPart()
         .id = "anticipation",
         .name = Text::tr("Anticipation"),
         .help = Text::tr("How far it backs up before a move, as a part of the way to the target."),
-        .preset = 0.2,
+        .defaultValue = 0.2,
     });
 }
 
@@ -134,41 +134,41 @@ std::vector<Parameter> spineParameters()
             .name = Text::tr("Soft"),
             .unit = perFrame,
             .help = Text::tr("The part of the spine’s error that goes each frame."),
-            .preset = 0.1,
+            .defaultValue = 0.1,
         }),
         part({
             .id = "hard",
             .name = Text::tr("Hard"),
             .unit = perFrame,
             .help = Text::tr("The same, when the spine is shorter than least or longer than most."),
-            .preset = 0.8,
+            .defaultValue = 0.8,
         }),
         part({
             .id = "along",
             .name = Text::tr("Along"),
             .unit = perFrame,
             .help = Text::tr("The share of the tail’s speed along the spine that it keeps."),
-            .preset = 0.7,
+            .defaultValue = 0.7,
         }),
         part({
             .id = "across",
             .name = Text::tr("Across"),
             .unit = perFrame,
             .help = Text::tr("The share of the tail’s speed across the spine that it keeps."),
-            .preset = 0.5,
+            .defaultValue = 0.5,
         }),
         pixels({
             .id = "min_length",
             .name = Text::tr("Least length"),
             .help = Text::tr("Shorter than this, the spine pushes hard."),
-            .preset = 20.0,
+            .defaultValue = 20.0,
             .sliderMax = 120.0,
         }),
         pixels({
             .id = "max_length",
             .name = Text::tr("Most length"),
             .help = Text::tr("Longer than this, the spine pulls hard."),
-            .preset = 60.0,
+            .defaultValue = 60.0,
             .sliderMax = 120.0,
         }),
     };
@@ -181,7 +181,7 @@ std::vector<Parameter> tentacleParameters()
             .id = "tentacles",
             .name = Text::tr("Tentacles"),
             .help = Text::tr("How many tentacles it has."),
-            .preset = 4.0,
+            .defaultValue = 4.0,
             .min = 2.0,
             .max = 8.0,
         }),
@@ -189,7 +189,7 @@ std::vector<Parameter> tentacleParameters()
             .id = "links",
             .name = Text::tr("Links"),
             .help = Text::tr("How many links each tentacle has."),
-            .preset = 10.0,
+            .defaultValue = 10.0,
             .min = 3.0,
             .max = 30.0,
         }),
@@ -198,7 +198,7 @@ std::vector<Parameter> tentacleParameters()
             .name = Text::tr("Water"),
             .unit = Text::tr("per frame"),
             .help = Text::tr("The share of its speed that a tentacle keeps each frame. Less: thicker water."),
-            .preset = 0.9,
+            .defaultValue = 0.9,
         }),
     };
 }

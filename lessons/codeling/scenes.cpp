@@ -16,17 +16,17 @@ using namespace lessons;
 
 namespace codeling {
 
-using sim::Points; // not that of lessons
+using sim::PointRange; // not that of lessons
 
 namespace {
 
 /// Adds `count` points, all at (0, 0), to the end of a state.
 void grow(State &state, int count)
 {
-    const int before = state.points();
+    const int before = state.pointCount();
     State grown = State::ofPoints(before + count);
     grown.position.topRows(before) = state.position;
-    grown.outside = state.outside;
+    grown.input = state.input;
     state = std::move(grown);
 }
 
@@ -39,9 +39,9 @@ Vec2 fan(int number, int count)
 }
 
 /// Adds a point that follows its own group's rules, in a group of its own.
-void addPoint(Scene &scene, const char *name, Vec2 place, Inertia inertia)
+void addPoint(Scene &scene, const char *name, Vec2 place, Motion inertia)
 {
-    const int point = scene.start.points();
+    const int point = scene.start.pointCount();
     grow(scene.start, 1);
     scene.start.place(point, place);
     scene.names.push_back(name);
@@ -55,25 +55,25 @@ Scene swimmer(const Values &values)
     Scene scene;
     scene.start = State::ofPoints(1);
     scene.start.place(lead, {200, 200});
-    scene.start.outside.target = {values["target_x"], values["target_y"]};
+    scene.start.input.target = {values["target_x"], values["target_y"]};
     scene.names = {"lead"};
     scene.groups = {{SIM_TEXT("lead"), {lead, 1}}};
     return scene;
 }
 
-void addTail(Scene &scene, const Values &values, Inertia inertia)
+void addTail(Scene &scene, const Values &values, Motion inertia)
 {
     addPoint(scene, SIM_TEXT("tail"), {200 - values["rest_length"], 200}, inertia);
 }
 
 void addSides(Scene &scene)
 {
-    const Vec2 middle = 0.5 * (scene.start.at(lead) + scene.start.at(tail));
+    const Vec2 middle = 0.5 * (scene.start.positionOf(lead) + scene.start.positionOf(tail));
     grow(scene.start, 2);
     scene.start.place(side0, middle - Vec2{0, restWidth / 2});
     scene.start.place(side1, middle + Vec2{0, restWidth / 2});
     scene.names.insert(scene.names.end(), {SIM_TEXT("side") "0", SIM_TEXT("side") "1"});
-    scene.groups.push_back({SIM_TEXT("sides"), {side0, 2}, Inertia::none});
+    scene.groups.push_back({SIM_TEXT("sides"), {side0, 2}, Motion::prescribed});
 }
 
 std::vector<Stick> addTentacles(Scene &scene, int tentacles, int links)
@@ -87,7 +87,7 @@ std::vector<Stick> addTentacles(Scene &scene, int tentacles, int links)
         const int root = number < (tentacles + 1) / 2 ? side0 : side1;
         const int point = firstOfTentacles + i;
         const int inner = link == 0 ? root : point - 1;
-        scene.start.place(point, scene.start.at(inner) + linkLength * fan(number, tentacles));
+        scene.start.place(point, scene.start.positionOf(inner) + linkLength * fan(number, tentacles));
         scene.names.push_back(SIM_TEXT("tentacle") + std::to_string(number) + "_" + std::to_string(link));
         sticks.push_back({inner, point, linkLength, 0.0});
     }
@@ -123,7 +123,7 @@ Scene setUp(const Values &values)
     Scene scene = swimmer(values);
 
     double keep = values["keep"];
-    add<Damping>(scene, keep, Points{lead, 1});
+    add<Damping>(scene, keep, PointRange{lead, 1});
     double k = values["k"];
     double dt = values["dt"];
     add<Motor>(scene, lead, k, dt);
@@ -139,10 +139,10 @@ namespace orientation {
 Scene setUp(const Values &values)
 {
     Scene scene = swimmer(values);
-    addTail(scene, values, Inertia::none);
+    addTail(scene, values, Motion::prescribed);
 
     double keep = values["keep"];
-    add<Damping>(scene, keep, Points{lead, 1});
+    add<Damping>(scene, keep, PointRange{lead, 1});
     double k = values["k"];
     double dt = values["dt"];
     add<Motor>(scene, lead, k, dt);
@@ -152,7 +152,7 @@ Scene setUp(const Values &values)
     std::vector<Stick> spine = {
         {lead, tail, rest, share}};
     add<Sticks>(scene, spine,
-                scene.start.points());
+                scene.start.pointCount());
     return scene;
 }
 //! [orientation]
@@ -165,13 +165,13 @@ namespace anticipation {
 Scene setUp(const Values &values)
 {
     Scene scene = swimmer(values);
-    addTail(scene, values, Inertia::none);
+    addTail(scene, values, Motion::prescribed);
 
     double part = values["anticipation"];
     add<Anticipation>(scene, lead, part);
 
     double keep = values["keep"];
-    add<Damping>(scene, keep, Points{lead, 1});
+    add<Damping>(scene, keep, PointRange{lead, 1});
     double k = values["k"];
     double dt = values["dt"];
     add<Motor>(scene, lead, k, dt);
@@ -181,7 +181,7 @@ Scene setUp(const Values &values)
     std::vector<Stick> spine = {
         {lead, tail, rest, share}};
     add<Sticks>(scene, spine,
-                scene.start.points());
+                scene.start.pointCount());
     return scene;
 }
 //! [anticipation]
@@ -194,13 +194,13 @@ namespace squash_stretch {
 Scene setUp(const Values &values)
 {
     Scene scene = swimmer(values);
-    addTail(scene, values, Inertia::some);
+    addTail(scene, values, Motion::byVelocity);
 
     double part = values["anticipation"];
     add<Anticipation>(scene, lead, part);
 
     double keep = values["keep"];
-    add<Damping>(scene, keep, Points{lead, 1});
+    add<Damping>(scene, keep, PointRange{lead, 1});
     double k = values["k"];
     double dt = values["dt"];
     add<Motor>(scene, lead, k, dt);
@@ -230,14 +230,14 @@ namespace volume {
 Scene setUp(const Values &values)
 {
     Scene scene = swimmer(values);
-    addTail(scene, values, Inertia::some);
+    addTail(scene, values, Motion::byVelocity);
     addSides(scene);
 
     double part = values["anticipation"];
     add<Anticipation>(scene, lead, part);
 
     double keep = values["keep"];
-    add<Damping>(scene, keep, Points{lead, 1});
+    add<Damping>(scene, keep, PointRange{lead, 1});
     double k = values["k"];
     double dt = values["dt"];
     add<Motor>(scene, lead, k, dt);
@@ -273,10 +273,10 @@ namespace tentacles {
 Scene setUp(const Values &values)
 {
     Scene scene = swimmer(values);
-    addTail(scene, values, Inertia::some);
+    addTail(scene, values, Motion::byVelocity);
     addSides(scene);
-    int chains = values.whole("tentacles");
-    int each = values.whole("links");
+    int chains = values.integer("tentacles");
+    int each = values.integer("links");
     std::vector<Stick> links =
         addTentacles(scene, chains, each);
 
@@ -284,7 +284,7 @@ Scene setUp(const Values &values)
     add<Anticipation>(scene, lead, part);
 
     double keep = values["keep"];
-    add<Damping>(scene, keep, Points{lead, 1});
+    add<Damping>(scene, keep, PointRange{lead, 1});
     double k = values["k"];
     double dt = values["dt"];
     add<Motor>(scene, lead, k, dt);
@@ -295,7 +295,7 @@ Scene setUp(const Values &values)
                       along, across);
     double water = values["water"];
     add<Damping>(scene, water,
-        Points{firstOfTentacles, chains * each});
+        PointRange{firstOfTentacles, chains * each});
 
     std::vector<SoftStick> soft = {
         {lead, tail, values["min_length"],
@@ -312,7 +312,7 @@ Scene setUp(const Values &values)
     add<AreaStick>(scene, corners, area,
                    shortestSpine);
     add<Sticks>(scene, links,
-                scene.start.points());
+                scene.start.pointCount());
     return scene;
 }
 //! [tentacles]

@@ -31,7 +31,7 @@ constexpr sim::Quad corners = {lead, tail, side0, side1};
 /// The lead alone at (200, 200), and the target where the parameters say.
 sim::Scene swimmer(const sim::Values &values);
 /// The tail, `rest_length` px to the left of the lead.
-void addTail(sim::Scene &scene, const sim::Values &values, sim::Inertia inertia);
+void addTail(sim::Scene &scene, const sim::Values &values, sim::Motion motion);
 /// Two sides, `restWidth` px apart, in the middle of lead and tail. They have no velocity.
 void addSides(sim::Scene &scene);
 /// Chains `tentacle0_0`, `tentacle0_1`... that start at the sides in turn and spread out behind.

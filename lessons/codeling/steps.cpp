@@ -22,11 +22,11 @@ struct Text
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
 Step stepOf(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("codeling", id, title);
-    step.columns = Columns::place;
-    step.does = {Does::hand, Does::target};
-    step.look = spineLook;
-    step.guides = targetAndPull;
+    Step step = lessons::makeStep("codeling", id, title);
+    step.traceColumns = TraceColumns::position;
+    step.interactions = {Interaction::drag, Interaction::target};
+    step.view = spineLook;
+    step.overlays = targetAndPull;
     return step;
 }
 
@@ -122,7 +122,7 @@ Step squashStretchStep()
     step.explanation = squashStretchExplanation();
     step.tries = squashStretchTries();
     step.scene = squash_stretch::setUp;
-    step.look = stretchingLook;
+    step.view = stretchingLook;
     return step;
 }
 
@@ -141,7 +141,7 @@ Step volumeStep()
     step.explanation = volumeExplanation();
     step.tries = volumeTries();
     step.scene = volume::setUp;
-    step.look = bodyLook;
+    step.view = bodyLook;
     step.measures.insert(step.measures.begin(), {areaMeasure(), widthMeasure()});
     return step;
 }
@@ -164,7 +164,7 @@ Step tentaclesStep()
     step.explanation = tentaclesExplanation();
     step.tries = tentaclesTries();
     step.scene = tentacles::setUp;
-    step.look = bodyLook;
+    step.view = bodyLook;
     step.measures.insert(step.measures.begin(), areaMeasure());
     return step;
 }

@@ -23,21 +23,21 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 bool has(const sim::Scene &scene, int point)
 {
-    return scene.start.points() > point;
+    return scene.start.pointCount() > point;
 }
 
 double spineLength(const sim::State &state)
 {
-    return sim::length(state.at(lead) - state.at(tail));
+    return sim::length(state.positionOf(lead) - state.positionOf(tail));
 }
 
 /// The chains of a scene's tentacles, each from its side to its tip.
-std::vector<ChainLook> chainsOf(const sim::Scene &scene, const sim::Values &values)
+std::vector<ChainView> chainsOf(const sim::Scene &scene, const sim::Values &values)
 {
-    const int chains = values.whole("tentacles"), links = values.whole("links");
-    std::vector<ChainLook> looks;
+    const int chains = values.integer("tentacles"), links = values.integer("links");
+    std::vector<ChainView> looks;
     for (int chain = 0; chain < chains; ++chain) {
-        ChainLook look;
+        ChainView look;
         look.points = {chain < (chains + 1) / 2 ? side0 : side1};
         for (int link = 0; link < links; ++link)
             look.points.push_back(firstOfTentacles + chain * links + link);
@@ -49,46 +49,48 @@ std::vector<ChainLook> chainsOf(const sim::Scene &scene, const sim::Values &valu
 
 }
 
-Look spineLook(const sim::Scene &scene, const sim::Values &)
+View spineLook(const sim::Scene &scene, const sim::Values &)
 {
-    Look look;
-    look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, 5.0});
-    look.bodies[lead] = {BodyLook::Shape::body, 13.0};
+    View look;
+    look.bodies.resize(scene.names.size(), {BodyView::Shape::joint, 5.0});
+    look.bodies[lead] = {BodyView::Shape::body, 13.0};
     if (has(scene, tail))
         look.legs = {{lead, tail}};
-    look.velocities = true;
+    look.showsVelocities = true;
     return look;
 }
 
-Look stretchingLook(const sim::Scene &scene, const sim::Values &values)
+View stretchingLook(const sim::Scene &scene, const sim::Values &values)
 {
-    Look look = spineLook(scene, values);
-    look.onionSkins = true;
+    View look = spineLook(scene, values);
+    look.showsOnionSkins = true;
     return look;
 }
 
-Look bodyLook(const sim::Scene &scene, const sim::Values &values)
+View bodyLook(const sim::Scene &scene, const sim::Values &values)
 {
-    Look look;
-    look.bodies.resize(scene.names.size(), {BodyLook::Shape::none, 2.0});
+    View look;
+    look.bodies.resize(scene.names.size(), {BodyView::Shape::none, 2.0});
     for (const int point : {lead, tail, side0, side1})
-        look.bodies[static_cast<std::size_t>(point)] = {BodyLook::Shape::joint, 4.0};
+        look.bodies[static_cast<std::size_t>(point)] = {BodyView::Shape::joint, 4.0};
     look.skins = {{{lead, side1, tail, side0}, lead}};
     if (values.has("tentacles"))
         look.chains = chainsOf(scene, values);
-    look.velocities = look.chains.empty(); // a hundred arrows say nothing
-    look.onionSkins = look.chains.empty();
+    look.showsVelocities = look.chains.empty(); // a hundred arrows say nothing
+    look.showsOnionSkins = look.chains.empty();
     return look;
 }
 
-std::vector<Guide> targetAndPull(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+std::vector<Overlay> targetAndPull(const sim::Scene &scene, const sim::State &state,
+                                   const sim::Values &values)
 {
-    const sim::Vec2 target = state.outside.target;
+    const sim::Vec2 target = state.input.target;
     if (!effectOf<sim::Motor>(scene))
-        return {{.shape = Guide::Shape::cross, .a = target}};
-    const sim::Vec2 pull = sim::motor(state.at(lead), target, values["k"], values["dt"]).pull;
-    return {{.shape = Guide::Shape::cross, .a = target},
-            {.shape = Guide::Shape::arrow, .a = state.at(lead), .b = pull, .label = Text::tr("motor")}};
+        return {{.shape = Overlay::Shape::cross, .a = target}};
+    const sim::Vec2 pull = sim::motor(state.positionOf(lead), target, values["k"], values["dt"]).pull;
+    return {
+        {.shape = Overlay::Shape::cross, .a = target},
+        {.shape = Overlay::Shape::arrow, .a = state.positionOf(lead), .b = pull, .label = Text::tr("motor")}};
 }
 
 Measure anticipationMeasure()
@@ -99,7 +101,7 @@ Measure anticipationMeasure()
         .help = Text::tr("It grows before a move: that is the anticipation."),
         .decimals = 1,
         .of = [](const sim::Scene &, const sim::State &state, const sim::State *,
-                 const sim::Values &) { return sim::length(state.at(lead) - state.outside.target); },
+                 const sim::Values &) { return sim::length(state.positionOf(lead) - state.input.target); },
     };
 }
 
@@ -140,7 +142,8 @@ Measure widthMeasure()
         .decimals = 0,
         .of =
             [](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
-                return sim::length(state.at(scene.find("side0")) - state.at(scene.find("side1")));
+                return sim::length(state.positionOf(scene.find("side0")) -
+                                   state.positionOf(scene.find("side1")));
             },
     };
 }

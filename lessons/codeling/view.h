@@ -9,15 +9,15 @@
 namespace codeling {
 
 /// The lead with eyes; a line to its tail where there is one.
-lessons::Look spineLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View spineLook(const sim::Scene &scene, const sim::Values &values);
 /// The same with copies of where it was.
-lessons::Look stretchingLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View stretchingLook(const sim::Scene &scene, const sim::Values &values);
 /// A skin round lead, sides and tail; tentacles where there are any.
-lessons::Look bodyLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View bodyLook(const sim::Scene &scene, const sim::Values &values);
 
 /// A cross at the target, and the motor's pull.
-std::vector<lessons::Guide> targetAndPull(const sim::Scene &scene, const sim::State &state,
-                                          const sim::Values &values);
+std::vector<lessons::Overlay> targetAndPull(const sim::Scene &scene, const sim::State &state,
+                                            const sim::Values &values);
 
 lessons::Measure anticipationMeasure();
 lessons::Measure stretchMeasure();

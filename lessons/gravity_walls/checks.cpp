@@ -24,12 +24,12 @@ struct Text
 /// Whether some point that is not held stands with its edge on the left wall (or the right one).
 bool touchesSide(const Timeline &run, bool left, bool withoutSpeed = false)
 {
-    const sim::State &now = run.now();
-    const Eigen::ArrayXd half = halfWidths(run.track().shown().scene);
-    for (int i = 0; i < now.points(); ++i) {
+    const sim::State &now = run.state();
+    const Eigen::ArrayXd half = halfWidths(run.track().interval().scene);
+    for (int i = 0; i < now.pointCount(); ++i) {
         const double edge = left ? now.position(i, 0) - half[i] : now.position(i, 0) + half[i];
         const double wall = run.values()[left ? "left" : "right"];
-        if (now.feels(i) && std::abs(edge - wall) < 1e-9 && (!withoutSpeed || now.velocity(i, 0) == 0.0))
+        if (now.isDynamic(i) && std::abs(edge - wall) < 1e-9 && (!withoutSpeed || now.velocity(i, 0) == 0.0))
             return true;
     }
     return false;
@@ -38,12 +38,12 @@ bool touchesSide(const Timeline &run, bool left, bool withoutSpeed = false)
 /// Whether the cursor stands inside a frame where something has moved past a wall that has not put it back yet.
 bool somethingIsPastAWall(const Timeline &run)
 {
-    const sim::State &now = run.now();
-    const Eigen::ArrayXd half = halfWidths(run.track().shown().scene);
+    const sim::State &now = run.state();
+    const Eigen::ArrayXd half = halfWidths(run.track().interval().scene);
     const Eigen::ArrayXd x = now.position.col(0), y = now.position.col(1);
     const auto past = (x + half > run.values()["right"] + 1e-9) || (x - half < run.values()["left"] - 1e-9) ||
                       (y + half > run.values()["floor"] + 1e-9);
-    return run.at().phase > 0 && (past && now.inverseMass != 0.0).any();
+    return run.cursor().phase > 0 && (past && now.inverseMass != 0.0).any();
 }
 
 /// Whether every foot hangs straight below the body, where its spring carries its weight.
@@ -53,10 +53,10 @@ bool feetHang(const Timeline &run)
     if (k <= 0.0 || !isStill(run))
         return false;
     const double below = run.values()["radius"] + run.values()["gravity"] / k;
-    const sim::State &now = run.now();
-    const sim::Vec2 body = now.at(now.points() - 1);
-    for (int i = 0; i + 1 < now.points(); ++i) {
-        if (sim::length(now.at(i) - body - sim::Vec2{0.0, below}) > 0.5)
+    const sim::State &now = run.state();
+    const sim::Vec2 body = now.positionOf(now.pointCount() - 1);
+    for (int i = 0; i + 1 < now.pointCount(); ++i) {
+        if (sim::length(now.positionOf(i) - body - sim::Vec2{0.0, below}) > 0.5)
             return false;
     }
     return true;
@@ -83,7 +83,7 @@ double wallsApart(const Timeline &run)
 
 double overFloor(const Timeline &run)
 {
-    return run.values()["floor"] - placeOf(run, "body").y;
+    return run.values()["floor"] - positionOf(run, "body").y;
 }
 
 }
@@ -97,8 +97,8 @@ std::vector<Try> wallsTries()
                 "wall."),
             .conditions =
                 {
-                    letGoOf(),
-                    fastEnough(),
+                    released(),
+                    thrownAtLeast(),
                     touching(Text::tr("throw it so that it hits the left wall."), false),
                 },
             .hint =
@@ -125,9 +125,9 @@ std::vector<Try> wallsTries()
                 Text::tr("Set **bounce** to 0 and throw it at a side wall. What hits it loses its speed."),
             .conditions =
                 {
-                    isSet("bounce", 0.0),
-                    letGoSinceSet("bounce"),
-                    fastEnough(),
+                    parameterSetTo("bounce", 0.0),
+                    releasedSinceSet("bounce"),
+                    thrownAtLeast(),
                     touching(Text::tr("throw it so that it hits a side wall."), true),
                 },
             .hint = Text::tr(
@@ -138,9 +138,9 @@ std::vector<Try> wallsTries()
             .text = Text::tr("There is no ceiling. Throw the body out over the top."),
             .conditions =
                 {
-                    letGoOf("body"),
-                    fastEnough(),
-                    {[](const Timeline &run) { return placeOf(run, "body").y < -bodyWidth / 2; },
+                    released("body"),
+                    thrownAtLeast(),
+                    {[](const Timeline &run) { return positionOf(run, "body").y < -bodyWidth / 2; },
                      Text::tr("throw it upwards, and harder: the body has to get above y = 0.")},
                 },
             .hint =
@@ -163,7 +163,7 @@ std::vector<Try> gravityTries()
         },
         {
             .text = Text::tr("Do the same with **damping** at 0.6. Do the feet hang any lower?"),
-            .conditions = {isSet("damp", 0.6), holding("body"), hanging()},
+            .conditions = {parameterSetTo("damp", 0.6), holding("body"), hanging()},
             .hint = Text::tr(
                 "Type 0.6 into the field beside **Damping**. Then lift the large disc and hold it, as "
                 "before."),
@@ -177,7 +177,7 @@ std::vector<Try> gravityTries()
                     insideAFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
-                         return last && last->kind == sim::Kind::gravity;
+                         return last && last->kind == sim::EffectKind::gravity;
                      },
                      Text::tr("press **Shift+→** until gravity is the last phase that was done.")},
                 },
@@ -190,8 +190,8 @@ std::vector<Try> gravityTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return wallsApart(run) <= 60.0; }},
-                    letGoSinceSet("left", "body"),
-                    letGoSinceSet("right", "body"),
+                    releasedSinceSet("left", "body"),
+                    releasedSinceSet("right", "body"),
                     allStill(),
                     {[](const Timeline &run) {
                          return overFloor(run) >= 30.0 &&

@@ -22,11 +22,11 @@ namespace walls {
 //! [walls]
 Scene setUp(const Values &values)
 {
-    int feet = values.whole("feet");
+    int feet = values.integer("feet");
     Scene scene = creature(feet);
     const int body = feet; // comes last
     scene.start.place(body, {420, 320});
-    scene.start.push(body, {14, 9});
+    scene.start.setVelocity(body, {14, 9});
     placeFeet(scene, {{450, 310}, {400, 330},
                       {430, 260}, {390, 290},
                       {460, 280}});
@@ -60,7 +60,7 @@ namespace gravity {
 //! [gravity]
 Scene setUp(const Values &values)
 {
-    int feet = values.whole("feet");
+    int feet = values.integer("feet");
     Scene scene = creature(feet);
     const int body = feet; // comes last
     const auto seed = values.seed;

@@ -23,9 +23,9 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(GravityWalls)
 };
 
-Look inTheRoom(const sim::Scene &scene, const sim::Values &)
+View inTheRoom(const sim::Scene &scene, const sim::Values &)
 {
-    Look look = creatureLookWithLegs(scene);
+    View look = creatureViewWithLegs(scene);
     if (const auto *walls = effectOf<sim::Walls>(scene))
         look.room = walls->room();
     return look;
@@ -33,8 +33,8 @@ Look inTheRoom(const sim::Scene &scene, const sim::Values &)
 
 Step stepOf(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("gravity_walls", id, title);
-    step.look = inTheRoom;
+    Step step = lessons::makeStep("gravity_walls", id, title);
+    step.view = inTheRoom;
     return step;
 }
 

@@ -69,10 +69,10 @@ struct Told
 
 Told toldOf(const sim::Script &script)
 {
-    Told told{caseNumber(script.values.whole("case")), {}, {}, {}};
+    Told told{caseNumber(script.values.integer("case")), {}, {}, {}};
     told.size = told.hard.brief;
     told.size.h = script.step.h;
-    if (script.step.adaptive())
+    if (script.step.isAdaptive())
         told.size.tolerance = script.step.tolerance;
     told.first = sim::sceneOf(script, script.values);
     const sim::Claim claim = sim::claimOf(told.hard, script.method, told.size);
@@ -93,13 +93,13 @@ public:
     /// next time.
     void follow(const Told &told, const sim::Track &run)
     {
-        const int points = std::max(1, told.first.start.points());
-        for (int left = std::max(1, mostPlaces / points); left > 0 && !m_wrongAt && m_judged < run.at().frame;
-             --left) {
-            m_judged += run.rowFrames();
-            const bool isHere = m_judged == run.at().frame && run.at().phase == 0;
-            if (sim::whatIsWrong(told.hard, told.first, run.shown().scene,
-                                 isHere ? run.now() : run.stateAt(m_judged), m_judged))
+        const int points = std::max(1, told.first.start.pointCount());
+        for (int left = std::max(1, mostPlaces / points);
+             left > 0 && !m_wrongAt && m_judged < run.cursor().frame; --left) {
+            m_judged += run.framesPerOutput();
+            const bool isHere = m_judged == run.cursor().frame && run.cursor().phase == 0;
+            if (sim::findViolation(told.hard, told.first, run.interval().scene,
+                                   isHere ? run.state() : run.stateAt(m_judged), m_judged))
                 m_wrongAt = m_judged;
         }
     }
@@ -117,7 +117,7 @@ private:
 /// How the run is up to the cursor, in a few words.
 QString judgement(const Told &told, const Judge &judge, const sim::Track &run)
 {
-    const std::int64_t frame = run.at().frame;
+    const std::int64_t frame = run.cursor().frame;
     if (judge.isWrongAt(frame))
         return Text::tr("out of its bounds since frame %1").arg(judge.wrongAt());
     if (judge.judged() < frame)
@@ -125,8 +125,8 @@ QString judgement(const Told &told, const Judge &judge, const sim::Track &run)
             .arg(judge.judged());
     if (!told.hard.rest || frame == 0)
         return Text::tr("within its bounds so far");
-    const sim::State before = run.stateAt(frame - run.rowFrames());
-    return sim::whatIsUnrest(told.hard, run.shown().scene, before, run.now(), run.rowFrames())
+    const sim::State before = run.stateAt(frame - run.framesPerOutput());
+    return sim::findRestViolation(told.hard, run.interval().scene, before, run.state(), run.framesPerOutput())
                ? Text::tr("within its bounds so far, not at rest yet")
                : Text::tr("within its bounds so far, and at rest, as it should be");
 }
@@ -142,7 +142,8 @@ bool sameRun(const sim::Script &a, const sim::Script &b)
 std::vector<sim::HardCase> shownCases()
 {
     std::vector<sim::HardCase> all = sim::hardCases();
-    std::erase_if(all, [](const sim::HardCase &one) { return one.asksFor(sim::Ask::refused); });
+    std::erase_if(all,
+                  [](const sim::HardCase &one) { return one.hasRequirement(sim::Requirement::refused); });
     for (sim::HardCase &one : all) {
         if (one.script.values.has("levels"))
             one.script.values.set("levels", std::min(one.script.values["levels"], mostForks));
@@ -175,8 +176,8 @@ Parameter caseParameter()
                                  Text::tr("The experiment that runs. Another one begins at frame 0."), ids);
     parameter.choiceTitles = titles;
     parameter.choiceHelps = helps;
-    parameter.preset = numberOf("runaway_pair");
-    parameter.opens = true;
+    parameter.defaultValue = numberOf("runaway_pair");
+    parameter.restartsRun = true;
     return parameter;
 }
 
@@ -190,7 +191,7 @@ Parameter stiffnessOfCase()
 
 void openCase(sim::Script &script)
 {
-    const sim::HardCase hard = caseNumber(script.values.whole("case"));
+    const sim::HardCase hard = caseNumber(script.values.integer("case"));
     script.input = hard.script.input;
     script.bodies = hard.script.bodies;
     script.step = sim::scriptOf(hard, script.method, hard.brief).step;
@@ -198,7 +199,7 @@ void openCase(sim::Script &script)
 
 bool isAsTold(const sim::Script &script)
 {
-    const sim::HardCase hard = caseNumber(script.values.whole("case"));
+    const sim::HardCase hard = caseNumber(script.values.integer("case"));
     return script.values["k"] == 0.0 && script.input == hard.script.input &&
            script.bodies == hard.script.bodies && script.effectsOff.empty();
 }
@@ -220,7 +221,7 @@ std::function<QString(const sim::Track &)> caseNote()
         (*kept)->judge.follow(told, run);
         return Text::tr("%1\n%2 Frame %3 of %4: %5.")
             .arg(phrase(told.hard.story), told.claim)
-            .arg(run.at().frame)
+            .arg(run.cursor().frame)
             .arg(told.hard.brief.frames)
             .arg(judgement(told, (*kept)->judge, run));
     };

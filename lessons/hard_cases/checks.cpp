@@ -35,18 +35,18 @@ bool hasLimit(const Timeline &run)
 
 double stepOf(const Timeline &run)
 {
-    return run.script().step.adaptive() ? 0.0 : run.script().step.h;
+    return run.script().step.isAdaptive() ? 0.0 : run.script().step.h;
 }
 
 /// The run goes on and has come to `frame`, between two frames.
 Condition hasCome(std::int64_t frame)
 {
     return {[frame](const Timeline &run) {
-                return run.at().phase == 0 && run.at().frame >= frame && !run.stop();
+                return run.cursor().phase == 0 && run.cursor().frame >= frame && !run.stop();
             },
             Text::tr("play on to frame %2. This is frame %1.")
                 .replace(QStringLiteral("%2"), QString::number(frame)),
-            [](const Timeline &run) { return static_cast<double>(run.at().frame); }, 0};
+            [](const Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
 }
 
 /// The parameter `id`, which is called `name`, had that value at the start of the run and still has it.
@@ -73,13 +73,13 @@ Condition limited()
 
 Condition atRest()
 {
-    return {[](const Timeline &run) { return run.at().frame > 0 && isStill(run); },
+    return {[](const Timeline &run) { return run.cursor().frame > 0 && isStill(run); },
             Text::tr("let time run (**Space**) until it rests.")};
 }
 
 Condition published()
 {
-    return byMethod("published", Text::tr("choose **Published** as method."));
+    return runsMethod("published", Text::tr("choose **Published** as method."));
 }
 
 Condition untouched()
@@ -91,23 +91,23 @@ Condition untouched()
 /// px: how far the worst leg is from the length that its spring wants.
 double worstLeg(const Timeline &run, double length)
 {
-    const sim::State &state = run.now();
-    const int body = state.points() - 1;
+    const sim::State &state = run.state();
+    const int body = state.pointCount() - 1;
     double worst = 0.0;
     for (int i = 0; i < body; ++i)
-        worst = std::max(worst, std::abs(sim::length(state.at(i) - state.at(body)) - length));
+        worst = std::max(worst, std::abs(sim::length(state.positionOf(i) - state.positionOf(body)) - length));
     return worst;
 }
 
 /// px: how far the two feet are from each other that are nearest.
 double nearestFeet(const Timeline &run)
 {
-    const sim::State &state = run.now();
-    const int body = state.points() - 1;
+    const sim::State &state = run.state();
+    const int body = state.pointCount() - 1;
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < body; ++i) {
         for (int j = 0; j < i; ++j)
-            nearest = std::min(nearest, sim::length(state.at(i) - state.at(j)));
+            nearest = std::min(nearest, sim::length(state.positionOf(i) - state.positionOf(j)));
     }
     return nearest;
 }
@@ -156,7 +156,7 @@ double sideError(const Timeline &run)
 
 Condition caseIs(const char *id)
 {
-    return {[id](const Timeline &run) { return run.values().whole("case") == numberOf(id); }};
+    return {[id](const Timeline &run) { return run.values().integer("case") == numberOf(id); }};
 }
 
 Condition asTold()
@@ -185,7 +185,7 @@ std::vector<Try> limitTries()
                 "far, and it always comes back."),
             .conditions =
                 {
-                    isSet("k", 3.9),
+                    parameterSetTo("k", 3.9),
                     beganWith("k", Text::tr("k"), 3.9),
                     stepIs(1.0),
                     limited(),
@@ -201,7 +201,7 @@ std::vector<Try> limitTries()
                 "rests."),
             .conditions =
                 {
-                    isSet("damp", 0.9),
+                    parameterSetTo("damp", 0.9),
                     beganWith("damp", Text::tr("damp"), 0.9),
                     beganWith("k", Text::tr("k"), 4.01),
                     stepIs(1.0),
@@ -223,10 +223,10 @@ std::vector<Try> runawayTries()
                 "Choose **Semi-implicit Euler** as method, and play to frame 200. Where is the middle?"),
             .conditions =
                 {
-                    byMethod("semi_implicit_euler"),
+                    runsMethod("semi_implicit_euler"),
                     hasCome(200),
                     {[](const Timeline &run) {
-                         return sim::length(middle(run) - sim::Vec2{300.0, 230.0}) < 1e-6;
+                         return sim::length(centreOfPoints(run) - sim::Vec2{300.0, 230.0}) < 1e-6;
                      },
                      Text::tr("press **Home** and choose the method there: the pair has moved before.")},
                 },
@@ -241,7 +241,7 @@ std::vector<Try> runawayTries()
                 "rests: 157 px from where it belongs."),
             .conditions =
                 {
-                    isSet("k", 0.2),
+                    parameterSetTo("k", 0.2),
                     beganWith("k", Text::tr("k"), 0.2),
                     published(),
                     stepIs(1.0),
@@ -283,7 +283,7 @@ std::vector<Try> manyFeetTries()
                 Text::tr("With steps of 1 frame, go to frame 0 and set **feet** to 38. Wait until it rests."),
             .conditions =
                 {
-                    isSet("feet", 38),
+                    parameterSetTo("feet", 38),
                     beganWith("feet", Text::tr("feet"), 38),
                     beganWith("k", Text::tr("k"), 0.2),
                     stepIs(1.0),
@@ -333,7 +333,7 @@ std::vector<Try> onePlaceTries()
         {
             .text = Text::tr(
                 "Choose **Semi-implicit Euler**, and play from frame 0 to 60: five feet, all apart."),
-            .conditions = {byMethod("semi_implicit_euler"), untouched(), hasCome(60), feetApart()},
+            .conditions = {runsMethod("semi_implicit_euler"), untouched(), hasCome(60), feetApart()},
             .hint = Text::tr("Above the picture, press **Method** and choose **Semi-implicit Euler**. Press "
                              "**Space** and wait two seconds."),
         },
@@ -342,7 +342,7 @@ std::vector<Try> onePlaceTries()
                 "**Published**: drag one foot up, 20 px or more out of the line, let go, and wait until "
                 "it rests. "
                 "Did the others follow one by one, or as one?"),
-            .conditions = {letGoOf(), published(), carriedFar(20.0), handsOff(20), atRest()},
+            .conditions = {released(), published(), draggedAtLeast(20.0), idleFor(20), atRest()},
             .hint = Text::tr(
                 "Choose **Published** as method, press **Space**, and wait two seconds. Take a foot, "
                 "carry it up, let go, and wait."),
@@ -354,10 +354,10 @@ std::vector<Try> onePlaceTries()
                 "After 60 frames set it to 50 again. Do they part?"),
             .conditions =
                 {
-                    {[](const Timeline &run) { return framesSinceSet(run, "radius") < run.at().frame; }},
+                    {[](const Timeline &run) { return framesSinceSet(run, "radius") < run.cursor().frame; }},
                     otherMethod,
                     collapsed(),
-                    isSet("radius", 50.0, Text::tr("set **radius** to 50 again.")),
+                    parameterSetTo("radius", 50.0, Text::tr("set **radius** to 50 again.")),
                     feetApart(),
                 },
             .hint = Text::tr("Choose **Semi-implicit Euler** as method and play two seconds. Type 0 beside "
@@ -397,7 +397,7 @@ std::vector<Try> stiffTries()
                 {
                     {[](const Timeline &run) { return run.values()["k"] >= 1e6; }},
                     beganWith("k", Text::tr("k"), 1e6),
-                    byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
+                    runsMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
                     stepIs(1.0),
                     hasCome(30),
                 },
@@ -411,10 +411,10 @@ std::vector<Try> stiffTries()
                 "the legs. Wait until they have stopped swinging."),
             .conditions =
                 {
-                    isSet("damp", 1.0),
+                    parameterSetTo("damp", 1.0),
                     beganWith("damp", Text::tr("damp"), 1.0),
                     beganWith("k", Text::tr("k"), 0.2),
-                    byMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
+                    runsMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
                     stepIs(1.0),
                     hasCome(60),
                     legsRight(50.0, 0.5),
@@ -435,9 +435,9 @@ std::vector<Try> contradictionTries()
                 "until they rest."),
             .conditions =
                 {
-                    isSet("k", 1.0),
+                    parameterSetTo("k", 1.0),
                     beganWith("k", Text::tr("k"), 1.0),
-                    isSet("made_of", 0.0, Text::tr("choose **springs**.")),
+                    parameterSetTo("made_of", 0.0, Text::tr("choose **springs**.")),
                     stepIs(1.0),
                     beganWith("longest", Text::tr("longest"), 200.0),
                     hasCome(30),
@@ -450,7 +450,7 @@ std::vector<Try> contradictionTries()
             .text = Text::tr("Choose **sticks**, and wait until they rest. Which of them has its length?"),
             .conditions =
                 {
-                    isSet("made_of", 1.0),
+                    parameterSetTo("made_of", 1.0),
                     beganWith("longest", Text::tr("longest"), 200.0),
                     hasCome(30),
                     atRest(),
@@ -465,7 +465,7 @@ std::vector<Try> contradictionTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return !isSetTo(run, "longest", 200.0); }},
-                    isSet("made_of", 1.0, Text::tr("choose **sticks**.")),
+                    parameterSetTo("made_of", 1.0, Text::tr("choose **sticks**.")),
                     hasCome(20),
                     {[](const Timeline &run) { return sideError(run) < 0.1; },
                      Text::tr("make **longest** shorter, or play on. The worst stick is %1 px off."),
@@ -482,13 +482,13 @@ std::vector<Try> longRunTries()
 {
     const Condition springs = beganWith("k", Text::tr("k"), 0.5);
     const Condition undamped = beganWith("damp", Text::tr("damp"), 1.0);
-    const auto rungeKutta = byMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method."));
+    const auto rungeKutta = runsMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method."));
     return {
         {
             .text = Text::tr("**Runge–Kutta 4**, steps of 1 frame: go to frame 5000. What is left?"),
             .conditions =
                 {
-                    {[](const Timeline &run) { return run.at().frame > 1000 && stepOf(run) == 1.0; }},
+                    {[](const Timeline &run) { return run.cursor().frame > 1000 && stepOf(run) == 1.0; }},
                     rungeKutta,
                     springs,
                     undamped,
@@ -509,7 +509,7 @@ std::vector<Try> longRunTries()
             .text = Text::tr("**Velocity Verlet**, steps of 1 frame, to frame 20000: it swings as at first."),
             .conditions =
                 {
-                    byMethod("velocity_verlet"),
+                    runsMethod("velocity_verlet"),
                     stepIs(1.0),
                     springs,
                     undamped,
@@ -536,7 +536,9 @@ std::vector<Try> tortureTries()
                     {[](const Timeline &run) { return !run.stop(); },
                      Text::tr("this method cannot hold it. Try one that claims it, from frame 0.")},
                     hasCome(10),
-                    {[](const Timeline &run) { return sim::length(run.now().at(0) - centre) <= 1e-6; },
+                    {[](const Timeline &run) {
+                         return sim::length(run.state().positionOf(0) - centre) <= 1e-6;
+                     },
                      Text::tr("play on until it is at rest.")},
                 },
             .hint = Text::tr(
@@ -552,7 +554,7 @@ std::vector<Try> tortureTries()
                     caseIs("dragged_1e9"),
                     asTold(),
                     hasCome(30),
-                    {[](const Timeline &run) { return run.at().frame < 400; },
+                    {[](const Timeline &run) { return run.cursor().frame < 400; },
                      Text::tr("frame 400 is past. Try another method, from frame 0.")},
                     legsRight(50.0, 0.01),
                     atRest(),
@@ -567,7 +569,9 @@ std::vector<Try> tortureTries()
                 "Make any case **stop**: find one that a method does not claim, and see who went first."),
             .conditions =
                 {
-                    {[](const Timeline &run) { return run.stop() && run.at().frame == run.stop()->frame; }},
+                    {[](const Timeline &run) {
+                        return run.stop() && run.cursor().frame == run.stop()->frame;
+                    }},
                     asTold(),
                 },
             .hint = Text::tr("Choose **Semi-implicit Euler** as method, and a case with stiff springs. Press "

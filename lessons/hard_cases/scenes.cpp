@@ -64,11 +64,11 @@ namespace many_feet {
 //! [many_feet]
 Scene setUp(const Values &values)
 {
-    const int feet = values.whole("feet");
+    const int feet = values.integer("feet");
     Scene scene = creature(feet);
     const int body = feet; // comes last
     placeFeet(scene, {}); // evenly round it
-    scene.start.push(body, {2, 1});
+    scene.start.setVelocity(body, {2, 1});
 
     std::vector<Link> links;
     for (int i = 0; i < feet; ++i) {
@@ -92,7 +92,7 @@ namespace one_place {
 //! [one_place]
 Scene setUp(const Values &values)
 {
-    const int feet = values.whole("feet");
+    const int feet = values.integer("feet");
     Scene scene = creature(feet);
     const int body = feet; // comes last
     // All of them stay where they are
@@ -153,7 +153,7 @@ Scene setUp(const Values &values)
 
     double k = values["k"];
     double longest = values["longest"];
-    if (values.whole("made_of") == 0) {
+    if (values.integer("made_of") == 0) {
         std::vector<Link> two = {{0, 1}, {1, 0},
                                  {1, 2}, {2, 1}};
         add<RadialSpring>(scene, two, k, 20.0);
@@ -164,7 +164,7 @@ Scene setUp(const Values &values)
     double damp = values["damp"];
     add<Damping>(scene, damp);
 
-    if (values.whole("made_of") == 1) {
+    if (values.integer("made_of") == 1) {
         std::vector<Stick> sticks =
             {{0, 1, 20}, {1, 2, 20},
              {0, 2, longest}};
@@ -201,7 +201,7 @@ namespace torture {
 Scene setUp(const Values &values)
 {
     HardCase hard =
-        caseNumber(values.whole("case"));
+        caseNumber(values.integer("case"));
     Values own = hard.script.values;
     double k = values["k"];
     if (k > 0 && own.has("k"))

@@ -26,10 +26,10 @@ struct Text
 /// A step with what all of this lesson share: figures on a stage of their own, the companion's moved by `offset`.
 Step stepOf(const char *id, const QString &title, const QRectF &stage, const Companion &companion)
 {
-    Step step = lessons::stepCalled("hard_cases", id, title);
+    Step step = lessons::makeStep("hard_cases", id, title);
     step.companion = companion;
-    step.look = [stage](const sim::Scene &scene, const sim::Values &) {
-        Look look = creatureLookWithLegs(scene);
+    step.view = [stage](const sim::Scene &scene, const sim::Values &) {
+        View look = creatureViewWithLegs(scene);
         look.stage = stage;
         return look;
     };
@@ -85,7 +85,7 @@ Step limitStep()
     step.explanation = limitExplanation();
     step.tries = limitTries();
     step.scene = limit::setUp;
-    step.guides = turningPlaces;
+    step.overlays = turningPlaces;
     return step;
 }
 
@@ -109,7 +109,7 @@ Step runawayStep()
     step.explanation = runawayExplanation();
     step.tries = runawayTries();
     step.scene = runaway::setUp;
-    step.guides = middleMarks;
+    step.overlays = middleMarks;
     return step;
 }
 
@@ -201,7 +201,7 @@ Step contradictionStep()
         "moved farther than an error is large, so sticks never run away. They come to rest, with a lie "
         "shared "
         "out among them. Its size is in their colour.");
-    step.look = threeSides;
+    step.view = threeSides;
     step.method = "semi_implicit_euler";
     step.explanation = contradictionExplanation();
     step.tries = contradictionTries();
@@ -231,13 +231,13 @@ Step longRunStep()
     step.explanation = longRunExplanation();
     step.tries = longRunTries();
     step.scene = long_run::setUp;
-    step.guides = turningPlaces;
+    step.overlays = turningPlaces;
     return step;
 }
 
 Step tortureStep()
 {
-    Step step = lessons::stepCalled("hard_cases", "torture", Text::tr("The torture panel"));
+    Step step = lessons::makeStep("hard_cases", "torture", Text::tr("The torture panel"));
     step.addParameters({caseParameter(), stiffnessOfCase()});
     step.narration = Text::tr(
         "Here are all the cases that this program is tested with. Choose one, and a **method** above the "
@@ -249,13 +249,13 @@ Step tortureStep()
         "A claim that breaks would be a fault of the program. A case that nobody claims may hold all the "
         "same. What cannot be computed at all is refused, with a sentence.\n\n"
         "Hands, walls and steps belong to a case. If you reach in, it is your own experiment.");
-    step.look = caseLook;
-    step.opening = openCase;
+    step.view = caseLook;
+    step.prepareScript = openCase;
     step.note = caseNote();
     step.explanation = tortureExplanation();
     step.tries = tortureTries();
     step.scene = torture::setUp;
-    step.does = {Does::hand, Does::pointer, Does::target};
+    step.interactions = {Interaction::drag, Interaction::pointer, Interaction::target};
     return step;
 }
 

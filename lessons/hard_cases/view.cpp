@@ -35,35 +35,35 @@ sim::Vec2 middleOf(const sim::State &state)
     return {state.position.col(0).mean(), state.position.col(1).mean()};
 }
 
-BodyLook bodyLook(const std::string &name)
+BodyView bodyLook(const std::string &name)
 {
     if (isBody(name))
-        return {BodyLook::Shape::body, bodyWidth / 2};
+        return {BodyView::Shape::body, bodyWidth / 2};
     if (name == "heavy" || name == "lead")
-        return {BodyLook::Shape::body, name == "heavy" ? heavyRadius : bodyWidth / 2};
+        return {BodyView::Shape::body, name == "heavy" ? heavyRadius : bodyWidth / 2};
     if (name == "light")
-        return {BodyLook::Shape::foot, lightRadius};
-    return name.starts_with("p") ? BodyLook{BodyLook::Shape::joint, jointRadius} : BodyLook{};
+        return {BodyView::Shape::foot, lightRadius};
+    return name.starts_with("p") ? BodyView{BodyView::Shape::joint, jointRadius} : BodyView{};
 }
 
 }
 
-Look caseLook(const sim::Scene &scene, const sim::Values &)
+View caseLook(const sim::Scene &scene, const sim::Values &)
 {
-    Look look;
+    View look;
     for (const std::string &name : scene.names)
         look.bodies.push_back(bodyLook(name));
     if (std::any_of(scene.names.begin(), scene.names.end(), isBody))
-        look = creatureLookWithLegs(scene);
+        look = creatureViewWithLegs(scene);
     else if (scene.names.front() == "light")
         look.legs = {{1, 0}};
     for (const sim::EffectPtr &effect : scene.effects) {
         if (const auto *joints = dynamic_cast<const sim::Joints *>(effect.get()))
-            return treeLook(joints->tree());
+            return treeView(joints->tree());
         if (const auto *walls = dynamic_cast<const sim::Walls *>(effect.get()))
             look.room = walls->room();
         if (const auto *ground = dynamic_cast<const sim::Ground *>(effect.get()))
-            look.ground = ground->soil().ground;
+            look.ground = ground->plane().ground;
     }
     for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects)) {
         for (const sim::Stick &stick : sticks->list())
@@ -74,31 +74,31 @@ Look caseLook(const sim::Scene &scene, const sim::Values &)
     return look;
 }
 
-Look threeSides(const sim::Scene &scene, const sim::Values &values)
+View threeSides(const sim::Scene &scene, const sim::Values &values)
 {
-    Look look;
-    look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, jointRadius});
+    View look;
+    look.bodies.resize(scene.names.size(), {BodyView::Shape::joint, jointRadius});
     look.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
     look.stage = QRectF(180, 95, 180, 200);
     return look;
 }
 
-std::vector<Guide> turningPlaces(const sim::Scene &scene, const sim::State &, const sim::Values &)
+std::vector<Overlay> turningPlaces(const sim::Scene &scene, const sim::State &, const sim::Values &)
 {
-    const sim::Vec2 start = scene.start.at(0);
-    return {{.shape = Guide::Shape::cross, .a = centre},
-            {.shape = Guide::Shape::cross, .a = start},
-            {.shape = Guide::Shape::cross, .a = centre + (centre - start)}};
+    const sim::Vec2 start = scene.start.positionOf(0);
+    return {{.shape = Overlay::Shape::cross, .a = centre},
+            {.shape = Overlay::Shape::cross, .a = start},
+            {.shape = Overlay::Shape::cross, .a = centre + (centre - start)}};
 }
 
-std::vector<Guide> middleMarks(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+std::vector<Overlay> middleMarks(const sim::Scene &scene, const sim::State &state, const sim::Values &)
 {
     const sim::Vec2 was = middleOf(scene.start);
     const sim::Vec2 is = middleOf(state);
-    std::vector<Guide> marks = {{.shape = Guide::Shape::cross, .a = was}};
+    std::vector<Overlay> marks = {{.shape = Overlay::Shape::cross, .a = was}};
     const double way = sim::length(is - was);
     if (way >= leastShown)
-        marks.push_back({.shape = Guide::Shape::line,
+        marks.push_back({.shape = Overlay::Shape::line,
                          .a = was,
                          .b = is,
                          .label = Text::tr("the middle moved %1 px").arg(QLocale().toString(way, 'f', 0))});

@@ -12,15 +12,15 @@ namespace hard_cases {
 constexpr double shortStick = 20.0;
 
 /// The three points of `contradiction`, with a line between each two that shows the error of its length.
-lessons::Look threeSides(const sim::Scene &scene, const sim::Values &values);
+lessons::View threeSides(const sim::Scene &scene, const sim::Values &values);
 /// Any scene of the catalogue, by its names and effects.
-lessons::Look caseLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View caseLook(const sim::Scene &scene, const sim::Values &values);
 
 /// Where the spring of `limit` and `long_run` ends, and the two places between which its foot should swing.
-std::vector<lessons::Guide> turningPlaces(const sim::Scene &scene, const sim::State &state,
-                                          const sim::Values &values);
+std::vector<lessons::Overlay> turningPlaces(const sim::Scene &scene, const sim::State &state,
+                                            const sim::Values &values);
 /// Where the middle of all points was at the start, and how far it is from there.
-std::vector<lessons::Guide> middleMarks(const sim::Scene &scene, const sim::State &state,
-                                        const sim::Values &values);
+std::vector<lessons::Overlay> middleMarks(const sim::Scene &scene, const sim::State &state,
+                                          const sim::Values &values);
 
 }

@@ -26,24 +26,26 @@ bool isFoot(const std::string &name)
 Conditions footPulledAndStill()
 {
     return {{[](const Timeline &run) {
-                const std::optional<Carry> carry = lastLetGo(run);
+                const std::optional<DragGesture> carry = lastReleased(run);
                 return carry && isFoot(carry->body);
             }},
-            carriedFar(75.0),
+            draggedAtLeast(75.0),
             allStill()};
 }
 
 /// The creature has left by itself: a throw would have ended long ago.
 Condition flewOff()
 {
-    return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
+    return {[](const Timeline &run) {
+                return !onStage(centreOfPoints(run)) && sim::length(momentum(run)) >= 2.0;
+            },
             Text::tr("let time run (**Space**) until it has left the stage.")};
 }
 
 /// The numbers outgrew what a computer can hold, or are on their way there.
 bool exploded(const Timeline &run)
 {
-    return run.stop() || run.now().position.abs().maxCoeff() > 1e6;
+    return run.stop() || run.state().position.abs().maxCoeff() > 1e6;
 }
 
 }
@@ -60,14 +62,14 @@ std::vector<Try> twoFeetTries()
         },
         {
             .text = Text::tr("Carry the body at least 100 px. Both feet follow."),
-            .conditions = {tookLast("body"), carriedFar(100.0)},
+            .conditions = {lastGrabbed("body"), draggedAtLeast(100.0)},
             .hint =
                 Text::tr("Press **Space**, take the large disc, and carry it from one side of the picture to "
                          "the other."),
         },
         {
             .text = Text::tr("Set **damping** to 0.9 and hands off. How long does it take to fly away?"),
-            .conditions = {isSet("damp", 0.9), handsOff(60), flewOff()},
+            .conditions = {parameterSetTo("damp", 0.9), idleFor(60), flewOff()},
             .hint =
                 Text::tr("Press **Home**. Type 0.9 into the field beside **Damping**, press **Space**, and "
                          "touch nothing."),
@@ -91,9 +93,9 @@ std::vector<Try> anyNumberTries()
             .text = Text::tr("Set **feet** to 12 and give it 200 frames. Does it calm down?"),
             .conditions =
                 {
-                    isSet("feet", 12.0),
-                    keptFor("feet", 200),
-                    {[](const Timeline &run) { return (run.now().velocity.abs() <= 0.1).all(); },
+                    parameterSetTo("feet", 12.0),
+                    unchangedFor("feet", 200),
+                    {[](const Timeline &run) { return (run.state().velocity.abs() <= 0.1).all(); },
                      Text::tr(
                          "press **Home**, and set **feet** to 12 there: the creature was out of shape.")},
                 },
@@ -105,7 +107,7 @@ std::vector<Try> anyNumberTries()
         },
         {
             .text = Text::tr("Go back in time, change **damping**, and compare with the ghost."),
-            .conditions = {ghostDiffers("damp"), besideGhost()},
+            .conditions = {ghostDiffers("damp"), playedBesideGhost()},
             .hint = Text::tr(
                 "Play some seconds, drag the timeline back to the left, change **Damping**, and play "
                 "on for a second."),
@@ -121,8 +123,8 @@ std::vector<Try> grownFeetTries()
                              "all is still."),
             .conditions =
                 {
-                    isSet("feet", 16.0),
-                    byMethod("semi_implicit_euler", Text::tr("choose the method **Semi-implicit Euler**.")),
+                    parameterSetTo("feet", 16.0),
+                    runsMethod("semi_implicit_euler", Text::tr("choose the method **Semi-implicit Euler**.")),
                     allStill(),
                 },
             .hint =
@@ -133,7 +135,7 @@ std::vector<Try> grownFeetTries()
             .text = Text::tr("Set **feet** to 60 and play until it explodes."),
             .conditions =
                 {
-                    isSet("feet", 60.0),
+                    parameterSetTo("feet", 60.0),
                     {exploded, Text::tr("let time run (**Space**), with steps of 1 frame.")},
                 },
             .hint = Text::tr(
@@ -145,9 +147,9 @@ std::vector<Try> grownFeetTries()
             .conditions =
                 {
                     {[](const Timeline &run) {
-                        return !run.script().step.adaptive() && run.script().step.h == 0.5;
+                        return !run.script().step.isAdaptive() && run.script().step.h == 0.5;
                     }},
-                    isSet("feet", 60.0, Text::tr("set **feet** to 60.")),
+                    parameterSetTo("feet", 60.0, Text::tr("set **feet** to 60.")),
                     allStill(),
                 },
             .hint = Text::tr(

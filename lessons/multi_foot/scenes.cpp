@@ -48,7 +48,7 @@ namespace any_number {
 //! [any_number]
 Scene setUp(const Values &values)
 {
-    int feet = values.whole("feet");
+    int feet = values.integer("feet");
     Scene scene = creature(feet);
     const int body = feet; // comes last
     placeFeet(scene, {{300, 210}, {250, 230},
@@ -77,7 +77,7 @@ namespace grown_feet {
 //! [grown_feet]
 Scene setUp(const Values &values)
 {
-    int feet = values.whole("feet");
+    int feet = values.integer("feet");
     Scene scene = creature(feet);
     const int body = feet; // comes last
     const auto seed = values.seed;

@@ -21,16 +21,16 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(MultiFoot)
 };
 
-Look withLegs(const sim::Scene &scene, const sim::Values &)
+View withLegs(const sim::Scene &scene, const sim::Values &)
 {
-    return creatureLookWithLegs(scene);
+    return creatureViewWithLegs(scene);
 }
 
 Step stepOf(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("multi_foot", id, title);
+    Step step = lessons::makeStep("multi_foot", id, title);
     step.parameters = {stiffness(), damping(0.85), radius()};
-    step.look = withLegs;
+    step.view = withLegs;
     return step;
 }
 

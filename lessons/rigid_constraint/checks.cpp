@@ -26,13 +26,13 @@ struct Text
 /// How far the pointer is from where p0 started, in px; 0 before it comes.
 double pointerFrom(const Timeline &run)
 {
-    const std::optional<sim::Vec2> pointer = run.now().outside.pointer;
-    return pointer ? sim::length(*pointer - run.track().shown().scene.start.at(0)) : 0.0;
+    const std::optional<sim::Vec2> pointer = run.state().input.pointer;
+    return pointer ? sim::length(*pointer - run.track().interval().scene.start.positionOf(0)) : 0.0;
 }
 
 Condition pointerCame()
 {
-    return {[](const Timeline &run) { return run.now().outside.pointer.has_value(); },
+    return {[](const Timeline &run) { return run.state().input.pointer.has_value(); },
             Text::tr("hold the mouse button down in the picture, and lead p0.")};
 }
 
@@ -46,29 +46,29 @@ Condition ledTo(double far)
 
 double p0FromPointer(const Timeline &run)
 {
-    return sim::length(placeOf(run, "p0") - run.now().outside.pointer.value_or(sim::Vec2{1e9, 1e9}));
+    return sim::length(positionOf(run, "p0") - run.state().input.pointer.value_or(sim::Vec2{1e9, 1e9}));
 }
 
 double worstError(const Timeline &run)
 {
-    return largestError(run.track().shown().scene, run.now());
+    return largestError(run.track().interval().scene, run.state());
 }
 
 double worstStretch(const Timeline &run)
 {
-    return largestStretch(run.track().shown().scene, run.now());
+    return largestStretch(run.track().interval().scene, run.state());
 }
 
 double p1Strayed(const Timeline &run)
 {
-    const sim::Scene &scene = run.track().shown().scene;
-    return sim::length(placeOf(run, "p1") - scene.start.at(scene.find("p1")));
+    const sim::Scene &scene = run.track().interval().scene;
+    return sim::length(positionOf(run, "p1") - scene.start.positionOf(scene.find("p1")));
 }
 
 /// A condition that all sticks are right to `most` px, between two frames.
 Condition rightTo(double most, int decimals)
 {
-    return {[most](const Timeline &run) { return run.at().phase == 0 && worstError(run) <= most; },
+    return {[most](const Timeline &run) { return run.cursor().phase == 0 && worstError(run) <= most; },
             Text::tr("keep the pointer still. The largest error is %1 px."), worstError, decimals};
 }
 
@@ -80,16 +80,16 @@ Condition wrongBy(double least)
 /// Whether p1 has stood still for ten frames in which p0 moved at least 20 px.
 bool onlyP0Moves(const Timeline &run)
 {
-    if (run.at().frame < 10 || run.at().phase > 0)
+    if (run.cursor().frame < 10 || run.cursor().phase > 0)
         return false;
-    const sim::State before = run.track().stateAt(run.at().frame - 10);
-    const bool stands = before.points() > 1 && before.at(1) == run.now().at(1);
-    return stands && sim::length(before.at(0) - run.now().at(0)) >= 20.0;
+    const sim::State before = run.track().stateAt(run.cursor().frame - 10);
+    const bool stands = before.pointCount() > 1 && before.positionOf(1) == run.state().positionOf(1);
+    return stands && sim::length(before.positionOf(0) - run.state().positionOf(0)) >= 20.0;
 }
 
 bool touchesAWall(const Timeline &run)
 {
-    const Eigen::ArrayXd x = run.now().position.col(0);
+    const Eigen::ArrayXd x = run.state().position.col(0);
     const double reach = headRadius + 1e-6;
     return (x <= run.values()["left"] + reach).any() || (x >= run.values()["right"] - reach).any();
 }
@@ -126,7 +126,7 @@ std::vector<Try> pairTries()
                     insideAFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
-                         return last && last->kind == sim::Kind::driver;
+                         return last && last->kind == sim::EffectKind::driver;
                      },
                      Text::tr(
                          "press **Shift+→** until the pointer has moved p0, and the stick has not acted.")},
@@ -141,7 +141,7 @@ std::vector<Try> pairTries()
             .text = Text::tr("Set **length** to 0 and lead p0 away, 50 px or more. Where is p1?"),
             .conditions =
                 {
-                    isSet("length", 0.0),
+                    parameterSetTo("length", 0.0),
                     ledTo(50.0),
                     {[](const Timeline &run) { return distance(run, "p0", "p1") < 0.01; },
                      Text::tr("let time run (**Space**) until the stick is right.")},
@@ -162,7 +162,7 @@ std::vector<Try> sharedErrorTries()
             .conditions =
                 {
                     pointerCame(),
-                    isSet("share", 1.0, Text::tr("set **share** to 1.")),
+                    parameterSetTo("share", 1.0, Text::tr("set **share** to 1.")),
                     ledTo(50.0),
                     {onlyP0Moves, Text::tr("lead the pointer on, so that p0 comes 20 px or more in ten "
                                            "frames while p1 stands.")},
@@ -175,7 +175,7 @@ std::vector<Try> sharedErrorTries()
             .text = Text::tr("Set **share** to 0 and lead p0 at least 150 px away. It stays at the pointer."),
             .conditions =
                 {
-                    isSet("share", 0.0),
+                    parameterSetTo("share", 0.0),
                     ledTo(150.0),
                     {[](const Timeline &run) { return p0FromPointer(run) < 0.01; },
                      Text::tr("let time run (**Space**) until p0 is at the pointer.")},
@@ -190,7 +190,7 @@ std::vector<Try> sharedErrorTries()
                 "come to it."),
             .conditions =
                 {
-                    isSet("share", 0.5),
+                    parameterSetTo("share", 0.5),
                     ledTo(100.0),
                     {[](const Timeline &run) { return p0FromPointer(run) < 0.5; },
                      Text::tr("hold the pointer still while time runs. p0 is %1 px from it."), p0FromPointer},
@@ -222,7 +222,7 @@ std::vector<Try> triangleTries()
         {
             .text = Text::tr("Set **length** to 150 and lead p0 off the line, until all three sticks are "
                              "right to 0.01 px."),
-            .conditions = {isSet("length", 150.0), pointerCame(), ledTo(20.0), rightTo(0.01, 2)},
+            .conditions = {parameterSetTo("length", 150.0), pointerCame(), ledTo(20.0), rightTo(0.01, 2)},
             .hint =
                 Text::tr("Type 150 into the field beside **Length**. Press **Space**, hold the mouse button "
                          "down, lead p0 to the side, and keep still."),
@@ -242,14 +242,14 @@ std::vector<Try> listTries()
         },
         {
             .text = Text::tr("Set **triangles** to 15 and shake p0, until a stick is wrong by 20 px."),
-            .conditions = {isSet("triangles", 15.0), pointerCame(), ledTo(20.0), wrongBy(20.0)},
+            .conditions = {parameterSetTo("triangles", 15.0), pointerCame(), ledTo(20.0), wrongBy(20.0)},
             .hint = Text::tr(
                 "Type 15 into the field beside **Triangles**. Press **Space**, hold the mouse button "
                 "down, and shake p0 to and fro."),
         },
         {
             .text = Text::tr("Go back in time, change **length**, and compare with the ghost."),
-            .conditions = {ghostDiffers("length"), besideGhost()},
+            .conditions = {ghostDiffers("length"), playedBesideGhost()},
             .hint =
                 Text::tr("Play and lead p0 for some seconds. Stop, drag the timeline back to the left, type "
                          "another **Length**, and play on for a second."),
@@ -262,7 +262,7 @@ std::vector<Try> verletTries()
     return {
         {
             .text = Text::tr("Throw the box against a wall, at 5 px per frame or more."),
-            .conditions = {letGoOf(), fastEnough(), hitsAWall()},
+            .conditions = {released(), thrownAtLeast(), hitsAWall()},
             .hint = Text::tr(
                 "Press **Space**. Take a corner of the box, swing it quickly to one side, and let go "
                 "on the way."),
@@ -273,9 +273,9 @@ std::vector<Try> verletTries()
                 "still."),
             .conditions =
                 {
-                    isSet("iterations", 20.0),
-                    letGoSinceSet("iterations"),
-                    carriedFar(50.0),
+                    parameterSetTo("iterations", 20.0),
+                    releasedSinceSet("iterations"),
+                    draggedAtLeast(50.0),
                     allStill(),
                 },
             .hint =
@@ -286,10 +286,10 @@ std::vector<Try> verletTries()
             .text = Text::tr("Set **gravity** to 0 and throw it. A second later it still glides."),
             .conditions =
                 {
-                    isSet("gravity", 0.0),
-                    letGoSinceSet("gravity"),
-                    fastEnough(),
-                    handsOff(30),
+                    parameterSetTo("gravity", 0.0),
+                    releasedSinceSet("gravity"),
+                    thrownAtLeast(),
+                    idleFor(30),
                 },
             .hint = Text::tr(
                 "Type 0 into the field beside **Gravity**. Press **Space**, throw the box, and watch "
@@ -304,7 +304,7 @@ std::vector<Try> verletTries()
                     insideAFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
-                         return last && last->kind == sim::Kind::stick;
+                         return last && last->kind == sim::EffectKind::stick;
                      },
                      Text::tr("press **Shift+→** until the sticks are the last phase that was done.")},
                 },
@@ -319,14 +319,14 @@ std::vector<Try> ragdollTries()
     return {
         {
             .text = Text::tr("Lift it by any point, 50 px or more, drop it, and wait until it lies still."),
-            .conditions = {letGoOf(), carriedFar(50.0), allStill()},
+            .conditions = {released(), draggedAtLeast(50.0), allStill()},
             .hint =
                 Text::tr("Press **Space**. Take any joint, lift the figure, let go, and wait until it lies "
                          "still."),
         },
         {
             .text = Text::tr("Throw it at a wall, at 5 px per frame or more."),
-            .conditions = {letGoOf(), fastEnough(), hitsAWall()},
+            .conditions = {released(), thrownAtLeast(), hitsAWall()},
             .hint = Text::tr("Press **Space**, take a joint, swing it quickly to one side, and let go on the "
                              "way."),
         },
@@ -334,7 +334,7 @@ std::vector<Try> ragdollTries()
             .text = Text::tr("Set **iterations** to 1 and shake it, until a stick is wrong by 25 %."),
             .conditions =
                 {
-                    isSet("iterations", 1.0),
+                    parameterSetTo("iterations", 1.0),
                     {[](const Timeline &run) { return !heldBody(run).empty(); },
                      Text::tr("take it with the mouse, and shake it.")},
                     atLeast(25.0, worstStretch,
@@ -355,11 +355,11 @@ std::vector<Try> ragdollTries()
                          const std::vector<sim::Event> &input = run.script().input;
                          return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
                              return std::holds_alternative<sim::Release>(event.what) &&
-                                    event.frame > run.fork();
+                                    event.frame > run.forkFrame();
                          });
                      },
                      Text::tr("go back to before you threw it, and change **iterations** there.")},
-                    besideGhost(),
+                    playedBesideGhost(),
                 },
             .hint = Text::tr(
                 "Throw the figure and stop. Drag the timeline back to before the throw, type another "

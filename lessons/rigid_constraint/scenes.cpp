@@ -20,11 +20,11 @@ namespace rigid_constraint {
 
 namespace {
 
-Scene pointsThat(const Values &values, int own, Inertia inertia)
+Scene pointsThat(const Values &values, int own, Motion inertia)
 {
     const auto count = static_cast<std::size_t>(values.points.value_or(own));
     Scene scene = scenes::pointsAt(std::vector<Vec2>(count, {240.0, 165.0}));
-    scene.groups.front().inertia = inertia;
+    scene.groups.front().motion = inertia;
     return scene;
 }
 
@@ -32,17 +32,17 @@ Scene pointsThat(const Values &values, int own, Inertia inertia)
 
 Scene loosePoints(const Values &values, int own)
 {
-    return pointsThat(values, own, Inertia::none);
+    return pointsThat(values, own, Motion::prescribed);
 }
 
 Scene movingPoints(const Values &values, int own)
 {
-    return pointsThat(values, own, Inertia::some);
+    return pointsThat(values, own, Motion::byVelocity);
 }
 
 void placePoints(Scene &scene, const std::vector<Vec2> &places)
 {
-    const int count = std::min(scene.start.points(), static_cast<int>(places.size()));
+    const int count = std::min(scene.start.pointCount(), static_cast<int>(places.size()));
     for (int i = 0; i < count; ++i)
         scene.start.place(i, places[static_cast<std::size_t>(i)]);
 }
@@ -55,12 +55,12 @@ Stick stickBetween(const std::vector<Vec2> &places, int a, int b)
 
 void addSticks(Scene &scene, const Values &values, const std::vector<Stick> &own, int iterations)
 {
-    add<Sticks>(scene, values.sticks.value_or(own), scene.start.points(), iterations);
+    add<Sticks>(scene, values.sticks.value_or(own), scene.start.pointCount(), iterations);
 }
 
 Eigen::ArrayXd boxHalfWidths(const Scene &scene)
 {
-    return Eigen::ArrayXd::Constant(scene.start.points(), jointRadius);
+    return Eigen::ArrayXd::Constant(scene.start.pointCount(), jointRadius);
 }
 
 Eigen::ArrayXd ragdollHalfWidths(const Scene &scene)
@@ -136,7 +136,7 @@ namespace list {
 //! [list]
 Scene setUp(const Values &values)
 {
-    int points = values.whole("triangles") + 2;
+    int points = values.integer("triangles") + 2;
     Scene scene = loosePoints(values, points);
     add<CarriedByPointer>(scene, 0);
 
@@ -174,7 +174,7 @@ Scene setUp(const Values &values)
     placePoints(scene, places);
     scene.start.velocity.col(0) = 7;
     if (!values.points)
-        scene.start.push(0, {7, -8}); // a spin
+        scene.start.setVelocity(0, {7, -8}); // a spin
 
     double gravity = values["gravity"];
     add<Gravity>(scene, gravity);
@@ -186,7 +186,7 @@ Scene setUp(const Values &values)
         for (int b = a + 1; b < 4; ++b)
             sticks.push_back(
                 stickBetween(places, a, b));
-    int iterations = values.whole("iterations");
+    int iterations = values.integer("iterations");
     addSticks(scene, values, sticks, iterations);
 
     Room room;
@@ -246,7 +246,7 @@ Scene setUp(const Values &values)
     for (auto [a, b] : ends)
         sticks.push_back(
             stickBetween(places, a, b));
-    int iterations = values.whole("iterations");
+    int iterations = values.integer("iterations");
     addSticks(scene, values, sticks, iterations);
 
     Room room;

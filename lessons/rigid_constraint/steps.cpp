@@ -28,7 +28,7 @@ Parameter length(double preset)
         .name = Text::tr("Length"),
         .unit = Text::tr("px"),
         .help = Text::tr("How far apart a stick keeps its two ends."),
-        .preset = preset,
+        .defaultValue = preset,
         .min = 0.0,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -43,7 +43,7 @@ Parameter share()
         .id = "share",
         .name = Text::tr("Share of p0"),
         .help = Text::tr("The part of the error that p0 takes; p1 takes the rest."),
-        .preset = 1.0,
+        .defaultValue = 1.0,
         .min = 0.0,
         .max = 1.0,
         .sliderMin = 0.0,
@@ -57,13 +57,13 @@ Parameter triangles()
         .id = "triangles",
         .name = Text::tr("Triangles"),
         .help = Text::tr("How many triangles the figure has."),
-        .preset = 6.0,
+        .defaultValue = 6.0,
         .min = 1.0,
         .max = 900.0,
         .sliderMin = 1.0,
         .sliderMax = 20.0,
         .decimals = 0,
-        .whole = true,
+        .isInteger = true,
     };
 }
 
@@ -74,14 +74,14 @@ Parameter iterations(double preset)
         .name = Text::tr("Iterations"),
         .unit = Text::tr("passes"),
         .help = Text::tr("How often each frame goes through the list of sticks."),
-        .preset = preset,
+        .defaultValue = preset,
         .min = 1.0,
         .max = 1000.0,
         .sliderMin = 1.0,
         .sliderMax = 50.0,
         .decimals = 0,
-        .whole = true,
-        .role = Role::passes,
+        .isInteger = true,
+        .role = ParameterRole::iterations,
     };
 }
 
@@ -91,7 +91,7 @@ Parameter friction()
         .id = "friction",
         .name = Text::tr("Friction"),
         .help = Text::tr("How much a wall’s push holds back what slides along it. 0: like ice."),
-        .preset = 0.5,
+        .defaultValue = 0.5,
         .min = 0.0,
         .max = 10.0,
         .sliderMin = 0.0,
@@ -105,7 +105,7 @@ Parameter jointLimits()
         .id = "joint_limits",
         .name = Text::tr("Joints"),
         .help = Text::tr("Whether arms and legs bend only as far as joints do, or all the way round."),
-        .preset = 1.0,
+        .defaultValue = 1.0,
         .min = 0.0,
         .max = 1.0,
         .sliderMin = 0.0,
@@ -119,8 +119,8 @@ Parameter jointLimits()
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
 Step stepOf(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("rigid_constraint", id, title);
-    step.columns = Columns::place;
+    Step step = lessons::makeStep("rigid_constraint", id, title);
+    step.traceColumns = TraceColumns::position;
     step.points = PointsFrom::file;
     return step;
 }
@@ -128,8 +128,8 @@ Step stepOf(const char *id, const QString &title)
 Step pointedStep(const char *id, const QString &title)
 {
     Step step = stepOf(id, title);
-    step.does = {Does::hand, Does::pointer};
-    step.look = pointedLook;
+    step.interactions = {Interaction::drag, Interaction::pointer};
+    step.view = pointedLook;
     step.measures = {errorMeasure()};
     return step;
 }
@@ -241,7 +241,7 @@ Step verletStep()
     step.explanation = verletExplanation();
     step.tries = verletTries();
     step.scene = verlet::setUp;
-    step.look = boxLook;
+    step.view = boxLook;
     return step;
 }
 
@@ -263,7 +263,7 @@ Step ragdollStep()
     step.explanation = ragdollExplanation();
     step.tries = ragdollTries();
     step.scene = ragdoll::setUp;
-    step.look = ragdollLook;
+    step.view = ragdollLook;
     return step;
 }
 

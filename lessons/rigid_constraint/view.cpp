@@ -22,10 +22,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
 };
 
-Look stickLook(const sim::Scene &scene)
+View stickLook(const sim::Scene &scene)
 {
-    Look look;
-    look.bodies.resize(scene.names.size(), {BodyLook::Shape::joint, jointRadius});
+    View look;
+    look.bodies.resize(scene.names.size(), {BodyView::Shape::joint, jointRadius});
     for (const sim::Stick &stick : sticksOf(scene))
         look.sticks.push_back({stick.a, stick.b, stick.length});
     return look;
@@ -69,27 +69,27 @@ double largestStretch(const sim::Scene &scene, const sim::State &state)
     return largest;
 }
 
-Look pointedLook(const sim::Scene &scene, const sim::Values &)
+View pointedLook(const sim::Scene &scene, const sim::Values &)
 {
-    Look look = stickLook(scene);
-    look.pointed = 0;
+    View look = stickLook(scene);
+    look.pointerPoint = 0;
     return look;
 }
 
-Look boxLook(const sim::Scene &scene, const sim::Values &values)
+View boxLook(const sim::Scene &scene, const sim::Values &values)
 {
-    Look look = stickLook(scene);
+    View look = stickLook(scene);
     if (effectOf<sim::RoomLimits>(scene))
         look.room = sim::Room{values["left"], values["right"], values["floor"], 0.0};
     return look;
 }
 
-Look ragdollLook(const sim::Scene &scene, const sim::Values &values)
+View ragdollLook(const sim::Scene &scene, const sim::Values &values)
 {
-    Look look = boxLook(scene, values);
+    View look = boxLook(scene, values);
     if (values.points)
         return look;
-    look.bodies[0] = {BodyLook::Shape::body, headRadius};
+    look.bodies[0] = {BodyView::Shape::body, headRadius};
     look.limbs = {{1, 2, 18.0}, {1, 3, 20.0}, {2, 3, 20.0}, {1, 4, 14.0},  {4, 5, 11.0},  {2, 6, 14.0},
                   {6, 7, 11.0}, {3, 8, 17.0}, {8, 9, 13.0}, {3, 10, 17.0}, {10, 11, 13.0}};
     return look;

@@ -16,11 +16,11 @@ double largestError(const sim::Scene &scene, const sim::State &state);
 double largestStretch(const sim::Scene &scene, const sim::State &state);
 
 /// Points and sticks; the pointer carries the first point.
-lessons::Look pointedLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View pointedLook(const sim::Scene &scene, const sim::Values &values);
 /// Points and sticks in a room.
-lessons::Look boxLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View boxLook(const sim::Scene &scene, const sim::Values &values);
 /// The same with flesh on them, and a head. A file's own figure has none.
-lessons::Look ragdollLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View ragdollLook(const sim::Scene &scene, const sim::Values &values);
 
 lessons::Measure errorMeasure();
 lessons::Measure stretchMeasure();

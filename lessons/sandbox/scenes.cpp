@@ -46,11 +46,11 @@ Scene pointsOf(const Blueprint &plan)
     scene.start = State::ofPoints(count);
     scene.groups = {{SIM_TEXT("points"), {0, count}}};
     for (int i = 0; i < count; ++i) {
-        const BuiltPoint &one = plan.points[static_cast<std::size_t>(i)];
+        const BlueprintPoint &one = plan.points[static_cast<std::size_t>(i)];
         scene.names.push_back(one.name);
         scene.start.place(i, one.x);
         if (!one.fixed)
-            scene.start.push(i, one.v);
+            scene.start.setVelocity(i, one.v);
         scene.start.inverseMass[i] = one.fixed ? 0.0 : 1.0 / one.mass;
     }
     return scene;
@@ -59,7 +59,7 @@ Scene pointsOf(const Blueprint &plan)
 std::vector<Spring> springsOf(const Blueprint &plan)
 {
     std::vector<Spring> all;
-    for (const BuiltSpring &one : plan.springs)
+    for (const BlueprintSpring &one : plan.springs)
         all.push_back({one.a, one.b, one.k, one.length});
     return all;
 }
@@ -67,7 +67,7 @@ std::vector<Spring> springsOf(const Blueprint &plan)
 std::vector<Stick> sticksOf(const Blueprint &plan)
 {
     std::vector<Stick> all;
-    for (const BuiltStick &one : plan.sticks)
+    for (const BlueprintStick &one : plan.sticks)
         all.push_back({one.a, one.b, one.length, one.share});
     return all;
 }
@@ -75,14 +75,14 @@ std::vector<Stick> sticksOf(const Blueprint &plan)
 std::vector<Leg> legsOf(const Blueprint &plan, int gait)
 {
     std::vector<Leg> legs;
-    for (const BuiltFoot &one : plan.feet) {
+    for (const BlueprintFoot &one : plan.feet) {
         if (one.gait == gait)
             legs.push_back({one.foot, one.body, rad(one.angle), gait});
     }
     return legs;
 }
 
-LegRule ruleOf(const BuiltGait &gait)
+LegRule ruleOf(const BlueprintGait &gait)
 {
     // A clock that stands where it began turns no leg.
     const bool swings = gait.speed != 0.0 || gait.start != 0.0;
@@ -100,18 +100,18 @@ void setClocks(Scene &scene, const Blueprint &plan)
     scene.start.gait.setZero(clocksOf(plan));
     scene.start.gaitSpeed.setZero(clocksOf(plan));
     Eigen::Index clock = 0;
-    for (const BuiltGait &gait : plan.gaits) {
+    for (const BlueprintGait &gait : plan.gaits) {
         scene.start.gait[clock] = gait.start;
         scene.start.gaitSpeed[clock++] = gait.speed;
     }
-    if (has(plan, "breeze"))
+    if (hasEffect(plan, "breeze"))
         scene.start.gaitSpeed[windClockOf(plan)] = windClock;
 }
 
 bool hasClocks(const Blueprint &plan, const Values &values)
 {
-    return (has(plan, "breeze") && values["gusts"] > 0.0) ||
-           std::any_of(plan.feet.begin(), plan.feet.end(), [&](const BuiltFoot &one) {
+    return (hasEffect(plan, "breeze") && values["gusts"] > 0.0) ||
+           std::any_of(plan.feet.begin(), plan.feet.end(), [&](const BlueprintFoot &one) {
                return plan.gaits[static_cast<std::size_t>(one.gait)].speed != 0.0;
            });
 }
@@ -126,14 +126,14 @@ Scene setUp(const Values &values)
 {
     const Blueprint &plan = planOf(values);
     Scene scene = pointsOf(plan);
-    const int count = scene.start.points();
+    const int count = scene.start.pointCount();
     setClocks(scene, plan);
 
     if (!plan.springs.empty())
         add<Springs>(scene,
             springsOf(plan), count);
     int group = 0;
-    for (const BuiltGait &gait : plan.gaits) {
+    for (const BlueprintGait &gait : plan.gaits) {
         auto legs = legsOf(plan, group++);
         if (!legs.empty())
             add<LegSpring>(scene,
@@ -142,13 +142,13 @@ Scene setUp(const Values &values)
     // the effects that are switched on
     auto chosen = chosenEffects(
         allEffects(), plan, values);
-    for (EffectPtr &one : chosen.pulls)
+    for (EffectPtr &one : chosen.beforeMove)
         scene.effects.push_back(one);
     if (!plan.sticks.empty())
         add<Sticks>(scene,
             sticksOf(plan), count,
-            values.whole("iterations"));
-    for (EffectPtr &one : chosen.rest)
+            values.integer("iterations"));
+    for (EffectPtr &one : chosen.afterMove)
         scene.effects.push_back(one);
     if (hasClocks(plan, values))
         add<GaitClock>(scene, clockOf(plan));

@@ -26,7 +26,7 @@ std::vector<sim::Spring> springsOf(const sim::Blueprint &plan);
 std::vector<sim::Stick> sticksOf(const sim::Blueprint &plan);
 /// The legs of gait group `gait`, and what they have in common.
 std::vector<sim::Leg> legsOf(const sim::Blueprint &plan, int gait);
-sim::LegRule ruleOf(const sim::BuiltGait &gait);
+sim::LegRule ruleOf(const sim::BlueprintGait &gait);
 
 constexpr double windClock = 0.05; ///< rad/frame, how fast the gusts come
 void setClocks(sim::Scene &scene, const sim::Blueprint &plan);

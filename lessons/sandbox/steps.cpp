@@ -58,7 +58,7 @@ std::vector<Example> ownExamples()
 
 Step buildStep()
 {
-    Step step = lessons::stepCalled("sandbox", "build", Text::tr("Build your own"));
+    Step step = lessons::makeStep("sandbox", "build", Text::tr("Build your own"));
     step.narration = Text::tr(
         "Here you build the scene. Choose a tool, then click in the picture: **points** are bodies with a "
         "mass "
@@ -68,18 +68,18 @@ Step buildStep()
         "What acts on the whole scene, as gravity or wind, you choose below. Building happens at the start "
         "of the "
         "run: play to see what your scene does, and come back to go on building.");
-    step.parameters = settingsOf(sim::allEffects());
+    step.parameters = parametersOf(sim::allEffects());
     step.scene = build::setUp;
-    step.look = builtLook;
+    step.view = builtLook;
     step.method = "semi_implicit_euler";
     step.points = PointsFrom::scene;
-    step.opening = [](sim::Script &script) {
+    step.prepareScript = [](sim::Script &script) {
         if (!script.values.blueprint)
             script.values.blueprint = firstPlan();
     };
-    for (const sim::Description *one : sim::allEffects()) {
+    for (const sim::EffectDescription *one : sim::allEffects()) {
         if (one->make)
-            step.catalogue.push_back(one);
+            step.availableEffects.push_back(one);
     }
     step.examples = ownExamples();
     return step;

@@ -24,33 +24,33 @@ std::vector<Part> partsOf(const sim::Blueprint &plan)
 {
     std::vector<Part> parts(plan.points.size(), Part::loose);
     const auto at = [&](int point) -> Part & { return parts[static_cast<std::size_t>(point)]; };
-    for (const sim::BuiltStick &stick : plan.sticks)
+    for (const sim::BlueprintStick &stick : plan.sticks)
         at(stick.a) = at(stick.b) = Part::joint;
-    for (const sim::BuiltFoot &foot : plan.feet)
+    for (const sim::BlueprintFoot &foot : plan.feet)
         at(foot.foot) = Part::foot;
-    for (const sim::BuiltFoot &foot : plan.feet)
+    for (const sim::BlueprintFoot &foot : plan.feet)
         at(foot.body) = Part::body;
     return parts;
 }
 
-BodyLook bodyLook(const sim::BuiltPoint &point, Part part)
+BodyView bodyLook(const sim::BlueprintPoint &point, Part part)
 {
-    BodyLook look;
+    BodyView look;
     look.radius = 0.5 * point.size;
     look.fixed = point.fixed;
     if (part == Part::body)
-        look.shape = BodyLook::Shape::body;
+        look.shape = BodyView::Shape::body;
     else if (part == Part::joint && point.size <= 12.0)
-        look.shape = BodyLook::Shape::joint;
+        look.shape = BodyView::Shape::joint;
     return look;
 }
 
 /// A foot's place is its lowest point, and the disc that is drawn has its middle there. So the ground is drawn where the
 /// discs of the feet end.
-double footRadius(const Look &look, const sim::Blueprint &plan)
+double footRadius(const View &look, const sim::Blueprint &plan)
 {
     double radius = 0.0;
-    for (const sim::BuiltFoot &foot : plan.feet)
+    for (const sim::BlueprintFoot &foot : plan.feet)
         radius = std::max(radius, look.bodies[static_cast<std::size_t>(foot.foot)].radius);
     return radius;
 }
@@ -74,7 +74,7 @@ class SoftMatter
 public:
     explicit SoftMatter(const sim::Blueprint &plan) : m_plan(plan), m_neighbours(plan.points.size())
     {
-        for (const sim::BuiltSpring &spring : plan.springs) {
+        for (const sim::BlueprintSpring &spring : plan.springs) {
             if (m_uses.try_emplace(pairOf(spring.a, spring.b), 0).second) {
                 m_neighbours[static_cast<std::size_t>(spring.a)].push_back(spring.b);
                 m_neighbours[static_cast<std::size_t>(spring.b)].push_back(spring.a);
@@ -84,14 +84,14 @@ public:
             lookAcross(pair.first, pair.second);
     }
 
-    const std::vector<SheetLook> &sheets() const { return m_sheets; }
+    const std::vector<SheetView> &sheets() const { return m_sheets; }
 
-    SpringLook::Part partOf(const sim::BuiltSpring &spring) const
+    SpringView::Part partOf(const sim::BlueprintSpring &spring) const
     {
         const int uses = m_uses.at(pairOf(spring.a, spring.b));
-        return uses == 0   ? SpringLook::Part::alone
-               : uses == 1 ? SpringLook::Part::edge
-                           : SpringLook::Part::inside;
+        return uses == 0   ? SpringView::Part::alone
+               : uses == 1 ? SpringView::Part::edge
+                           : SpringView::Part::inside;
     }
 
 private:
@@ -112,7 +112,7 @@ private:
         }
     }
 
-    void take(const SheetLook &sheet)
+    void take(const SheetView &sheet)
     {
         const auto &[a, b, c, d] = sheet.corners;
         for (const Pair &edge : {pairOf(a, b), pairOf(b, c), pairOf(c, d), pairOf(d, a)})
@@ -125,21 +125,21 @@ private:
     const sim::Blueprint &m_plan;
     std::vector<std::vector<int>> m_neighbours; ///< one entry a point
     std::map<Pair, int> m_uses;                 ///< by how many patches each spring is used
-    std::vector<SheetLook> m_sheets;
+    std::vector<SheetView> m_sheets;
 };
 
-void addSprings(Look &look, const sim::Blueprint &plan)
+void addSprings(View &look, const sim::Blueprint &plan)
 {
     const SoftMatter matter(plan);
     look.sheets = matter.sheets();
-    for (const sim::BuiltSpring &spring : plan.springs)
+    for (const sim::BlueprintSpring &spring : plan.springs)
         look.springs.push_back(
             {.a = spring.a, .b = spring.b, .length = spring.length, .part = matter.partOf(spring)});
 }
 
 QRectF stageOf(const sim::Blueprint &plan, QRectF least)
 {
-    for (const sim::BuiltPoint &point : plan.points) {
+    for (const sim::BlueprintPoint &point : plan.points) {
         const double half = 0.5 * point.size;
         least |= QRectF(point.x.x - half, point.x.y - half, point.size, point.size);
     }
@@ -151,17 +151,17 @@ QRectF stageOf(const sim::Blueprint &plan, QRectF least)
 
 }
 
-Look builtLook(const sim::Scene &scene, const sim::Values &values)
+View builtLook(const sim::Scene &scene, const sim::Values &values)
 {
     const sim::Blueprint &plan = planOf(values);
     const std::vector<Part> parts = partsOf(plan);
-    Look look;
+    View look;
     for (std::size_t i = 0; i < plan.points.size(); ++i)
         look.bodies.push_back(bodyLook(plan.points[i], parts[i]));
     addSprings(look, plan);
-    for (const sim::BuiltStick &stick : plan.sticks)
+    for (const sim::BlueprintStick &stick : plan.sticks)
         look.sticks.push_back({stick.a, stick.b, stick.length});
-    for (const sim::BuiltFoot &foot : plan.feet)
+    for (const sim::BlueprintFoot &foot : plan.feet)
         look.legs.push_back({foot.body, foot.foot});
     if (effectOf<sim::Walls>(scene) || effectOf<sim::RoomLimits>(scene))
         look.room = roomOf(values);
@@ -169,7 +169,7 @@ Look builtLook(const sim::Scene &scene, const sim::Values &values)
         look.ground = values["ground"] + footRadius(look, plan);
     const auto walker = std::find(parts.begin(), parts.end(), Part::body);
     if (look.ground && !look.room && walker != parts.end()) // an endless ground, to walk along
-        look.follow = static_cast<int>(walker - parts.begin());
+        look.followedPoint = static_cast<int>(walker - parts.begin());
     look.stage = stageOf(plan, {0.0, 0.0, 540.0, 400.0});
     return look;
 }

@@ -6,6 +6,6 @@
 namespace sandbox {
 
 /// How a built scene looks: each point as the part that it is, and patches of soft matter.
-lessons::Look builtLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View builtLook(const sim::Scene &scene, const sim::Values &values);
 
 }

@@ -32,21 +32,21 @@ sim::Vec2 centreOf(const Timeline &run)
 
 double footToCentre(const Timeline &run)
 {
-    return sim::length(placeOf(run, "foot") - centreOf(run));
+    return sim::length(positionOf(run, "foot") - centreOf(run));
 }
 
 /// Where the hand let go of the foot; NaN if it did not.
 sim::Vec2 letGoAt(const Timeline &run)
 {
     constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-    const std::optional<Carry> carry = lastLetGo(run, "foot");
-    return carry && !carry->path.empty() ? carry->path.back().at : sim::Vec2{nowhere, nowhere};
+    const std::optional<DragGesture> carry = lastReleased(run, "foot");
+    return carry && !carry->path.empty() ? carry->path.back().position : sim::Vec2{nowhere, nowhere};
 }
 
 double speedLetGo(const Timeline &run)
 {
-    const std::optional<Carry> carry = lastLetGo(run, "foot");
-    return carry ? sim::length(carry->throwVelocity()) : 0.0;
+    const std::optional<DragGesture> carry = lastReleased(run, "foot");
+    return carry ? sim::length(carry->releaseVelocity()) : 0.0;
 }
 
 /// The hand has been off for `frames` frames since damping was set.
@@ -55,14 +55,14 @@ Condition leftAlone(std::int64_t frames, const QString &todo)
     return atLeast(
         static_cast<double>(frames),
         [](const Timeline &run) {
-            return static_cast<double>(std::min(framesWithoutHand(run), framesSinceSet(run, "damp")));
+            return static_cast<double>(std::min(idleFrames(run), framesSinceSet(run, "damp")));
         },
         todo, 0);
 }
 
 Condition moves()
 {
-    return {[](const Timeline &run) { return run.at().phase == 0 && !isStill(run); },
+    return {[](const Timeline &run) { return run.cursor().phase == 0 && !isStill(run); },
             Text::tr("let go so that it moves: it stands still.")};
 }
 
@@ -77,7 +77,7 @@ Condition restsAtDistance(double wanted, const QString &todo)
 /// How far the foot is off straight below the body, in degrees.
 double offStraightBelow(const Timeline &run)
 {
-    const sim::Vec2 from = placeOf(run, "foot") - placeOf(run, "body");
+    const sim::Vec2 from = positionOf(run, "foot") - positionOf(run, "body");
     const double off = sim::publishedDirection(from).angle - std::numbers::pi / 2;
     return std::abs(off) * 180.0 / std::numbers::pi;
 }
@@ -86,16 +86,16 @@ double offStraightBelow(const Timeline &run)
 bool staysForAMoment(const Timeline &run)
 {
     constexpr std::int64_t ago = 5;
-    if (run.at().frame < ago)
+    if (run.cursor().frame < ago)
         return false;
-    const sim::State before = run.track().stateAt(run.at().frame - ago);
-    const int foot = run.track().shown().scene.find("foot");
-    return sim::length(before.at(foot) - run.now().at(foot)) <= 2.0;
+    const sim::State before = run.track().stateAt(run.cursor().frame - ago);
+    const int foot = run.track().interval().scene.find("foot");
+    return sim::length(before.positionOf(foot) - run.state().positionOf(foot)) <= 2.0;
 }
 
 double footLeftOfBody(const Timeline &run)
 {
-    return placeOf(run, "body").x - placeOf(run, "foot").x;
+    return positionOf(run, "body").x - positionOf(run, "foot").x;
 }
 
 }
@@ -109,7 +109,7 @@ std::vector<Try> dragTries()
                 "it stays."),
             .conditions =
                 {
-                    letGoOf("foot"),
+                    released("foot"),
                     atMost(
                         1.0, speedLetGo,
                         Text::tr(
@@ -125,7 +125,7 @@ std::vector<Try> dragTries()
         {
             .text = Text::tr(
                 "Throw it: let go while the mouse moves at 5 px per frame or more. It glides and stops."),
-            .conditions = {letGoOf("foot"), fastEnough(), allStill()},
+            .conditions = {released("foot"), thrownAtLeast(), allStill()},
             .hint = Text::tr(
                 "Press **Space**. Take the foot, move the mouse quickly, and let go on the way. Then "
                 "hands off until it stands."),
@@ -135,9 +135,9 @@ std::vector<Try> dragTries()
                 Text::tr("Set **damping** to 1 and throw it again. Does it ever stop? Give it 60 frames."),
             .conditions =
                 {
-                    isSet("damp", 1.0),
-                    letGoSinceSet("damp", "foot"),
-                    fastEnough(),
+                    parameterSetTo("damp", 1.0),
+                    releasedSinceSet("damp", "foot"),
+                    thrownAtLeast(),
                     moves(),
                     leftAlone(60, Text::tr("let it glide for 60 frames with this damping. So far: %1.")),
                 },
@@ -158,7 +158,7 @@ std::vector<Try> fixedCentreTries()
                 "Pull the foot at least 100 px away from the cross, let go, and wait until it is still."),
             .conditions =
                 {
-                    letGoOf("foot"),
+                    released("foot"),
                     atLeast(
                         100.0, [](const Timeline &run) { return sim::length(letGoAt(run) - centreOf(run)); },
                         Text::tr("let go at least 100 px from the cross. Yours left %1 px from it."), 0),
@@ -181,8 +181,8 @@ std::vector<Try> fixedCentreTries()
                 "Set **damping** to 1, pull the foot out and let go. Does it ever stop? Give it 100 frames."),
             .conditions =
                 {
-                    isSet("damp", 1.0),
-                    letGoSinceSet("damp", "foot"),
+                    parameterSetTo("damp", 1.0),
+                    releasedSinceSet("damp", "foot"),
                     moves(),
                     leftAlone(100, Text::tr("let it swing for 100 frames with this damping. So far: %1.")),
                 },
@@ -194,7 +194,7 @@ std::vector<Try> fixedCentreTries()
         },
         {
             .text = Text::tr("Go back in time, change **damping**, and compare with the ghost."),
-            .conditions = {ghostDiffers("damp"), besideGhost()},
+            .conditions = {ghostDiffers("damp"), playedBesideGhost()},
             .hint = Text::tr(
                 "Play some seconds and stop. Drag the timeline back to the left, change **Damping**, "
                 "and play on from there. The old run goes on as a dashed ghost."),
@@ -209,8 +209,8 @@ std::vector<Try> movingBodyTries()
             .text = Text::tr("Carry the body at least 100 px away, and wait until the foot lies on it."),
             .conditions =
                 {
-                    tookLast("body"),
-                    carriedFar(100.0),
+                    lastGrabbed("body"),
+                    draggedAtLeast(100.0),
                     restsAtDistance(
                         0.0, Text::tr("let time run (**Space**) until the foot lies still on the body.")),
                 },
@@ -223,9 +223,9 @@ std::vector<Try> movingBodyTries()
                 "Set the stiffness **k** to 0.02 and carry the body until the foot is 150 px behind."),
             .conditions =
                 {
-                    isSet("k", 0.02),
+                    parameterSetTo("k", 0.02),
                     holding("body"),
-                    carriedFar(100.0),
+                    draggedAtLeast(100.0),
                     atLeast(
                         150.0, [](const Timeline &run) { return distance(run, "foot", "body"); },
                         Text::tr("carry it farther or faster. The foot is %1 px behind."), 0),
@@ -238,7 +238,7 @@ std::vector<Try> movingBodyTries()
             .text = Text::tr(
                 "Throw the foot (at 5 px per frame or more), and stop inside a frame when the spring has "
                 "pulled it and it has not moved."),
-            .conditions = {letGoOf("foot"), fastEnough(), insideAFrame(), onlyPulled()},
+            .conditions = {released("foot"), thrownAtLeast(), insideAFrame(), onlyPulled()},
             .hint =
                 Text::tr("Press **Home**, then **Space**, throw the foot, and stop with **Space** while it "
                          "flies. Then press "
@@ -254,8 +254,8 @@ std::vector<Try> offsetTries()
             .text = Text::tr("Let the foot go on the left of the body. Where does it come to rest?"),
             .conditions =
                 {
-                    letGoOf("foot"),
-                    {[](const Timeline &run) { return letGoAt(run).x < placeOf(run, "body").x; },
+                    released("foot"),
+                    {[](const Timeline &run) { return letGoAt(run).x < positionOf(run, "body").x; },
                      Text::tr("let go on the left of the body.")},
                     allStill(),
                 },
@@ -283,7 +283,7 @@ std::vector<Try> offsetTries()
         },
         {
             .text = Text::tr("Carry the body at least 100 px. The target goes with it."),
-            .conditions = {tookLast("body"), carriedFar(100.0)},
+            .conditions = {lastGrabbed("body"), draggedAtLeast(100.0)},
             .hint = Text::tr("Press **Space**, take the large disc, and carry it across the picture."),
         },
     };
@@ -298,7 +298,7 @@ std::vector<Try> radialTries()
                 "least 20 px to the left."),
             .conditions =
                 {
-                    letGoOf("foot"),
+                    released("foot"),
                     allStill(),
                     {[](const Timeline &run) { return footLeftOfBody(run) >= 20.0; },
                      Text::tr("let go closer to the body, on its left: the foot came to rest elsewhere.")},
@@ -327,7 +327,7 @@ std::vector<Try> radialTries()
             .text = Text::tr("Set **radius** to 120 and wait until the foot is still."),
             .conditions =
                 {
-                    isSet("radius", 120.0),
+                    parameterSetTo("radius", 120.0),
                     restsAtDistance(
                         120.0, Text::tr("let time run (**Space**) until the foot is still on the ring.")),
                 },

@@ -24,9 +24,9 @@ struct Text
 /// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
 Step stepOf(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("single_spring", id, title);
+    Step step = lessons::makeStep("single_spring", id, title);
     step.parameters = {stiffness(), damping()};
-    step.look = discsAndSprings;
+    step.view = discsAndSprings;
     return step;
 }
 
@@ -54,7 +54,7 @@ Step dragStep()
     step.explanation = dragExplanation();
     step.tries = dragTries();
     step.scene = drag::setUp;
-    step.guides = pullToCome;
+    step.overlays = pullToCome;
     return step;
 }
 
@@ -75,7 +75,7 @@ Step fixedCentreStep()
     step.explanation = fixedCentreExplanation();
     step.tries = fixedCentreTries();
     step.scene = fixed_centre::setUp;
-    step.guides = centreCross;
+    step.overlays = centreCross;
     return step;
 }
 
@@ -110,7 +110,7 @@ Step offsetStep()
     step.explanation = offsetExplanation();
     step.tries = offsetTries();
     step.scene = offset::setUp;
-    step.guides = offsetCross;
+    step.overlays = offsetCross;
     return step;
 }
 
@@ -132,7 +132,7 @@ Step radialStep()
     step.explanation = radialExplanation();
     step.tries = radialTries();
     step.scene = radial::setUp;
-    step.guides = ringAndAngle;
+    step.overlays = ringAndAngle;
     return step;
 }
 

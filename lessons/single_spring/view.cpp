@@ -13,7 +13,7 @@
 
 #include <numbers>
 
-using lessons::Guide;
+using lessons::Overlay;
 
 namespace single_spring {
 
@@ -38,52 +38,53 @@ sim::Vec2 centreOf(const sim::Values &values)
 
 }
 
-lessons::Look discsAndSprings(const sim::Scene &scene, const sim::Values &)
+lessons::View discsAndSprings(const sim::Scene &scene, const sim::Values &)
 {
-    lessons::Look look = lessons::creatureLook(scene);
+    lessons::View look = lessons::creatureView(scene);
     look.springs = lessons::actingSprings(scene);
     return look;
 }
 
-std::vector<Guide> pullToCome(const sim::Scene &, const sim::State &state, const sim::Values &values)
+std::vector<Overlay> pullToCome(const sim::Scene &, const sim::State &state, const sim::Values &values)
 {
     const sim::Vec2 centre = centreOf(values);
-    const sim::Vec2 pull = sim::spring(state.at(foot), centre, values["k"]).pull;
-    return {{.shape = Guide::Shape::cross, .a = centre},
-            {.shape = Guide::Shape::arrow,
-             .a = state.at(foot),
+    const sim::Vec2 pull = sim::spring(state.positionOf(foot), centre, values["k"]).pull;
+    return {{.shape = Overlay::Shape::cross, .a = centre},
+            {.shape = Overlay::Shape::arrow,
+             .a = state.positionOf(foot),
              .b = pull,
              .label = Text::tr("pull, not acting yet")}};
 }
 
-std::vector<Guide> centreCross(const sim::Scene &scene, const sim::State &, const sim::Values &values)
+std::vector<Overlay> centreCross(const sim::Scene &scene, const sim::State &, const sim::Values &values)
 {
-    if (!lessons::acts(scene, sim::Kind::spring))
+    if (!lessons::hasEffectOfKind(scene, sim::EffectKind::spring))
         return {};
-    return {{.shape = Guide::Shape::cross, .a = centreOf(values)}};
+    return {{.shape = Overlay::Shape::cross, .a = centreOf(values)}};
 }
 
-std::vector<Guide> offsetCross(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+std::vector<Overlay> offsetCross(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
 {
-    if (!lessons::acts(scene, sim::Kind::spring))
+    if (!lessons::hasEffectOfKind(scene, sim::EffectKind::spring))
         return {};
-    return {{.shape = Guide::Shape::cross, .a = sim::offsetTarget(state.at(body), values["offset"])}};
+    return {
+        {.shape = Overlay::Shape::cross, .a = sim::offsetTarget(state.positionOf(body), values["offset"])}};
 }
 
-std::vector<Guide> ringAndAngle(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+std::vector<Overlay> ringAndAngle(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
 {
-    if (!lessons::acts(scene, sim::Kind::spring))
+    if (!lessons::hasEffectOfKind(scene, sim::EffectKind::spring))
         return {};
-    const sim::Vec2 centre = state.at(body);
-    const sim::Vec2 end = state.at(foot);
+    const sim::Vec2 centre = state.positionOf(body);
+    const sim::Vec2 end = state.positionOf(foot);
     const sim::Vec2 corner = {end.x, centre.y};
     const double angle = sim::publishedDirection(end - centre).angle;
     const QString label =
         Text::tr("%1° = %2 rad").arg(number(angle * 180.0 / std::numbers::pi, 1), number(angle, 3));
-    return {{.shape = Guide::Shape::ring, .a = centre, .size = values["radius"]},
-            {.shape = Guide::Shape::line, .a = centre, .b = corner, .label = QStringLiteral("dx")},
-            {.shape = Guide::Shape::line, .a = corner, .b = end, .label = QStringLiteral("dy")},
-            {.shape = Guide::Shape::angle, .a = centre, .size = angle, .label = label}};
+    return {{.shape = Overlay::Shape::ring, .a = centre, .size = values["radius"]},
+            {.shape = Overlay::Shape::line, .a = centre, .b = corner, .label = QStringLiteral("dx")},
+            {.shape = Overlay::Shape::line, .a = corner, .b = end, .label = QStringLiteral("dy")},
+            {.shape = Overlay::Shape::angle, .a = centre, .size = angle, .label = label}};
 }
 
 }

@@ -9,19 +9,19 @@
 namespace single_spring {
 
 /// Discs, and the springs that act.
-lessons::Look discsAndSprings(const sim::Scene &scene, const sim::Values &values);
+lessons::View discsAndSprings(const sim::Scene &scene, const sim::Values &values);
 
 /// The centre, and the pull that a spring to it would have.
-std::vector<lessons::Guide> pullToCome(const sim::Scene &scene, const sim::State &state,
-                                       const sim::Values &values);
-/// The centre.
-std::vector<lessons::Guide> centreCross(const sim::Scene &scene, const sim::State &state,
-                                        const sim::Values &values);
-/// The place beside the body where the spring ends.
-std::vector<lessons::Guide> offsetCross(const sim::Scene &scene, const sim::State &state,
-                                        const sim::Values &values);
-/// The ring of all places at the right distance, the sides of the triangle from body to foot, and its angle.
-std::vector<lessons::Guide> ringAndAngle(const sim::Scene &scene, const sim::State &state,
+std::vector<lessons::Overlay> pullToCome(const sim::Scene &scene, const sim::State &state,
                                          const sim::Values &values);
+/// The centre.
+std::vector<lessons::Overlay> centreCross(const sim::Scene &scene, const sim::State &state,
+                                          const sim::Values &values);
+/// The place beside the body where the spring ends.
+std::vector<lessons::Overlay> offsetCross(const sim::Scene &scene, const sim::State &state,
+                                          const sim::Values &values);
+/// The ring of all places at the right distance, the sides of the triangle from body to foot, and its angle.
+std::vector<lessons::Overlay> ringAndAngle(const sim::Scene &scene, const sim::State &state,
+                                           const sim::Values &values);
 
 }

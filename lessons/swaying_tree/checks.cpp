@@ -25,23 +25,23 @@ struct Text
 
 const sim::Scene &sceneOf(const Timeline &run)
 {
-    return run.track().shown().scene;
+    return run.track().interval().scene;
 }
 
 double bend(const Timeline &run)
 {
-    return largestBend(sceneOf(run), run.now());
+    return largestBend(sceneOf(run), run.state());
 }
 
 /// How far the trunk leans from straight up, in degrees.
 double lean(const Timeline &run)
 {
-    return bendOf(sceneOf(run), run.now(), 0);
+    return bendOf(sceneOf(run), run.state(), 0);
 }
 
 bool blows(const Timeline &run)
 {
-    return run.now().outside.pointerDown;
+    return run.state().input.pointerDown;
 }
 
 /// What the learner set, at the cursor.
@@ -57,32 +57,32 @@ std::int64_t framesSinceButton(const Timeline &run)
     bool down = false;
     for (const sim::Event &event : run.script().input) {
         const auto *pointer = std::get_if<sim::Pointer>(&event.what);
-        if (event.frame > run.at().frame || !pointer)
+        if (event.frame > run.cursor().frame || !pointer)
             continue;
         if (since < 0 || pointer->down != down)
             since = event.frame;
         down = pointer->down;
     }
-    return since < 0 ? -1 : run.at().frame - since;
+    return since < 0 ? -1 : run.cursor().frame - since;
 }
 
 /// The state in the frame in which the button was let go last; null while it is down, and before.
 std::optional<sim::State> whenLetGo(const Timeline &run)
 {
     const std::int64_t since = framesSinceButton(run);
-    if (since < 0 || blows(run) || run.at().frame - since < 1)
+    if (since < 0 || blows(run) || run.cursor().frame - since < 1)
         return {};
-    return run.track().stateAt(run.at().frame - since - 1);
+    return run.track().stateAt(run.cursor().frame - since - 1);
 }
 
 /// How many degrees the branch is off that points least at the pointer.
 double offPointer(const Timeline &run)
 {
-    const sim::State &now = run.now();
-    const sim::Vec2 pointer = now.outside.pointer.value_or(sim::Vec2{});
+    const sim::State &now = run.state();
+    const sim::Vec2 pointer = now.input.pointer.value_or(sim::Vec2{});
     double worst = 0.0;
-    for (int i = 0; i < now.points(); ++i) {
-        const sim::Vec2 way = pointer - now.at(i);
+    for (int i = 0; i < now.pointCount(); ++i) {
+        const sim::Vec2 way = pointer - now.positionOf(i);
         const double angle = std::atan2(way.y, way.x) * sim::degreesPerRadian;
         worst = std::max(worst, std::abs(std::remainder(now.angle[i] - angle, 360.0)));
     }
@@ -111,7 +111,7 @@ Condition blewAndLetGo()
 Condition blewSinceSet(const std::string &id)
 {
     return {[id](const Timeline &run) {
-                return whenLetGo(run) && run.at().frame - framesSinceButton(run) >= frameOfSet(run, id);
+                return whenLetGo(run) && run.cursor().frame - framesSinceButton(run) >= lastSetFrame(run, id);
             },
             blewAndLetGo().todo};
 }
@@ -154,32 +154,32 @@ Conditions cameBack(const Condition &first, const Condition &blew)
 
 Condition easeIs30()
 {
-    return isSet("ease", 30.0, Text::tr("set **ease** to 30."));
+    return parameterSetTo("ease", 30.0, Text::tr("set **ease** to 30."));
 }
 
 /// The branch whose end is nearest to the pointer.
 int branchAtPointer(const Timeline &run)
 {
-    return nearestBranch(sceneOf(run), run.now(), run.now().outside.pointer.value_or(sim::Vec2{}));
+    return nearestBranch(sceneOf(run), run.state(), run.state().input.pointer.value_or(sim::Vec2{}));
 }
 
 double pointerToBranch(const Timeline &run)
 {
-    const sim::Vec2 end = endOf(sceneOf(run), run.now(), branchAtPointer(run));
-    return sim::length(end - run.now().outside.pointer.value_or(sim::Vec2{}));
+    const sim::Vec2 end = endOf(sceneOf(run), run.state(), branchAtPointer(run));
+    return sim::length(end - run.state().input.pointer.value_or(sim::Vec2{}));
 }
 
 double bendAtPointer(const Timeline &run)
 {
-    return std::abs(bendOf(sceneOf(run), run.now(), branchAtPointer(run)));
+    return std::abs(bendOf(sceneOf(run), run.state(), branchAtPointer(run)));
 }
 
 /// The distances from the pointer to the ends of the branches, least and most.
 std::pair<double, double> distances(const Timeline &run)
 {
     double least = 1e9, most = 0.0;
-    for (int i = 0; i < run.now().points(); ++i) {
-        const double one = sim::length(endOf(sceneOf(run), run.now(), i) - *run.now().outside.pointer);
+    for (int i = 0; i < run.state().pointCount(); ++i) {
+        const double one = sim::length(endOf(sceneOf(run), run.state(), i) - *run.state().input.pointer);
         least = std::min(least, one);
         most = std::max(most, one);
     }
@@ -188,7 +188,7 @@ std::pair<double, double> distances(const Timeline &run)
 
 Condition otherTree()
 {
-    return {[](const Timeline &run) { return !isSetTo(run, "spread", 30.0) && run.at().frame > 0; }};
+    return {[](const Timeline &run) { return !isSetTo(run, "spread", 30.0) && run.cursor().frame > 0; }};
 }
 
 Try anotherTree(const QString &hint)
@@ -210,7 +210,7 @@ Conditions comparesFormulas()
     return {
         ghostDiffers("formula"),
         {blows, Text::tr("go back farther, to where you were still blowing, and choose it there.")},
-        besideGhost(),
+        playedBesideGhost(),
     };
 }
 
@@ -219,7 +219,7 @@ bool swungPast(const Timeline &run)
 {
     if (blows(run) || std::abs(lean(run)) < 0.5)
         return false;
-    const double fromLeft = run.now().at(0).x - run.now().outside.pointer->x;
+    const double fromLeft = run.state().positionOf(0).x - run.state().input.pointer->x;
     return lean(run) * fromLeft < 0.0;
 }
 
@@ -227,7 +227,7 @@ bool swungPast(const Timeline &run)
 bool gustIsOnItsWay(const Timeline &run)
 {
     const auto [least, most] = distances(run);
-    return run.now().gale.front > least && run.now().gale.front < most;
+    return run.state().gustExtent.front > least && run.state().gustExtent.front < most;
 }
 
 }
@@ -276,9 +276,9 @@ std::vector<Try> branchesTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return !isSetTo(run, "min_scale", 0.2); }},
-                    {[](const Timeline &run) { return run.now().points() == 3; },
+                    {[](const Timeline &run) { return run.state().pointCount() == 3; },
                      Text::tr("make it three branches. This tree has %1."),
-                     [](const Timeline &run) { return static_cast<double>(run.now().points()); }, 0},
+                     [](const Timeline &run) { return static_cast<double>(run.state().pointCount()); }, 0},
                 },
             .hint =
                 Text::tr("The children of the trunk are 0.8 (or 0.7) as large, and their children 0.64 (or "
@@ -423,7 +423,7 @@ std::vector<Try> restTries()
                     blowing(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
-                         return last && last->kind == sim::Kind::spring;
+                         return last && last->kind == sim::EffectKind::spring;
                      },
                      Text::tr("press **Shift+→** until the return is the last phase that was done.")},
                     {[](const Timeline &run) { return bend(run) > 1.0; },
@@ -502,7 +502,7 @@ std::vector<Try> thicknessTries()
         },
         {
             .text = Text::tr("Set **wind** to 20 and lean the trunk by 10°."),
-            .conditions = {isSet("wind", 20.0), blowing(), trunkLeans(10.0)},
+            .conditions = {parameterSetTo("wind", 20.0), blowing(), trunkLeans(10.0)},
             .hint =
                 Text::tr("Type 20 into the field beside **Wind**. Press **Space**, and hold the mouse button "
                          "down close beside the trunk for two seconds."),
@@ -539,9 +539,9 @@ std::vector<Try> turbulenceTries()
             .conditions =
                 {
                     ghostDiffers("turbulence"),
-                    isSet("turbulence", 0.0, Text::tr("set **turbulence** to 0 there.")),
+                    parameterSetTo("turbulence", 0.0, Text::tr("set **turbulence** to 0 there.")),
                     blowing(),
-                    besideGhost(),
+                    playedBesideGhost(),
                 },
             .hint =
                 Text::tr("Hold the mouse button down for two seconds while it plays, and stop. Drag the "
@@ -581,7 +581,7 @@ std::vector<Try> realSwayTries()
                                               "Hold the button at the left "
                                               "edge, and press **Space** earlier or later.")},
                 },
-            .whileStopped = true,
+            .onlyWhilePaused = true,
             .hint =
                 Text::tr("Press **Space**, and press the mouse button at the left edge. Half a second later, "
                          "with the button down, press **Space** again."),
@@ -592,7 +592,7 @@ std::vector<Try> realSwayTries()
                 "energy."),
             .conditions =
                 {
-                    isSet("damp", 1.0),
+                    parameterSetTo("damp", 1.0),
                     blewSinceSet("damp"),
                     atLeast(
                         300.0,

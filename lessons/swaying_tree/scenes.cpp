@@ -19,7 +19,7 @@ namespace swaying_tree {
 
 TreeFormula formulaOf(const Values &values)
 {
-    return values.whole("formula") == 1 ? TreeFormula::published : TreeFormula::corrected;
+    return values.integer("formula") == 1 ? TreeFormula::published : TreeFormula::corrected;
 }
 
 Scene standing(const Tree &tree, TreeFormula formula)
@@ -75,14 +75,14 @@ Tree grow(const Values &values)
     checkGrowth(slope, minScale);
 
     Tree tree = Tree::ofTrunk(length);
-    for (int i = 0; i < tree.branches(); ++i) {
+    for (int i = 0; i < tree.branchCount(); ++i) {
         double scale = slope * tree.scale[i];
         if (scale > minScale) {
             double angle = tree.rest[i];
             double left = angle - spread;
             double right = angle + spread;
-            tree.sprout(i, left, scale);
-            tree.sprout(i, right, scale);
+            tree.addBranch(i, left, scale);
+            tree.addBranch(i, right, scale);
         }
     }
     return tree;
@@ -121,17 +121,17 @@ Tree grow(const Values &values)
         return jitter * (2 * random - 1);
     };
     Tree tree = Tree::ofTrunk(length);
-    for (int i = 0; i < tree.branches(); ++i) {
+    for (int i = 0; i < tree.branchCount(); ++i) {
         double scale = slope * tree.scale[i];
         if (scale > minScale) {
             double angle = tree.rest[i];
-            int n = tree.branches();
+            int n = tree.branchCount();
             double left =
                 angle - spread + some(n);
             double right =
                 angle + spread + some(n + 1);
-            tree.sprout(i, left, scale);
-            tree.sprout(i, right, scale);
+            tree.addBranch(i, left, scale);
+            tree.addBranch(i, right, scale);
         }
     }
     return tree;
@@ -321,7 +321,7 @@ Scene setUp(const Values &values)
 
     // springs that turn, in every joint
     double k = values["k"];
-    Limbs limbs = limbsOf(*tree, k);
+    BranchMechanics limbs = branchMechanicsOf(*tree, k);
     add<Torsion>(scene, tree, limbs);
 
     double wind = values["wind"];

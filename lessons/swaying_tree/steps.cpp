@@ -25,10 +25,10 @@ struct Text
 /// marker of its set-up, too.
 Step treeStep(const char *id, const QString &title, sim::Tree (*grow)(const sim::Values &))
 {
-    Step step = lessons::stepCalled("swaying_tree", id, title);
-    step.look = [grow](const sim::Scene &, const sim::Values &values) { return treeLook(grow(values)); };
-    step.does = {Does::hand, Does::pointer};
-    step.columns = Columns::placeAndAngle;
+    Step step = lessons::makeStep("swaying_tree", id, title);
+    step.view = [grow](const sim::Scene &, const sim::Values &values) { return treeView(grow(values)); };
+    step.interactions = {Interaction::drag, Interaction::pointer};
+    step.traceColumns = TraceColumns::positionAndAngle;
     return step;
 }
 
@@ -39,9 +39,9 @@ Step bentStep(const char *id, const QString &title, const std::vector<Parameter>
     step.addParameters(first);
     step.addParameters({jitter(), spread(), slope(), minScale(), baseLength()});
     step.measures = {bendMeasure()};
-    step.guides = windByBothFormulas;
+    step.overlays = windByBothFormulas;
     step.note = noteOfGround;
-    step.presetGallery = galleryFor(step);
+    step.presets = galleryFor(step);
     return step;
 }
 
@@ -63,7 +63,7 @@ Step trunkStep()
     step.explanation = trunkExplanation();
     step.tries = trunkTries();
     step.scene = trunk::setUp;
-    step.guides = trunkEnd;
+    step.overlays = trunkEnd;
     return step;
 }
 
@@ -105,7 +105,7 @@ Step randomnessStep()
     step.tries = randomnessTries();
     step.scene = randomness::setUp;
     step.measures = {countMeasure()};
-    step.presetGallery = galleryFor(step);
+    step.presets = galleryFor(step);
     return step;
 }
 
@@ -125,7 +125,7 @@ Step towardsPointerStep()
     step.explanation = towardsPointerExplanation();
     step.tries = towardsPointerTries();
     step.scene = towards_pointer::setUp;
-    step.guides = aimByBothFormulas;
+    step.overlays = aimByBothFormulas;
     return step;
 }
 
@@ -207,7 +207,7 @@ Step turbulenceStep()
 {
     Step step = bentStep("turbulence", Text::tr("Turbulence"),
                          {formula(), windStrength(), turbulenceAngle(), ease()});
-    step.does.push_back(Does::gust);
+    step.interactions.push_back(Interaction::gust);
     step.narration = Text::tr(
         "Real wind is never steady. Once a frame, chance turns the wind’s angle by up to 20° to "
         "either side, **the same for all branches**. Twigs follow at once, so they tremble. The trunk is "
@@ -248,7 +248,7 @@ Step realSwayStep()
     step.explanation = realSwayExplanation();
     step.tries = realSwayTries();
     step.scene = real_sway::setUp;
-    step.guides = gustFromPointer;
+    step.overlays = gustFromPointer;
     for (const Measure &energy : energyMeasures())
         step.measures.push_back(energy);
     return step;

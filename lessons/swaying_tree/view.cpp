@@ -19,8 +19,8 @@
 #include <limits>
 
 using lessons::effectOf;
-using lessons::Guide;
 using lessons::Measure;
+using lessons::Overlay;
 using sim::Vec2;
 
 namespace swaying_tree {
@@ -36,19 +36,19 @@ struct Text
 const std::optional<Vec2> &pressed(const sim::State &state)
 {
     static const std::optional<Vec2> none;
-    return state.outside.pointerDown ? state.outside.pointer : none;
+    return state.input.pointerDown ? state.input.pointer : none;
 }
 
-Guide windAt(Vec2 at)
+Overlay windAt(Vec2 at)
 {
-    return {.shape = Guide::Shape::wind, .a = at};
+    return {.shape = Overlay::Shape::wind, .a = at};
 }
 
 /// A dashed line that shows an angle in degrees.
-Guide angleLine(Vec2 from, double angle, const QString &label)
+Overlay angleLine(Vec2 from, double angle, const QString &label)
 {
     constexpr double length = 60.0;
-    return {.shape = Guide::Shape::line,
+    return {.shape = Overlay::Shape::line,
             .a = from,
             .b = from + sim::branchReach(angle, length, sim::degreesPerRadian),
             .label = label};
@@ -83,7 +83,7 @@ Measure energyMeasure(const QString &name, const QString &help, Energy energy)
 
 double motion(const sim::Torsion &springs, const sim::State &state)
 {
-    return springs.motionEnergy(state);
+    return springs.kineticEnergy(state);
 }
 
 double held(const sim::Torsion &springs, const sim::State &state)
@@ -112,7 +112,7 @@ sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch)
 {
     const auto *joints = effectOf<sim::Joints>(scene);
     if (!joints)
-        return state.at(branch);
+        return state.positionOf(branch);
     return sim::endOf(joints->tree(), state, branch, sim::degreesPerRadian);
 }
 
@@ -120,7 +120,7 @@ int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 pl
 {
     int nearest = 0;
     double least = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         const double distance = sim::length(endOf(scene, state, i) - place);
         if (distance < least) {
             least = distance;
@@ -130,7 +130,7 @@ int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 pl
     return nearest;
 }
 
-std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
+std::vector<Overlay> trunkEnd(const sim::Scene &scene, const sim::State &state, const sim::Values &values)
 {
     const auto *joints = effectOf<sim::Joints>(scene);
     if (!joints)
@@ -138,17 +138,17 @@ std::vector<Guide> trunkEnd(const sim::Scene &scene, const sim::State &state, co
     const Vec2 end = sim::endOf(joints->tree(), state, 0, sim::degreesOf(formulaOf(values)));
     const Vec2 off = end - endOf(scene, state, 0);
     const QString label = Text::tr("%1 px off").arg(QLocale().toString(sim::length(off), 'f', 4));
-    return {{.shape = Guide::Shape::cross, .a = end, .label = label}};
+    return {{.shape = Overlay::Shape::cross, .a = end, .label = label}};
 }
 
-std::vector<Guide> windFromPointer(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+std::vector<Overlay> windFromPointer(const sim::Scene &scene, const sim::State &state, const sim::Values &)
 {
-    if (!pressed(state) || !lessons::acts(scene, sim::Kind::wind))
+    if (!pressed(state) || !lessons::hasEffectOfKind(scene, sim::EffectKind::wind))
         return {};
     return {windAt(*pressed(state))};
 }
 
-std::vector<Guide> windByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+std::vector<Overlay> windByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
 {
     const auto *blows = effectOf<sim::TreeWind>(scene);
     if (!pressed(state) || !blows)
@@ -157,14 +157,14 @@ std::vector<Guide> windByBothFormulas(const sim::Scene &scene, const sim::State 
     const int i = nearestBranch(scene, state, pointer);
     const Vec2 end = endOf(scene, state, i);
     const auto lineFor = [&](sim::TreeFormula formula, const QString &label) {
-        const double angle = blows->breezeAt(formula, i, state.at(i), state.angle[i], pointer).wind;
+        const double angle = blows->breezeAt(formula, i, state.positionOf(i), state.angle[i], pointer).wind;
         return angleLine(end, angle, label);
     };
     return {windAt(pointer), lineFor(sim::TreeFormula::corrected, asMeant()),
             lineFor(sim::TreeFormula::published, asPrinted())};
 }
 
-std::vector<Guide> aimByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+std::vector<Overlay> aimByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
 {
     const auto *joints = effectOf<sim::Joints>(scene);
     if (!pressed(state) || !joints)
@@ -173,30 +173,30 @@ std::vector<Guide> aimByBothFormulas(const sim::Scene &scene, const sim::State &
     const int i = nearestBranch(scene, state, pointer);
     const double scale = joints->tree().scale[static_cast<std::size_t>(i)];
     const Vec2 reach = sim::branchReach(state.angle[i], joints->tree().baseLength, sim::publishedDegrees);
-    const sim::Sight sight = sim::sightPublished(pointer, state.at(i), reach, scale);
-    const Vec2 out = sim::direction(pointer - state.at(i), i, -1).out;
-    return {{.shape = Guide::Shape::cross, .a = pointer},
-            angleLine(state.at(i), sim::turnToPointer(out), asMeant()),
-            angleLine(state.at(i), sim::turnToPointerPublished(sight.d), asPrinted())};
+    const sim::PointerOffset sight = sim::pointerOffsetPublished(pointer, state.positionOf(i), reach, scale);
+    const Vec2 out = sim::direction(pointer - state.positionOf(i), i, -1).out;
+    return {{.shape = Overlay::Shape::cross, .a = pointer},
+            angleLine(state.positionOf(i), sim::turnToPointer(out), asMeant()),
+            angleLine(state.positionOf(i), sim::turnToPointerPublished(sight.d), asPrinted())};
 }
 
-std::vector<Guide> gustFromPointer(const sim::Scene &scene, const sim::State &state,
-                                   const sim::Values &values)
+std::vector<Overlay> gustFromPointer(const sim::Scene &scene, const sim::State &state,
+                                     const sim::Values &values)
 {
-    std::vector<Guide> guides = windFromPointer(scene, state, values);
-    const sim::Gale &gale = state.gale;
+    std::vector<Overlay> guides = windFromPointer(scene, state, values);
+    const sim::GustExtent &gust = state.gustExtent;
     constexpr double farAway = 1000.0; // px, out of the picture
-    if (!state.outside.pointer)
+    if (!state.input.pointer)
         return guides;
-    if (gale.front > 0.0 && gale.front < farAway)
-        guides.push_back({.shape = Guide::Shape::ring,
-                          .a = *state.outside.pointer,
-                          .size = gale.front,
+    if (gust.front > 0.0 && gust.front < farAway)
+        guides.push_back({.shape = Overlay::Shape::ring,
+                          .a = *state.input.pointer,
+                          .size = gust.front,
                           .label = Text::tr("front")});
-    if (gale.end > 0.0 && gale.end < farAway)
-        guides.push_back({.shape = Guide::Shape::ring,
-                          .a = *state.outside.pointer,
-                          .size = gale.end,
+    if (gust.tail > 0.0 && gust.tail < farAway)
+        guides.push_back({.shape = Overlay::Shape::ring,
+                          .a = *state.input.pointer,
+                          .size = gust.tail,
                           .label = Text::tr("end")});
     return guides;
 }
@@ -204,12 +204,12 @@ std::vector<Guide> gustFromPointer(const sim::Scene &scene, const sim::State &st
 QString noteOfGround(const sim::Track &run)
 {
     constexpr double deep = 10.0; // px: less is not seen
-    const sim::Scene &scene = run.shown().scene;
-    const sim::State &state = run.now();
+    const sim::Scene &scene = run.interval().scene;
+    const sim::State &state = run.state();
     if (largestBend(scene, state) < 1.0)
         return {};
     // A branch begins where its parent ends.
-    if (!(state.position.col(1) > state.at(0).y + deep).any())
+    if (!(state.position.col(1) > state.positionOf(0).y + deep).any())
         return {};
     return Text::tr("Part of the tree is below the ground: the rule turns angles, and knows no ground.");
 }
@@ -221,7 +221,7 @@ Measure countMeasure()
         .help = Text::tr("How many branches the tree has."),
         .decimals = 0,
         .of = [](const sim::Scene &, const sim::State &state, const sim::State *,
-                 const sim::Values &) { return double(state.points()); },
+                 const sim::Values &) { return double(state.pointCount()); },
     };
 }
 

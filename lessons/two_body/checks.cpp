@@ -25,11 +25,11 @@ struct Text
 /// How long the leg was when the hand let go, in px; as long as it holds, how long it is.
 double lengthLetGo(const Timeline &run)
 {
-    const std::optional<Carry> carry = lastLetGo(run);
+    const std::optional<DragGesture> carry = lastReleased(run);
     if (!carry)
         return distance(run, "foot", "body");
-    const sim::State then = run.track().stateAt(std::max<std::int64_t>(0, *carry->letGo - 1));
-    return sim::length(then.at(foot) - then.at(body));
+    const sim::State then = run.track().stateAt(std::max<std::int64_t>(0, *carry->releaseFrame - 1));
+    return sim::length(then.positionOf(foot) - then.positionOf(body));
 }
 
 Condition holdingAnEnd()
@@ -40,21 +40,24 @@ Condition holdingAnEnd()
 /// No throw is as fast as this so long after the hand let go.
 Condition flewOff()
 {
-    return {[](const Timeline &run) { return !onStage(middle(run)) && sim::length(momentum(run)) >= 2.0; },
+    return {[](const Timeline &run) {
+                return !onStage(centreOfPoints(run)) && sim::length(momentum(run)) >= 2.0;
+            },
             Text::tr("let time run (**Space**) until the pair has left the stage.")};
 }
 
 Condition dampingIs(double value)
 {
-    return isSet("damp", value,
-                 value == 0.9 ? Text::tr("set **damping** to 0.9.") : Text::tr("set **damping** to 0.85."));
+    return parameterSetTo("damp", value,
+                          value == 0.9 ? Text::tr("set **damping** to 0.9.")
+                                       : Text::tr("set **damping** to 0.85."));
 }
 
 }
 
 std::vector<Try> mutualTries()
 {
-    const Condition springAtThreeTenths = isSet("k", 0.3, Text::tr("set **k** to 0.3."));
+    const Condition springAtThreeTenths = parameterSetTo("k", 0.3, Text::tr("set **k** to 0.3."));
     return {
         {
             .text = Text::tr(
@@ -77,8 +80,8 @@ std::vector<Try> mutualTries()
                 {
                     springAtThreeTenths,
                     dampingIs(0.9),
-                    byMethod("published", Text::tr("choose the method **Published**.")),
-                    handsOff(60),
+                    runsMethod("published", Text::tr("choose the method **Published**.")),
+                    idleFor(60),
                     flewOff(),
                 },
             .hint = Text::tr("Type 0.3 into the field beside **k**, press **Space**, and touch nothing."),
@@ -95,10 +98,10 @@ std::vector<Try> mutualTries()
                 "frames, hands off."),
             .conditions =
                 {
-                    byMethod("semi_implicit_euler"),
+                    runsMethod("semi_implicit_euler"),
                     springAtThreeTenths,
                     dampingIs(0.9),
-                    handsOff(100),
+                    idleFor(100),
                     {[](const Timeline &run) { return sim::length(momentum(run)) < 0.01; },
                      Text::tr("press **Home** to begin again: your hand has left the pair a momentum.")},
                 },
@@ -129,11 +132,12 @@ std::vector<Try> legLineTries()
             .text = Text::tr("Hold one end and squeeze the leg to under 30 px. Then let go."),
             .conditions =
                 {
-                    {[](const Timeline &run) { return !carries(run).empty(); }},
+                    {[](const Timeline &run) { return !dragGestures(run).empty(); }},
                     {[](const Timeline &run) { return lengthLetGo(run) < 30.0; },
                      Text::tr("squeeze the leg to under 30 px and let go there. It was %1 px long."),
                      lengthLetGo, 0},
-                    {[](const Timeline &run) { return lastLetGo(run).has_value(); }, Text::tr("let go now.")},
+                    {[](const Timeline &run) { return lastReleased(run).has_value(); },
+                     Text::tr("let go now.")},
                 },
             .hint = Text::tr(
                 "Press **Space**, take the foot, and push it quickly onto the body. Let go at once."),
@@ -142,7 +146,7 @@ std::vector<Try> legLineTries()
             .text = Text::tr("Set **radius** to 100 and wait until the leg is still, 100 px long."),
             .conditions =
                 {
-                    isSet("radius", 100.0),
+                    parameterSetTo("radius", 100.0),
                     allStill(),
                     {[](const Timeline &run) {
                          return std::abs(distance(run, "foot", "body") - 100.0) < 0.5;
@@ -153,7 +157,7 @@ std::vector<Try> legLineTries()
         },
         {
             .text = Text::tr("Go back in time, change **k**, and compare with the ghost."),
-            .conditions = {ghostDiffers("k"), besideGhost()},
+            .conditions = {ghostDiffers("k"), playedBesideGhost()},
             .hint =
                 Text::tr("Play some seconds, drag the timeline back to where both still move, type another "
                          "**k**, and play "

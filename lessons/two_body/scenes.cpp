@@ -34,9 +34,9 @@ Scene setUp(const Values &values)
     return scene;
 }
 
-Look look(const Scene &scene)
+View look(const Scene &scene)
 {
-    Look look = creatureLook(scene);
+    View look = creatureView(scene);
     look.springs = actingSprings(scene);
     return look;
 }
@@ -63,9 +63,9 @@ Scene setUp(const Values &values)
     return scene;
 }
 
-Look look(const Scene &scene)
+View look(const Scene &scene)
 {
-    Look look = creatureLook(scene);
+    View look = creatureView(scene);
     look.springs = actingSprings(scene);
     look.legs.push_back({body, foot});
     return look;

@@ -12,11 +12,11 @@ constexpr int body = 1;
 
 namespace mutual {
 sim::Scene setUp(const sim::Values &values);
-lessons::Look look(const sim::Scene &scene);
+lessons::View look(const sim::Scene &scene);
 }
 namespace leg_line {
 sim::Scene setUp(const sim::Values &values);
-lessons::Look look(const sim::Scene &scene);
+lessons::View look(const sim::Scene &scene);
 }
 
 }

@@ -22,7 +22,7 @@ struct Text
 
 Step stepOf(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("two_body", id, title);
+    Step step = lessons::makeStep("two_body", id, title);
     step.parameters = {stiffness(), damping(), radius()};
     return step;
 }
@@ -45,7 +45,7 @@ Step mutualStep()
     step.explanation = mutualExplanation();
     step.tries = mutualTries();
     step.scene = mutual::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return mutual::look(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return mutual::look(scene); };
     return step;
 }
 
@@ -63,7 +63,7 @@ Step legLineStep()
     step.explanation = legLineExplanation();
     step.tries = legLineTries();
     step.scene = leg_line::setUp;
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return leg_line::look(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return leg_line::look(scene); };
     return step;
 }
 

@@ -28,17 +28,17 @@ struct Text
 /// How far to the right of the body the hand pulled foot 0 in its last carry, in px.
 double pulledPastBody(const Timeline &run)
 {
-    const std::optional<Carry> carry = lastLetGo(run, "foot0");
+    const std::optional<DragGesture> carry = lastReleased(run, "foot0");
     double most = -std::numeric_limits<double>::infinity();
-    for (const HandPlace &place : carry ? carry->path : std::vector<HandPlace>())
-        most = std::max(most, place.at.x - placeOf(run, "body").x);
+    for (const PointerSample &place : carry ? carry->path : std::vector<PointerSample>())
+        most = std::max(most, place.position.x - positionOf(run, "body").x);
     return most;
 }
 
 Condition letGoOfAFoot()
 {
     return {[](const Timeline &run) {
-        const std::optional<Carry> carry = lastLetGo(run);
+        const std::optional<DragGesture> carry = lastReleased(run);
         return carry && carry->body.starts_with("foot");
     }};
 }
@@ -50,17 +50,17 @@ Condition holdingAFoot()
 
 double framesHeld(const Timeline &run)
 {
-    const std::vector<Carry> all = carries(run);
-    return all.empty() ? 0.0 : static_cast<double>(run.at().frame - all.back().grabbed);
+    const std::vector<DragGesture> all = dragGestures(run);
+    return all.empty() ? 0.0 : static_cast<double>(run.cursor().frame - all.back().grabFrame);
 }
 
 /// How far to one side the hand carried what it took last, in px.
 double carriedAside(const Timeline &run)
 {
-    const std::vector<Carry> all = carries(run);
+    const std::vector<DragGesture> all = dragGestures(run);
     double most = 0.0;
-    for (const HandPlace &place : all.empty() ? std::vector<HandPlace>() : all.back().path)
-        most = std::max(most, std::abs(place.at.x - takenFrom(run, all.back()).x));
+    for (const PointerSample &place : all.empty() ? std::vector<PointerSample>() : all.back().path)
+        most = std::max(most, std::abs(place.position.x - grabPosition(run, all.back()).x));
     return most;
 }
 
@@ -77,8 +77,8 @@ bool everTook(const Timeline &run, const std::string &body)
 /// How far foot 0 is from the middle of its places, px.
 double swing(const Timeline &run)
 {
-    const sim::Vec2 middle = placeOf(run, "body") + sim::Vec2{0.0, run.values()["drop"]};
-    return sim::length(placeOf(run, "foot0") - middle);
+    const sim::Vec2 middle = positionOf(run, "body") + sim::Vec2{0.0, run.values()["drop"]};
+    return sim::length(positionOf(run, "foot0") - middle);
 }
 
 /// Where some hints begin.
@@ -91,17 +91,17 @@ Try carryOver100()
 {
     return {
         .text = Text::tr("Carry the body at least 100 px. Both feet follow, each on its side."),
-        .conditions = {tookLast("body"), carriedFar(100.0)},
+        .conditions = {lastGrabbed("body"), draggedAtLeast(100.0)},
         .hint = hintCarrySideways(),
     };
 }
 
 bool standsOnAFoot(const Timeline &run)
 {
-    const sim::Scene &scene = run.track().shown().scene;
-    for (int i = 0; i < run.now().points(); ++i) {
+    const sim::Scene &scene = run.track().interval().scene;
+    for (int i = 0; i < run.state().pointCount(); ++i) {
         const bool foot = !isBody(scene.names[static_cast<std::size_t>(i)]);
-        if (foot && stands(scene, run.now(), run.values(), i))
+        if (foot && stands(scene, run.state(), run.values(), i))
             return true;
     }
     return false;
@@ -110,9 +110,9 @@ bool standsOnAFoot(const Timeline &run)
 /// Whether a foot that is on the ground goes up from it at 1 px/frame or more: it has just bounced.
 bool justBounced(const Timeline &run)
 {
-    const sim::State &now = run.now();
-    for (int i = 0; i + 1 < now.points(); ++i) {
-        if (stands(run.track().shown().scene, now, run.values(), i) && now.velocity(i, 1) <= -1.0)
+    const sim::State &now = run.state();
+    for (int i = 0; i + 1 < now.pointCount(); ++i) {
+        if (stands(run.track().interval().scene, now, run.values(), i) && now.velocity(i, 1) <= -1.0)
             return true;
     }
     return false;
@@ -121,12 +121,12 @@ bool justBounced(const Timeline &run)
 /// Whether some point touches a side wall.
 bool touchesAWall(const Timeline &run)
 {
-    const sim::State &now = run.now();
-    const Eigen::ArrayXd half = halfWidths(run.track().shown().scene);
-    for (int i = 0; i < now.points(); ++i) {
+    const sim::State &now = run.state();
+    const Eigen::ArrayXd half = halfWidths(run.track().interval().scene);
+    for (int i = 0; i < now.pointCount(); ++i) {
         const bool right = now.position(i, 0) + half[i] >= run.values()["right"];
         const bool left = now.position(i, 0) - half[i] <= run.values()["left"];
-        if (now.feels(i) && (left || right))
+        if (now.isDynamic(i) && (left || right))
             return true;
     }
     return false;
@@ -139,7 +139,7 @@ bool happened(const Timeline &run, Fits &&fits)
     const std::vector<sim::Event> &input = run.script().input;
     return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
         const auto *what = std::get_if<What>(&event.what);
-        return what && event.frame <= run.at().frame && fits(*what);
+        return what && event.frame <= run.cursor().frame && fits(*what);
     });
 }
 
@@ -155,21 +155,22 @@ bool pointed(const Timeline &run)
 
 double clockSpeedOf(const Timeline &run)
 {
-    return run.now().gaitSpeed[0];
+    return run.state().gaitSpeed[0];
 }
 
 /// Whether the clock stood ten frames ago already: it does not only pass through 0.
 bool stoodBefore(const Timeline &run)
 {
     constexpr std::int64_t ago = 10;
-    return run.at().frame >= ago && std::abs(run.track().stateAt(run.at().frame - ago).gaitSpeed[0]) <= 0.005;
+    return run.cursor().frame >= ago &&
+           std::abs(run.track().stateAt(run.cursor().frame - ago).gaitSpeed[0]) <= 0.005;
 }
 
 /// How near the nearest other body is to the one called `name`, px.
 double nearestBody(const Timeline &run, const std::string &name)
 {
     double least = INFINITY;
-    for (const std::string &other : run.track().shown().scene.names) {
+    for (const std::string &other : run.track().interval().scene.names) {
         if (isBody(other) && other != name)
             least = std::min(least, distance(run, name, other));
     }
@@ -179,8 +180,8 @@ double nearestBody(const Timeline &run, const std::string &name)
 /// How far the creature has walked to the left of where it started, in px; 0 where it is to the right.
 double walkedLeft(const Timeline &run)
 {
-    const sim::Scene &scene = run.track().shown().scene;
-    return std::max(0.0, scene.start.at(scene.find("body")).x - placeOf(run, "body").x);
+    const sim::Scene &scene = run.track().interval().scene;
+    return std::max(0.0, scene.start.positionOf(scene.find("body")).x - positionOf(run, "body").x);
 }
 
 Condition walkedLeft100()
@@ -192,10 +193,10 @@ Condition walkedLeft100()
 /// Returns how far up the hand lifted the body that it released last, in px.
 double lifted(const Timeline &run)
 {
-    const std::optional<Carry> carry = lastLetGo(run);
+    const std::optional<DragGesture> carry = lastReleased(run);
     double most = 0.0;
-    for (const HandPlace &place : carry ? carry->path : std::vector<HandPlace>())
-        most = std::max(most, takenFrom(run, *carry).y - place.at.y);
+    for (const PointerSample &place : carry ? carry->path : std::vector<PointerSample>())
+        most = std::max(most, grabPosition(run, *carry).y - place.position.y);
     return most;
 }
 
@@ -233,7 +234,7 @@ std::vector<Try> bonesTries()
                 "all is still. Where does it end?"),
             .conditions =
                 {
-                    letGoOf("foot0"),
+                    released("foot0"),
                     atLeast(
                         20.0, pulledPastBody,
                         Text::tr("pull it 20 px or more past the body, to the right. It came %1 px past it."),
@@ -261,14 +262,14 @@ std::vector<Try> legsTries()
     return {
         {
             .text = Text::tr("Set **leg** to 100 and wait until all is still. How long are the lines?"),
-            .conditions = {isSet("leg", 100.0), allStill()},
+            .conditions = {parameterSetTo("leg", 100.0), allStill()},
             .hint = Text::tr("Type 100 into the field beside **Leg**, press **Space**, and wait."),
             .answer = Text::tr("100 px: at rest a line is as long as **leg** says."),
         },
         {
             .text = Text::tr(
                 "Pull a foot at least 75 px away and let go. The line shows how far the foot swings."),
-            .conditions = {letGoOfAFoot(), carriedFar(75.0)},
+            .conditions = {letGoOfAFoot(), draggedAtLeast(75.0)},
             .hint = Text::tr(
                 "Press **Space**, take a small disc, pull it to the upper edge of the picture, and let "
                 "go."),
@@ -281,7 +282,7 @@ std::vector<Try> feetBelowTries()
     return {
         {
             .text = Text::tr("Set **drop** to 0, as it was before, and wait until all is still."),
-            .conditions = {isSet("drop", 0.0), allStill()},
+            .conditions = {parameterSetTo("drop", 0.0), allStill()},
             .hint = Text::tr("Type 0 into the field beside **Drop**, press **Space**, and wait."),
         },
         {
@@ -317,7 +318,7 @@ std::vector<Try> curvedLegsTries()
                     ghostDiffers("curve"),
                     {[](const Timeline &run) { return everTook(run, "body"); },
                      Text::tr("carry the body first. Then go back in time, and change **curve** there.")},
-                    besideGhost(),
+                    playedBesideGhost(),
                 },
             .hint = Text::tr(
                 "Press **Space**, carry the body, and stop. Drag the timeline back to the left, type "
@@ -337,7 +338,7 @@ std::vector<Try> swingTries()
         {
             .text = Text::tr(
                 "Set **speed** to −0.05 for at least 60 frames. Which way do the feet go round now?"),
-            .conditions = {isSet("speed", -0.05), keptFor("speed", 60)},
+            .conditions = {parameterSetTo("speed", -0.05), unchangedFor("speed", 60)},
             .hint = Text::tr("Type −0.05 into the field beside **Speed**, press **Space**, and wait three "
                              "seconds."),
             .answer = Text::tr("Anticlockwise: the angle of each foot gets smaller from frame to frame."),
@@ -349,7 +350,7 @@ std::vector<Try> swingTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return !isSetTo(run, "speed", 0.05); }},
-                    handsOff(120),
+                    idleFor(120),
                     atLeast(150.0, swing,
                             Text::tr("try another speed. Foot 0 is %1 px from the middle of its places."), 0),
                 },
@@ -361,7 +362,7 @@ std::vector<Try> swingTries()
                 "Carry the body at least 100 px to the side. If you do it slowly, it looks like walking."),
             .conditions =
                 {
-                    tookLast("body"),
+                    lastGrabbed("body"),
                     atLeast(100.0, carriedAside, Text::tr("carry it 100 px to the side. It came %1 px."), 0),
                 },
             .hint = hintCarrySideways(),
@@ -374,7 +375,7 @@ std::vector<Try> bodyPulledTries()
     return {
         {
             .text = Text::tr("Pull a foot at least 75 px away and let go. Now the body comes along."),
-            .conditions = {letGoOfAFoot(), carriedFar(75.0)},
+            .conditions = {letGoOfAFoot(), draggedAtLeast(75.0)},
             .hint = Text::tr(
                 "Press **Space**, take a small disc, pull it to the upper edge of the picture, and let "
                 "go."),
@@ -383,7 +384,8 @@ std::vector<Try> bodyPulledTries()
             .text = Text::tr(
                 "Set **damping** to 1 and throw the creature, at 5 px per frame or more. After 100 frames "
                 "its momentum is what your hand gave it."),
-            .conditions = {isSet("damp", 1.0), letGoSinceSet("damp"), fastEnough(), handsOff(100)},
+            .conditions = {parameterSetTo("damp", 1.0), releasedSinceSet("damp"), thrownAtLeast(),
+                           idleFor(100)},
             .hint = Text::tr(
                 "Type 1 into the field beside **Damping**. Press **Space**, take the large disc, swing "
                 "it, and let go on the way. Then wait four seconds."),
@@ -408,12 +410,12 @@ std::vector<Try> groundTries()
         {
             .text = Text::tr(
                 "Set **speed** to −0.05 and let the creature walk to 100 px left of where it began."),
-            .conditions = {isSet("speed", -0.05), walkedLeft100()},
+            .conditions = {parameterSetTo("speed", -0.05), walkedLeft100()},
             .hint = Text::tr("Type −0.05 into the field beside **Speed**, press **Space**, and watch it go."),
         },
         {
             .text = Text::tr("Set **traction** to none for 150 frames: ice. It treads on the spot."),
-            .conditions = {isSet("traction", 1.0), keptFor("traction", 150)},
+            .conditions = {parameterSetTo("traction", 1.0), unchangedFor("traction", 150)},
             .hint =
                 Text::tr("Play some seconds. Choose **none** beside **Traction**, and wait five seconds."),
         },
@@ -421,12 +423,12 @@ std::vector<Try> groundTries()
             .text = Text::tr("Set **bounce** to 0.8 and stop just when a foot bounces."),
             .conditions =
                 {
-                    isSet("bounce", 0.8),
+                    parameterSetTo("bounce", 0.8),
                     {justBounced,
                      Text::tr("stop at a frame in which a foot on the ground moves up, at 1 px per "
                               "frame or more: go there with **→**.")},
                 },
-            .whileStopped = true,
+            .onlyWhilePaused = true,
             .hint = Text::tr(
                 "Type 0.8 into the field beside **Bounce**, and press **Enter**. Go on frame by frame "
                 "with **→** until a "
@@ -438,9 +440,9 @@ std::vector<Try> groundTries()
                          "frames."),
             .conditions =
                 {
-                    letGoOf("body"),
+                    released("body"),
                     atLeast(60.0, lifted, Text::tr("lift it 60 px or more. It came %1 px up."), 0),
-                    handsOff(60),
+                    idleFor(60),
                     {standsOnAFoot, Text::tr("let it walk on until a foot stands on the ground.")},
                 },
             .hint = Text::tr(
@@ -457,7 +459,7 @@ std::vector<Try> moreFeetTries()
         {
             .text = Text::tr(
                 "Set **feet** to 12 and watch for 200 frames. How much does the body go up and down?"),
-            .conditions = {isSet("feet", 12.0), keptFor("feet", 200)},
+            .conditions = {parameterSetTo("feet", 12.0), unchangedFor("feet", 200)},
             .hint =
                 Text::tr("Type 12 into the field beside **Feet**, press **Space**, and wait seven seconds."),
             .answer = Text::tr("By less than 1 px: some foot is always on its way down."),
@@ -465,7 +467,7 @@ std::vector<Try> moreFeetTries()
         {
             .text =
                 Text::tr("Set **spread** to 0 for 200 frames. All feet step together: does it get anywhere?"),
-            .conditions = {isSet("spread", 0.0), keptFor("spread", 200)},
+            .conditions = {parameterSetTo("spread", 0.0), unchangedFor("spread", 200)},
             .hint =
                 Text::tr("Type 0 into the field beside **Spread**, press **Space**, and wait seven seconds."),
             .answer = Text::tr("No. The body falls and rises and goes to and fro, but it gets nowhere."),
@@ -475,13 +477,13 @@ std::vector<Try> moreFeetTries()
                 Text::tr("Set **speed** to 0.3, play 60 frames, and stop when no foot touches the ground."),
             .conditions =
                 {
-                    isSet("speed", 0.3),
-                    isSet("spread", 360.0, Text::tr("set **spread** back to 360°.")),
-                    isSet("feet", 5.0, Text::tr("set **feet** back to 5.")),
-                    keptFor("speed", 60),
+                    parameterSetTo("speed", 0.3),
+                    parameterSetTo("spread", 360.0, Text::tr("set **spread** back to 360°.")),
+                    parameterSetTo("feet", 5.0, Text::tr("set **feet** back to 5.")),
+                    unchangedFor("speed", 60),
                     inTheAir(),
                 },
-            .whileStopped = true,
+            .onlyWhilePaused = true,
             .hint =
                 Text::tr("Press **Reset all**. Type 0.3 into the field beside **Speed**. Play three seconds "
                          "and stop. Go on frame by "
@@ -554,8 +556,8 @@ std::vector<Try> wallsTries()
                 "Set **at wall** to *walk on* and let it walk against a wall, for 200 frames in all."),
             .conditions =
                 {
-                    isSet("at_wall", 1.0),
-                    keptFor("at_wall", 200),
+                    parameterSetTo("at_wall", 1.0),
+                    unchangedFor("at_wall", 200),
                     atAWall(Text::tr("let it walk on until it touches a wall.")),
                 },
             .hint = Text::tr(
@@ -569,7 +571,7 @@ std::vector<Try> wallsTries()
                     {[](const Timeline &run) {
                         return run.values()["right"] - run.values()["left"] <= 150.0;
                     }},
-                    isSet("at_wall", 0.0, Text::tr("choose **turn** beside **At a wall**.")),
+                    parameterSetTo("at_wall", 0.0, Text::tr("choose **turn** beside **At a wall**.")),
                     {[](const Timeline &run) { return clockSpeedOf(run) < 0.0; },
                      Text::tr("let time run (**Space**) until it turns.")},
                 },
@@ -582,9 +584,9 @@ std::vector<Try> wallsTries()
             .text = Text::tr("Throw the creature into a wall, so that it gets there within 40 frames."),
             .conditions =
                 {
-                    letGoOf(),
-                    fastEnough(),
-                    {[](const Timeline &run) { return framesWithoutHand(run) <= 40 && touchesAWall(run); },
+                    released(),
+                    thrownAtLeast(),
+                    {[](const Timeline &run) { return idleFrames(run) <= 40 && touchesAWall(run); },
                      Text::tr("throw it harder or closer to a wall: it has to get there within 40 frames.")},
                 },
             .hint =
@@ -604,7 +606,7 @@ std::vector<Try> companyTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return isBody(heldBody(run)); }},
-                    carriedFar(40.0),
+                    draggedAtLeast(40.0),
                     nearEnough(nearestToHand,
                                Text::tr("drag it into another. The nearest body is %1 px away.")),
                 },
@@ -617,7 +619,7 @@ std::vector<Try> companyTries()
                 Text::tr("Set **felt by** to one, and look at the sum of the pushes while two bodies touch."),
             .conditions =
                 {
-                    isSet("felt_by", 1.0),
+                    parameterSetTo("felt_by", 1.0),
                     nearEnough(
                         [](const Timeline &run) { return nearestBody(run, "creature0.body"); },
                         Text::tr("let time run (**Space**) until two bodies touch. They are %1 px apart.")),
@@ -627,7 +629,7 @@ std::vector<Try> companyTries()
         },
         {
             .text = Text::tr("Set **creatures** to 5 and watch the crowd for 300 frames."),
-            .conditions = {isSet("creatures", 5.0), keptFor("creatures", 300)},
+            .conditions = {parameterSetTo("creatures", 5.0), unchangedFor("creatures", 300)},
             .hint = Text::tr(
                 "Type 5 into the field beside **Creatures**, press **Space**, and wait ten seconds."),
         },

@@ -31,7 +31,7 @@ Parameter count(Parameter own)
     own.min = own.sliderMin = 2.0;
     own.sliderMax = own.max;
     own.decimals = 0;
-    own.whole = true;
+    own.isInteger = true;
     return own;
 }
 
@@ -43,7 +43,7 @@ Parameter leg()
         .id = "leg",
         .name = Text::tr("Leg"),
         .help = Text::tr("How far a foot belongs from the middle of its places."),
-        .preset = 50.0,
+        .defaultValue = 50.0,
         .sliderMin = 0.0,
         .sliderMax = 150.0,
     });
@@ -55,7 +55,7 @@ Parameter drop()
         .id = "drop",
         .name = Text::tr("Drop"),
         .help = Text::tr("How far below the body the feet belong."),
-        .preset = 50.0,
+        .defaultValue = 50.0,
         .sliderMin = -100.0,
         .sliderMax = 150.0,
     });
@@ -67,7 +67,7 @@ Parameter curve()
         .id = "curve",
         .name = Text::tr("Curve"),
         .help = Text::tr("How high above its foot the point lies that bends a leg. Only drawn."),
-        .preset = 50.0,
+        .defaultValue = 50.0,
         .sliderMin = -50.0,
         .sliderMax = 150.0,
     });
@@ -80,7 +80,7 @@ Parameter speed()
         .name = Text::tr("Speed"),
         .unit = Text::tr("rad/frame"),
         .help = Text::tr("How far the gait clock turns each frame. Below 0 it turns the other way."),
-        .preset = 0.05,
+        .defaultValue = 0.05,
         .min = -10.0,
         .max = 10.0,
         .sliderMin = -0.3,
@@ -112,7 +112,7 @@ Parameter legCount()
         .id = "feet",
         .name = Text::tr("Feet"),
         .help = Text::tr("How many feet the body has."),
-        .preset = 5.0,
+        .defaultValue = 5.0,
         .max = 12.0,
     });
 }
@@ -124,7 +124,7 @@ Parameter spread()
         .name = Text::tr("Spread"),
         .unit = Text::tr("°"),
         .help = Text::tr("Over how much of a turn the feet are spread. At 0 all step together."),
-        .preset = 360.0,
+        .defaultValue = 360.0,
         .min = -1e6,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -140,7 +140,7 @@ Parameter top()
         .name = Text::tr("Top speed"),
         .unit = Text::tr("rad/frame"),
         .help = Text::tr("The fastest that keys and pointer make the gait clock."),
-        .preset = 0.15,
+        .defaultValue = 0.15,
         .min = 0.0,
         .max = 10.0,
         .sliderMin = 0.0,
@@ -156,7 +156,7 @@ Parameter change()
         .name = Text::tr("Change"),
         .unit = Text::tr("rad/frame²"),
         .help = Text::tr("How much speed an arrow key adds or takes away, each frame that it is down."),
-        .preset = 0.0025,
+        .defaultValue = 0.0025,
         .min = 0.0,
         .max = 10.0,
         .sliderMin = 0.0,
@@ -180,7 +180,7 @@ Parameter creatures()
         .id = "creatures",
         .name = Text::tr("Creatures"),
         .help = Text::tr("How many creatures there are."),
-        .preset = 2.0,
+        .defaultValue = 2.0,
         .max = 5.0,
     });
 }
@@ -193,7 +193,7 @@ Parameter push()
         .symbol = "k",
         .unit = Text::tr("1/frame²"),
         .help = Text::tr("How hard two bodies push: this share of the missing distance, each frame."),
-        .preset = 0.1,
+        .defaultValue = 0.1,
         .min = 0.0,
         .max = 1e9,
         .sliderMin = 0.0,
@@ -207,7 +207,7 @@ Parameter distance()
         .id = "distance",
         .name = Text::tr("Distance"),
         .help = Text::tr("Two bodies closer than this push each other."),
-        .preset = 60.0,
+        .defaultValue = 60.0,
         .sliderMin = 0.0,
         .sliderMax = 150.0,
     });

@@ -18,7 +18,7 @@ lessons::Parameter traction();
 /// `feet` and `spread`.
 lessons::Parameter legCount();
 lessons::Parameter spread();
-/// `top` and `change`: see sim::Reins.
+/// `top` and `change`: see sim::SteeringLimits.
 lessons::Parameter top();
 lessons::Parameter change();
 /// `at_wall`: turn or keep_on.

@@ -236,12 +236,12 @@ Scene setUp(const Values &values)
     double damp = values["damp"];
     add<Damping>(scene, damp);
 
-    Soil soil;
-    soil.ground = values["ground"];
-    soil.bounce = values["bounce"];
-    int choice = values.whole("traction");
-    soil.traction = Traction(choice);
-    add<Ground>(scene, feet, soil);
+    GroundPlane plane;
+    plane.ground = values["ground"];
+    plane.bounce = values["bounce"];
+    int choice = values.integer("traction");
+    plane.traction = Traction(choice);
+    add<Ground>(scene, feet, plane);
 
     double speed = values["speed"];
     scene.start.gait.setZero(1);
@@ -259,7 +259,7 @@ namespace more_feet {
 //! [more_feet]
 Scene setUp(const Values &values)
 {
-    int count = values.whole("feet");
+    int count = values.integer("feet");
     Scene scene = creature(count);
     const int body = count; // comes last
     scene.start.place(body, {270, 300});
@@ -289,12 +289,12 @@ Scene setUp(const Values &values)
     double damp = values["damp"];
     add<Damping>(scene, damp);
 
-    Soil soil;
-    soil.ground = values["ground"];
-    soil.bounce = values["bounce"];
-    int choice = values.whole("traction");
-    soil.traction = Traction(choice);
-    add<Ground>(scene, feet, soil);
+    GroundPlane plane;
+    plane.ground = values["ground"];
+    plane.bounce = values["bounce"];
+    int choice = values.integer("traction");
+    plane.traction = Traction(choice);
+    add<Ground>(scene, feet, plane);
 
     double speed = values["speed"];
     scene.start.gait.setZero(1);
@@ -336,22 +336,22 @@ Scene setUp(const Values &values)
     double damp = values["damp"];
     add<Damping>(scene, damp);
 
-    Soil soil;
-    soil.ground = values["ground"];
-    soil.bounce = values["bounce"];
-    int choice = values.whole("traction");
-    soil.traction = Traction(choice);
-    add<Ground>(scene, feet, soil);
+    GroundPlane plane;
+    plane.ground = values["ground"];
+    plane.bounce = values["bounce"];
+    int choice = values.integer("traction");
+    plane.traction = Traction(choice);
+    add<Ground>(scene, feet, plane);
 
     double speed = values["speed"];
     scene.start.gait.setZero(1);
     scene.start.gaitSpeed.setZero(1);
     scene.start.gaitSpeed[0] = speed;
 
-    Reins reins;
-    reins.top = values["top"];
-    reins.change = values["change"];
-    add<Steering>(scene, 0, body, reins);
+    SteeringLimits limits;
+    limits.top = values["top"];
+    limits.change = values["change"];
+    add<Steering>(scene, 0, body, limits);
     add<GaitClock>(scene); // comes last
     return scene;
 }
@@ -388,12 +388,12 @@ Scene setUp(const Values &values)
     double damp = values["damp"];
     add<Damping>(scene, damp);
 
-    Soil soil;
-    soil.ground = values["ground"];
-    soil.bounce = values["bounce"];
-    int choice = values.whole("traction");
-    soil.traction = Traction(choice);
-    add<Ground>(scene, feet, soil);
+    GroundPlane plane;
+    plane.ground = values["ground"];
+    plane.bounce = values["bounce"];
+    int choice = values.integer("traction");
+    plane.traction = Traction(choice);
+    add<Ground>(scene, feet, plane);
 
     Room room;
     room.left = values["left"];
@@ -408,12 +408,12 @@ Scene setUp(const Values &values)
     scene.start.gaitSpeed.setZero(1);
     scene.start.gaitSpeed[0] = speed;
 
-    Reins reins;
-    reins.top = values["top"];
-    reins.change = values["change"];
-    add<Steering>(scene, 0, body, reins);
+    SteeringLimits limits;
+    limits.top = values["top"];
+    limits.change = values["change"];
+    add<Steering>(scene, 0, body, limits);
     const std::vector<int> clockOf(3, 0);
-    if (values.whole("at_wall") == 0)
+    if (values.integer("at_wall") == 0)
         add<TurnRound>(scene, room, half,
                        clockOf);
     add<GaitClock>(scene); // comes last
@@ -450,7 +450,7 @@ Scene inARow(int count, double speed)
 
 Scene setUp(const Values &values)
 {
-    int count = values.whole("creatures");
+    int count = values.integer("creatures");
     double speed = values["speed"];
     Scene scene = inARow(count, speed);
     std::vector<int> feet, bodies, clockOf;
@@ -476,7 +476,7 @@ Scene setUp(const Values &values)
 
     double push = values["push"];
     double distance = values["distance"];
-    int felt = values.whole("felt_by");
+    int felt = values.integer("felt_by");
     add<Push>(scene, bodies, push, distance,
         felt == 0 ? Reaction::equal
                   : Reaction::none);
@@ -487,12 +487,12 @@ Scene setUp(const Values &values)
     double damp = values["damp"];
     add<Damping>(scene, damp);
 
-    Soil soil;
-    soil.ground = values["ground"];
-    soil.bounce = values["bounce"];
-    int choice = values.whole("traction");
-    soil.traction = Traction(choice);
-    add<Ground>(scene, feet, soil);
+    GroundPlane plane;
+    plane.ground = values["ground"];
+    plane.bounce = values["bounce"];
+    int choice = values.integer("traction");
+    plane.traction = Traction(choice);
+    add<Ground>(scene, feet, plane);
 
     Room room;
     room.left = values["left"];
@@ -501,7 +501,7 @@ Scene setUp(const Values &values)
     room.bounce = 0;
     const auto half = halfWidths(scene);
     add<Walls>(scene, room, half);
-    if (values.whole("at_wall") == 0)
+    if (values.integer("at_wall") == 0)
         add<TurnRound>(scene, room, half,
                        clockOf);
     add<GaitClock>(scene, clockOf);

@@ -24,7 +24,7 @@ struct Text
 
 Step stepOf(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("walking_gait", id, title);
+    Step step = lessons::makeStep("walking_gait", id, title);
     step.parameters = {stiffness(), damping(), leg()};
     return step;
 }
@@ -32,10 +32,10 @@ Step stepOf(const char *id, const QString &title)
 /// A step whose creature walks on the ground.
 Step stepOnGround(const char *id, const QString &title)
 {
-    Step step = lessons::stepCalled("walking_gait", id, title);
-    step.look = onGround;
-    step.stands = stands;
-    step.guides = places;
+    Step step = lessons::makeStep("walking_gait", id, title);
+    step.view = onGround;
+    step.isFootDown = stands;
+    step.overlays = places;
     step.measures = {walkingSpeed(), slip()};
     return step;
 }
@@ -64,8 +64,8 @@ Step bonesStep()
     step.explanation = bonesExplanation();
     step.tries = bonesTries();
     step.scene = bones::setUp;
-    step.look = plainLook;
-    step.guides = boneLines;
+    step.view = plainLook;
+    step.overlays = boneLines;
     return step;
 }
 
@@ -81,8 +81,8 @@ Step legsStep()
     step.explanation = legsExplanation();
     step.tries = legsTries();
     step.scene = legs::setUp;
-    step.look = straightLegs;
-    step.guides = places;
+    step.view = straightLegs;
+    step.overlays = places;
     return step;
 }
 
@@ -99,8 +99,8 @@ Step feetBelowStep()
     step.explanation = feetBelowExplanation();
     step.tries = feetBelowTries();
     step.scene = feet_below::setUp;
-    step.look = straightLegs;
-    step.guides = places;
+    step.view = straightLegs;
+    step.overlays = places;
     return step;
 }
 
@@ -118,8 +118,8 @@ Step curvedLegsStep()
     step.explanation = curvedLegsExplanation();
     step.tries = curvedLegsTries();
     step.scene = curved_legs::setUp;
-    step.look = curvedLegs;
-    step.guides = bends;
+    step.view = curvedLegs;
+    step.overlays = bends;
     return step;
 }
 
@@ -137,8 +137,8 @@ Step swingStep()
     step.explanation = swingExplanation();
     step.tries = swingTries();
     step.scene = swing::setUp;
-    step.look = curvedLegs;
-    step.guides = ring;
+    step.view = curvedLegs;
+    step.overlays = ring;
     step.measures = {swingWidth()};
     return step;
 }
@@ -157,8 +157,8 @@ Step bodyPulledStep()
     step.explanation = bodyPulledExplanation();
     step.tries = bodyPulledTries();
     step.scene = body_pulled::setUp;
-    step.look = curvedLegs;
-    step.guides = middleAndPlaces;
+    step.view = curvedLegs;
+    step.overlays = middleAndPlaces;
     step.measures = {momentumOfAll()};
     return step;
 }
@@ -182,9 +182,9 @@ Step groundStep()
     step.explanation = groundExplanation();
     step.tries = groundTries();
     step.scene = walking_gait::ground::setUp;
-    step.look = onGround;
-    step.stands = stands;
-    step.guides = places;
+    step.view = onGround;
+    step.isFootDown = stands;
+    step.overlays = places;
     step.measures = {walkingSpeed(), slip()};
     return step;
 }
@@ -203,7 +203,7 @@ Step moreFeetStep()
     step.explanation = moreFeetExplanation();
     step.tries = moreFeetTries();
     step.scene = more_feet::setUp;
-    step.presetGallery = gaits();
+    step.presets = gaits();
     return step;
 }
 
@@ -224,7 +224,7 @@ Step steeringStep()
     step.explanation = steeringExplanation();
     step.tries = steeringTries();
     step.scene = steering::setUp;
-    step.does = {Does::hand, Does::pointer, Does::keys};
+    step.interactions = {Interaction::drag, Interaction::pointer, Interaction::keys};
     step.measures.push_back(clockSpeed());
     return step;
 }
@@ -247,8 +247,8 @@ Step wallsStep()
     step.explanation = wallsExplanation();
     step.tries = wallsTries();
     step.scene = walls::setUp;
-    step.look = inRoom;
-    step.does = {Does::hand, Does::pointer, Does::keys};
+    step.view = inRoom;
+    step.interactions = {Interaction::drag, Interaction::pointer, Interaction::keys};
     step.measures.push_back(clockSpeed());
     return step;
 }
@@ -270,7 +270,7 @@ Step companyStep()
     step.explanation = companyExplanation();
     step.tries = companyTries();
     step.scene = company::setUp;
-    step.look = inRoom;
+    step.view = inRoom;
     step.measures = {slip(), sumOfPushes()};
     return step;
 }

@@ -37,14 +37,14 @@ double groundLine(const Values &values)
     return values["ground"] + footWidth / 2;
 }
 
-Guide cross(sim::Vec2 at, const QString &label = {})
+Overlay cross(sim::Vec2 at, const QString &label = {})
 {
-    return {.shape = Guide::Shape::cross, .a = at, .label = label};
+    return {.shape = Overlay::Shape::cross, .a = at, .label = label};
 }
 
-Guide line(sim::Vec2 from, sim::Vec2 to)
+Overlay line(sim::Vec2 from, sim::Vec2 to)
 {
-    return {.shape = Guide::Shape::line, .a = from, .b = to};
+    return {.shape = Overlay::Shape::line, .a = from, .b = to};
 }
 
 /// Calls `visit(leg, target)` for each leg that pulls; for none while the springs are switched off.
@@ -61,10 +61,10 @@ void forEachLeg(const Scene &scene, const State &state, Visit &&visit)
     }
 }
 
-Look withFeet(Look look)
+View withFeet(View look)
 {
     for (std::size_t i = 0; i < look.bodies.size(); ++i) {
-        if (look.bodies[i].shape == BodyLook::Shape::foot)
+        if (look.bodies[i].shape == BodyView::Shape::foot)
             look.feet.push_back(static_cast<int>(i));
     }
     look.stage = {0, 40, 540, 400};
@@ -75,18 +75,18 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 int bodyOf(const State &state)
 {
-    return state.points() - 1;
+    return state.pointCount() - 1;
 }
 
 double slipOf(const Scene &scene, const State &state, const State *before, const Values &values)
 {
     double total = 0.0;
     int standing = 0;
-    for (int i = 0; before && before->points() == state.points() && i < bodyOf(state); ++i) {
+    for (int i = 0; before && before->pointCount() == state.pointCount() && i < bodyOf(state); ++i) {
         const bool foot = !isBody(scene.names[static_cast<std::size_t>(i)]);
         if (!foot || !stands(scene, state, values, i) || !stands(scene, *before, values, i))
             continue;
-        total += std::abs(state.at(i).x - before->at(i).x);
+        total += std::abs(state.positionOf(i).x - before->positionOf(i).x);
         ++standing;
     }
     return standing > 0 ? total / standing : nothing;
@@ -94,10 +94,10 @@ double slipOf(const Scene &scene, const State &state, const State *before, const
 
 double pushesOf(const Scene &scene, const State &state, const State *, const Values &)
 {
-    Eigen::ArrayX2d sum = Eigen::ArrayX2d::Zero(state.points(), 2);
+    Eigen::ArrayX2d sum = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
     for (const sim::EffectPtr &effect : scene.effects) {
         if (const auto *push = dynamic_cast<const sim::Push *>(effect.get()))
-            push->add(state, {0, state.points()}, 1.0, sim::Directions::apart, sum);
+            push->add(state, {0, state.pointCount()}, 1.0, sim::DirectionRule::regularised, sum);
     }
     const auto total = sum.colwise().sum().eval();
     return std::hypot(total[0], total[1]);
@@ -105,38 +105,38 @@ double pushesOf(const Scene &scene, const State &state, const State *, const Val
 
 }
 
-Look plainLook(const Scene &scene, const Values &)
+View plainLook(const Scene &scene, const Values &)
 {
-    Look look = creatureLook(scene);
+    View look = creatureView(scene);
     look.springs = actingSprings(scene);
     return look;
 }
 
-Look straightLegs(const Scene &scene, const Values &)
+View straightLegs(const Scene &scene, const Values &)
 {
-    return creatureLookWithLegs(scene);
+    return creatureViewWithLegs(scene);
 }
 
-Look curvedLegs(const Scene &scene, const Values &values)
+View curvedLegs(const Scene &scene, const Values &values)
 {
-    Look look = creatureLookWithLegs(scene);
-    for (LegLook &leg : look.legs)
+    View look = creatureViewWithLegs(scene);
+    for (LegView &leg : look.legs)
         leg.curve = values["curve"];
     return look;
 }
 
-Look onGround(const Scene &scene, const Values &values)
+View onGround(const Scene &scene, const Values &values)
 {
-    Look look = withFeet(curvedLegs(scene, values));
+    View look = withFeet(curvedLegs(scene, values));
     if (effectOf<sim::Ground>(scene))
         look.ground = groundLine(values);
-    look.follow = scene.start.points() - 1;
+    look.followedPoint = scene.start.pointCount() - 1;
     return look;
 }
 
-Look inRoom(const Scene &scene, const Values &values)
+View inRoom(const Scene &scene, const Values &values)
 {
-    Look look = withFeet(curvedLegs(scene, values));
+    View look = withFeet(curvedLegs(scene, values));
     const bool hasGround = effectOf<sim::Ground>(scene);
     if (effectOf<sim::Walls>(scene))
         look.room = sim::Room{values["left"], values["right"], hasGround ? groundLine(values) : noFloor, 0.0};
@@ -147,14 +147,15 @@ Look inRoom(const Scene &scene, const Values &values)
 
 bool stands(const Scene &scene, const State &state, const Values &values, int point)
 {
-    return effectOf<sim::Ground>(scene) && state.feels(point) && state.at(point).y >= values["ground"];
+    return effectOf<sim::Ground>(scene) && state.isDynamic(point) &&
+           state.positionOf(point).y >= values["ground"];
 }
 
 Guides boneLines(const Scene &scene, const State &state, const Values &)
 {
     Guides all;
     forEachLeg(scene, state, [&](const sim::Leg &leg, sim::Vec2 target) {
-        all.push_back(line(state.at(leg.body), target));
+        all.push_back(line(state.positionOf(leg.body), target));
         all.push_back(cross(target, Text::tr("foot %1").arg(leg.foot)));
     });
     return all;
@@ -171,9 +172,9 @@ Guides bends(const Scene &scene, const State &state, const Values &values)
 {
     Guides all;
     forEachLeg(scene, state, [&](const sim::Leg &leg, sim::Vec2) {
-        const sim::Vec2 foot = state.at(leg.foot);
+        const sim::Vec2 foot = state.positionOf(leg.foot);
         const sim::Vec2 bend = {foot.x, foot.y - values["curve"]};
-        all.insert(all.end(), {line(foot, bend), line(bend, state.at(leg.body)), cross(bend)});
+        all.insert(all.end(), {line(foot, bend), line(bend, state.positionOf(leg.body)), cross(bend)});
     });
     return all;
 }
@@ -181,9 +182,9 @@ Guides bends(const Scene &scene, const State &state, const Values &values)
 Guides ring(const Scene &scene, const State &state, const Values &values)
 {
     Guides all = places(scene, state, values);
-    const sim::Vec2 body = state.at(state.points() - 1);
+    const sim::Vec2 body = state.positionOf(state.pointCount() - 1);
     all.push_back(
-        {.shape = Guide::Shape::ring, .a = {body.x, body.y + values["drop"]}, .size = values["leg"]});
+        {.shape = Overlay::Shape::ring, .a = {body.x, body.y + values["drop"]}, .size = values["leg"]});
     return all;
 }
 
@@ -205,8 +206,8 @@ Measure swingWidth()
         .decimals = 1,
         .of =
             [](const Scene &, const State &state, const State *, const Values &values) {
-                const sim::Vec2 middle = state.at(bodyOf(state)) + sim::Vec2{0.0, values["drop"]};
-                return sim::length(state.at(0) - middle);
+                const sim::Vec2 middle = state.positionOf(bodyOf(state)) + sim::Vec2{0.0, values["drop"]};
+                return sim::length(state.positionOf(0) - middle);
             },
     };
 }
@@ -235,8 +236,9 @@ Measure walkingSpeed()
         .decimals = 2,
         .of =
             [](const Scene &, const State &state, const State *before, const Values &) {
-                const bool same = before && before->points() == state.points();
-                return same ? state.at(bodyOf(state)).x - before->at(bodyOf(state)).x : nothing;
+                const bool same = before && before->pointCount() == state.pointCount();
+                return same ? state.positionOf(bodyOf(state)).x - before->positionOf(bodyOf(state)).x
+                            : nothing;
             },
     };
 }

@@ -8,15 +8,15 @@
 /// How the scenes of this lesson look, what is drawn over them, and what is measured.
 namespace walking_gait {
 
-using Guides = std::vector<lessons::Guide>;
+using Guides = std::vector<lessons::Overlay>;
 
-lessons::Look plainLook(const sim::Scene &scene, const sim::Values &values);
-lessons::Look straightLegs(const sim::Scene &scene, const sim::Values &values);
-lessons::Look curvedLegs(const sim::Scene &scene, const sim::Values &values);
+lessons::View plainLook(const sim::Scene &scene, const sim::Values &values);
+lessons::View straightLegs(const sim::Scene &scene, const sim::Values &values);
+lessons::View curvedLegs(const sim::Scene &scene, const sim::Values &values);
 /// The ground, the feet diagram, and a camera that follows the body.
-lessons::Look onGround(const sim::Scene &scene, const sim::Values &values);
+lessons::View onGround(const sim::Scene &scene, const sim::Values &values);
 /// The ground, the feet diagram, and walls on both sides.
-lessons::Look inRoom(const sim::Scene &scene, const sim::Values &values);
+lessons::View inRoom(const sim::Scene &scene, const sim::Values &values);
 
 /// Whether a foot that is not held has the ground under it.
 bool stands(const sim::Scene &scene, const sim::State &state, const sim::Values &values, int point);

@@ -8,53 +8,53 @@ namespace sim {
 
 namespace {
 
-void dropIdle(std::vector<Gathered> &all)
+void dropIdle(std::vector<ForceSnapshot> &all)
 {
-    std::erase_if(all, [](const Gathered &one) { return (one.acceleration == 0.0).all(); });
+    std::erase_if(all, [](const ForceSnapshot &one) { return (one.acceleration == 0.0).all(); });
 }
 
 }
 
-std::vector<Gathered> gathered(const Track &track)
+std::vector<ForceSnapshot> accumulatedForces(const Track &track)
 {
-    std::vector<Gathered> all;
-    const Pipeline &pipeline = track.shown().pipeline;
-    const Directions directions = track.script().method->directions();
-    const State &state = track.now();
-    const int done = track.at().phase % pipeline.phasesPerStep();
+    std::vector<ForceSnapshot> all;
+    const Pipeline &pipeline = track.interval().pipeline;
+    const DirectionRule directionRule = track.script().method->directionRule();
+    const State &state = track.state();
+    const int done = track.cursor().phase % pipeline.phasesPerStep();
     for (int i = 0; i < done; ++i) {
         const Phase &phase = pipeline.phaseAt(i);
-        if (phase.moves) {
-            for (Gathered &one : all)
+        if (phase.consumesAcceleration) {
+            for (ForceSnapshot &one : all)
                 one.acceleration.middleRows(phase.points.first, phase.points.count).setZero();
         }
         const auto *force = as<Force>(phase.effect);
         if (!force)
             continue;
-        auto found =
-            std::find_if(all.begin(), all.end(), [&](const Gathered &g) { return g.effect == phase.effect; });
+        auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const ForceSnapshot &g) { return g.effect == phase.effect; });
         if (found == all.end()) {
-            all.push_back({phase.effect, Eigen::ArrayX2d::Zero(state.points(), 2)});
+            all.push_back({phase.effect, Eigen::ArrayX2d::Zero(state.pointCount(), 2)});
             found = std::prev(all.end());
         }
         // Positions change only when a phase moves, so what was gathered can be found again from where things are.
-        force->add(state, phase.points, 1.0, directions, found->acceleration);
+        force->add(state, phase.points, 1.0, directionRule, found->acceleration);
     }
     dropIdle(all);
     return all;
 }
 
-std::vector<Gathered> pullsNow(const Track &track)
+std::vector<ForceSnapshot> currentForces(const Track &track)
 {
-    std::vector<Gathered> all;
-    const State &state = track.now();
-    const Directions directions = track.script().method->directions();
-    for (const EffectPtr &effect : track.shown().scene.effects) {
+    std::vector<ForceSnapshot> all;
+    const State &state = track.state();
+    const DirectionRule directionRule = track.script().method->directionRule();
+    for (const EffectPtr &effect : track.interval().scene.effects) {
         const auto *force = as<Force>(effect);
         if (!force)
             continue;
-        all.push_back({effect, Eigen::ArrayX2d::Zero(state.points(), 2)});
-        force->add(state, {0, state.points()}, 1.0, directions, all.back().acceleration);
+        all.push_back({effect, Eigen::ArrayX2d::Zero(state.pointCount(), 2)});
+        force->add(state, {0, state.pointCount()}, 1.0, directionRule, all.back().acceleration);
     }
     dropIdle(all);
     return all;

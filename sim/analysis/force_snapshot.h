@@ -7,7 +7,7 @@
 namespace sim {
 
 /// What one effect has gathered on all points: px/frame^2, one row per point.
-struct Gathered
+struct ForceSnapshot
 {
     EffectPtr effect;
     Eigen::ArrayX2d acceleration;
@@ -15,9 +15,9 @@ struct Gathered
 
 /// The accelerations that the phases done of the step under way have gathered and that no move has spent yet, one
 /// entry per effect in the order in which they ran. Empty between two rows.
-std::vector<Gathered> gathered(const Track &track);
+std::vector<ForceSnapshot> accumulatedForces(const Track &track);
 /// What each force of the scene pulls with where things are now, all points at once, one entry per force in the order
 /// in which they are listed. Without those that pull nothing.
-std::vector<Gathered> pullsNow(const Track &track);
+std::vector<ForceSnapshot> currentForces(const Track &track);
 
 }

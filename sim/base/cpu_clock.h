@@ -7,7 +7,7 @@ namespace sim {
 
 /// Seconds that this thread has computed, where the system tells: other programs that come in between do not count.
 /// Elsewhere the time that passes. Asking takes longer than reading a plain clock.
-inline double computedSeconds()
+inline double threadCpuSeconds()
 {
 #ifdef CLOCK_THREAD_CPUTIME_ID
     timespec time = {};
@@ -18,7 +18,7 @@ inline double computedSeconds()
 }
 
 /// Seconds that pass.
-inline double passedSeconds()
+inline double wallSeconds()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }

@@ -6,7 +6,7 @@ namespace sim {
 
 /// Scrambles 64 bits so that neighbouring inputs give unrelated outputs.
 /// Source: Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (SplitMix64), 2014.
-constexpr std::uint64_t scramble(std::uint64_t z)
+constexpr std::uint64_t mixBits(std::uint64_t z)
 {
     z += 0x9E3779B97F4A7C15u;
     z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -18,7 +18,7 @@ constexpr std::uint64_t scramble(std::uint64_t z)
 /// in time meets the same numbers again.
 constexpr double uniform(std::uint64_t seed, std::uint64_t frame, std::uint64_t index)
 {
-    const std::uint64_t bits = scramble(scramble(scramble(seed) ^ frame) ^ index);
+    const std::uint64_t bits = mixBits(mixBits(mixBits(seed) ^ frame) ^ index);
     return static_cast<double>(bits >> 11) * 0x1.0p-53;
 }
 

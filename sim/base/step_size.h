@@ -6,16 +6,16 @@ namespace sim {
 /// what is kept and written: one a frame, or one a step when that is longer.
 struct StepSize
 {
-    double h = 1.0;         ///< frames; for adaptive methods one row
-    int perRow = 1;         ///< steps a row: n for h = 1/n
-    int rowFrames = 1;      ///< frames a row: h itself when it is whole
-    double tolerance = 0.0; ///< px (or degrees) a step; 0: steps have length h
+    double h = 1.0;          ///< frames; for adaptive methods one row
+    int stepsPerOutput = 1;  ///< steps a row: n for h = 1/n
+    int framesPerOutput = 1; ///< frames a row: h itself when it is whole
+    double tolerance = 0.0;  ///< px (or degrees) a step; 0: steps have length h
 
     /// @throws Error "step-size" (h) unless 1/h or h is whole (to 1e-9) and h is from 1e-6 to 100
-    static StepSize of(double h);
+    static StepSize ofLength(double h);
     /// @throws Error "tolerance" (tolerance) unless it is from 1e-13 to 100 px
-    static StepSize within(double tolerance);
-    bool adaptive() const { return tolerance > 0.0; }
+    static StepSize withTolerance(double tolerance);
+    bool isAdaptive() const { return tolerance > 0.0; }
     friend bool operator==(const StepSize &, const StepSize &) = default;
 };
 

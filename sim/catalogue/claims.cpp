@@ -37,14 +37,14 @@ Claim no(const char *id, const Method &method, std::map<std::string, std::string
     return {false, Error(id, std::move(values))};
 }
 
-bool needs(const Method &method, const char *what)
+bool requirements(const Method &method, const char *what)
 {
-    const std::vector<std::string> all = method.needs();
+    const std::vector<std::string> all = method.requirements();
     return std::find(all.begin(), all.end(), what) != all.end();
 }
 
 /// Both ends of the spring on the x axis, in one group each, as those of a creature are.
-Scene sceneOf(const Stiffest &stiffest)
+Scene sceneOf(const StiffestSpring &stiffest)
 {
     Scene scene;
     scene.start = State::ofPoints(2);
@@ -59,13 +59,13 @@ Scene sceneOf(const Stiffest &stiffest)
 }
 
 /// What a step makes of the places and the velocities of the two ends: a column for each of the four.
-Eigen::Matrix4d matrixOf(const Stiffest &stiffest, const MethodPtr &method, double h)
+Eigen::Matrix4d matrixOf(const StiffestSpring &stiffest, const MethodPtr &method, double h)
 {
     Scene scene = sceneOf(stiffest);
-    method->prepare(scene.start);
-    const Pipeline pipeline = compose(scene, *method, StepSize::of(h));
+    method->prepareState(scene.start);
+    const Pipeline pipeline = compose(scene, *method, StepSize::ofLength(h));
     Eigen::Matrix4d matrix;
-    const FlushTiny flush;
+    const FlushDenormals flush;
     for (int column = 0; column < 4; ++column) {
         State state = scene.start;
         (column < 2 ? state.position : state.velocity)(column % 2, 0) = 1.0;
@@ -77,7 +77,7 @@ Eigen::Matrix4d matrixOf(const Stiffest &stiffest, const MethodPtr &method, doub
 }
 
 /// How fast it swings, in rad/frame.
-double pace(const Stiffest &stiffest)
+double pace(const StiffestSpring &stiffest)
 {
     return std::sqrt(stiffest.k * (stiffest.inverseMass + stiffest.inverseMass2));
 }
@@ -86,7 +86,7 @@ double pace(const Stiffest &stiffest)
 double closest(const Rest &rest)
 {
     double within = std::numeric_limits<double>::infinity();
-    for (const RestPlace &place : rest.places)
+    for (const RestPosition &place : rest.places)
         within = std::min(within, place.within);
     for (const RestDistance &distance : rest.distances)
         within = std::min(within, distance.within);
@@ -96,18 +96,18 @@ double closest(const Rest &rest)
 /// For methods that choose their steps by the error that those make.
 Claim claimByTolerance(const HardCase &hard, const Method &method, const RunSize &size)
 {
-    const Stiffest &stiffest = *hard.stiffest;
+    const StiffestSpring &stiffest = *hard.stiffest;
     // A step's error goes with a power of its length.
-    const double perRadian = std::pow(stiffest.apart / size.tolerance, 1.0 / method.order());
+    const double perRadian = std::pow(stiffest.stretch / size.tolerance, 1.0 / method.order());
     const double steps = std::max(pace(stiffest) * perRadian, hard.driven) + stepsPerBounce * hard.bounces;
-    const std::int64_t most = Patient::mostTries(hard.script.build(hard.script.values).start.points());
+    const std::int64_t most = StepBudget::maxTries(hard.script.build(hard.script.values).start.pointCount());
     if (steps > sureOf * static_cast<double>(most))
         return no("claim-too-many-steps", method, {{"steps", text(steps)}, {"most", std::to_string(most)}});
     // Where nothing damps, what one step is off stays.
     const double mostOff = static_cast<double>(size.frames) * size.tolerance;
-    if (stiffest.damp == 1.0 && mostOff > hard.bound.reach - stiffest.apart)
+    if (stiffest.damp == 1.0 && mostOff > hard.bound.reach - stiffest.stretch)
         return no("claim-adds-up", method, {{"frames", std::to_string(size.frames)}, {"off", text(mostOff)}});
-    const Rest *rest = hard.asksFor(Ask::rests) ? hard.restAfter(size) : nullptr;
+    const Rest *rest = hard.hasRequirement(Requirement::comesToRest) ? hard.restAfter(size) : nullptr;
     const double stirred = stirs * size.tolerance * std::max(1.0, pace(stiffest));
     if (rest && (stirred > rest->speed || stirred > closest(*rest)))
         return no("claim-stirs", method, {{"tolerance", text(size.tolerance)}, {"stirred", text(stirred)}});
@@ -116,30 +116,30 @@ Claim claimByTolerance(const HardCase &hard, const Method &method, const RunSize
 
 Claim claimByStep(const HardCase &hard, const MethodPtr &method, const RunSize &size)
 {
-    const Stiffest &stiffest = *hard.stiffest;
+    const StiffestSpring &stiffest = *hard.stiffest;
     const auto steps = static_cast<std::int64_t>(std::llround(static_cast<double>(size.frames) / size.h));
-    const Foretold told = foretell(stiffest, method, size.h, steps, hard.bound.reach);
+    const Prediction told = predictOscillation(stiffest, method, size.h, steps, hard.bound.reach);
     const std::map<std::string, std::string> numbers = {{"k", text(stiffest.k)},
-                                                        {"apart", text(stiffest.apart)},
+                                                        {"apart", text(stiffest.stretch)},
                                                         {"h", text(size.h)},
                                                         {"left", text(told.left)},
                                                         {"frames", std::to_string(size.frames)}};
     if (!(told.most <= hard.bound.reach))
         return no("claim-grows", *method, numbers);
     const Rest *rest = hard.restAfter(size);
-    const bool comes =
-        !rest || !hard.asksFor(Ask::rests) || (told.left <= closest(*rest) && told.speed <= rest->speed);
+    const bool comes = !rest || !hard.hasRequirement(Requirement::comesToRest) ||
+                       (told.left <= closest(*rest) && told.speed <= rest->speed);
     return comes ? Claim{true, {}} : no("claim-rings", *method, numbers);
 }
 
 }
 
-Foretold foretell(const Stiffest &stiffest, const MethodPtr &method, double h, std::int64_t steps,
-                  double enough)
+Prediction predictOscillation(const StiffestSpring &stiffest, const MethodPtr &method, double h,
+                              std::int64_t steps, double enough)
 {
     const Eigen::Matrix4d step = matrixOf(stiffest, method, h);
-    Eigen::Vector4d now(stiffest.apart, 0.0, 0.0, 0.0);
-    Foretold told{stiffest.apart, stiffest.apart, 0.0};
+    Eigen::Vector4d now(stiffest.stretch, 0.0, 0.0, 0.0);
+    Prediction told{stiffest.stretch, stiffest.stretch, 0.0};
     for (std::int64_t i = 0; i < steps && told.most <= enough; ++i) {
         const double before = now[0] - now[1];
         now = step * now;
@@ -152,14 +152,14 @@ Foretold foretell(const Stiffest &stiffest, const MethodPtr &method, double h, s
 
 Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size)
 {
-    if (hard.asksFor(Ask::refused))
+    if (hard.hasRequirement(Requirement::refused))
         return {true, {}}; // whatever would compute it
-    if (const std::optional<Error> misfit = whyNot(scriptOf(hard, method, size)))
+    if (const std::optional<Error> misfit = composeError(scriptOf(hard, method, size)))
         return {false, misfit};
-    if (hard.asksFor(Ask::middleStays) && needs(*method, "groups"))
+    if (hard.hasRequirement(Requirement::centreStays) && requirements(*method, "groups"))
         return no("claim-one-by-one", *method, {});
     const bool byTolerance = method->stepLimit() == StepLimit::tolerance;
-    if (byTolerance && hard.asksFor(Ask::noRoom))
+    if (byTolerance && hard.hasRequirement(Requirement::noRoom))
         return no("claim-no-room", *method, {});
     if (hard.stickError && size.h > hard.brief.h && !byTolerance)
         return no("claim-longer-step", *method, {{"h", text(size.h)}, {"most", text(hard.brief.h)}});

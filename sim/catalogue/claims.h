@@ -16,7 +16,7 @@ struct Claim
 Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size);
 
 /// What some steps make of the spring of a Stiffest.
-struct Foretold
+struct Prediction
 {
     double most = 0.0;  ///< px: the farthest that it was out of its length on the way
     double left = 0.0;  ///< px: that it is in the end
@@ -27,7 +27,7 @@ struct Foretold
 /// from each place and each velocity alone. Leaves off where the spring is more than `enough` px out of its length.
 /// Only for methods whose steps have a length.
 /// Source: the amplification matrix; Hairer and Wanner, "Solving ordinary differential equations II", section IV.2.
-Foretold foretell(const Stiffest &stiffest, const MethodPtr &method, double h, std::int64_t steps,
-                  double enough);
+Prediction predictOscillation(const StiffestSpring &stiffest, const MethodPtr &method, double h,
+                              std::int64_t steps, double enough);
 
 }

@@ -6,9 +6,9 @@
 
 namespace sim {
 
-bool HardCase::asksFor(Ask what) const
+bool HardCase::hasRequirement(Requirement what) const
 {
-    return std::find(asks.begin(), asks.end(), what) != asks.end();
+    return std::find(requirements.begin(), requirements.end(), what) != requirements.end();
 }
 
 const Rest *HardCase::restAfter(const RunSize &size) const
@@ -20,8 +20,8 @@ Script scriptOf(const HardCase &hard, const MethodPtr &method, const RunSize &si
 {
     Script script = hard.script;
     script.method = method;
-    script.step =
-        method->stepping() == Stepping::adaptive ? StepSize::within(size.tolerance) : StepSize::of(size.h);
+    script.step = method->stepping() == Stepping::adaptive ? StepSize::withTolerance(size.tolerance)
+                                                           : StepSize::ofLength(size.h);
     return script;
 }
 

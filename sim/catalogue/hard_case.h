@@ -9,29 +9,29 @@
 namespace sim {
 
 /// What a hard case asks of a method, besides being able to compute its scene at all. Claims go by these.
-enum class Ask {
-    swings,      ///< something swings: it must not swing farther and farther; see HardCase::stiffest
-    rests,       ///< what swings comes to rest within the run
-    middleStays, ///< nothing pushes from outside: the middle of all masses stays where it is
-    sticks,      ///< sticks, or other conditions on places
-    bounces,     ///< things meet walls or a floor; see HardCase::bounces
-    noRoom,      ///< a wall on either side leaves no place where a body would be free of both
-    hand,        ///< a hand jumps
-    setsInRun,   ///< a parameter jumps
-    driven,      ///< a clock, a motor or wind drives it, too fast for a step to follow
-    noDirection, ///< points (or pointer and point) in one place, or on one line
-    manyPoints,  ///< thousands
-    longRun,     ///< millions of frames
-    oddStep,     ///< a step that is not one frame
-    refused,     ///< nothing but a clear refusal is right
-    ends,        ///< a number comes out infinite: the run ends there, and says where and why
+enum class Requirement {
+    oscillates,     ///< something swings: it must not swing farther and farther; see HardCase::stiffest
+    comesToRest,    ///< what swings comes to rest within the run
+    centreStays,    ///< nothing pushes from outside: the middle of all masses stays where it is
+    constraints,    ///< sticks, or other conditions on places
+    bounces,        ///< things meet walls or a floor; see HardCase::bounces
+    noRoom,         ///< a wall on either side leaves no place where a body would be free of both
+    dragging,       ///< a hand jumps
+    parameterJumps, ///< a parameter jumps
+    driven,         ///< a clock, a motor or wind drives it, too fast for a step to follow
+    noDirection,    ///< points (or pointer and point) in one place, or on one line
+    manyPoints,     ///< thousands
+    longRun,        ///< millions of frames
+    unusualStep,    ///< a step that is not one frame
+    refused,        ///< nothing but a clear refusal is right
+    overflows,      ///< a number comes out infinite: the run ends there, and says where and why
 };
 
 /// The stiffest thing of a scene, as what swings fastest: two masses on a line, joined by a spring.
 /// A creature's body with n feet counts as the feet in one, n times as heavy, on n springs in one.
-struct Stiffest
+struct StiffestSpring
 {
-    double apart = 100.0;      ///< px: the most that the spring is out of its length when it begins to swing
+    double stretch = 100.0;    ///< px: the most that the spring is out of its length when it begins to swing
     double k = 0.0;            ///< of the spring, mass/frame^2
     double inverseMass = 1.0;  ///< of what is pulled
     double inverseMass2 = 0.0; ///< of what it is pulled to; 0: that stands fast
@@ -47,7 +47,7 @@ struct RunSize
 };
 
 /// A place at which a body comes to rest.
-struct RestPlace
+struct RestPosition
 {
     std::string body;
     Vec2 x;              ///< px
@@ -67,7 +67,7 @@ struct RestDistance
 struct Rest
 {
     std::int64_t after = 0; ///< frames: runs that are shorter need not come to it
-    std::vector<RestPlace> places = {};
+    std::vector<RestPosition> places = {};
     std::vector<RestDistance> distances = {};
     double speed = 0.0; ///< px/frame: in the last row nothing goes faster from its place to the next
 };
@@ -77,7 +77,7 @@ struct Bounds
 {
     double reach = 0.0;          ///< px: no point is farther from `from`
     Vec2 from = {270.0, 200.0};  ///< px
-    std::optional<double> drift; ///< px: how far the middle of all masses may go; see Ask::middleStays
+    std::optional<double> drift; ///< px: how far the middle of all masses may go; see Ask::centreStays
 };
 
 /// An experiment that breaks careless methods: a plain value.
@@ -90,17 +90,18 @@ struct HardCase
     Script script;      ///< scene, values and input; a method and its step are put in by scriptOf()
     RunSize brief;      ///< enough to see it, in about a second
     RunSize full;       ///< the size that the story tells
-    std::vector<Ask> asks;
-    std::optional<Stiffest> stiffest; ///< at any time of the run; set if it asks for `swings` or `rests`
-    double bounces = 0.0;             ///< the most that happen in a frame
-    double driven = 0.0;              ///< rad/frame: how fast what drives it turns
+    std::vector<Requirement> requirements;
+    std::optional<StiffestSpring>
+        stiffest;         ///< at any time of the run; set if it asks for `swings` or `rests`
+    double bounces = 0.0; ///< the most that happen in a frame
+    double driven = 0.0;  ///< rad/frame: how fast what drives it turns
     Bounds bound;
     std::optional<Rest> rest; ///< where there is a right one
     std::optional<double>
         stickError; ///< px: how wrong a stick's length may be after any frame, by steps as brief has them
     std::string refusal; ///< the id of the Error that is right; empty: it runs
 
-    bool asksFor(Ask what) const;
+    bool hasRequirement(Requirement what) const;
     /// The rest that a run of this size must come to, if any.
     const Rest *restAfter(const RunSize &size) const;
 };

@@ -29,26 +29,26 @@ Vec2 middleOf(const State &state)
 {
     Vec2 sum;
     double mass = 0.0;
-    for (int i = 0; i < state.points(); ++i) {
-        if (!state.feels(i))
+    for (int i = 0; i < state.pointCount(); ++i) {
+        if (!state.isDynamic(i))
             continue;
-        sum = sum + (1.0 / state.inverseMass[i]) * state.at(i);
+        sum = sum + (1.0 / state.inverseMass[i]) * state.positionOf(i);
         mass += 1.0 / state.inverseMass[i];
     }
     return (1.0 / mass) * sum;
 }
 
 /// What is looked at after each row.
-class Watcher
+class BoundsChecker
 {
 public:
-    Watcher(const HardCase &hard, const Scene &scene) : m_hard(hard), m_from(middleOf(scene.start)) {}
+    BoundsChecker(const HardCase &hard, const Scene &scene) : m_hard(hard), m_from(middleOf(scene.start)) {}
 
     std::optional<Error> look(const Scene &scene, const State &state, std::int64_t frame) const
     {
         const std::string when = std::to_string(frame);
-        for (int i = 0; i < state.points(); ++i) {
-            if (!(length(state.at(i) - m_hard.bound.from) <= m_hard.bound.reach))
+        for (int i = 0; i < state.pointCount(); ++i) {
+            if (!(length(state.positionOf(i) - m_hard.bound.from) <= m_hard.bound.reach))
                 return Error(
                     "hard-too-far",
                     {{"frame", when}, {"body", nameOf(scene, i)}, {"reach", text(m_hard.bound.reach)}});
@@ -81,20 +81,20 @@ private:
 /// What is wrong with the end of a run that should be at rest. `rowFrames`: since `before`. What a method calls a
 /// velocity at the end of a step may be one half way; so it is places that tell.
 std::optional<Error> lookAtRest(const Rest &rest, const Scene &scene, const State &before, const State &state,
-                                int rowFrames)
+                                int framesPerOutput)
 {
-    for (int i = 0; i < state.points(); ++i) {
-        const double speed = length(state.at(i) - before.at(i)) / rowFrames;
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const double speed = length(state.positionOf(i) - before.positionOf(i)) / framesPerOutput;
         if (!(speed <= rest.speed))
             return Error("hard-moves", {{"body", nameOf(scene, i)}, {"speed", text(speed)}});
     }
-    for (const RestPlace &place : rest.places) {
-        const double off = length(state.at(scene.find(place.body)) - place.x);
+    for (const RestPosition &place : rest.places) {
+        const double off = length(state.positionOf(scene.find(place.body)) - place.x);
         if (!(off <= place.within))
             return Error("hard-elsewhere", {{"body", place.body}, {"off", text(off)}});
     }
     for (const RestDistance &wanted : rest.distances) {
-        const Vec2 apart = state.at(scene.find(wanted.a)) - state.at(scene.find(wanted.b));
+        const Vec2 apart = state.positionOf(scene.find(wanted.a)) - state.positionOf(scene.find(wanted.b));
         const double off = std::abs(length(apart) - wanted.length);
         if (!(off <= wanted.within))
             return Error("hard-length", {{"a", wanted.a}, {"b", wanted.b}, {"off", text(off)}});
@@ -103,10 +103,10 @@ std::optional<Error> lookAtRest(const Rest &rest, const Scene &scene, const Stat
 }
 
 /// Asks now and then whether to go on.
-class Onlooker
+class ProgressReporter
 {
 public:
-    explicit Onlooker(const JudgeProgress &progress) : m_progress(progress) {}
+    explicit ProgressReporter(const JudgeProgress &progress) : m_progress(progress) {}
     bool goesOn(double share)
     {
         if (m_progress && Clock::now() >= m_next) {
@@ -132,64 +132,65 @@ Error whyItStopped(const Stop &stop)
 }
 
 /// The first run: looks at every row. Returns the state it ends with.
-State watchedRun(const HardCase &hard, const Script &script, const RunSize &size, Onlooker &onlooker,
+State watchedRun(const HardCase &hard, const Script &script, const RunSize &size, ProgressReporter &onlooker,
                  Verdict &verdict)
 {
     const std::int64_t frames = size.frames;
     Track track(script, 0);
-    const Watcher watcher(hard, track.shown().scene);
+    const BoundsChecker watcher(hard, track.interval().scene);
     const double whole = static_cast<double>(frames);
-    State before = track.now();
-    for (std::int64_t frame = track.rowFrames(); frame <= frames && !verdict.why;
-         frame += track.rowFrames()) {
+    State before = track.state();
+    for (std::int64_t frame = track.framesPerOutput(); frame <= frames && !verdict.why;
+         frame += track.framesPerOutput()) {
         if (!onlooker.goesOn(0.5 * static_cast<double>(frame) / whole)) {
             verdict.isComplete = false;
-            return track.now();
+            return track.state();
         }
-        if (frame + track.rowFrames() > frames)
-            before = track.now();
+        if (frame + track.framesPerOutput() > frames)
+            before = track.state();
         track.seek({frame, 0});
         if (const std::optional<Stop> &stop = track.stop()) {
             verdict.why = whyItStopped(*stop);
             break;
         }
         verdict.frames = frame;
-        verdict.why = watcher.look(track.shown().scene, track.now(), frame);
+        verdict.why = watcher.look(track.interval().scene, track.state(), frame);
     }
     if (const Rest *rest = hard.restAfter(size); rest && !verdict.why)
-        verdict.why = lookAtRest(*rest, track.shown().scene, before, track.now(), track.rowFrames());
-    return track.now();
+        verdict.why =
+            lookAtRest(*rest, track.interval().scene, before, track.state(), track.framesPerOutput());
+    return track.state();
 }
 
 /// The second run: under a clock, in stretches of some milliseconds, and looked at only in the end.
-void repeatedRun(const Script &script, const State &end, Onlooker &onlooker, Verdict &verdict)
+void repeatedRun(const Script &script, const State &end, ProgressReporter &onlooker, Verdict &verdict)
 {
     Track track(script, 0, Sleeping::never); // as what is asleep costs nothing
     const double whole = static_cast<double>(verdict.frames);
     double seconds = 0.0;
-    std::int64_t stretch = track.rowFrames();
+    std::int64_t stretch = track.framesPerOutput();
     for (std::int64_t frame = 0; frame < verdict.frames;) {
         if (!onlooker.goesOn(0.5 + 0.5 * static_cast<double>(frame) / whole)) {
             verdict.isComplete = false;
             return;
         }
         frame = std::min(verdict.frames, frame + stretch);
-        const double before = computedSeconds();
+        const double before = threadCpuSeconds();
         track.seek({frame, 0});
-        const double took = computedSeconds() - before;
+        const double took = threadCpuSeconds() - before;
         seconds += took;
         stretch *= took < 0.01 ? 2 : 1;
     }
     if (verdict.frames > 0)
         verdict.nsPerFrame = 1e9 * seconds / whole;
-    if (!verdict.why && !sameBits(track.now(), end))
+    if (!verdict.why && !sameBits(track.state(), end))
         verdict.why = Error("hard-not-the-same", {{"frame", std::to_string(verdict.frames)}});
 }
 
 /// Only a refusal of the right kind is right.
 void judgeRefusal(const HardCase &hard, const Script &script, Verdict &verdict)
 {
-    const std::optional<Error> refusal = whyNot(script);
+    const std::optional<Error> refusal = composeError(script);
     verdict.holds = refusal && refusal->id() == hard.refusal;
     if (!verdict.holds)
         verdict.why = refusal ? *refusal : Error("hard-not-refused", {});
@@ -208,16 +209,16 @@ void judgeEnd(Verdict &verdict)
 
 }
 
-std::optional<Error> whatIsWrong(const HardCase &hard, const Scene &first, const Scene &scene,
-                                 const State &state, std::int64_t frame)
+std::optional<Error> findViolation(const HardCase &hard, const Scene &first, const Scene &scene,
+                                   const State &state, std::int64_t frame)
 {
-    return Watcher(hard, first).look(scene, state, frame);
+    return BoundsChecker(hard, first).look(scene, state, frame);
 }
 
-std::optional<Error> whatIsUnrest(const HardCase &hard, const Scene &scene, const State &before,
-                                  const State &state, int rowFrames)
+std::optional<Error> findRestViolation(const HardCase &hard, const Scene &scene, const State &before,
+                                       const State &state, int framesPerOutput)
 {
-    return hard.rest ? lookAtRest(*hard.rest, scene, before, state, rowFrames) : std::nullopt;
+    return hard.rest ? lookAtRest(*hard.rest, scene, before, state, framesPerOutput) : std::nullopt;
 }
 
 Verdict judge(const HardCase &hard, const MethodPtr &method, const RunSize &size,
@@ -226,19 +227,19 @@ Verdict judge(const HardCase &hard, const MethodPtr &method, const RunSize &size
     Verdict verdict;
     verdict.claim = claimOf(hard, method, size);
     const Script script = scriptOf(hard, method, size);
-    if (hard.asksFor(Ask::refused)) {
+    if (hard.hasRequirement(Requirement::refused)) {
         judgeRefusal(hard, script, verdict);
         return verdict;
     }
-    if (const std::optional<Error> misfit = whyNot(script)) {
+    if (const std::optional<Error> misfit = composeError(script)) {
         verdict.why = misfit;
         return verdict;
     }
-    Onlooker onlooker(progress);
+    ProgressReporter onlooker(progress);
     const State end = watchedRun(hard, script, size, onlooker, verdict);
     if (verdict.isComplete)
         repeatedRun(script, end, onlooker, verdict);
-    if (hard.asksFor(Ask::ends))
+    if (hard.hasRequirement(Requirement::overflows))
         judgeEnd(verdict);
     else
         verdict.holds = verdict.isComplete && !verdict.why;

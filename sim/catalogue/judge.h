@@ -21,11 +21,11 @@ struct Verdict
 
 /// What is wrong with a moment of a run of `hard`, after `frame` frames: a point is too far, the middle has moved, a
 /// stick is too wrong. Empty if nothing is. `first`: the scene at frame 0.
-std::optional<Error> whatIsWrong(const HardCase &hard, const Scene &first, const Scene &scene,
-                                 const State &state, std::int64_t frame);
+std::optional<Error> findViolation(const HardCase &hard, const Scene &first, const Scene &scene,
+                                   const State &state, std::int64_t frame);
 /// What is wrong with the end of its run, `rowFrames` after `before`; empty if nothing is, and where no rest is told.
-std::optional<Error> whatIsUnrest(const HardCase &hard, const Scene &scene, const State &before,
-                                  const State &state, int rowFrames);
+std::optional<Error> findRestViolation(const HardCase &hard, const Scene &scene, const State &before,
+                                       const State &state, int framesPerOutput);
 
 /// Told now and then how much of it is done, 0 to 1. Returns whether to go on.
 using JudgeProgress = std::function<bool(double)>;

@@ -53,7 +53,7 @@ Scene runawayPair(const Values &values)
 
 Scene creature(const Values &values)
 {
-    const int feet = values.whole("feet");
+    const int feet = values.integer("feet");
     Scene scene = dampedCreature(feet, values);
     for (int i = 0; i < feet; ++i) {
         // No two are opposite, and more are on the right.
@@ -66,7 +66,7 @@ Scene creature(const Values &values)
 
 Scene creatureOnLine(const Values &values)
 {
-    const int feet = values.whole("feet");
+    const int feet = values.integer("feet");
     Scene scene = dampedCreature(feet, values);
     for (int i = 0; i < feet; ++i) {
         const double side = i % 2 == 0 ? -1.0 : 1.0;
@@ -107,7 +107,7 @@ Scene walker(const Values &values)
     const LegRule rule{values["k"], 50.0, 50.0, Aim::swing, Reaction::equal};
     scene.effects = {make_shared<LegSpring>(std::vector<Leg>{{0, 2, 0.0}, {1, 2, pi}}, rule),
                      make_shared<Gravity>(values["gravity"]), make_shared<Damping>(values["damp"]),
-                     make_shared<Ground>(std::vector<int>{0, 1}, Soil{400.0, 0.0, Traction::full}),
+                     make_shared<Ground>(std::vector<int>{0, 1}, GroundPlane{400.0, 0.0, Traction::full}),
                      make_shared<GaitClock>()};
     return scene;
 }
@@ -120,11 +120,11 @@ Scene swimmer(const Values &values)
     scene.start = State::ofPoints(2);
     scene.start.place(lead, middle);
     scene.start.place(tail, middle - Vec2{values["behind"], 0.0});
-    scene.start.outside.target = {values["target_x"], values["target_y"]};
+    scene.start.input.target = {values["target_x"], values["target_y"]};
     scene.names = {"lead", "tail"};
     scene.groups = {{SIM_TEXT("lead"), {lead, 1}},
-                    {SIM_TEXT("tail"), {tail, 1}, isSoft ? Inertia::some : Inertia::none}};
-    scene.effects = {make_shared<Damping>(values["keep"], Points{lead, 1}),
+                    {SIM_TEXT("tail"), {tail, 1}, isSoft ? Motion::byVelocity : Motion::prescribed}};
+    scene.effects = {make_shared<Damping>(values["keep"], PointRange{lead, 1}),
                      make_shared<Motor>(lead, 0.9, 0.25)};
     if (isSoft) {
         const std::vector<SoftStick> spine = {{lead, tail, 20.0, 40.0, 60.0}};

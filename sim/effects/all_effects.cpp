@@ -43,42 +43,42 @@
 
 namespace sim {
 
-namespace described {
-#define DECLARE(name) extern const Description name;
+namespace descriptions {
+#define DECLARE(name) extern const EffectDescription name;
 EFFECTS(DECLARE)
 #undef DECLARE
 }
 
 EffectList allEffects()
 {
-#define ADDRESS(name) &described::name,
-    static constexpr const Description *all[] = {EFFECTS(ADDRESS)};
+#define ADDRESS(name) &descriptions::name,
+    static constexpr const EffectDescription *all[] = {EFFECTS(ADDRESS)};
 #undef ADDRESS
     return all;
 }
 
-const Description *findDescription(EffectList known, const std::string &id)
+const EffectDescription *findDescription(EffectList known, const std::string &id)
 {
     const auto found =
-        std::find_if(known.begin(), known.end(), [&](const Description *one) { return one->id == id; });
+        std::find_if(known.begin(), known.end(), [&](const EffectDescription *one) { return one->id == id; });
     return found == known.end() ? nullptr : *found;
 }
 
 std::string purposeOf(const Effect &effect)
 {
-    const Description *found = findDescription(allEffects(), effect.id());
+    const EffectDescription *found = findDescription(allEffects(), effect.id());
     return found ? found->purpose : std::string();
 }
 
 ChosenEffects chosenEffects(EffectList known, const Blueprint &plan, const Values &values)
 {
     ChosenEffects chosen;
-    for (const Description *one : known) {
-        if (!one->make || !has(plan, one->id))
+    for (const EffectDescription *one : known) {
+        if (!one->make || !hasEffect(plan, one->id))
             continue;
         const EffectPtr effect = one->make(plan, values);
         const bool pulls = as<Force>(*effect) || as<Torque>(*effect) || as<Drag>(*effect);
-        (pulls ? chosen.pulls : chosen.rest).push_back(effect);
+        (pulls ? chosen.beforeMove : chosen.afterMove).push_back(effect);
     }
     return chosen;
 }

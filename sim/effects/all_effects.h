@@ -7,13 +7,13 @@
 namespace sim {
 
 /// Descriptions of effects, in the order in which the effects act.
-using EffectList = std::span<const Description *const>;
+using EffectList = std::span<const EffectDescription *const>;
 
 /// Returns the description of every effect.
 EffectList allEffects();
 
 /// Returns the description with the id `id`, or null if `known` has none.
-const Description *findDescription(EffectList known, const std::string &id);
+const EffectDescription *findDescription(EffectList known, const std::string &id);
 
 /// Returns what `effect` is for: one sentence for a learner, in English; see SIM_TEXT. Empty for an effect that
 /// allEffects() does not have.
@@ -22,8 +22,9 @@ std::string purposeOf(const Effect &effect);
 /// The effects that were chosen for a built scene, in the order in which they act.
 struct ChosenEffects
 {
-    std::vector<EffectPtr> pulls; ///< those that act before points are put right: forces, torques and drags
-    std::vector<EffectPtr> rest;
+    std::vector<EffectPtr>
+        beforeMove; ///< those that act before points are put right: forces, torques and drags
+    std::vector<EffectPtr> afterMove;
 };
 
 /// Makes those effects of `known` that `plan` lists. `values` has every setting of them.

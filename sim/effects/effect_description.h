@@ -8,7 +8,7 @@
 namespace sim {
 
 /// A variable of an effect's shown code.
-struct Variable
+struct CodeVariable
 {
     const char *name;
     const char *unit;    ///< may be empty
@@ -16,28 +16,29 @@ struct Variable
 };
 
 /// An effect as data: what people read of it, and how the sandbox makes it. Texts are in English; see SIM_TEXT.
-struct Description
+struct EffectDescription
 {
     const char *id; ///< in files: lower case with underscores
     const char *title;
-    Kind kind;
-    const char *purpose;                    ///< one sentence for a learner: what it is there for
-    std::span<const Setting> settings = {}; ///< the numbers of the whole scene that it reads
-    std::span<const Setting> ofPoints = {}; ///< the numbers of each point that it reads; see BuiltPoint::more
-    std::span<const Variable> variables = {}; ///< of its shown code, where their names do not tell enough
+    EffectKind kind;
+    const char *purpose;                            ///< one sentence for a learner: what it is there for
+    std::span<const ParameterSpec> parameters = {}; ///< the numbers of the whole scene that it reads
+    std::span<const ParameterSpec> pointProperties =
+        {}; ///< the numbers of each point that it reads; see BlueprintPoint::more
+    std::span<const CodeVariable> variables = {}; ///< of its shown code, where their names do not tell enough
     /// Makes it for a scene that a learner built, where a learner can choose it there. `values` has each of `settings`.
     EffectPtr (*make)(const Blueprint &, const Values &) = nullptr;
 };
 
 /// An effect with the id, title and kind of its description.
-template <class Base, const Description &description>
-class Described : public Base
+template <class Base, const EffectDescription &description>
+class DescribedEffect : public Base
 {
 public:
     using Base::Base;
     std::string id() const override { return description.id; }
     std::string title() const override { return description.title; }
-    Kind kind() const override { return description.kind; }
+    EffectKind kind() const override { return description.kind; }
 };
 
 }

@@ -40,9 +40,9 @@ MethodPtr findMethod(const std::string &id)
 StepSize stepFor(const Method &method, StepSize own)
 {
     const bool adaptive = method.stepping() == Stepping::adaptive;
-    if (own.adaptive() == adaptive)
+    if (own.isAdaptive() == adaptive)
         return own;
-    return adaptive ? StepSize::within(presetTolerance) : StepSize::of(1.0);
+    return adaptive ? StepSize::withTolerance(defaultTolerance) : StepSize::ofLength(1.0);
 }
 
 }

@@ -11,9 +11,9 @@ std::vector<MethodPtr> allMethods();
 MethodPtr findMethod(const std::string &id);
 
 /// px a step: what an adaptive method gets where nobody says another tolerance. Far below what is seen, and cheap.
-constexpr double presetTolerance = 1e-3;
+constexpr double defaultTolerance = 1e-3;
 
-/// `own` where it goes with `method`; else what `method` gets where nobody says: h = 1, or presetTolerance.
+/// `own` where it goes with `method`; else what `method` gets where nobody says: h = 1, or defaultTolerance.
 StepSize stepFor(const Method &method, StepSize own);
 
 }

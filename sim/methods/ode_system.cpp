@@ -9,35 +9,35 @@ namespace sim {
 
 namespace {
 
-int countOf(const std::vector<Points> &runs)
+int countOf(const std::vector<PointRange> &ranges)
 {
     int count = 0;
-    for (const Points &run : runs)
-        count += run.count;
+    for (const PointRange &range : ranges)
+        count += range.count;
     return count;
 }
 
 /// The c of each point of `runs`, added up over the drags that have one.
-std::vector<double> ratesOf(const Scene &scene, const std::vector<Points> &runs)
+std::vector<double> ratesOf(const Scene &scene, const std::vector<PointRange> &ranges)
 {
-    std::vector<double> rates(static_cast<std::size_t>(countOf(runs)), 0.0);
+    std::vector<double> rates(static_cast<std::size_t>(countOf(ranges)), 0.0);
     for (const EffectPtr &effect : scene.effects) {
         const auto *drag = as<Drag>(effect);
         std::size_t row = 0;
-        for (const Points &run : runs) {
-            for (int i = run.first; drag && i < run.end(); ++i)
-                rates[row++] += drag->rate(i).value_or(0.0);
+        for (const PointRange &range : ranges) {
+            for (int i = range.first; drag && i < range.end(); ++i)
+                rates[row++] += drag->dampingRate(i).value_or(0.0);
         }
     }
     return rates;
 }
 
 /// The one finite rate among the points that go on by themselves; 0 if there is none.
-std::optional<double> oneOf(const std::vector<double> &rates, const std::vector<char> &inert)
+std::optional<double> oneOf(const std::vector<double> &rates, const std::vector<char> &movingRanges)
 {
     std::optional<double> found;
     for (std::size_t i = 0; i < rates.size(); ++i) {
-        if (!inert[i] || std::isinf(rates[i]))
+        if (!movingRanges[i] || std::isinf(rates[i]))
             continue;
         if (found && *found != rates[i])
             return {};
@@ -48,23 +48,23 @@ std::optional<double> oneOf(const std::vector<double> &rates, const std::vector<
 
 /// The effects of a kind that work on points of `runs`.
 template <class Type>
-std::vector<std::shared_ptr<const Type>> all(const Scene &scene, const std::vector<Points> &runs)
+std::vector<std::shared_ptr<const Type>> all(const Scene &scene, const std::vector<PointRange> &ranges)
 {
     std::vector<std::shared_ptr<const Type>> found;
     for (const EffectPtr &effect : scene.effects) {
-        const auto typed = shared<Type>(effect);
-        const auto works = [&](Points run) { return typed->count(scene.start, run) > 0; };
-        if (typed && std::any_of(runs.begin(), runs.end(), works))
+        const auto typed = sharedAs<Type>(effect);
+        const auto works = [&](PointRange range) { return typed->count(scene.start, range) > 0; };
+        if (typed && std::any_of(ranges.begin(), ranges.end(), works))
             found.push_back(typed);
     }
     return found;
 }
 
-bool hasRates(const Drag &drag, const std::vector<Points> &runs)
+bool hasRates(const Drag &drag, const std::vector<PointRange> &ranges)
 {
-    for (const Points &run : runs) {
-        for (int i = run.first; i < run.end(); ++i) {
-            if (!drag.rate(i))
+    for (const PointRange &range : ranges) {
+        for (int i = range.first; i < range.end(); ++i) {
+            if (!drag.dampingRate(i))
                 return false;
         }
     }
@@ -79,101 +79,102 @@ void copy(const double *from, int count, double *into)
 }
 
 /// The numbers of `run` in both columns, to and from rows of q that lie `apart`.
-void copy(const Eigen::ArrayX2d &columns, Points run, double *row, int apart)
+void copy(const Eigen::ArrayX2d &columns, PointRange range, double *row, int apart)
 {
-    copy(&columns(run.first, 0), run.count, row);
-    copy(&columns(run.first, 1), run.count, row + apart);
+    copy(&columns(range.first, 0), range.count, row);
+    copy(&columns(range.first, 1), range.count, row + apart);
 }
-void copy(const double *row, int apart, Eigen::ArrayX2d &columns, Points run)
+void copy(const double *row, int apart, Eigen::ArrayX2d &columns, PointRange range)
 {
-    copy(row, run.count, &columns(run.first, 0));
-    copy(row + apart, run.count, &columns(run.first, 1));
+    copy(row, range.count, &columns(range.first, 0));
+    copy(row + apart, range.count, &columns(range.first, 1));
 }
 
 }
 
-Flow::Flow(const Scene &scene, Directions directions) : Flow(scene, directions, {{0, scene.start.points()}})
+OdeSystem::OdeSystem(const Scene &scene, DirectionRule directionRule)
+    : OdeSystem(scene, directionRule, {{0, scene.start.pointCount()}})
 {
 }
 
-Flow::Flow(const Scene &scene, Directions directions, std::vector<Points> runs)
-    : m_directions(directions), m_runs(std::move(runs)), m_points(countOf(m_runs)),
+OdeSystem::OdeSystem(const Scene &scene, DirectionRule directionRule, std::vector<PointRange> ranges)
+    : m_directionRule(directionRule), m_ranges(std::move(ranges)), m_points(countOf(m_ranges)),
       m_spins(scene.start.spin.rows() > 0 ? m_points : 0), m_size(2 * m_points + m_spins),
-      m_forces(all<Force>(scene, m_runs)), m_torques(all<Torque>(scene, m_runs))
+      m_forces(all<Force>(scene, m_ranges)), m_torques(all<Torque>(scene, m_ranges))
 {
     forEach([&](int point, int) {
-        m_inert.push_back(scene.hasInertia(point));
+        m_inert.push_back(scene.movesByVelocity(point));
         if (!m_inert.back())
             m_idle.push_back(point);
     });
     for (const auto &force : m_forces)
-        m_pulls.push_back(force->part(m_runs));
-    const std::vector<double> rates = ratesOf(scene, m_runs);
+        m_pulls.push_back(force->adderFor(m_ranges));
+    const std::vector<double> rates = ratesOf(scene, m_ranges);
     for (int row = 0; row < m_size; ++row) {
         const double rate = rates[static_cast<std::size_t>(row % m_points)];
-        if (m_stretches.empty() || m_stretches.back().rate != rate)
-            m_stretches.push_back({row, 0, rate});
-        ++m_stretches.back().count;
+        if (m_rateRanges.empty() || m_rateRanges.back().rate != rate)
+            m_rateRanges.push_back({row, 0, rate});
+        ++m_rateRanges.back().count;
     }
     m_oneRate = oneOf(rates, m_inert);
-    for (const auto &driver : all<Driver>(scene, {{0, scene.start.points()}})) {
-        if (driver->pace() == Pace::flows)
+    for (const auto &driver : all<Driver>(scene, {{0, scene.start.pointCount()}})) {
+        if (driver->timing() == DriverTiming::continuous)
             m_flowing.push_back(driver);
-        else if (driver->pace() == Pace::follows)
+        else if (driver->timing() == DriverTiming::dependent)
             m_following.push_back(driver);
     }
     listEffects(scene);
 }
 
-void Flow::listEffects(const Scene &scene)
+void OdeSystem::listEffects(const Scene &scene)
 {
     for (const EffectPtr &effect : scene.effects) {
         const auto *driver = as<Driver>(effect);
         const auto *drag = as<Drag>(effect);
-        if (as<Force>(effect) || as<Torque>(effect) || (driver && driver->pace() != Pace::once) ||
-            (drag && hasRates(*drag, m_runs)))
+        if (as<Force>(effect) || as<Torque>(effect) ||
+            (driver && driver->timing() != DriverTiming::impulsive) || (drag && hasRates(*drag, m_ranges)))
             m_effects.push_back(effect);
     }
 }
 
-EffectPtr Flow::firstJump(const Scene &scene, Contacts contacts)
+EffectPtr OdeSystem::firstDiscontinuity(const Scene &scene, Contacts contacts)
 {
-    const Points everything = {0, scene.start.points()};
+    const PointRange everything = {0, scene.start.pointCount()};
     for (const EffectPtr &effect : scene.effects) {
         if (effect->count(scene.start, everything) == 0)
             continue;
         const auto *driver = as<Driver>(effect);
         const auto *drag = as<Drag>(effect);
         const bool contact = as<Contact>(effect);
-        if (as<Constraint>(effect) || (driver && driver->pace() == Pace::once) ||
-            (drag && !hasRates(*drag, {everything})) || (contact && contacts == Contacts::doNotFit))
+        if (as<Constraint>(effect) || (driver && driver->timing() == DriverTiming::impulsive) ||
+            (drag && !hasRates(*drag, {everything})) || (contact && contacts == Contacts::excluded))
             return effect;
     }
     return nullptr;
 }
 
-int Flow::pointAt(int row) const
+int OdeSystem::pointAt(int row) const
 {
-    for (const Points &run : m_runs) {
-        if (row < run.count)
-            return run.first + row;
-        row -= run.count;
+    for (const PointRange &range : m_ranges) {
+        if (row < range.count)
+            return range.first + row;
+        row -= range.count;
     }
     return -1;
 }
 
-void Flow::read(const State &state, double *q, double *v) const
+void OdeSystem::readState(const State &state, double *q, double *v) const
 {
-    forEachRun([&](Points run, int row) {
-        copy(state.position, run, q + row, m_points);
-        copy(state.velocity, run, v + row, m_points);
+    forEachRun([&](PointRange range, int row) {
+        copy(state.position, range, q + row, m_points);
+        copy(state.velocity, range, v + row, m_points);
         if (m_spins > 0) {
-            copy(&state.angle[run.first], run.count, q + 2 * m_points + row);
-            copy(&state.spin[run.first], run.count, v + 2 * m_points + row);
+            copy(&state.angle[range.first], range.count, q + 2 * m_points + row);
+            copy(&state.spin[range.first], range.count, v + 2 * m_points + row);
         }
     });
     forEach([&](int point, int row) {
-        if (goesOn(state, point, row))
+        if (movesByVelocity(state, point, row))
             return;
         v[row] = v[m_points + row] = 0.0;
         if (m_spins > 0)
@@ -181,22 +182,22 @@ void Flow::read(const State &state, double *q, double *v) const
     });
 }
 
-void Flow::place(const double *q, State &state) const
+void OdeSystem::writePositions(const double *q, State &state) const
 {
-    forEachRun([&](Points run, int row) {
+    forEachRun([&](PointRange range, int row) {
         if (m_spins > 0) {
-            copy(q + 2 * m_points + row, run.count, &state.angle[run.first]);
+            copy(q + 2 * m_points + row, range.count, &state.angle[range.first]);
             return;
         }
-        copy(q + row, m_points, state.position, run);
+        copy(q + row, m_points, state.position, range);
     });
-    follow(state);
+    runDependentDrivers(state);
 }
 
-void Flow::push(const double *v, State &state) const
+void OdeSystem::writeVelocities(const double *v, State &state) const
 {
     forEach([&](int point, int row) {
-        if (!goesOn(state, point, row))
+        if (!movesByVelocity(state, point, row))
             return;
         state.velocity(point, 0) = v[row];
         state.velocity(point, 1) = v[m_points + row];
@@ -205,82 +206,82 @@ void Flow::push(const double *v, State &state) const
     });
 }
 
-void Flow::clear(State &state) const
+void OdeSystem::clear(State &state) const
 {
-    for (const Points &run : m_runs) {
-        sim::clear(state.acceleration, run);
+    for (const PointRange &range : m_ranges) {
+        sim::setZero(state.acceleration, range);
         if (m_spins > 0)
-            state.turning.segment(run.first, run.count).setZero();
+            state.angularAcceleration.segment(range.first, range.count).setZero();
     }
 }
 
-void Flow::accelerations(State &state, double *a) const
+void OdeSystem::accelerations(State &state, double *a) const
 {
     clear(state);
-    for (const AddPart &pull : m_pulls)
+    for (const AccelerationAdder &pull : m_pulls)
         pull(state, state.acceleration);
     for (const auto &torque : m_torques) {
-        for (const Points &run : m_runs)
-            torque->add(state, run, 1.0, state.turning);
+        for (const PointRange &range : m_ranges)
+            torque->add(state, range, 1.0, state.angularAcceleration);
     }
-    gathered(state, a);
+    readAccumulated(state, a);
 }
 
-void Flow::pull(const Force &force, State &state, double *a) const
+void OdeSystem::forceAccelerations(const Force &force, State &state, double *a) const
 {
     clear(state);
-    for (const Points &run : m_runs)
-        force.add(state, run, 1.0, m_directions, state.acceleration);
+    for (const PointRange &range : m_ranges)
+        force.add(state, range, 1.0, m_directionRule, state.acceleration);
     take(state, a);
 }
 
-void Flow::take(const State &state, double *a) const
+void OdeSystem::take(const State &state, double *a) const
 {
-    forEachRun([&](Points run, int row) {
-        copy(state.acceleration, run, a + row, m_points);
+    forEachRun([&](PointRange range, int row) {
+        copy(state.acceleration, range, a + row, m_points);
         if (m_spins > 0)
-            copy(&state.turning[run.first], run.count, a + 2 * m_points + row);
+            copy(&state.angularAcceleration[range.first], range.count, a + 2 * m_points + row);
     });
 }
 
-void Flow::gathered(State &state, double *a) const
+void OdeSystem::readAccumulated(State &state, double *a) const
 {
     for (const int idle : m_idle) {
         state.acceleration.row(idle).setZero();
         if (m_spins > 0)
-            state.turning[idle] = 0.0;
+            state.angularAcceleration[idle] = 0.0;
     }
     take(state, a);
 }
 
-bool Flow::slopes(const State &state, Slopes &into) const
+bool OdeSystem::jacobian(const State &state, Jacobian &jacobian) const
 {
     bool known = true;
-    for (const Points &run : m_runs) {
+    for (const PointRange &range : m_ranges) {
         for (const auto &force : m_forces)
-            known = force->addSlopes(state, run, 1.0, m_directions, into) && known;
+            known = force->addJacobian(state, range, 1.0, m_directionRule, jacobian) && known;
         for (const auto &torque : m_torques)
-            known = torque->addSlopes(state, run, 1.0, into) && known;
+            known = torque->addJacobian(state, range, 1.0, jacobian) && known;
     }
     return known;
 }
 
-void Flow::tick(State &state, double h) const
+void OdeSystem::advanceDrivers(State &state, double h) const
 {
     for (const auto &driver : m_flowing)
         driver->drive(state, h);
 }
 
-void Flow::follow(State &state) const
+void OdeSystem::runDependentDrivers(State &state) const
 {
     for (const auto &driver : m_following)
         driver->drive(state, 0.0);
 }
 
-void Flow::prepare(State &state) const
+void OdeSystem::prepare(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
 }
 
 }

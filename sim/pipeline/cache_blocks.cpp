@@ -19,22 +19,22 @@ constexpr int pointsInBlock = 1536;
 constexpr int shortestRun = 16;
 
 /// The points of each block in ascending order, neighbours made one run.
-std::vector<std::vector<Points>> divided(const std::vector<std::vector<Points>> &islands, int full)
+std::vector<std::vector<PointRange>> divided(const std::vector<std::vector<PointRange>> &islands, int full)
 {
-    std::vector<std::vector<Points>> blocks;
+    std::vector<std::vector<PointRange>> blocks;
     int filled = full;
-    for (const std::vector<Points> &island : islands) {
+    for (const std::vector<PointRange> &island : islands) {
         if (filled >= full) {
             blocks.emplace_back();
             filled = 0;
         }
-        for (const Points &run : island) {
-            blocks.back().push_back(run);
-            filled += run.count;
+        for (const PointRange &range : island) {
+            blocks.back().push_back(range);
+            filled += range.count;
         }
     }
-    for (std::vector<Points> &runs : blocks)
-        runs = inOrder(std::move(runs));
+    for (std::vector<PointRange> &ranges : blocks)
+        ranges = sortedRanges(std::move(ranges));
     return blocks;
 }
 
@@ -42,19 +42,19 @@ std::vector<std::vector<Points>> divided(const std::vector<std::vector<Points>> 
 /// whole list for each part, in the list's own order.
 bool isDivisible(const Phase &phase)
 {
-    std::vector<Tie> ties;
+    std::vector<Coupling> ties;
     if (as<Constraint>(phase.effect))
-        phase.effect->ties(ties);
+        phase.effect->addCouplings(ties);
     return phase.points.count > 0 && ties.empty() &&
            std::all_of(phase.kernels.begin(), phase.kernels.end(),
-                       [](const Kernel &kernel) { return kernel.part != nullptr; });
+                       [](const Kernel &kernel) { return kernel.prepareFor != nullptr; });
 }
 
-std::vector<Points> common(const std::vector<Points> &runs, Points points)
+std::vector<PointRange> common(const std::vector<PointRange> &ranges, PointRange points)
 {
-    std::vector<Points> parts;
-    for (const Points &run : runs) {
-        if (const Points part = common(run, points); part.count > 0)
+    std::vector<PointRange> parts;
+    for (const PointRange &range : ranges) {
+        if (const PointRange part = intersection(range, points); part.count > 0)
             parts.push_back(part);
     }
     return parts;
@@ -62,33 +62,34 @@ std::vector<Points> common(const std::vector<Points> &runs, Points points)
 
 }
 
-bool Block::contains(int point) const
+bool CacheBlock::contains(int point) const
 {
-    return std::any_of(runs.begin(), runs.end(), [point](Points run) { return run.contains(point); });
+    return std::any_of(ranges.begin(), ranges.end(),
+                       [point](PointRange range) { return range.contains(point); });
 }
 
-std::vector<Block> blocksOf(const Scene &scene, const std::vector<Phase> &phases)
+std::vector<CacheBlock> cacheBlocksOf(const Scene &scene, const std::vector<Phase> &phases)
 {
-    return blocksOf(scene, phases, {pointsInBlock, shortestRun});
+    return cacheBlocksOf(scene, phases, {pointsInBlock, shortestRun});
 }
 
-std::vector<Block> blocksOf(const Scene &scene, const std::vector<Phase> &phases, BlockSize size)
+std::vector<CacheBlock> cacheBlocksOf(const Scene &scene, const std::vector<Phase> &phases, BlockSize size)
 {
-    if (scene.start.points() <= size.points || !std::all_of(phases.begin(), phases.end(), isDivisible))
+    if (scene.start.pointCount() <= size.points || !std::all_of(phases.begin(), phases.end(), isDivisible))
         return {};
-    const std::vector<std::vector<Points>> all = divided(islandsOf(scene), size.points);
+    const std::vector<std::vector<PointRange>> all = divided(islandsOf(scene), size.points);
     std::size_t runs = 0;
-    for (const std::vector<Points> &block : all)
+    for (const std::vector<PointRange> &block : all)
         runs += block.size();
-    if (all.size() < 2 || scene.start.points() < size.shortest * static_cast<std::ptrdiff_t>(runs))
+    if (all.size() < 2 || scene.start.pointCount() < size.minRangeLength * static_cast<std::ptrdiff_t>(runs))
         return {};
-    std::vector<Block> blocks;
+    std::vector<CacheBlock> blocks;
     const std::vector<StepKernel> kernels = fusedKernels(phases);
-    for (const std::vector<Points> &points : all) {
-        Block block{points, {}};
+    for (const std::vector<PointRange> &points : all) {
+        CacheBlock block{points, {}};
         for (const StepKernel &one : kernels) {
-            if (const std::vector<Points> part = common(points, one.points); !part.empty())
-                block.work.push_back(one.kernel.part(part));
+            if (const std::vector<PointRange> part = common(points, one.points); !part.empty())
+                block.work.push_back(one.kernel.prepareFor(part));
         }
         blocks.push_back(std::move(block));
     }

@@ -10,10 +10,10 @@ namespace {
 //! [gather]
 void gather(
     const Force &force, State &state,
-    Points movers, double)
+    PointRange movers, double)
 {
     force.add(state, movers, 1.0,
-        Directions::apart,
+        DirectionRule::regularised,
         state.acceleration);
 }
 //! [gather]
@@ -25,23 +25,23 @@ void gather(
 //! [gather_torque]
 void gatherTorque(
     const Torque &torque, State &state,
-    Points movers, double)
+    PointRange movers, double)
 {
     torque.add(state, movers, 1.0,
-        state.turning);
+        state.angularAcceleration);
 }
 //! [gather_torque]
 // clang-format on
 
 }
 
-Adding gathering()
+ForceAccumulation accelerationAccumulation()
 {
     return {gather,
             gatherTorque,
             {"sim/pipeline/force_accumulation.cpp", "gather"},
             {"sim/pipeline/force_accumulation.cpp", "gather_torque"},
-            Onto::acceleration};
+            AccumulationTarget::acceleration};
 }
 
 }

@@ -9,7 +9,7 @@ namespace sim {
 /// The kernels of a step, with the points that each works on.
 struct StepKernel
 {
-    Points points;
+    PointRange points;
     Kernel kernel;
 };
 

@@ -13,20 +13,20 @@
 namespace sim {
 
 /// Work on some of a scene's points: found out once, done again each step.
-using PartWork = std::function<void(State &)>;
+using PreparedKernel = std::function<void(State &)>;
 
 /// The same simple work for each point that feels forces, as a value.
-struct PointStep
+struct PointOperation
 {
-    enum class Does {
-        falls, ///< a.y = a.y + by, px/frame^2
-        kicks, ///< kick() for `by` frames
-        keeps, ///< damp(): `by` is the share of its velocity that a point keeps
-        moves, ///< move() for `by` frames
+    enum class Kind {
+        addGravity, ///< a.y = a.y + by, px/frame^2
+        kick,       ///< kick() for `by` frames
+        damp,       ///< damp(): `by` is the share of its velocity that a point keeps
+        move,       ///< move() for `by` frames
     };
-    Does does = Does::moves;
-    double by = 0.0;
-    Points points; ///< all that can feel forces, and that it works on, are among these
+    Kind kind = Kind::move;
+    double amount = 0.0;
+    PointRange points; ///< all that can feel forces, and that it works on, are among these
 };
 
 /// What runs in a phase: a piece of work that is the same for all of its points.
@@ -35,41 +35,41 @@ struct Kernel
     /// The work on all of them.
     std::function<void(State &)> run;
     /// Only where it works point by point, or on ties of effects that see what is tied: the same work on the points of
-    /// some runs, which are in ascending order. Parts that no tie leads out of come, in any order, to what `run` does.
-    std::function<PartWork(const std::vector<Points> &runs)> part;
+    /// some runs, which are in ascending order. DoubleDouble that no tie leads out of come, in any order, to what `run` does.
+    std::function<PreparedKernel(const std::vector<PointRange> &ranges)> prepareFor;
     /// Where it is no more than this; see fusedKernels().
-    std::optional<PointStep> step = {};
+    std::optional<PointOperation> operation = {};
 };
 
 /// What a learner sees of a phase.
-struct ShownPhase
+struct PhaseInfo
 {
     std::string id;    ///< the effect's id, or the method's own: "kick", "move"
     std::string title; ///< in English; see SIM_TEXT
-    Kind kind = Kind::motion;
-    EffectPtr effect;              ///< whose work it is; null for the method's own
-    std::vector<EffectPtr> within; ///< the effects that a phase of the method's own computes on its way
-    Points points;                 ///< what it works on
-    int group = -1;                ///< which of the scene's groups; -1: all at once
-    std::vector<Region> regions;   ///< its source, in the order in which it runs
-    bool moves = false;            ///< whether the gathered accelerations are spent after it
-    double kicks = 0.0;            ///< frames for which it lets gathered accelerations act on velocities
-    bool integrates = false;       ///< whether it is part of a step that forces and damping act in all along
+    EffectKind kind = EffectKind::motion;
+    EffectPtr effect;                    ///< whose work it is; null for the method's own
+    std::vector<EffectPtr> innerEffects; ///< the effects that a phase of the method's own computes on its way
+    PointRange points;                   ///< what it works on
+    int group = -1;                      ///< which of the scene's groups; -1: all at once
+    std::vector<Region> regions;         ///< its source, in the order in which it runs
+    bool consumesAcceleration = false;   ///< whether the gathered accelerations are spent after it
+    double kickFrames = 0.0; ///< frames for which it lets gathered accelerations act on velocities
+    bool integrates = false; ///< whether it is part of a step that forces and damping act in all along
     /// The numbers behind what the phase did to `point`, given the states around it.
-    std::function<std::vector<Live>(const State &before, const State &after, int point)> explain;
+    std::function<std::vector<LiveValue>(const State &before, const State &after, int point)> explain;
 };
 
 /// One part of a step: the smallest stretch of time that a learner can stop after.
-struct Phase : ShownPhase
+struct Phase : PhaseInfo
 {
     /// In the order in which they run. The last one is what is shown; those before it are the method's own preparation:
     /// sums that begin at nothing, places that are kept. To run one of those once more changes nothing.
     std::vector<Kernel> kernels;
     /// Only where it may take long: does the same as the kernels, and leaves off when nobody waits any more. Returns
     /// whether it is done; if not, the state is good for nothing.
-    std::function<bool(State &, const GoesOn &)> runWhile;
+    std::function<bool(State &, const ShouldContinue &)> runInterruptible;
     /// Where it takes steps of its own: runs it, and tells each smooth part of the way. Else null.
-    std::function<void(State &, const LapVisit &)> runByLaps;
+    std::function<void(State &, const SegmentVisitor &)> runBySegments;
 
     void run(State &state) const
     {
@@ -116,17 +116,17 @@ public:
     /// What bounds the length of its steps.
     virtual StepLimit stepLimit() const { return StepLimit::stiffness; }
     /// How often a step computes all forces; 0: as often as it takes, counted in State::evaluations.
-    virtual int evaluations() const { return 1; }
+    virtual int evaluationsPerStep() const { return 1; }
     /// What a scene must offer, as ids: "groups" (an update order), "smooth" (a continuous limit: no constraints, no
     /// jumps), "one_damping" (the same for all that moves), "slopes" (forces that know their derivatives). Empty:
     /// nothing beyond forces.
-    virtual std::vector<std::string> needs() const = 0;
+    virtual std::vector<std::string> requirements() const = 0;
     /// How this method's effects find directions.
-    virtual Directions directions() const = 0;
+    virtual DirectionRule directionRule() const = 0;
     /// Where the order of the phases is written down.
     virtual Region region() const = 0;
     /// Gives `state` the scratch that the phases use.
-    virtual void prepare(State &state) const = 0;
+    virtual void prepareState(State &state) const = 0;
     /// The phases of one step. What the scene does not list makes no phase.
     /// @throws Error "method-does-not-fit" (method, effect) for an effect that the method cannot handle
     virtual std::vector<Phase> phases(const Scene &scene, StepSize step) const = 0;

@@ -17,25 +17,25 @@ bool runsInOrder(const EffectPtr &effect)
 
 }
 
-PhaseList::PhaseList(const Scene &scene, Directions directions, double h)
-    : m_scene(scene), m_directions(directions), m_h(h)
+PhaseBuilder::PhaseBuilder(const Scene &scene, DirectionRule directionRule, double h)
+    : m_scene(scene), m_directionRule(directionRule), m_h(h)
 {
 }
 
-Share PhaseList::everything() const
+PhasePoints PhaseBuilder::allPoints() const
 {
-    return {{0, m_scene.start.points()}, -1};
+    return {{0, m_scene.start.pointCount()}, -1};
 }
 
-std::vector<Share> PhaseList::groups() const
+std::vector<PhasePoints> PhaseBuilder::groups() const
 {
-    std::vector<Share> shares;
+    std::vector<PhasePoints> shares;
     for (const Group &group : m_scene.groups)
         shares.push_back({group.points, static_cast<int>(shares.size())});
     return shares;
 }
 
-Phase PhaseList::phaseOf(const EffectPtr &effect, const Share &share) const
+Phase PhaseBuilder::phaseOf(const EffectPtr &effect, const PhasePoints &share) const
 {
     Phase phase;
     phase.id = effect->id();
@@ -44,11 +44,11 @@ Phase PhaseList::phaseOf(const EffectPtr &effect, const Share &share) const
     phase.effect = effect;
     phase.points = share.points;
     phase.group = share.group;
-    phase.regions = effect->regions(m_directions);
+    phase.regions = effect->regions(m_directionRule);
     return phase;
 }
 
-Phase PhaseList::ownPhase(const char *id, const char *title, const Share &share) const
+Phase PhaseBuilder::ownPhase(const char *id, const char *title, const PhasePoints &share) const
 {
     Phase phase;
     phase.id = id;
@@ -59,25 +59,25 @@ Phase PhaseList::ownPhase(const char *id, const char *title, const Share &share)
     return phase;
 }
 
-std::vector<Points> PhaseList::inert(Points points) const
+std::vector<PointRange> PhaseBuilder::movingRanges(PointRange points) const
 {
-    std::vector<Points> runs;
+    std::vector<PointRange> ranges;
     for (const Group &group : m_scene.groups) {
         const int first = std::max(points.first, group.points.first);
         const int end = std::min(points.end(), group.points.end());
-        if (group.inertia == Inertia::none || first >= end)
+        if (group.motion == Motion::prescribed || first >= end)
             continue;
         const auto free = m_scene.start.inverseMass.segment(first, end - first) != 0.0;
         if (!free.any())
             continue;
-        runs.push_back({first, end - first});
+        ranges.push_back({first, end - first});
     }
-    return inOrder(std::move(runs));
+    return sortedRanges(std::move(ranges));
 }
 
-Points PhaseList::feeling(Points points) const
+PointRange PhaseBuilder::trimToDynamic(PointRange points) const
 {
-    const auto feels = [&](int point) { return m_scene.start.feels(point); };
+    const auto feels = [&](int point) { return m_scene.start.isDynamic(point); };
     while (points.count > 0 && !feels(points.end() - 1))
         --points.count;
     while (points.count > 0 && !feels(points.first))
@@ -85,18 +85,18 @@ Points PhaseList::feeling(Points points) const
     return points;
 }
 
-bool PhaseList::hasConstraint(const Share &share) const
+bool PhaseBuilder::hasConstraint(const PhasePoints &share) const
 {
     bool any = false;
     forEach<Constraint>(share, [&](const auto &) { any = true; });
     return any;
 }
 
-void PhaseList::driver(const std::shared_ptr<const Driver> &driver, double h)
+void PhaseBuilder::driver(const std::shared_ptr<const Driver> &driver, double h)
 {
-    if (driver->count(m_scene.start, everything().points) == 0)
+    if (driver->count(m_scene.start, allPoints().points) == 0)
         return;
-    Phase phase = phaseOf(driver, everything());
+    Phase phase = phaseOf(driver, allPoints());
     phase.kernels = {{[driver, h](State &state) { driver->drive(state, h); }, {}}};
     phase.explain = [driver](const State &before, const State &after, int point) {
         return driver->explain(before, after, point);
@@ -104,79 +104,87 @@ void PhaseList::driver(const std::shared_ptr<const Driver> &driver, double h)
     m_phases.push_back(std::move(phase));
 }
 
-std::size_t PhaseList::leading() const
+std::size_t PhaseBuilder::leading() const
 {
     const auto end = std::find_if(m_scene.effects.begin(), m_scene.effects.end(), runsInOrder);
     return static_cast<std::size_t>(end - m_scene.effects.begin());
 }
 
 template <class Accept>
-void PhaseList::drivers(std::size_t first, std::size_t end, double h, Accept &&accept)
+void PhaseBuilder::drivers(std::size_t first, std::size_t end, double h, Accept &&accept)
 {
     for (std::size_t i = first; i < end; ++i) {
-        const auto one = shared<Driver>(m_scene.effects[i]);
-        if (one && accept(one->pace()))
+        const auto one = sharedAs<Driver>(m_scene.effects[i]);
+        if (one && accept(one->timing()))
             driver(one, h);
     }
 }
 
-void PhaseList::driversFirst()
+void PhaseBuilder::leadingDrivers()
 {
-    drivers(0, leading(), m_h, [](Pace) { return true; });
+    drivers(0, leading(), m_h, [](DriverTiming) { return true; });
 }
 
-void PhaseList::driversLast()
+void PhaseBuilder::trailingDrivers()
 {
-    drivers(leading(), m_scene.effects.size(), m_h, [](Pace) { return true; });
+    drivers(leading(), m_scene.effects.size(), m_h, [](DriverTiming) { return true; });
 }
 
-void PhaseList::jumpsFirst()
+void PhaseBuilder::leadingImpulses()
 {
-    drivers(0, leading(), m_h, [](Pace pace) { return pace == Pace::once; });
+    drivers(0, leading(), m_h, [](DriverTiming pace) { return pace == DriverTiming::impulsive; });
 }
 
-void PhaseList::jumpsLast()
+void PhaseBuilder::trailingImpulses()
 {
-    drivers(leading(), m_scene.effects.size(), m_h, [](Pace pace) { return pace == Pace::once; });
+    drivers(leading(), m_scene.effects.size(), m_h,
+            [](DriverTiming pace) { return pace == DriverTiming::impulsive; });
 }
 
-void PhaseList::flow(double part)
+void PhaseBuilder::continuousDrivers(double part)
 {
-    drivers(0, m_scene.effects.size(), part * m_h, [](Pace pace) { return pace == Pace::flows; });
-    drivers(0, m_scene.effects.size(), part * m_h, [](Pace pace) { return pace == Pace::follows; });
+    drivers(0, m_scene.effects.size(), part * m_h,
+            [](DriverTiming pace) { return pace == DriverTiming::continuous; });
+    drivers(0, m_scene.effects.size(), part * m_h,
+            [](DriverTiming pace) { return pace == DriverTiming::dependent; });
 }
 
-void PhaseList::force(const std::shared_ptr<const Force> &force, const Share &share, const Adding &adding)
+void PhaseBuilder::force(const std::shared_ptr<const Force> &force, const PhasePoints &share,
+                         const ForceAccumulation &accumulation)
 {
     Phase phase = phaseOf(force, share);
-    phase.regions.push_back(adding.forceShown);
-    setWork(phase, [force, add = adding.force, h = m_h](State &state, Points points) {
+    phase.regions.push_back(accumulation.forceRegion);
+    setWork(phase, [force, add = accumulation.force, h = m_h](State &state, PointRange points) {
         add(*force, state, points, h);
     });
-    if (Kernel &kernel = phase.kernels.back(); kernel.part && adding.onto == Onto::acceleration)
-        kernel.part = [force](const std::vector<Points> &runs) {
-            return [add = force->part(runs), force](State &state) { add(state, state.acceleration); };
+    if (Kernel &kernel = phase.kernels.back();
+        kernel.prepareFor && accumulation.target == AccumulationTarget::acceleration)
+        kernel.prepareFor = [force](const std::vector<PointRange> &ranges) {
+            return [add = force->adderFor(ranges), force](State &state) { add(state, state.acceleration); };
         };
-    if (const std::optional<double> fall = force->fall(); fall && adding.onto == Onto::acceleration)
-        phase.kernels.back().step = {PointStep::Does::falls, *fall, feeling(share.points)};
-    phase.explain = [force, way = m_directions](const State &before, const State &after, int point) {
-        std::vector<Live> live = force->explain(before, point, way);
-        if (!live.empty() && before.speed(point) != after.speed(point))
-            live.push_back({"velocity", after.speed(point), before.speed(point)});
+    if (const std::optional<double> fall = force->uniformGravity();
+        fall && accumulation.target == AccumulationTarget::acceleration)
+        phase.kernels.back().operation = {PointOperation::Kind::addGravity, *fall,
+                                          trimToDynamic(share.points)};
+    phase.explain = [force, way = m_directionRule](const State &before, const State &after, int point) {
+        std::vector<LiveValue> live = force->explain(before, point, way);
+        if (!live.empty() && before.velocityOf(point) != after.velocityOf(point))
+            live.push_back({"velocity", after.velocityOf(point), before.velocityOf(point)});
         return live;
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::torque(const std::shared_ptr<const Torque> &torque, const Share &share, const Adding &adding)
+void PhaseBuilder::torque(const std::shared_ptr<const Torque> &torque, const PhasePoints &share,
+                          const ForceAccumulation &accumulation)
 {
     Phase phase = phaseOf(torque, share);
-    phase.regions.push_back(adding.torqueShown);
-    setWork(phase, [torque, add = adding.torque, h = m_h](State &state, Points points) {
+    phase.regions.push_back(accumulation.torqueRegion);
+    setWork(phase, [torque, add = accumulation.torque, h = m_h](State &state, PointRange points) {
         add(*torque, state, points, h);
     });
     phase.explain = [torque](const State &before, const State &after, int point) {
-        std::vector<Live> live = torque->explain(before, point);
+        std::vector<LiveValue> live = torque->explain(before, point);
         if (!live.empty() && before.spin[point] != after.spin[point])
             live.push_back({"spin", after.spin[point], before.spin[point]});
         return live;
@@ -184,87 +192,87 @@ void PhaseList::torque(const std::shared_ptr<const Torque> &torque, const Share 
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::drag(const std::shared_ptr<const Drag> &drag, const Share &share, double part)
+void PhaseBuilder::drag(const std::shared_ptr<const Drag> &drag, const PhasePoints &share, double part)
 {
     Phase phase = phaseOf(drag, share);
     const double h = part * m_h;
-    setWork(phase, [drag, h](State &state, Points points) { drag->slow(state, points, h); });
-    if (const std::optional<double> keep = drag->keep(share.points, h); keep && !spins())
-        phase.kernels.back().step = {PointStep::Does::keeps, *keep, feeling(share.points)};
+    setWork(phase, [drag, h](State &state, PointRange points) { drag->apply(state, points, h); });
+    if (const std::optional<double> keep = drag->velocityFactor(share.points, h); keep && !spins())
+        phase.kernels.back().operation = {PointOperation::Kind::damp, *keep, trimToDynamic(share.points)};
     phase.explain = [drag, h](const State &before, const State &after, int point) {
         return drag->explain(before, after, point, h);
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::forces(const Share &share, const Adding &adding)
+void PhaseBuilder::forces(const PhasePoints &share, const ForceAccumulation &accumulation)
 {
-    forEach<Force>(share, [&](const auto &one) { force(one, share, adding); });
-    forEach<Torque>(share, [&](const auto &one) { torque(one, share, adding); });
+    forEach<Force>(share, [&](const auto &one) { force(one, share, accumulation); });
+    forEach<Torque>(share, [&](const auto &one) { torque(one, share, accumulation); });
 }
 
-void PhaseList::gather(const Share &share)
+void PhaseBuilder::accumulateForces(const PhasePoints &share)
 {
     const std::size_t before = m_phases.size();
-    forces(share, gathering());
+    forces(share, accelerationAccumulation());
     if (m_phases.size() == before)
         return;
     // Nothing is gathered yet from where the step begins, or from where the last trial place was left.
     Phase &first = m_phases[m_gathers ? before : 0];
     m_gathers = true;
-    setWorkBefore(first, [](State &state, Points points) {
-        clear(state.acceleration, points);
-        if (state.turning.rows() > 0)
-            state.turning.segment(points.first, points.count).setZero();
+    setWorkBefore(first, [](State &state, PointRange points) {
+        setZero(state.acceleration, points);
+        if (state.angularAcceleration.rows() > 0)
+            state.angularAcceleration.segment(points.first, points.count).setZero();
     });
 }
 
-void PhaseList::damping(const Share &share, double part)
+void PhaseBuilder::damping(const PhasePoints &share, double part)
 {
     forEach<Drag>(share, [&](const auto &one) { drag(one, share, part); });
 }
 
-void PhaseList::dampingWithoutRate(const Share &share)
+void PhaseBuilder::dampingWithoutRate(const PhasePoints &share)
 {
     forEach<Drag>(share, [&](const auto &one) {
-        if (!one->rate(share.points.first))
+        if (!one->dampingRate(share.points.first))
             drag(one, share, 1.0);
     });
 }
 
-void PhaseList::asListed(const Share &share, const Adding &adding)
+void PhaseBuilder::inSceneOrder(const PhasePoints &share, const ForceAccumulation &accumulation)
 {
     for (const EffectPtr &effect : m_scene.effects) {
         if (effect->count(m_scene.start, share.points) == 0)
             continue;
-        if (const auto asForce = shared<Force>(effect))
-            force(asForce, share, adding);
-        else if (const auto asTorque = shared<Torque>(effect))
-            torque(asTorque, share, adding);
-        else if (const auto asDrag = shared<Drag>(effect))
+        if (const auto asForce = sharedAs<Force>(effect))
+            force(asForce, share, accumulation);
+        else if (const auto asTorque = sharedAs<Torque>(effect))
+            torque(asTorque, share, accumulation);
+        else if (const auto asDrag = sharedAs<Drag>(effect))
             drag(asDrag, share, 1.0);
     }
 }
 
-std::function<void(State &, Points)> PhaseList::remembering(const Share &share) const
+std::function<void(State &, PointRange)> PhaseBuilder::savePrevious(const PhasePoints &share) const
 {
     if (!hasConstraint(share))
         return nullptr;
-    return [](State &state, Points points) {
-        if (state.previous.rows() != state.points())
+    return [](State &state, PointRange points) {
+        if (state.previous.rows() != state.pointCount())
             state.previous = state.position;
         state.previous.middleRows(points.first, points.count) =
             state.position.middleRows(points.first, points.count);
     };
 }
 
-void PhaseList::comeFrom(const Share &share)
+void PhaseBuilder::rewindPrevious(const PhasePoints &share)
 {
     if (!hasConstraint(share))
         return;
     m_keepBefore = m_phases.size();
-    m_keep = [h = m_h](State &state, Points points) {
-        if (state.previous.rows() != state.points())
+    m_keep = [h = m_h](State &state, PointRange points) {
+        if (state.previous.rows() != state.pointCount())
             state.previous = state.position;
         state.previous.middleRows(points.first, points.count) =
             state.position.middleRows(points.first, points.count) -
@@ -272,7 +280,7 @@ void PhaseList::comeFrom(const Share &share)
     };
 }
 
-std::vector<Phase> PhaseList::take()
+std::vector<Phase> PhaseBuilder::take()
 {
     if (m_keep && m_keepBefore < m_phases.size())
         setWorkBefore(m_phases[m_keepBefore], m_keep);
@@ -287,131 +295,133 @@ const char *half(double part, const char *whole, const char *halved)
     return part == 1.0 ? whole : halved;
 }
 
-void kickAll(State &state, Points run, double h)
+void kickAll(State &state, PointRange range, double h)
 {
-    const Columns v(state.velocity), a(state.acceleration);
-    replaceFree(state.inverseMass, run, state.velocity,
-                [=](int i) { return sim::kick(v.at(i), a.at(i), h); });
+    const XyColumns v(state.velocity), a(state.acceleration);
+    updateDynamic(state.inverseMass, range, state.velocity,
+                  [=](int i) { return sim::kick(v.at(i), a.at(i), h); });
 }
 
-void moveAll(State &state, Points run, double h)
+void moveAll(State &state, PointRange range, double h)
 {
-    const Columns x(state.position), v(state.velocity);
-    replaceFree(state.inverseMass, run, state.position,
-                [=](int i) { return sim::move(x.at(i), v.at(i), h); });
+    const XyColumns x(state.position), v(state.velocity);
+    updateDynamic(state.inverseMass, range, state.position,
+                  [=](int i) { return sim::move(x.at(i), v.at(i), h); });
 }
 
-void kickSpinOfAll(State &state, Points run, double h)
+void kickSpinOfAll(State &state, PointRange range, double h)
 {
-    const double *spin = state.spin.data(), *turning = state.turning.data();
-    replaceFree(state.inverseMass, run, state.spin.data(),
-                [=](int i) { return kickSpin(spin[i], turning[i], h); });
+    const double *spin = state.spin.data(), *turning = state.angularAcceleration.data();
+    updateDynamic(state.inverseMass, range, state.spin.data(),
+                  [=](int i) { return kickSpin(spin[i], turning[i], h); });
 }
 
-void turnAll(State &state, Points run, double h)
+void turnAll(State &state, PointRange range, double h)
 {
     const double *angle = state.angle.data(), *spin = state.spin.data();
-    replaceFree(state.inverseMass, run, state.angle.data(),
-                [=](int i) { return turn(angle[i], spin[i], h); });
+    updateDynamic(state.inverseMass, range, state.angle.data(),
+                  [=](int i) { return turn(angle[i], spin[i], h); });
 }
 
 /// Gives all points of `run` the velocity with which they came to where they are.
-void takeVelocities(State &state, Points run, double h)
+void takeVelocities(State &state, PointRange range, double h)
 {
-    const Columns x(state.position), before(state.previous);
-    replaceFree(state.inverseMass, run, state.velocity,
-                [=](int i) { return came(x.at(i), before.at(i), h); });
+    const XyColumns x(state.position), before(state.previous);
+    updateDynamic(state.inverseMass, range, state.velocity,
+                  [=](int i) { return velocityFromPositions(x.at(i), before.at(i), h); });
 }
 
 /// Calls `visit(run)` for each of `runs` as far as it is among `points`.
 template <class Visit>
-void forEachRun(const std::vector<Points> &runs, Points points, Visit &&visit)
+void forEachRun(const std::vector<PointRange> &ranges, PointRange points, Visit &&visit)
 {
-    for (const Points &run : runs) {
-        if (const Points part = common(run, points); part.count > 0)
+    for (const PointRange &range : ranges) {
+        if (const PointRange part = intersection(range, points); part.count > 0)
             visit(part);
     }
 }
 }
 
-void PhaseList::kick(const Share &share, double part)
+void PhaseBuilder::kick(const PhasePoints &share, double part)
 {
     bool anyForce = false, anyTorque = false;
     forEach<Force>(share, [&](const auto &) { anyForce = true; });
     forEach<Torque>(share, [&](const auto &) { anyTorque = true; });
-    const std::vector<Points> runs = inert(share.points);
+    const std::vector<PointRange> ranges = movingRanges(share.points);
     if (anyTorque)
         kickSpins(share, part);
-    if (!anyForce || runs.empty())
+    if (!anyForce || ranges.empty())
         return;
     Phase phase = ownPhase("kick", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
-    phase.kicks = part * m_h;
-    setWork(phase, [runs, h = part * m_h](State &state, Points points) {
-        forEachRun(runs, points, [&](Points run) { kickAll(state, run, h); });
+    phase.kickFrames = part * m_h;
+    setWork(phase, [ranges, h = part * m_h](State &state, PointRange points) {
+        forEachRun(ranges, points, [&](PointRange range) { kickAll(state, range, h); });
     });
-    if (runs.size() == 1)
-        phase.kernels.back().step = {PointStep::Does::kicks, part * m_h, feeling(runs.front())};
+    if (ranges.size() == 1)
+        phase.kernels.back().operation = {PointOperation::Kind::kick, part * m_h,
+                                          trimToDynamic(ranges.front())};
     phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
+        return std::vector<LiveValue>{{"v", after.velocityOf(point), before.velocityOf(point)}};
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::kickSpins(const Share &share, double part)
+void PhaseBuilder::kickSpins(const PhasePoints &share, double part)
 {
     Phase phase = ownPhase("kick_spin", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
-    phase.kicks = part * m_h;
-    setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
-        forEachRun(runs, points, [&](Points run) { kickSpinOfAll(state, run, h); });
+    phase.kickFrames = part * m_h;
+    setWork(phase, [ranges = movingRanges(share.points), h = part * m_h](State &state, PointRange points) {
+        forEachRun(ranges, points, [&](PointRange range) { kickSpinOfAll(state, range, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"spin", after.spin[point], before.spin[point]}};
+        return std::vector<LiveValue>{{"spin", after.spin[point], before.spin[point]}};
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::move(const Share &share, double part)
+void PhaseBuilder::move(const PhasePoints &share, double part)
 {
-    const std::vector<Points> runs = inert(share.points);
-    if (runs.empty())
+    const std::vector<PointRange> ranges = movingRanges(share.points);
+    if (ranges.empty())
         return;
     if (spins()) {
         turnAngles(share, part);
         return;
     }
     Phase phase = ownPhase("move", half(part, SIM_TEXT("move"), SIM_TEXT("half move")), share);
-    phase.moves = true;
-    setWork(phase, [runs, h = part * m_h](State &state, Points points) {
-        forEachRun(runs, points, [&](Points run) { moveAll(state, run, h); });
+    phase.consumesAcceleration = true;
+    setWork(phase, [ranges, h = part * m_h](State &state, PointRange points) {
+        forEachRun(ranges, points, [&](PointRange range) { moveAll(state, range, h); });
     });
-    if (runs.size() == 1)
-        phase.kernels.back().step = {PointStep::Does::moves, part * m_h, feeling(runs.front())};
-    if (const auto keep = remembering(share))
+    if (ranges.size() == 1)
+        phase.kernels.back().operation = {PointOperation::Kind::move, part * m_h,
+                                          trimToDynamic(ranges.front())};
+    if (const auto keep = savePrevious(share))
         setWorkBefore(phase, keep);
     phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"x", after.at(point), before.at(point)}};
+        return std::vector<LiveValue>{{"x", after.positionOf(point), before.positionOf(point)}};
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::turnAngles(const Share &share, double part)
+void PhaseBuilder::turnAngles(const PhasePoints &share, double part)
 {
     Phase phase = ownPhase("turn", half(part, SIM_TEXT("turn"), SIM_TEXT("half turn")), share);
-    phase.moves = true;
-    setWork(phase, [runs = inert(share.points), h = part * m_h](State &state, Points points) {
-        forEachRun(runs, points, [&](Points run) { turnAll(state, run, h); });
+    phase.consumesAcceleration = true;
+    setWork(phase, [ranges = movingRanges(share.points), h = part * m_h](State &state, PointRange points) {
+        forEachRun(ranges, points, [&](PointRange range) { turnAll(state, range, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"angle", after.angle[point], before.angle[point]}};
+        return std::vector<LiveValue>{{"angle", after.angle[point], before.angle[point]}};
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::constraints(const Share &share)
+void PhaseBuilder::constraints(const PhasePoints &share)
 {
     forEach<Constraint>(share, [&](const std::shared_ptr<const Constraint> &constraint) {
         Phase phase = phaseOf(constraint, share);
-        setWork(phase, [constraint, way = m_directions, h = m_h](State &state, Points points) {
+        setWork(phase, [constraint, way = m_directionRule, h = m_h](State &state, PointRange points) {
             constraint->enforce(state, points, way, h);
         });
         phase.explain = [constraint](const State &before, const State &after, int point) {
@@ -423,28 +433,28 @@ void PhaseList::constraints(const Share &share)
         velocities(share);
 }
 
-void PhaseList::velocities(const Share &share)
+void PhaseBuilder::velocities(const PhasePoints &share)
 {
-    const std::vector<Points> runs = inert(share.points);
-    if (runs.empty() || spins())
+    const std::vector<PointRange> ranges = movingRanges(share.points);
+    if (ranges.empty() || spins())
         return;
     Phase phase = ownPhase("came", SIM_TEXT("new velocity"), share);
-    setWork(phase, [runs, h = m_h](State &state, Points points) {
-        forEachRun(runs, points, [&](Points run) { takeVelocities(state, run, h); });
+    setWork(phase, [ranges, h = m_h](State &state, PointRange points) {
+        forEachRun(ranges, points, [&](PointRange range) { takeVelocities(state, range, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
-        return std::vector<Live>{{"v", after.speed(point), before.speed(point)}};
+        return std::vector<LiveValue>{{"v", after.velocityOf(point), before.velocityOf(point)}};
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseList::contacts(const Share &share)
+void PhaseBuilder::contacts(const PhasePoints &share)
 {
     forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
         Phase phase = phaseOf(contact, share);
-        setWork(phase, [contact](State &state, Points points) { contact->resolve(state, points); });
+        setWork(phase, [contact](State &state, PointRange points) { contact->resolve(state, points); });
         phase.explain = [](const State &before, const State &after, int point) {
-            return changeOf(before, after, point);
+            return motionChange(before, after, point);
         };
         m_phases.push_back(std::move(phase));
     });

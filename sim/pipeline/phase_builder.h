@@ -5,9 +5,9 @@
 namespace sim {
 
 /// Which of a scene's points a phase takes, and under which group's name.
-struct Share
+struct PhasePoints
 {
-    Points points;
+    PointRange points;
     int group = -1;
 };
 
@@ -70,7 +70,7 @@ double turn(double angle, double spin, double h)
 // clang-format off
 inline
 //! [came]
-Vec2 came(Vec2 x, Vec2 before, double h)
+Vec2 velocityFromPositions(Vec2 x, Vec2 before, double h)
 {
     Vec2 v = (1 / h) * (x - before);
     return v;
@@ -79,120 +79,122 @@ Vec2 came(Vec2 x, Vec2 before, double h)
 // clang-format on
 
 /// How a method adds up one force: onto what, and how much of it. `h` in frames.
-using AddForce = void (*)(const Force &force, State &state, Points movers, double h);
-using AddTorque = void (*)(const Torque &torque, State &state, Points movers, double h);
+using AddForce = void (*)(const Force &force, State &state, PointRange movers, double h);
+using AddTorque = void (*)(const Torque &torque, State &state, PointRange movers, double h);
 
 /// What forces are added to.
-enum class Onto { acceleration, velocity };
+enum class AccumulationTarget { acceleration, velocity };
 
 /// Where the source of the two stands.
-struct Adding
+struct ForceAccumulation
 {
     AddForce force = nullptr;
     AddTorque torque = nullptr;
-    Region forceShown;
-    Region torqueShown;
-    Onto onto = Onto::acceleration;
+    Region forceRegion;
+    Region torqueRegion;
+    AccumulationTarget target = AccumulationTarget::acceleration;
 };
 
 /// Adds every force to State::acceleration and every torque to State::turning.
-Adding gathering();
+ForceAccumulation accelerationAccumulation();
 
 /// The phases of one step in the making, from the parts that methods are made of. Each function adds the phases of
 /// a share of the points; an effect that has nothing to do there adds none.
-class PhaseList
+class PhaseBuilder
 {
 public:
     /// `h` in frames.
-    PhaseList(const Scene &scene, Directions directions, double h);
+    PhaseBuilder(const Scene &scene, DirectionRule directionRule, double h);
 
     /// All points at once.
-    Share everything() const;
+    PhasePoints allPoints() const;
     /// The scene's groups, in order.
-    std::vector<Share> groups() const;
+    std::vector<PhasePoints> groups() const;
 
     /// Whether any point can move and goes on by itself.
-    bool anyMoves() const { return !inert(everything().points).empty(); }
+    bool anyMoves() const { return !movingRanges(allPoints().points).empty(); }
 
     /// Each driver that the scene lists before everything else.
-    void driversFirst();
+    void leadingDrivers();
     /// Each of the other drivers.
-    void driversLast();
+    void trailingDrivers();
     /// The same for those only that act once a step.
-    void jumpsFirst();
-    void jumpsLast();
+    void leadingImpulses();
+    void trailingImpulses();
     /// Each driver that flows, for `part` of the step; and each that follows from the rest of the state.
-    void flow(double part);
+    void continuousDrivers(double part);
     /// Each force and torque of the scene as `adding` adds it up.
-    void forces(const Share &share, const Adding &adding);
+    void forces(const PhasePoints &share, const ForceAccumulation &accumulation);
     /// The sum of all forces, and of all torques, at the places where points are.
-    void gather(const Share &share);
+    void accumulateForces(const PhasePoints &share);
     /// v = v + h a, from the gathered accelerations, for `part` of the step; likewise the spin.
-    void kick(const Share &share, double part = 1.0);
+    void kick(const PhasePoints &share, double part = 1.0);
     /// Each drag of the scene, for `part` of the step.
-    void damping(const Share &share, double part = 1.0);
+    void damping(const PhasePoints &share, double part = 1.0);
     /// Each drag of the scene that has no rate.
-    void dampingWithoutRate(const Share &share);
+    void dampingWithoutRate(const PhasePoints &share);
     /// Forces, torques and drags in the very order in which the scene lists them.
-    void asListed(const Share &share, const Adding &adding);
+    void inSceneOrder(const PhasePoints &share, const ForceAccumulation &accumulation);
     /// x = x + h v, of the points that go on by themselves, for `part` of the step; likewise the angle.
-    void move(const Share &share, double part = 1.0);
+    void move(const PhasePoints &share, double part = 1.0);
     /// A phase of the method's own, which runs on all points.
-    void own(Phase phase) { m_phases.push_back(std::move(phase)); }
+    void add(Phase phase) { m_phases.push_back(std::move(phase)); }
     /// Before constraints, where a step is not one kick and one move: takes for the place that a point came from the
     /// one from which its velocity has led it. So the velocity that constraints give it is that one and what they add.
-    void comeFrom(const Share &share);
+    void rewindPrevious(const PhasePoints &share);
     /// Each constraint of the scene, then the velocities of what they moved.
-    void constraints(const Share &share);
+    void constraints(const PhasePoints &share);
     /// Each contact of the scene.
-    void contacts(const Share &share);
+    void contacts(const PhasePoints &share);
 
     std::vector<Phase> take();
 
 private:
     template <class Type, class Visit>
-    void forEach(const Share &share, Visit &&visit) const;
-    Phase phaseOf(const EffectPtr &effect, const Share &share) const;
-    Phase ownPhase(const char *id, const char *title, const Share &share) const;
+    void forEach(const PhasePoints &share, Visit &&visit) const;
+    Phase phaseOf(const EffectPtr &effect, const PhasePoints &share) const;
+    Phase ownPhase(const char *id, const char *title, const PhasePoints &share) const;
     template <class Accept>
     void drivers(std::size_t first, std::size_t end, double h, Accept &&accept);
     /// How many effects the scene lists before the first that is not a driver.
     std::size_t leading() const;
     /// `points` without those at either end that never feel forces.
-    Points feeling(Points points) const;
+    PointRange trimToDynamic(PointRange points) const;
     /// The stretches of points that can move and go on by themselves.
-    std::vector<Points> inert(Points points) const;
+    std::vector<PointRange> movingRanges(PointRange points) const;
     bool spins() const { return m_scene.start.spin.rows() > 0; }
-    bool hasConstraint(const Share &share) const;
+    bool hasConstraint(const PhasePoints &share) const;
     /// Keeps the places of points in State::previous; null where no constraint asks for them.
-    std::function<void(State &, Points)> remembering(const Share &share) const;
+    std::function<void(State &, PointRange)> savePrevious(const PhasePoints &share) const;
 
-    void force(const std::shared_ptr<const Force> &force, const Share &share, const Adding &adding);
-    void torque(const std::shared_ptr<const Torque> &torque, const Share &share, const Adding &adding);
-    void drag(const std::shared_ptr<const Drag> &drag, const Share &share, double part);
+    void force(const std::shared_ptr<const Force> &force, const PhasePoints &share,
+               const ForceAccumulation &accumulation);
+    void torque(const std::shared_ptr<const Torque> &torque, const PhasePoints &share,
+                const ForceAccumulation &accumulation);
+    void drag(const std::shared_ptr<const Drag> &drag, const PhasePoints &share, double part);
     void driver(const std::shared_ptr<const Driver> &driver, double h);
-    void kickSpins(const Share &share, double part);
-    void turnAngles(const Share &share, double part);
-    void velocities(const Share &share);
+    void kickSpins(const PhasePoints &share, double part);
+    void turnAngles(const PhasePoints &share, double part);
+    void velocities(const PhasePoints &share);
 
     const Scene &m_scene;
-    Directions m_directions;
+    DirectionRule m_directionRule;
     double m_h;
     std::vector<Phase> m_phases;
     bool m_gathers = false;       ///< whether a phase of the step gathers already
     std::size_t m_keepBefore = 0; ///< the phase before which m_keep runs
-    std::function<void(State &, Points)> m_keep;
+    std::function<void(State &, PointRange)> m_keep;
 };
 
 /// A kernel that does work(state, points) with all of `points`, and with parts of them run by run.
 template <class Work>
-Kernel kernelOf(Points points, Work work)
+Kernel kernelOf(PointRange points, Work work)
 {
     Kernel kernel;
-    kernel.part = [work](const std::vector<Points> &runs) {
-        return [work, runs](State &state) {
-            for (const Points &run : runs)
-                work(state, run);
+    kernel.prepareFor = [work](const std::vector<PointRange> &ranges) {
+        return [work, ranges](State &state) {
+            for (const PointRange &range : ranges)
+                work(state, range);
         };
     };
     kernel.run = [work = std::move(work), points](State &state) { work(state, points); };
@@ -204,8 +206,8 @@ template <class Work>
 void setWork(Phase &phase, Work work)
 {
     phase.kernels.push_back(kernelOf(phase.points, std::move(work)));
-    if (phase.effect && phase.effect->sees() != Sees::tied)
-        phase.kernels.back().part = nullptr;
+    if (phase.effect && phase.effect->dependence() != Dependence::coupledPoints)
+        phase.kernels.back().prepareFor = nullptr;
 }
 
 /// The same for a kernel before that of `phase`, on the same points.
@@ -216,10 +218,10 @@ void setWorkBefore(Phase &phase, Work before)
 }
 
 template <class Type, class Visit>
-void PhaseList::forEach(const Share &share, Visit &&visit) const
+void PhaseBuilder::forEach(const PhasePoints &share, Visit &&visit) const
 {
     for (const EffectPtr &effect : m_scene.effects) {
-        const auto typed = shared<Type>(effect);
+        const auto typed = sharedAs<Type>(effect);
         if (typed && typed->count(m_scene.start, share.points) > 0)
             visit(typed);
     }

@@ -13,8 +13,8 @@ namespace {
 
 bool computes(const Phase &phase, const EffectPtr &effect)
 {
-    return phase.effect == effect ||
-           std::find(phase.within.begin(), phase.within.end(), effect) != phase.within.end();
+    return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
+                                               effect) != phase.innerEffects.end();
 }
 
 /// An effect that has something to do but got no phase is one that the method cannot handle: leaving it out
@@ -24,14 +24,14 @@ void checkFit(const Scene &scene, const Method &method, const std::vector<Phase>
     for (const EffectPtr &effect : scene.effects) {
         const bool runs = std::any_of(phases.begin(), phases.end(),
                                       [&](const Phase &phase) { return computes(phase, effect); });
-        if (!runs && effect->count(scene.start, {0, scene.start.points()}) > 0)
+        if (!runs && effect->count(scene.start, {0, scene.start.pointCount()}) > 0)
             throw Error("method-does-not-fit", {{"method", method.id()}, {"effect", effect->id()}});
     }
 }
 
 }
 
-StepSize StepSize::of(double h)
+StepSize StepSize::ofLength(double h)
 {
     if (h >= 1e-6 * (1.0 - 1e-9) && h <= 100.0) {
         const double whole = std::round(h);
@@ -46,7 +46,7 @@ StepSize StepSize::of(double h)
     throw Error("step-size", {{"h", given.str()}});
 }
 
-StepSize StepSize::within(double tolerance)
+StepSize StepSize::withTolerance(double tolerance)
 {
     if (tolerance >= 1e-13 && tolerance <= 100.0)
         return {1.0, 1, 1, tolerance};
@@ -58,19 +58,19 @@ StepSize StepSize::within(double tolerance)
 Pipeline compose(const Scene &scene, const Method &method, StepSize step)
 {
     const bool adaptive = method.stepping() == Stepping::adaptive;
-    if (adaptive != step.adaptive())
+    if (adaptive != step.isAdaptive())
         throw Error(adaptive ? "needs-tolerance" : "needs-step", {{"method", method.id()}});
     Scene acting = scene;
     Pipeline pipeline{{}, step, {}, {}, {}};
-    const auto idle = [](const EffectPtr &effect) { return effect->idle(); };
-    std::copy_if(scene.effects.begin(), scene.effects.end(), std::back_inserter(pipeline.leftOut), idle);
+    const auto idle = [](const EffectPtr &effect) { return effect->isIdle(); };
+    std::copy_if(scene.effects.begin(), scene.effects.end(), std::back_inserter(pipeline.idleEffects), idle);
     std::erase_if(acting.effects, idle);
     pipeline.phases = method.phases(acting, step);
     checkFit(acting, method, pipeline.phases);
     if (pipeline.phases.empty())
         throw Error("nothing-moves", {{"method", method.id()}});
     pipeline.kernels = fusedKernels(pipeline.phases);
-    pipeline.blocks = blocksOf(acting, pipeline.phases);
+    pipeline.blocks = cacheBlocksOf(acting, pipeline.phases);
     return pipeline;
 }
 

@@ -13,14 +13,14 @@ struct Pipeline
 {
     std::vector<Phase> phases;
     StepSize step;
-    std::vector<EffectPtr> leftOut; ///< listed, but idle: no phase computes them
+    std::vector<EffectPtr> idleEffects; ///< listed, but idle: no phase computes them
     /// The same step for those who do not look into it: kernel after kernel, see fusedKernels().
     std::vector<StepKernel> kernels;
-    std::vector<Block>
+    std::vector<CacheBlock>
         blocks; ///< the same in blocks of islands; empty where that gains nothing. See runStep()
 
     int phasesPerStep() const { return static_cast<int>(phases.size()); }
-    int phasesPerRow() const { return phasesPerStep() * step.perRow; }
+    int phasesPerOutput() const { return phasesPerStep() * step.stepsPerOutput; }
     /// The phase that runs as number `index` of a row.
     const Phase &phaseAt(int index) const
     {

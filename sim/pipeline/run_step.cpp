@@ -14,7 +14,7 @@ void makeRoom(const Pipeline &pipeline, State &state)
 {
     const auto constrains = [](const Phase &phase) { return as<Constraint>(phase.effect) != nullptr; };
     const bool remembers = std::any_of(pipeline.phases.begin(), pipeline.phases.end(), constrains);
-    if (remembers && state.previous.rows() != state.points())
+    if (remembers && state.previous.rows() != state.pointCount())
         state.previous = state.position;
 }
 
@@ -32,16 +32,16 @@ void runStep(const Pipeline &pipeline, State &state)
         runKernels(pipeline, state);
         return;
     }
-    Crew alone(1);
+    ThreadPool alone(1);
     runStep(pipeline, state, alone);
 }
 
-void runStep(const Pipeline &pipeline, State &state, Crew &crew)
+void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool)
 {
-    runStep(pipeline, state, crew, {});
+    runStep(pipeline, state, pool, {});
 }
 
-void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep)
+void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool, const std::vector<char> &asleep)
 {
     if (pipeline.blocks.empty()) {
         runKernels(pipeline, state);
@@ -53,12 +53,12 @@ void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vect
         const auto block = static_cast<std::size_t>(number);
         if (!asleep.empty() && asleep[block] != 0)
             return;
-        for (const PartWork &work : pipeline.blocks[block].work)
+        for (const PreparedKernel &work : pipeline.blocks[block].work)
             work(state);
     };
     const auto sleepers = static_cast<std::size_t>(std::count(asleep.begin(), asleep.end(), 1));
     if (pipeline.blocks.size() - sleepers >= blocksWorthSharing) {
-        crew.share(blocks, run);
+        pool.parallelFor(blocks, run);
     } else {
         for (int i = 0; i < blocks; ++i)
             run(i);

@@ -12,9 +12,9 @@ namespace sim {
 void runStep(const Pipeline &pipeline, State &state);
 
 /// The same; what is large enough to gain by it `crew` shares among its threads. The same bits again.
-void runStep(const Pipeline &pipeline, State &state, Crew &crew);
+void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool);
 
 /// The same without the blocks whose entry in `asleep` is not 0; empty: with all of them.
-void runStep(const Pipeline &pipeline, State &state, Crew &crew, const std::vector<char> &asleep);
+void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool, const std::vector<char> &asleep);
 
 }

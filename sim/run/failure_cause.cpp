@@ -8,7 +8,7 @@ namespace sim {
 namespace {
 
 /// How large what `force` last says about itself is, its pull; infinite where that is not finite.
-double sizeOf(const std::vector<Live> &live)
+double sizeOf(const std::vector<LiveValue> &live)
 {
     if (live.empty())
         return 0.0;
@@ -17,7 +17,7 @@ double sizeOf(const std::vector<Live> &live)
     return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
 }
 
-EffectPtr hardestOn(int point, const Scene &scene, const State &before, Directions directions)
+EffectPtr hardestOn(int point, const Scene &scene, const State &before, DirectionRule directionRule)
 {
     EffectPtr hardest;
     double most = 0.0;
@@ -25,7 +25,7 @@ EffectPtr hardestOn(int point, const Scene &scene, const State &before, Directio
         const auto *force = as<Force>(effect);
         if (!force || force->count(before, {point, 1}) == 0)
             continue;
-        const double size = sizeOf(force->explain(before, point, directions));
+        const double size = sizeOf(force->explain(before, point, directionRule));
         if (size > most) {
             most = size;
             hardest = effect;
@@ -35,15 +35,15 @@ EffectPtr hardestOn(int point, const Scene &scene, const State &before, Directio
 }
 
 /// The point whose place `force` on `point` depends on most, by how far it is along the axis; -1 where there is none.
-int otherEnd(const Force &force, const State &before, int point, Directions directions)
+int otherEnd(const Force &force, const State &before, int point, DirectionRule directionRule)
 {
-    const int points = before.points();
-    Slopes slopes(points);
-    if (!force.addSlopes(before, {point, 1}, 1.0, directions, slopes))
+    const int points = before.pointCount();
+    Jacobian jacobian(points);
+    if (!force.addJacobian(before, {point, 1}, 1.0, directionRule, jacobian))
         return -1;
     int other = -1;
     double most = 0.0;
-    for (const Slopes::Entry &one : slopes.entries()) {
+    for (const Jacobian::Entry &one : jacobian.entries()) {
         const int by = one.column % points;
         if (one.row % points != point || by == point || one.column >= 2 * points)
             continue;
@@ -59,13 +59,14 @@ int otherEnd(const Force &force, const State &before, int point, Directions dire
 
 }
 
-Guilt guiltOf(const Phase &phase, const Scene &scene, const State &before, int point, Directions directions)
+FailureCause failureCauseOf(const Phase &phase, const Scene &scene, const State &before, int point,
+                            DirectionRule directionRule)
 {
-    Guilt guilt;
-    guilt.effect = phase.effect || point < 0 ? phase.effect : hardestOn(point, scene, before, directions);
-    if (const auto *force = as<Force>(guilt.effect); force && point >= 0)
-        guilt.other = otherEnd(*force, before, point, directions);
-    return guilt;
+    FailureCause cause;
+    cause.effect = phase.effect || point < 0 ? phase.effect : hardestOn(point, scene, before, directionRule);
+    if (const auto *force = as<Force>(cause.effect); force && point >= 0)
+        cause.other = otherEnd(*force, before, point, directionRule);
+    return cause;
 }
 
 }

@@ -14,7 +14,7 @@ constexpr int pointsInPart = 16'384;
 
 /// Returns 0 if the numbers of `points` in one column are finite, else 1.
 template <class Number>
-std::int64_t notFinite(const Number *column, Points points)
+std::int64_t notFinite(const Number *column, PointRange points)
 {
     std::int64_t found = 0;
     // x - x is 0 for every finite x, and NaN for the others
@@ -25,12 +25,12 @@ std::int64_t notFinite(const Number *column, Points points)
 
 }
 
-bool areFinite(const State &state, Points points)
+bool areFinite(const State &state, PointRange points)
 {
     std::int64_t others = 0;
-    runFast([&] {
+    dispatch([&] {
         std::int64_t found = 0;
-        forEachColumn([&](Column kind, auto values) {
+        forEachColumn([&](ColumnKind kind, auto values) {
             const auto &array = state.*values;
             const Eigen::Index columns = mustBeFinite(kind) && array.rows() > 0 ? array.cols() : 0;
             for (Eigen::Index column = 0; column < columns; ++column)
@@ -41,16 +41,16 @@ bool areFinite(const State &state, Points points)
     return others == 0;
 }
 
-bool isFinite(const State &state, Crew &crew)
+bool isFinite(const State &state, ThreadPool &pool)
 {
     if (!state.gait.isFinite().all() || !state.gaitSpeed.isFinite().all())
         return false;
-    const int points = state.points();
+    const int points = state.pointCount();
     const int parts = points / pointsInPart;
     if (parts < 2)
         return areFinite(state, {0, points});
     std::atomic<bool> all = true;
-    crew.share(parts, [&](int part) {
+    pool.parallelFor(parts, [&](int part) {
         const auto from = [&](int number) { return static_cast<int>(std::int64_t{points} * number / parts); };
         if (!areFinite(state, {from(part), from(part + 1) - from(part)}))
             all = false;

@@ -6,10 +6,10 @@
 namespace sim {
 
 /// Whether all numbers that `points` have in `state` are finite.
-bool areFinite(const State &state, Points points);
+bool areFinite(const State &state, PointRange points);
 
-/// Whether all numbers of `state` are: the same as firstNotFinite() finding none. Where there are many, `crew` shares
+/// Whether all numbers of `state` are: the same as firstNonFinitePoint() finding none. Where there are many, `crew` shares
 /// them among its threads.
-bool isFinite(const State &state, Crew &crew);
+bool isFinite(const State &state, ThreadPool &pool);
 
 }

@@ -11,14 +11,14 @@ namespace {
 std::size_t costOf(const State &state)
 {
     constexpr std::size_t bookkeeping = 192;
-    return memoryOf(state) + bookkeeping;
+    return byteSize(state) + bookkeeping;
 }
 
 }
 
-void History::keep(const State &state)
+void KeyframeStore::store(const State &state)
 {
-    const std::int64_t row = state.frame / m_rowFrames;
+    const std::int64_t row = state.frame / m_framesPerOutput;
     if (row % m_spacing != 0 || (m_budget == 0 && row > 0) || m_kept.contains(state.frame))
         return;
     m_kept.emplace(state.frame, std::make_shared<const State>(state));
@@ -26,12 +26,12 @@ void History::keep(const State &state)
     thin();
 }
 
-std::int64_t History::before(std::int64_t frame) const
+std::int64_t KeyframeStore::lastAtOrBefore(std::int64_t frame) const
 {
     return std::prev(m_kept.upper_bound(frame))->first;
 }
 
-void History::add(Sleep sleep)
+void KeyframeStore::add(Sleep sleep)
 {
     const auto after =
         std::upper_bound(m_sleeps.begin(), m_sleeps.end(), sleep.from(),
@@ -41,13 +41,13 @@ void History::add(Sleep sleep)
     thin();
 }
 
-void History::dropSleep(std::vector<Sleep>::iterator sleep)
+void KeyframeStore::dropSleep(std::vector<Sleep>::iterator sleep)
 {
     m_sleepBytes -= sleep->bytes();
     m_sleeps.erase(sleep);
 }
 
-const Sleep *History::sleepBefore(std::int64_t frame) const
+const Sleep *KeyframeStore::lastSleepAtOrBefore(std::int64_t frame) const
 {
     const auto after =
         std::upper_bound(m_sleeps.begin(), m_sleeps.end(), frame,
@@ -55,7 +55,7 @@ const Sleep *History::sleepBefore(std::int64_t frame) const
     return after == m_sleeps.begin() ? nullptr : &*std::prev(after);
 }
 
-void History::forget(std::int64_t frame)
+void KeyframeStore::forget(std::int64_t frame)
 {
     while (m_kept.rbegin()->first >= frame) { // from the end: a hand edits there, many times a second
         m_bytes -= costOf(*m_kept.rbegin()->second);
@@ -65,18 +65,18 @@ void History::forget(std::int64_t frame)
         dropSleep(std::prev(m_sleeps.end()));
 }
 
-void History::setBudget(std::size_t budget)
+void KeyframeStore::setBudget(std::size_t budget)
 {
     m_budget = budget;
     thin();
 }
 
-void History::thin()
+void KeyframeStore::thin()
 {
     while (m_kept.size() > 1 && m_bytes > m_budget) {
         m_spacing *= 2;
         std::erase_if(m_kept, [this](const auto &kept) {
-            const bool goes = kept.first / m_rowFrames % m_spacing != 0;
+            const bool goes = kept.first / m_framesPerOutput % m_spacing != 0;
             m_bytes -= goes ? costOf(*kept.second) : 0;
             return goes;
         });

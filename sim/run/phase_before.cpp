@@ -5,16 +5,16 @@
 
 namespace sim {
 
-std::optional<State> beforeLastPhase(const Track &track)
+std::optional<State> stateBeforeLastPhase(const Track &track)
 {
-    const Cursor at = track.at();
+    const Cursor at = track.cursor();
     if (at.phase == 0)
         return {};
-    const FlushTiny flush;
-    State state = track.begunAfter(track.stateAt(at.frame), at.frame);
-    const std::shared_ptr<const Segment> segment = track.next();
+    const FlushDenormals flush;
+    State state = track.stateAfterInput(track.stateAt(at.frame), at.frame);
+    const std::shared_ptr<const ComposedInterval> interval = track.nextInterval();
     for (int i = 0; i + 1 < at.phase; ++i)
-        segment->pipeline.phaseAt(i).run(state);
+        interval->pipeline.phaseAt(i).run(state);
     return state;
 }
 

@@ -6,6 +6,6 @@ namespace sim {
 
 /// Returns the state before the last phase that is done of the row under way; empty between two rows. Computes the row
 /// again from its start.
-std::optional<State> beforeLastPhase(const Track &track);
+std::optional<State> stateBeforeLastPhase(const Track &track);
 
 }

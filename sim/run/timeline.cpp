@@ -13,55 +13,55 @@ Timeline::Timeline(Script script, std::size_t budget)
 
 const Values &Timeline::values() const
 {
-    return m_track.next()->values;
+    return m_track.nextInterval()->values;
 }
 
 void Timeline::seek(Cursor target)
 {
     m_track.seek(target);
     if (m_ghost)
-        m_ghost->seek({m_track.at().frame, 0});
+        m_ghost->seek({m_track.cursor().frame, 0});
 }
 
-void Timeline::stepPhase()
+void Timeline::nextPhase()
 {
-    seek({at().frame, at().phase + 1});
+    seek({cursor().frame, cursor().phase + 1});
 }
 
-void Timeline::stepPhaseBack()
+void Timeline::previousPhase()
 {
-    if (at().phase > 0) {
-        seek({at().frame, at().phase - 1});
-    } else if (at().frame > 0) {
-        seek({at().frame - m_track.rowFrames(), 0});
-        seek({at().frame, m_track.phasesPerRow() - 1});
+    if (cursor().phase > 0) {
+        seek({cursor().frame, cursor().phase - 1});
+    } else if (cursor().frame > 0) {
+        seek({cursor().frame - m_track.framesPerOutput(), 0});
+        seek({cursor().frame, m_track.phasesPerOutput() - 1});
     }
 }
 
-void Timeline::stepRow()
+void Timeline::nextOutputStep()
 {
-    seek({at().frame + m_track.rowFrames(), 0});
+    seek({cursor().frame + m_track.framesPerOutput(), 0});
 }
 
-void Timeline::stepRowBack()
+void Timeline::previousOutputStep()
 {
-    seek({at().phase > 0 ? at().frame : at().frame - m_track.rowFrames(), 0});
+    seek({cursor().phase > 0 ? cursor().frame : cursor().frame - m_track.framesPerOutput(), 0});
 }
 
-bool Timeline::openRow(std::int64_t frame)
+bool Timeline::openOutputStep(std::int64_t frame)
 {
-    m_track.seek({at().frame, 0});
-    if (computed() == at().frame)
+    m_track.seek({cursor().frame, 0});
+    if (computed() == cursor().frame)
         return false;
-    becomeGhost(frame);
+    becomeComparison(frame);
     return true;
 }
 
-void Timeline::becomeGhost(std::int64_t fork)
+void Timeline::becomeComparison(std::int64_t fork)
 {
     m_ghost = m_track;
     m_ghost->setBudget(m_budget / 2);
-    m_ghost->seek({at().frame, 0});
+    m_ghost->seek({cursor().frame, 0});
     m_fork = fork;
 }
 
@@ -79,32 +79,32 @@ bool replaces(const Event &second, const Event &first)
 
 }
 
-bool Timeline::hand(const Input &what)
+bool Timeline::applyInput(const Input &what)
 {
-    const std::int64_t frame = at().frame + m_track.rowFrames();
+    const std::int64_t frame = cursor().frame + m_track.framesPerOutput();
     const Event event = eventOf(frame, what);
     checkFinite(event);
-    const int phase = at().phase;
-    const bool forked = openRow(frame);
+    const int phase = cursor().phase;
+    const bool forked = openOutputStep(frame);
     std::vector<Event> input = script().input;
     std::erase_if(input, [&](const Event &other) { return other.frame > frame; });
     if (!input.empty() && replaces(event, input.back()))
         input.pop_back();
     input.push_back(event);
-    m_track.replaceInput(m_track.prepared(std::move(input), frame));
+    m_track.replaceInput(m_track.prepareInput(std::move(input), frame));
     m_fork = std::min(m_fork, frame);
-    seek({at().frame, phase});
+    seek({cursor().frame, phase});
     return forked;
 }
 
-bool Timeline::set(const std::string &parameter, double value)
+bool Timeline::setParameter(const std::string &parameter, double value)
 {
-    if (at().frame == 0) {
+    if (cursor().frame == 0) {
         Script changed = script();
         changed.values.set(parameter, value);
-        return replace(std::move(changed));
+        return replaceScript(std::move(changed));
     }
-    const std::int64_t frame = at().frame + m_track.rowFrames();
+    const std::int64_t frame = cursor().frame + m_track.framesPerOutput();
     std::vector<Event> input = script().input;
     std::erase_if(input, [&](const Event &event) {
         const Set *set = std::get_if<Set>(&event.what);
@@ -112,26 +112,26 @@ bool Timeline::set(const std::string &parameter, double value)
     });
     input.push_back({frame, Set{parameter, value}});
     sortByFrame(input);
-    Track::NewInput changed = m_track.prepared(std::move(input), frame);
-    const int phase = at().phase;
-    const bool forked = openRow(frame);
+    Track::NewInput changed = m_track.prepareInput(std::move(input), frame);
+    const int phase = cursor().phase;
+    const bool forked = openOutputStep(frame);
     m_track.replaceInput(std::move(changed));
     m_fork = std::min(m_fork, frame);
-    seek({at().frame, phase});
+    seek({cursor().frame, phase});
     return forked;
 }
 
-bool Timeline::replace(Script script)
+bool Timeline::replaceScript(Script script)
 {
     Track next(std::move(script), m_budget / 2);
-    const Cursor was = at();
+    const Cursor was = cursor();
     const bool forked = computed() > 0;
     if (forked)
-        becomeGhost(0);
+        becomeComparison(0);
     m_track = std::move(next);
     seek({was.frame, 0});
     if (was.phase > 0)
-        seek({was.frame, std::min(was.phase, m_track.phasesPerRow() - 1)});
+        seek({was.frame, std::min(was.phase, m_track.phasesPerOutput() - 1)});
     return forked;
 }
 
@@ -140,51 +140,51 @@ bool Timeline::replaceInput(std::vector<Event> input)
     if (input == script().input)
         return false;
     const std::int64_t frame = firstDifference(script().input, input);
-    Track::NewInput changed = m_track.prepared(std::move(input), frame);
-    const Cursor was = at();
+    Track::NewInput changed = m_track.prepareInput(std::move(input), frame);
+    const Cursor was = cursor();
     m_track.seek({std::min(was.frame, std::max<std::int64_t>(0, frame - 1)), 0});
-    const bool forked = computed() > at().frame;
+    const bool forked = computed() > cursor().frame;
     if (forked)
-        becomeGhost(frame);
+        becomeComparison(frame);
     m_track.replaceInput(std::move(changed));
     m_fork = std::min(m_fork, frame);
     seek(was);
     return forked;
 }
 
-bool Timeline::isOver() const
+bool Timeline::isFinished() const
 {
-    return m_track.isOver() && at().frame >= computed() && (!m_ghost || m_ghost->isOver());
+    return m_track.isFinished() && cursor().frame >= computed() && (!m_ghost || m_ghost->isFinished());
 }
 
-bool Timeline::hasPending() const
+bool Timeline::hasPendingInput() const
 {
-    if (at().phase != 0 || computed() > at().frame)
+    if (cursor().phase != 0 || computed() > cursor().frame)
         return false;
-    const std::int64_t frame = at().frame + m_track.rowFrames();
+    const std::int64_t frame = cursor().frame + m_track.framesPerOutput();
     const std::vector<Event> &input = script().input;
     return std::any_of(input.begin(), input.end(), [&](const Event &event) {
-        return event.frame <= frame && event.frame > at().frame - (at().frame == 0 ? 1 : 0);
+        return event.frame <= frame && event.frame > cursor().frame - (cursor().frame == 0 ? 1 : 0);
     });
 }
 
-void Timeline::forgetGhost()
+void Timeline::dropComparison()
 {
     m_ghost.reset();
 }
 
-void Timeline::showBeside(Track run, std::int64_t fork)
+void Timeline::setComparison(Track run, std::int64_t fork)
 {
     m_ghost = std::move(run);
-    m_ghost->setBudget(ghostBudget());
-    m_ghost->seek({at().frame, 0});
+    m_ghost->setBudget(comparisonBudget());
+    m_ghost->seek({cursor().frame, 0});
     m_fork = fork;
 }
 
-void Timeline::swapWithGhost()
+void Timeline::swapWithComparison()
 {
     std::swap(m_track, *m_ghost);
-    seek({std::max(at().frame, m_ghost->at().frame), 0});
+    seek({std::max(cursor().frame, m_ghost->cursor().frame), 0});
 }
 
 }

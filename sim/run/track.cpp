@@ -24,9 +24,9 @@ struct Failure
 std::optional<Failure> failureOf(const State &state)
 {
     // first: where steps lead no further, tries may have left any numbers
-    if (const int point = firstStuck(state); point >= 0)
+    if (const int point = firstStuckPoint(state); point >= 0)
         return Failure{StopReason::tooManySteps, point};
-    if (const int point = firstNotFinite(state); point >= 0)
+    if (const int point = firstNonFinitePoint(state); point >= 0)
         return Failure{StopReason::notFinite, point};
     return {};
 }
@@ -40,51 +40,51 @@ void checkInput(const Script &script)
 /// -1 for what belongs to no point.
 int pointOf(const Failure &failure, const State &state)
 {
-    return failure.point < state.points() ? failure.point : -1;
+    return failure.point < state.pointCount() ? failure.point : -1;
 }
 
 /// Returns false when `goesOn` (which may be empty) said no.
-bool run(const Phase &phase, State &state, const GoesOn &goesOn)
+bool run(const Phase &phase, State &state, const ShouldContinue &shouldContinue)
 {
-    if (goesOn && phase.runWhile)
-        return phase.runWhile(state, goesOn);
+    if (shouldContinue && phase.runInterruptible)
+        return phase.runInterruptible(state, shouldContinue);
     phase.run(state);
-    return !goesOn || goesOn();
+    return !shouldContinue || shouldContinue();
 }
 
 }
 
 Track::Track(Script script, std::size_t budget, Sleeping sleeping)
-    : m_script(std::move(script)), m_segments(m_script), m_sleeping(sleeping),
-      m_history(budget, m_script.step.rowFrames)
+    : m_script(std::move(script)), m_intervals(m_script), m_sleeping(sleeping),
+      m_keyframes(budget, m_script.step.framesPerOutput)
 {
     checkInput(m_script);
-    m_segments.check(m_script, 0);
-    m_segment = segmentAt(0);
-    m_now = m_segment->scene.start;
-    m_history.keep(m_now);
+    m_intervals.check(m_script, 0);
+    m_interval = intervalAt(0);
+    m_now = m_interval->scene.start;
+    m_keyframes.store(m_now);
 }
 
 void Track::check(const Script &script)
 {
     checkInput(script);
-    Segments(script).check(script, 0);
+    ComposedIntervals(script).check(script, 0);
 }
 
-Track::NewInput Track::prepared(std::vector<Event> events, std::int64_t frame) const
+Track::NewInput Track::prepareInput(std::vector<Event> events, std::int64_t frame) const
 {
     Script changed = m_script;
     changed.input = std::move(events);
     checkInput(changed);
-    Segments segments = m_segments;
-    segments.replace(changed);
-    segments.check(changed, frame);
-    return {std::move(changed.input), frame, std::move(segments)};
+    ComposedIntervals intervals = m_intervals;
+    intervals.replace(changed);
+    intervals.check(changed, frame);
+    return {std::move(changed.input), frame, std::move(intervals)};
 }
 
-int Track::phasesPerRow() const
+int Track::phasesPerOutput() const
 {
-    return next()->pipeline.phasesPerRow();
+    return nextInterval()->pipeline.phasesPerOutput();
 }
 
 void Track::seek(Cursor target)
@@ -92,10 +92,10 @@ void Track::seek(Cursor target)
     seek(target, {});
 }
 
-bool Track::seek(Cursor target, const GoesOn &goesOn)
+bool Track::seek(Cursor target, const ShouldContinue &shouldContinue)
 {
-    const FlushTiny flush;
-    target.frame = std::max<std::int64_t>(0, target.frame) / rowFrames() * rowFrames();
+    const FlushDenormals flush;
+    target.frame = std::max<std::int64_t>(0, target.frame) / framesPerOutput() * framesPerOutput();
     target.phase = std::max(0, target.phase);
     if (m_stop && target.frame > m_stop->frame)
         target = {m_stop->frame, 0};
@@ -104,121 +104,124 @@ bool Track::seek(Cursor target, const GoesOn &goesOn)
     if (target < m_at)
         restore(target.frame);
     else if (m_at.phase == 0)
-        sleepOn(target.frame);
-    if (knownBefore(target.frame) > m_at.frame)
+        skipSleep(target.frame);
+    if (cachedFrameBefore(target.frame) > m_at.frame)
         restore(target.frame);
-    Next next = Next::goesOn;
+    Progress next = Progress::continues;
     // Inside a row the numbers are looked at only where the cursor stops: where they are no good, the rest of the
     // row tells whether the run ends here.
-    while (next == Next::goesOn && (m_at < target || (m_at.phase > 0 && failureOf(m_now)))) {
-        if (m_at.phase > 0 || !sleepOn(target.frame))
-            next = runOn(target, goesOn);
+    while (next == Progress::continues && (m_at < target || (m_at.phase > 0 && failureOf(m_now)))) {
+        if (m_at.phase > 0 || !skipSleep(target.frame))
+            next = advance(target, shouldContinue);
     }
-    if (next == Next::isLeftOff)
+    if (next == Progress::cancelled)
         restore(m_at.frame);
-    else if (next == Next::ends)
-        return seek(target, goesOn); // now that the end is known
-    return next != Next::isLeftOff;
+    else if (next == Progress::stopped)
+        return seek(target, shouldContinue); // now that the end is known
+    return next != Progress::cancelled;
 }
 
 void Track::restore(std::int64_t frame)
 {
-    m_now = known(frame);
+    m_now = cachedState(frame);
     m_at = {m_now.frame, 0};
-    m_segment = segmentAt(m_now.frame);
+    m_interval = intervalAt(m_now.frame);
     m_computed = std::max(m_computed, m_at.frame);
     m_blocks.wakeAll();
 }
 
-void Track::begin(State &state, std::int64_t rowEnd) const
+void Track::begin(State &state, std::int64_t outputEnd) const
 {
-    sim::beginRow(state, m_script, segmentAt(rowEnd - rowFrames()), segmentAt(rowEnd), rowEnd);
+    sim::beginOutputStep(state, m_script, intervalAt(outputEnd - framesPerOutput()), intervalAt(outputEnd),
+                         outputEnd);
 }
 
-void Track::beginRow(Cursor target)
+void Track::beginOutputStep(Cursor target)
 {
-    const std::int64_t rowEnd = m_at.frame + rowFrames();
+    const std::int64_t outputEnd = m_at.frame + framesPerOutput();
     const int held = m_now.hold.point;
-    begin(m_now, rowEnd);
-    const std::shared_ptr<const Segment> segment = segmentAt(rowEnd);
-    if (segment != m_segment || setsParameters(m_script, rowEnd))
+    begin(m_now, outputEnd);
+    const std::shared_ptr<const ComposedInterval> interval = intervalAt(outputEnd);
+    if (interval != m_interval || setsParameters(m_script, outputEnd))
         m_blocks.wakeAll();
-    m_segment = segment;
+    m_interval = interval;
     if (!m_blocks.asleep().empty()) {
-        m_blocks.wake(segment->pipeline, held);
-        for (const int point : grabbedIn(m_script, segment->scene, rowEnd))
-            m_blocks.wake(segment->pipeline, point);
+        m_blocks.wake(interval->pipeline, held);
+        for (const int point : grabbedPoints(m_script, interval->scene, outputEnd))
+            m_blocks.wake(interval->pipeline, point);
     }
-    m_skips = Cursor{rowEnd, 0} <= target; // inside a row even what rests may be elsewhere
+    m_skips = Cursor{outputEnd, 0} <= target; // inside a row even what rests may be elsewhere
 }
 
-Track::Next Track::runOn(Cursor target, const GoesOn &goesOn)
+Track::Progress Track::advance(Cursor target, const ShouldContinue &shouldContinue)
 {
     if (m_at.phase == 0)
-        beginRow(target);
-    const Pipeline &pipeline = m_segment->pipeline;
+        beginOutputStep(target);
+    const Pipeline &pipeline = m_interval->pipeline;
     const int step = pipeline.phasesPerStep();
     const bool whole = m_at.phase % step == 0 && Cursor{m_at.frame, m_at.phase + step} <= target;
     const std::vector<char> none;
-    const bool isDone = whole ? runWhole(pipeline, m_now, m_skips ? m_blocks.asleep() : none, goesOn)
-                              : run(pipeline.phaseAt(m_at.phase), m_now, goesOn);
+    const bool isDone = whole
+                            ? runOneStep(pipeline, m_now, m_skips ? m_blocks.asleep() : none, shouldContinue)
+                            : run(pipeline.phaseAt(m_at.phase), m_now, shouldContinue);
     if (!isDone)
-        return Next::isLeftOff;
+        return Progress::cancelled;
     m_at.phase += whole ? step : 1;
-    return m_at.phase < pipeline.phasesPerRow() ? Next::goesOn : endRow(goesOn);
+    return m_at.phase < pipeline.phasesPerOutput() ? Progress::continues : endOutputStep(shouldContinue);
 }
 
-bool Track::runWhole(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
-                     const GoesOn &goesOn) const
+bool Track::runOneStep(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
+                       const ShouldContinue &shouldContinue) const
 {
-    const bool mayTakeLong = std::any_of(pipeline.phases.begin(), pipeline.phases.end(),
-                                         [](const Phase &phase) { return phase.runWhile != nullptr; });
-    if (!mayTakeLong || !goesOn) {
-        runStep(pipeline, state, m_crew, asleep);
-        return !goesOn || goesOn();
+    const bool mayTakeLong =
+        std::any_of(pipeline.phases.begin(), pipeline.phases.end(),
+                    [](const Phase &phase) { return phase.runInterruptible != nullptr; });
+    if (!mayTakeLong || !shouldContinue) {
+        runStep(pipeline, state, m_pool, asleep);
+        return !shouldContinue || shouldContinue();
     }
     return std::all_of(pipeline.phases.begin(), pipeline.phases.end(),
-                       [&](const Phase &phase) { return run(phase, state, goesOn); });
+                       [&](const Phase &phase) { return run(phase, state, shouldContinue); });
 }
 
-Track::Next Track::endRow(const GoesOn &goesOn)
+Track::Progress Track::endOutputStep(const ShouldContinue &shouldContinue)
 {
-    const bool isGood = firstStuck(m_now) < 0 && isFinite(m_now, m_crew);
+    const bool isGood = firstStuckPoint(m_now) < 0 && isFinite(m_now, m_pool);
     if (!isGood)
-        return stopHere(goesOn);
-    m_at = {m_at.frame + rowFrames(), 0};
+        return recordStop(shouldContinue);
+    m_at = {m_at.frame + framesPerOutput(), 0};
     m_computed = std::max(m_computed, m_at.frame);
     if (!sleep()) {
-        m_history.keep(m_now);
-        fallAsleep();
+        m_keyframes.store(m_now);
+        detectSleep();
     }
-    return Next::goesOn;
+    return Progress::continues;
 }
 
-Track::Next Track::stopHere(const GoesOn &goesOn)
+Track::Progress Track::recordStop(const ShouldContinue &shouldContinue)
 {
     const std::int64_t last = m_at.frame;
-    const std::optional<State> good = rowState(last, goesOn);
+    const std::optional<State> good = outputState(last, shouldContinue);
     if (!good)
-        return Next::isLeftOff;
-    const std::shared_ptr<const Segment> segment = segmentAt(last + rowFrames());
+        return Progress::cancelled;
+    const std::shared_ptr<const ComposedInterval> interval = intervalAt(last + framesPerOutput());
     Stop stop;
     stop.frame = last;
     State state = *good;
-    begin(state, last + rowFrames());
+    begin(state, last + framesPerOutput());
     std::optional<Failure> failure = failureOf(state);
-    while (!failure && stop.phases < segment->pipeline.phasesPerRow()) {
-        const Phase &next = segment->pipeline.phaseAt(stop.phases);
+    while (!failure && stop.phases < interval->pipeline.phasesPerOutput()) {
+        const Phase &next = interval->pipeline.phaseAt(stop.phases);
         const State before = state;
-        if (!run(next, state, goesOn))
-            return Next::isLeftOff;
+        if (!run(next, state, shouldContinue))
+            return Progress::cancelled;
         failure = failureOf(state);
         stop.phase = next.title;
         if (failure) {
-            const Guilt guilt = guiltOf(next, segment->scene, before, pointOf(*failure, state),
-                                        m_script.method->directions());
-            stop.effect = guilt.effect;
-            stop.other = guilt.other;
+            const FailureCause cause = failureCauseOf(next, interval->scene, before, pointOf(*failure, state),
+                                                      m_script.method->directionRule());
+            stop.effect = cause.effect;
+            stop.other = cause.other;
         } else {
             ++stop.phases;
         }
@@ -227,36 +230,36 @@ Track::Next Track::stopHere(const GoesOn &goesOn)
         stop.reason = failure->reason;
         stop.point = pointOf(*failure, state);
         if (stop.point >= 0)
-            stop.body = segment->scene.names[static_cast<std::size_t>(stop.point)];
+            stop.body = interval->scene.names[static_cast<std::size_t>(stop.point)];
         if (stop.other >= 0)
-            stop.otherBody = segment->scene.names[static_cast<std::size_t>(stop.other)];
+            stop.otherBody = interval->scene.names[static_cast<std::size_t>(stop.other)];
     }
     m_stop = stop;
     m_now = *good;
     m_at = {last, 0};
-    m_segment = segmentAt(last);
-    return Next::ends;
+    m_interval = intervalAt(last);
+    return Progress::stopped;
 }
 
-bool Track::runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) const
+bool Track::runOutputStep(State &state, std::int64_t outputEnd, const ShouldContinue &shouldContinue) const
 {
-    begin(state, rowEnd);
-    const std::shared_ptr<const Segment> segment = segmentAt(rowEnd);
-    for (int step = 0; step < segment->pipeline.step.perRow; ++step) {
-        if (!runWhole(segment->pipeline, state, {}, goesOn))
+    begin(state, outputEnd);
+    const std::shared_ptr<const ComposedInterval> interval = intervalAt(outputEnd);
+    for (int step = 0; step < interval->pipeline.step.stepsPerOutput; ++step) {
+        if (!runOneStep(interval->pipeline, state, {}, shouldContinue))
             return false;
     }
     return true;
 }
 
-std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) const
+std::optional<State> Track::outputState(std::int64_t frame, const ShouldContinue &shouldContinue) const
 {
     if (m_at == Cursor{frame, 0})
         return m_now;
-    const FlushTiny flush;
-    State state = known(frame);
-    while (state.frame + rowFrames() <= frame) {
-        if (!runRow(state, state.frame + rowFrames(), goesOn))
+    const FlushDenormals flush;
+    State state = cachedState(frame);
+    while (state.frame + framesPerOutput() <= frame) {
+        if (!runOutputStep(state, state.frame + framesPerOutput(), shouldContinue))
             return {};
     }
     return state;
@@ -264,53 +267,53 @@ std::optional<State> Track::rowState(std::int64_t frame, const GoesOn &goesOn) c
 
 void Track::setBudget(std::size_t budget)
 {
-    m_history.setBudget(budget);
+    m_keyframes.setBudget(budget);
 }
 
-State Track::begunAfter(State end, std::int64_t frame) const
+State Track::stateAfterInput(State end, std::int64_t frame) const
 {
-    const FlushTiny flush;
-    begin(end, frame + rowFrames());
+    const FlushDenormals flush;
+    begin(end, frame + framesPerOutput());
     return end;
 }
 
-State Track::preview(std::shared_ptr<const Segment> &segment) const
+State Track::preview(std::shared_ptr<const ComposedInterval> &interval) const
 {
-    const FlushTiny flush;
+    const FlushDenormals flush;
     State state = m_now;
-    segment = m_segment;
+    interval = m_interval;
     if (m_at.phase == 0) {
-        begin(state, m_at.frame + rowFrames());
-        segment = next();
+        begin(state, m_at.frame + framesPerOutput());
+        interval = nextInterval();
     }
     return state;
 }
 
-std::vector<Moment> Track::moments(const std::string &body) const
+std::vector<PhaseExplanation> Track::explainPhases(const std::string &body) const
 {
-    const FlushTiny flush;
+    const FlushDenormals flush;
     const bool between = m_at.phase == 0;
     if (between && m_at.frame == 0)
         return {};
-    const std::int64_t rowStart = between ? m_at.frame - rowFrames() : m_at.frame;
+    const std::int64_t rowStart = between ? m_at.frame - framesPerOutput() : m_at.frame;
     State state = stateAt(rowStart);
-    begin(state, rowStart + rowFrames());
-    const std::shared_ptr<const Segment> segment = segmentAt(rowStart + rowFrames());
-    const Pipeline &pipeline = segment->pipeline;
-    const int point = segment->scene.find(body);
+    begin(state, rowStart + framesPerOutput());
+    const std::shared_ptr<const ComposedInterval> interval = intervalAt(rowStart + framesPerOutput());
+    const Pipeline &pipeline = interval->pipeline;
+    const int point = interval->scene.find(body);
     if (point < 0)
         return {};
-    const int done = between ? pipeline.phasesPerRow() : m_at.phase;
+    const int done = between ? pipeline.phasesPerOutput() : m_at.phase;
     const int stepStart = (done - 1) / pipeline.phasesPerStep() * pipeline.phasesPerStep();
     for (int i = 0; i < stepStart; ++i)
         pipeline.phaseAt(i).run(state);
-    std::vector<Moment> all;
+    std::vector<PhaseExplanation> all;
     for (int i = stepStart; i < done; ++i) {
         const Phase &phase = pipeline.phaseAt(i);
         const State before = state;
         phase.run(state);
-        Moment moment{i - stepStart, {}};
-        const bool pushed = before.speed(point) != state.speed(point); // a reaction, say
+        PhaseExplanation moment{i - stepStart, {}};
+        const bool pushed = before.velocityOf(point) != state.velocityOf(point); // a reaction, say
         if (phase.points.contains(point) || pushed)
             moment.live = phase.explain(before, state, point);
         all.push_back(std::move(moment));
@@ -321,14 +324,14 @@ std::vector<Moment> Track::moments(const std::string &body) const
 void Track::replaceInput(NewInput input)
 {
     m_script.input = std::move(input.events);
-    m_segments = std::move(input.segments);
+    m_intervals = std::move(input.intervals);
     // events of frame 0 come with the first row: the start stays
     const std::int64_t frame = std::max<std::int64_t>(1, input.frame);
-    m_history.forget(frame);
+    m_keyframes.forget(frame);
     m_watch.forget(frame);
     m_computed = std::min(m_computed, m_at.frame);
     m_stop.reset();
-    m_segment = segmentAt(m_at.frame);
+    m_interval = intervalAt(m_at.frame);
 }
 
 namespace {
@@ -338,51 +341,51 @@ constexpr std::size_t mostOfARound = std::size_t{16} << 20;
 
 }
 
-std::int64_t Track::knownBefore(std::int64_t frame) const
+std::int64_t Track::cachedFrameBefore(std::int64_t frame) const
 {
-    const std::int64_t kept = m_history.before(frame);
-    const Sleep *sleep = m_history.sleepBefore(frame);
-    const std::int64_t row = frame / rowFrames() * rowFrames();
-    return sleep ? std::max(kept, std::min(row, lastOf(*sleep))) : kept;
+    const std::int64_t kept = m_keyframes.lastAtOrBefore(frame);
+    const Sleep *sleep = m_keyframes.lastSleepAtOrBefore(frame);
+    const std::int64_t row = frame / framesPerOutput() * framesPerOutput();
+    return sleep ? std::max(kept, std::min(row, lastFrameOf(*sleep))) : kept;
 }
 
-State Track::known(std::int64_t frame) const
+State Track::cachedState(std::int64_t frame) const
 {
-    const std::int64_t nearest = knownBefore(frame);
+    const std::int64_t nearest = cachedFrameBefore(frame);
     const Sleep *sleep = sleepAt(nearest);
-    return sleep ? sleep->at(nearest) : m_history.at(nearest);
+    return sleep ? sleep->at(nearest) : m_keyframes.at(nearest);
 }
 
 const Sleep *Track::sleepAt(std::int64_t frame) const
 {
-    const Sleep *sleep = m_history.sleepBefore(frame);
-    return sleep && frame <= lastOf(*sleep) ? sleep : nullptr;
+    const Sleep *sleep = m_keyframes.lastSleepAtOrBefore(frame);
+    return sleep && frame <= lastFrameOf(*sleep) ? sleep : nullptr;
 }
 
-std::int64_t Track::lastOf(const Sleep &sleep) const
+std::int64_t Track::lastFrameOf(const Sleep &sleep) const
 {
-    const std::optional<std::int64_t> wakes = nextInput(m_script, sleep.from());
-    return wakes ? *wakes - rowFrames() : std::numeric_limits<std::int64_t>::max();
+    const std::optional<std::int64_t> wakes = nextInputFrame(m_script, sleep.from());
+    return wakes ? *wakes - framesPerOutput() : std::numeric_limits<std::int64_t>::max();
 }
 
-bool Track::isOver() const
+bool Track::isFinished() const
 {
     if (m_stop && m_at.frame == m_stop->frame)
         return true;
     const Sleep *sleep = this->sleep();
-    return m_at.phase == 0 && sleep && sleep->isStill() && !nextInput(m_script, sleep->from());
+    return m_at.phase == 0 && sleep && sleep->isStill() && !nextInputFrame(m_script, sleep->from());
 }
 
-void Track::fallAsleep()
+void Track::detectSleep()
 {
     if (m_sleeping == Sleeping::never)
         return;
-    blocksFallAsleep();
-    const std::optional<SleepWatch::Again> again = m_watch.look(m_now, rowFrames());
-    const std::int64_t rows = again ? (m_at.frame - again->since) / rowFrames() : 0;
-    const bool fits = rows == 1 || static_cast<std::size_t>(rows) * memoryOf(m_now) <= mostOfARound;
-    if (!again || !fits || nextInput(m_script, again->since).value_or(m_at.frame + 1) <= m_at.frame ||
-        keepsAwake(m_segment->pipeline, m_now))
+    detectSleepingBlocks();
+    const std::optional<CycleDetector::Again> again = m_watch.check(m_now, framesPerOutput());
+    const std::int64_t rows = again ? (m_at.frame - again->since) / framesPerOutput() : 0;
+    const bool fits = rows == 1 || static_cast<std::size_t>(rows) * byteSize(m_now) <= mostOfARound;
+    if (!again || !fits || nextInputFrame(m_script, again->since).value_or(m_at.frame + 1) <= m_at.frame ||
+        preventsSleep(m_interval->pipeline, m_now))
         return;
     // The round that has just ended is the one that comes, too, unless something comes in: so input to come, which may
     // be another one by then, is not in it.
@@ -390,32 +393,32 @@ void Track::fallAsleep()
     State state = *m_watch.mark();
     while (static_cast<std::int64_t>(round.size()) < rows) {
         auto later = std::make_shared<State>(state);
-        later->frame += rows * rowFrames();
-        later->evaluations += again->evaluations;
+        later->frame += rows * framesPerOutput();
+        later->pointEvaluations += again->evaluations;
         round.push_back(std::move(later));
         if (static_cast<std::int64_t>(round.size()) < rows)
-            runRow(state, state.frame + rowFrames(), {});
+            runOutputStep(state, state.frame + framesPerOutput(), {});
     }
-    m_history.add(Sleep(std::move(round), rowFrames(), again->evaluations));
+    m_keyframes.add(Sleep(std::move(round), framesPerOutput(), again->evaluations));
 }
 
-void Track::blocksFallAsleep()
+void Track::detectSleepingBlocks()
 {
     const State *mark = m_watch.mark();
-    if (!m_segment->pipeline.blocks.empty() && mark && mark->frame + rowFrames() == m_at.frame &&
-        m_segments.isSameStretch(mark->frame, m_at.frame))
-        m_blocks.look(m_segment->pipeline, *mark, m_now);
+    if (!m_interval->pipeline.blocks.empty() && mark && mark->frame + framesPerOutput() == m_at.frame &&
+        m_intervals.areInSameInterval(mark->frame, m_at.frame))
+        m_blocks.check(m_interval->pipeline, *mark, m_now);
 }
 
-bool Track::sleepOn(std::int64_t frame)
+bool Track::skipSleep(std::int64_t frame)
 {
     const Sleep *sleep = sleepAt(m_at.frame);
-    const std::int64_t to = sleep ? std::min(frame, lastOf(*sleep)) : m_at.frame;
+    const std::int64_t to = sleep ? std::min(frame, lastFrameOf(*sleep)) : m_at.frame;
     if (to <= m_at.frame)
         return false;
     sleep->take(m_now, to);
     m_at = {to, 0};
-    m_segment = segmentAt(to);
+    m_interval = intervalAt(to);
     m_computed = std::max(m_computed, to);
     return true;
 }

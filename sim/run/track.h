@@ -48,10 +48,10 @@ struct Stop
 };
 
 /// What one phase did to one point.
-struct Moment
+struct PhaseExplanation
 {
     int phase = 0; ///< index into the pipeline's phases
-    std::vector<Live> live;
+    std::vector<LiveValue> live;
 };
 
 /// One run of a script, and a cursor in it. Going back is exact: the nearest kept state is restored and the rest
@@ -66,19 +66,22 @@ public:
     Track(Script script, std::size_t budget, Sleeping sleeping = Sleeping::allowed);
 
     const Script &script() const { return m_script; }
-    const State &now() const { return m_now; }
-    Cursor at() const { return m_at; }
+    const State &state() const { return m_now; }
+    Cursor cursor() const { return m_at; }
     /// The last frame that was ever computed, or slept through.
     std::int64_t computed() const { return m_computed; }
     const std::optional<Stop> &stop() const { return m_stop; }
-    int rowFrames() const { return m_script.step.rowFrames; }
+    int framesPerOutput() const { return m_script.step.framesPerOutput; }
 
     /// The segment that the state at the cursor belongs to.
-    const Segment &shown() const { return *m_segment; }
-    std::shared_ptr<const Segment> shownPtr() const { return m_segment; }
+    const ComposedInterval &interval() const { return *m_interval; }
+    std::shared_ptr<const ComposedInterval> intervalPtr() const { return m_interval; }
     /// The segment whose phases run next.
-    std::shared_ptr<const Segment> next() const { return segmentAt(m_at.frame + rowFrames()); }
-    int phasesPerRow() const;
+    std::shared_ptr<const ComposedInterval> nextInterval() const
+    {
+        return intervalAt(m_at.frame + framesPerOutput());
+    }
+    int phasesPerOutput() const;
 
     /// Goes to `target`. A frame between two rows is rounded down to a row; a phase past the row's last leads to
     /// the next row; past the end of the run it goes to stop()->frame, from inside the row that fails to the last
@@ -86,11 +89,11 @@ public:
     void seek(Cursor target);
     /// The same, asking `goesOn` after each phase or step, and within a phase that takes long. Returns false when that
     /// said no: the cursor is then at a moment that was kept before, and at 0 at worst.
-    bool seek(Cursor target, const GoesOn &goesOn);
+    bool seek(Cursor target, const ShouldContinue &shouldContinue);
     /// The state at the cursor after the input that the next row begins with; `segment` is set to its segment.
-    State preview(std::shared_ptr<const Segment> &segment) const;
+    State preview(std::shared_ptr<const ComposedInterval> &interval) const;
     /// What the phases of the step under way (or, between rows, of the last step done) did to the point named.
-    std::vector<Moment> moments(const std::string &body) const;
+    std::vector<PhaseExplanation> explainPhases(const std::string &body) const;
 
     /// Composes every scene of `script`.
     /// @throws Error when one does not fit its method, or when a number of the input is not finite
@@ -100,12 +103,12 @@ public:
     {
         std::vector<Event> events;
         std::int64_t frame = 0; ///< the first in which it may differ
-        Segments segments;
+        ComposedIntervals intervals;
     };
     /// Composes every scene of the script with `events` from `frame` on, before anything changes, so that no step
     /// meets a scene that its method cannot compute.
     /// @throws Error when one does not, or when a number of the input is not finite
-    NewInput prepared(std::vector<Event> events, std::int64_t frame) const;
+    NewInput prepareInput(std::vector<Event> events, std::int64_t frame) const;
     /// Replaces the input, which prepared() has returned, and forgets what was computed from its frame on. The cursor
     /// must stand between two rows, before that frame.
     void replaceInput(NewInput input);
@@ -113,72 +116,72 @@ public:
     const Sleep *sleep() const { return sleepAt(m_at.frame); }
     /// Whether the cursor stands between two rows where nothing is to be seen any more, however long the run goes on: it
     /// sleeps without moving (see Sleep::isStill()) and no input is to come, or it has come to its end.
-    bool isOver() const;
+    bool isFinished() const;
     /// Limits the kept states to `budget` bytes from now on.
     void setBudget(std::size_t budget);
     /// The state at the end of row `frame`, which was computed before.
-    State stateAt(std::int64_t frame) const { return *rowState(frame, {}); }
+    State stateAt(std::int64_t frame) const { return *outputState(frame, {}); }
     /// `end`, the state at the end of row `frame`, after the input that the next row begins with.
-    State begunAfter(State end, std::int64_t frame) const;
+    State stateAfterInput(State end, std::int64_t frame) const;
     /// The segment that it belongs to.
-    std::shared_ptr<const Segment> segmentAt(std::int64_t frame) const
+    std::shared_ptr<const ComposedInterval> intervalAt(std::int64_t frame) const
     {
-        return m_segments.at(m_script, frame);
+        return m_intervals.at(m_script, frame);
     }
     /// The last frame up to `frame` whose state is known: from there the way to `frame` is computed again.
-    std::int64_t knownBefore(std::int64_t frame) const;
-    std::size_t keptBytes() const { return m_history.bytes(); }
-    std::size_t keptStates() const { return m_history.states(); }
+    std::int64_t cachedFrameBefore(std::int64_t frame) const;
+    std::size_t keyframeBytes() const { return m_keyframes.bytes(); }
+    std::size_t keyframeCount() const { return m_keyframes.count(); }
     /// The memory of what sleeps: the states of one round each.
-    std::size_t sleepBytes() const { return m_history.sleepBytes(); }
+    std::size_t sleepBytes() const { return m_keyframes.sleepBytes(); }
 
 private:
     void restore(std::int64_t frame);
     /// The nearest known state at the end of a row that is not after `frame`.
-    State known(std::int64_t frame) const;
+    State cachedState(std::int64_t frame) const;
     /// Takes `state`, at the end of a row, into the row that ends at `rowEnd`: applies its input.
-    void begin(State &state, std::int64_t rowEnd) const;
+    void begin(State &state, std::int64_t outputEnd) const;
     /// Whether the run goes on.
-    enum class Next { goesOn, ends, isLeftOff };
+    enum class Progress { continues, stopped, cancelled };
     /// Runs the next step if `target` is not inside it, else the next phase.
-    Next runOn(Cursor target, const GoesOn &goesOn);
+    Progress advance(Cursor target, const ShouldContinue &shouldContinue);
     /// One step on a state that is at the beginning of one, without the blocks that are `asleep` (see runStep()).
     /// Returns false when `goesOn` said no on the way.
-    bool runWhole(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
-                  const GoesOn &goesOn) const;
+    bool runOneStep(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
+                    const ShouldContinue &shouldContinue) const;
     /// Takes the state at the cursor into the next row.
-    void beginRow(Cursor target);
-    Next endRow(const GoesOn &goesOn);
+    void beginOutputStep(Cursor target);
+    Progress endOutputStep(const ShouldContinue &shouldContinue);
     /// Takes `state`, at the end of the row before, through the row that ends at `rowEnd`. Returns whether it is done.
-    bool runRow(State &state, std::int64_t rowEnd, const GoesOn &goesOn) const;
+    bool runOutputStep(State &state, std::int64_t outputEnd, const ShouldContinue &shouldContinue) const;
     /// Goes back to the last good row, and finds out what failed after it.
-    Next stopHere(const GoesOn &goesOn);
+    Progress recordStop(const ShouldContinue &shouldContinue);
     /// The state at the end of a row that was computed before, computed again from the nearest known one. Empty when
     /// `goesOn` said no on the way.
-    std::optional<State> rowState(std::int64_t frame, const GoesOn &goesOn) const;
+    std::optional<State> outputState(std::int64_t frame, const ShouldContinue &shouldContinue) const;
 
     const Sleep *sleepAt(std::int64_t frame) const;
     /// The last frame that `sleep` reaches: the next input ends it.
-    std::int64_t lastOf(const Sleep &sleep) const;
+    std::int64_t lastFrameOf(const Sleep &sleep) const;
     /// At the end of a row: whether the run, or a block of it, has come to rest.
-    void fallAsleep();
-    void blocksFallAsleep();
+    void detectSleep();
+    void detectSleepingBlocks();
     /// Sleeps on, up to `frame` if nothing wakes it before. Returns whether it got anywhere.
-    bool sleepOn(std::int64_t frame);
+    bool skipSleep(std::int64_t frame);
 
     Script m_script;
-    Segments m_segments;
+    ComposedIntervals m_intervals;
     Sleeping m_sleeping;
-    std::shared_ptr<const Segment> m_segment;
+    std::shared_ptr<const ComposedInterval> m_interval;
     State m_now;
     Cursor m_at;
     std::int64_t m_computed = 0;
     std::optional<Stop> m_stop;
-    History m_history;
-    SleepWatch m_watch;
-    BlockSleep m_blocks;
-    bool m_skips = false; ///< whether the row under way leaves out the blocks that sleep
-    mutable Crew m_crew;  ///< for steps that are large enough to share
+    KeyframeStore m_keyframes;
+    CycleDetector m_watch;
+    BlockCycleDetector m_blocks;
+    bool m_skips = false;      ///< whether the row under way leaves out the blocks that sleep
+    mutable ThreadPool m_pool; ///< for steps that are large enough to share
 };
 
 }

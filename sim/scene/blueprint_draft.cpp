@@ -7,63 +7,64 @@
 
 namespace sim {
 
-void Taken::choose(const std::string &effect, std::initializer_list<std::pair<const char *, double>> settings)
+void BlueprintDraft::addEffect(const std::string &effect,
+                               std::initializer_list<std::pair<const char *, double>> settings)
 {
-    if (!has(blueprint, effect))
+    if (!hasEffect(blueprint, effect))
         blueprint.effects.push_back(effect);
     for (const auto &[id, value] : settings)
-        numbers[id] = value;
+        parameters[id] = value;
 }
 
-void Taken::addSpring(const BuiltSpring &spring, bool pullsBoth)
+void BlueprintDraft::addSpring(const BlueprintSpring &spring, bool pullsBoth)
 {
     if (!pullsBoth && !blueprint.points[static_cast<std::size_t>(spring.b)].fixed)
-        leave(SIM_TEXT("springs that pull one end only"));
+        omit(SIM_TEXT("springs that pull one end only"));
     blueprint.springs.push_back(spring);
 }
 
-int Taken::addNail(const std::string &name, Vec2 x)
+int BlueprintDraft::addFixedPoint(const std::string &name, Vec2 x)
 {
     std::string free = name;
-    const auto isTaken = [&](const BuiltPoint &one) { return one.name == free; };
+    const auto isTaken = [&](const BlueprintPoint &one) { return one.name == free; };
     for (int i = 2; std::any_of(blueprint.points.begin(), blueprint.points.end(), isTaken); ++i)
         free = name + std::to_string(i);
-    BuiltPoint nail{free, x, {}};
+    BlueprintPoint nail{free, x, {}};
     nail.fixed = true;
     blueprint.points.push_back(nail);
     return static_cast<int>(blueprint.points.size()) - 1;
 }
 
-void Taken::leave(const std::string &what)
+void BlueprintDraft::omit(const std::string &what)
 {
-    if (std::find(left.begin(), left.end(), what) == left.end())
-        left.push_back(what);
+    if (std::find(omitted.begin(), omitted.end(), what) == omitted.end())
+        omitted.push_back(what);
 }
 
-bool has(const Blueprint &plan, const std::string &id)
+bool hasEffect(const Blueprint &plan, const std::string &id)
 {
     return std::find(plan.effects.begin(), plan.effects.end(), id) != plan.effects.end();
 }
 
-double valueOf(const BuiltPoint &point, const Setting &setting)
+double valueOf(const BlueprintPoint &point, const ParameterSpec &parameter)
 {
-    const auto found = point.more.find(setting.id);
-    return found == point.more.end() ? setting.preset : found->second;
+    const auto found = point.properties.find(parameter.id);
+    return found == point.properties.end() ? parameter.defaultValue : found->second;
 }
 
-void setValue(BuiltPoint &point, const Setting &setting, double value)
+void setValue(BlueprintPoint &point, const ParameterSpec &parameter, double value)
 {
-    if (value == setting.preset)
-        point.more.erase(setting.id);
+    if (value == parameter.defaultValue)
+        point.properties.erase(parameter.id);
     else
-        point.more[setting.id] = value;
+        point.properties[parameter.id] = value;
 }
 
-Eigen::ArrayXd valuesOf(const Blueprint &plan, const Setting &setting)
+Eigen::ArrayXd valuesOf(const Blueprint &plan, const ParameterSpec &parameter)
 {
     Eigen::ArrayXd all(static_cast<Eigen::Index>(plan.points.size()));
     for (Eigen::Index i = 0; i < all.size(); ++i)
-        all[i] = valueOf(plan.points[static_cast<std::size_t>(i)], setting);
+        all[i] = valueOf(plan.points[static_cast<std::size_t>(i)], parameter);
     return all;
 }
 
@@ -83,7 +84,7 @@ Eigen::ArrayXd halfWidths(const Blueprint &plan)
 std::vector<int> feetOf(const Blueprint &plan)
 {
     std::vector<int> feet;
-    for (const BuiltFoot &one : plan.feet)
+    for (const BlueprintFoot &one : plan.feet)
         feet.push_back(one.foot);
     std::sort(feet.begin(), feet.end());
     return feet;
@@ -102,17 +103,17 @@ int windClockOf(const Blueprint &plan)
 std::vector<int> clockOf(const Blueprint &plan)
 {
     std::vector<int> clocks(plan.points.size(), clocksOf(plan) - 1);
-    for (const BuiltFoot &one : plan.feet) {
+    for (const BlueprintFoot &one : plan.feet) {
         clocks[static_cast<std::size_t>(one.foot)] = one.gait;
         clocks[static_cast<std::size_t>(one.body)] = one.gait;
     }
     return clocks;
 }
 
-std::vector<std::vector<int>> matesOf(const Blueprint &plan)
+std::vector<std::vector<int>> partnerClocksOf(const Blueprint &plan)
 {
     std::map<int, std::set<int>> ofBody;
-    for (const BuiltFoot &one : plan.feet)
+    for (const BlueprintFoot &one : plan.feet)
         ofBody[one.body].insert(one.gait);
     std::vector<std::set<int>> mates(static_cast<std::size_t>(clocksOf(plan)));
     for (const auto &[body, clocks] : ofBody) {

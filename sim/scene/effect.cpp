@@ -2,13 +2,13 @@
 
 namespace sim {
 
-std::vector<Live> changeOf(const State &before, const State &after, int point)
+std::vector<LiveValue> motionChange(const State &before, const State &after, int point)
 {
-    std::vector<Live> live;
-    if (before.at(point) != after.at(point))
-        live.push_back({"x", after.at(point), before.at(point)});
-    if (before.speed(point) != after.speed(point))
-        live.push_back({"v", after.speed(point), before.speed(point)});
+    std::vector<LiveValue> live;
+    if (before.positionOf(point) != after.positionOf(point))
+        live.push_back({"x", after.positionOf(point), before.positionOf(point)});
+    if (before.velocityOf(point) != after.velocityOf(point))
+        live.push_back({"v", after.velocityOf(point), before.velocityOf(point)});
     return live;
 }
 

@@ -3,7 +3,7 @@
 namespace sim {
 
 /// A learner's input that reaches a scene, besides the hand that carries a body.
-enum class Signal {
+enum class InputKind {
     pointer, ///< its place and its button
     target,
     keys,
@@ -15,7 +15,7 @@ class InputReader
 public:
     virtual ~InputReader() = default;
     /// Returns whether the effect reads this input.
-    virtual bool reads(Signal signal) const = 0;
+    virtual bool reads(InputKind signal) const = 0;
 
 protected:
     InputReader() = default;

@@ -10,10 +10,10 @@ namespace sim {
 namespace {
 
 /// Sets of points that can be united. Source: Galler and Fischer, "An improved equivalence algorithm", 1964.
-class Sets
+class DisjointSets
 {
 public:
-    explicit Sets(int points) : m_above(static_cast<std::size_t>(points))
+    explicit DisjointSets(int points) : m_above(static_cast<std::size_t>(points))
     {
         std::iota(m_above.begin(), m_above.end(), 0);
     }
@@ -28,7 +28,7 @@ public:
         return point;
     }
 
-    void unite(const Tie &tie)
+    void unite(const Coupling &tie)
     {
         const auto [low, high] = std::minmax({lowest(tie.first), lowest(tie.second)});
         above(high) = low;
@@ -42,26 +42,26 @@ private:
 
 bool acts(const Effect &effect, const Scene &scene)
 {
-    return !effect.idle() && effect.count(scene.start, {0, scene.start.points()}) > 0;
+    return !effect.isIdle() && effect.count(scene.start, {0, scene.start.pointCount()}) > 0;
 }
 
 }
 
-std::vector<std::vector<Points>> islandsOf(const Scene &scene)
+std::vector<std::vector<PointRange>> islandsOf(const Scene &scene)
 {
-    const int points = scene.start.points();
-    std::vector<Tie> ties;
+    const int points = scene.start.pointCount();
+    std::vector<Coupling> ties;
     for (const EffectPtr &effect : scene.effects) {
         if (!acts(*effect, scene))
             continue;
-        if (effect->sees() != Sees::tied)
+        if (effect->dependence() != Dependence::coupledPoints)
             return {{{0, points}}};
-        effect->ties(ties);
+        effect->addCouplings(ties);
     }
-    Sets sets(points);
-    for (const Tie &tie : ties)
+    DisjointSets sets(points);
+    for (const Coupling &tie : ties)
         sets.unite(tie);
-    std::vector<std::vector<Points>> islands;
+    std::vector<std::vector<PointRange>> islands;
     std::vector<std::size_t> islandOf(static_cast<std::size_t>(points)); // of each set's lowest point
     for (int i = 0; i < points; ++i) {
         const int lowest = sets.lowest(i);
@@ -69,24 +69,24 @@ std::vector<std::vector<Points>> islandsOf(const Scene &scene)
             islandOf[static_cast<std::size_t>(i)] = islands.size();
             islands.emplace_back();
         }
-        std::vector<Points> &runs = islands[islandOf[static_cast<std::size_t>(lowest)]];
-        if (!runs.empty() && runs.back().end() == i)
-            ++runs.back().count;
+        std::vector<PointRange> &ranges = islands[islandOf[static_cast<std::size_t>(lowest)]];
+        if (!ranges.empty() && ranges.back().end() == i)
+            ++ranges.back().count;
         else
-            runs.push_back({i, 1});
+            ranges.push_back({i, 1});
     }
     return islands;
 }
 
-std::vector<Points> inOrder(std::vector<Points> runs)
+std::vector<PointRange> sortedRanges(std::vector<PointRange> ranges)
 {
-    std::sort(runs.begin(), runs.end(), [](Points a, Points b) { return a.first < b.first; });
-    std::vector<Points> fewer;
-    for (const Points &run : runs) {
-        if (!fewer.empty() && fewer.back().end() == run.first)
-            fewer.back().count += run.count;
+    std::sort(ranges.begin(), ranges.end(), [](PointRange a, PointRange b) { return a.first < b.first; });
+    std::vector<PointRange> fewer;
+    for (const PointRange &range : ranges) {
+        if (!fewer.empty() && fewer.back().end() == range.first)
+            fewer.back().count += range.count;
         else
-            fewer.push_back(run);
+            fewer.push_back(range);
     }
     return fewer;
 }

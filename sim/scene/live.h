@@ -9,7 +9,7 @@
 namespace sim {
 
 /// A named number (or pair) that a formula computed: `name` is the variable's name in the shown code.
-struct Live
+struct LiveValue
 {
     std::string name;
     std::variant<double, Vec2> value;

@@ -5,20 +5,20 @@
 namespace sim {
 
 /// Where a point would be for what holds it to be at rest, as long as everything else stays where it is.
-struct RestEnd
+struct RestTarget
 {
     int mover = 0;
     int anchor = 0; ///< what it is held to
-    Vec2 place;     ///< px
+    Vec2 position;  ///< px
     /// Whether only the distance to the anchor counts, wherever the mover is; else it is this place that does.
-    bool isLength = true;
+    bool isDistance = true;
 };
 
 /// `length` px from `anchor`, on the side on which `mover` is.
-inline RestEnd restAt(const State &state, int mover, int anchor, double length)
+inline RestTarget restTargetAt(const State &state, int mover, int anchor, double length)
 {
-    const Vec2 from = state.at(mover) - state.at(anchor);
-    return {mover, anchor, state.at(anchor) + length * direction(from, anchor, mover).out};
+    const Vec2 from = state.positionOf(mover) - state.positionOf(anchor);
+    return {mover, anchor, state.positionOf(anchor) + length * direction(from, anchor, mover).out};
 }
 
 }

@@ -10,10 +10,10 @@ int Scene::find(const std::string &name) const
     return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
-bool Scene::hasInertia(int point) const
+bool Scene::movesByVelocity(int point) const
 {
     return std::any_of(groups.begin(), groups.end(), [point](const Group &group) {
-        return group.points.contains(point) && group.inertia == Inertia::some;
+        return group.points.contains(point) && group.motion == Motion::byVelocity;
     });
 }
 

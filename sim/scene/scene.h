@@ -9,17 +9,17 @@
 namespace sim {
 
 /// Whether points go on by themselves.
-enum class Inertia {
-    some, ///< they have a velocity (or spin), and move by it
-    none, ///< they go only where drivers and constraints put them
+enum class Motion {
+    byVelocity, ///< they have a velocity (or spin), and move by it
+    prescribed, ///< they go only where drivers and constraints put them
 };
 
 /// Points that a sequential method (`published`) moves together, before the next group sees them.
 struct Group
 {
     std::string title; ///< in English; see SIM_TEXT
-    Points points;
-    Inertia inertia = Inertia::some;
+    PointRange points;
+    Motion motion = Motion::byVelocity;
 };
 
 /// What is simulated: a start, the effects that act (no others are computed), and the published update order.
@@ -33,7 +33,7 @@ struct Scene
     /// The number of the point called `name`, or -1.
     int find(const std::string &name) const;
     /// Whether `point` is in a group that goes on by itself. (What is in no group is a handle.)
-    bool hasInertia(int point) const;
+    bool movesByVelocity(int point) const;
 };
 
 }

@@ -21,7 +21,7 @@ void State::place(int point, Vec2 x)
     position(point, 1) = x.y;
 }
 
-void State::push(int point, Vec2 v)
+void State::setVelocity(int point, Vec2 v)
 {
     velocity(point, 0) = v.x;
     velocity(point, 1) = v.y;
@@ -36,35 +36,35 @@ bool sameBits(const State &a, const State &b)
             into.insert(into.end(), first, first + bytes);
         };
     };
-    visitMemory(a, flatten(flatA));
-    visitMemory(b, flatten(flatB));
+    visitBytes(a, flatten(flatA));
+    visitBytes(b, flatten(flatB));
     return flatA == flatB;
 }
 
-std::size_t memoryOf(const State &state)
+std::size_t byteSize(const State &state)
 {
     std::size_t total = sizeof(State);
-    visitMemory(state, [&](const void *, std::size_t bytes) { total += bytes; });
+    visitBytes(state, [&](const void *, std::size_t bytes) { total += bytes; });
     return total;
 }
 
-int firstNotFinite(const State &state)
+int firstNonFinitePoint(const State &state)
 {
     const bool clocks = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
-    if (clocks && areFinite(state, {0, state.points()}))
+    if (clocks && areFinite(state, {0, state.pointCount()}))
         return -1;
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         if (!areFinite(state, {i, 1}))
             return i;
     }
-    return state.points();
+    return state.pointCount();
 }
 
-int firstStuck(const State &state)
+int firstStuckPoint(const State &state)
 {
-    for (const Ahead &ahead : state.ahead) {
-        if (ahead.stuck >= 0)
-            return ahead.stuck;
+    for (const AdaptiveStep &lastStep : state.adaptiveSteps) {
+        if (lastStep.stuckPoint >= 0)
+            return lastStep.stuckPoint;
     }
     return -1;
 }

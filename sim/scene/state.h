@@ -30,14 +30,14 @@ struct Keys
 };
 
 /// How far a gust of wind has run from where it began; both 0 when there is none.
-struct Gale
+struct GustExtent
 {
     double front = 0.0; ///< px
-    double end = 0.0;   ///< px, where it is over already
+    double tail = 0.0;  ///< px, where it is over already
 };
 
 /// What a learner tells a scene besides dragging. Each holds until the next event of its kind.
-struct Outside
+struct InputState
 {
     std::optional<Vec2> pointer; ///< px; empty before the first event
     bool pointerDown = false;
@@ -50,15 +50,15 @@ struct Outside
 
 /// The stretch of time that a method with steps of its own has computed for one island of a scene, seen from the frame
 /// that is done. Whole frames inside it are read off; State::stages holds what for.
-struct Ahead
+struct AdaptiveStep
 {
-    double from = 0.0;   ///< frames, where its last step began; 0 or less
-    double to = 0.0;     ///< frames, where that ended; nothing is ahead if it is not above 0
-    double length = 0.0; ///< frames, of that step before a contact cut it short
-    double next = 0.0;   ///< frames, the length that its next step should have; 0: not known yet
-    int stuck =
+    double start = 0.0;      ///< frames, where its last step began; 0 or less
+    double end = 0.0;        ///< frames, where that ended; nothing is ahead if it is not above 0
+    double length = 0.0;     ///< frames, of that step before a contact cut it short
+    double nextLength = 0.0; ///< frames, the length that its next step should have; 0: not known yet
+    int stuckPoint =
         -1; ///< the point pulled hardest where too many steps did not reach the next frame; -1: they did
-    friend bool operator==(const Ahead &, const Ahead &) = default;
+    friend bool operator==(const AdaptiveStep &, const AdaptiveStep &) = default;
 };
 
 /// All that a step reads and writes, as plain values. Copying it is the snapshot; two equal States run on alike.
@@ -71,45 +71,50 @@ struct State
     Eigen::ArrayX2d previous;     ///< px, where points were before they moved; empty where no constraint asks
     Eigen::ArrayXd inverseMass;   ///< 1/mass; 0 for what feels nothing: a handle, or a body in the hand
 
-    Eigen::ArrayXd angle;   ///< degrees, clockwise from the x axis; empty for scenes whose points do not turn
-    Eigen::ArrayXd spin;    ///< degrees/frame; empty for scenes whose points have no angular inertia
-    Eigen::ArrayXd turning; ///< degrees/frame^2, gathered so far; empty for methods that gather none
+    Eigen::ArrayXd angle; ///< degrees, clockwise from the x axis; empty for scenes whose points do not turn
+    Eigen::ArrayXd spin;  ///< degrees/frame; empty for scenes whose points have no angular inertia
+    Eigen::ArrayXd
+        angularAcceleration; ///< degrees/frame^2, gathered so far; empty for methods that gather none
 
     Eigen::ArrayXXd stages; ///< scratch of methods with several stages, one column each; empty for others
     /// For each point the surfaces that it rests on, a bit each (the first is 1); empty for methods that do not locate
     /// contacts.
-    Eigen::ArrayXi resting;
-    std::vector<Ahead> ahead; ///< one an island; empty for other methods, and before the first step
+    Eigen::ArrayXi restingContacts;
+    std::vector<AdaptiveStep>
+        adaptiveSteps; ///< one an island; empty for other methods, and before the first step
     /// On how many points methods that choose this themselves have computed all forces, one time after the other:
     /// divided by points() it is how often all points had their turn.
-    std::int64_t evaluations = 0;
+    std::int64_t pointEvaluations = 0;
 
     Eigen::ArrayXd gait;      ///< rad, one a gait clock
     Eigen::ArrayXd gaitSpeed; ///< rad/frame, one a gait clock
-    Gale gale;
+    GustExtent gustExtent;
     std::int64_t frame = 0; ///< the frame that is under way or done
-    Outside outside;
+    InputState input;
     Hold hold;
 
     /// A state of `points` points of mass 1, all at rest at (0, 0).
     static State ofPoints(int points);
 
-    int points() const { return static_cast<int>(position.rows()); }
-    Vec2 at(int point) const { return {position(point, 0), position(point, 1)}; }
-    Vec2 speed(int point) const { return {velocity(point, 0), velocity(point, 1)}; }
+    int pointCount() const { return static_cast<int>(position.rows()); }
+    Vec2 positionOf(int point) const { return {position(point, 0), position(point, 1)}; }
+    Vec2 velocityOf(int point) const { return {velocity(point, 0), velocity(point, 1)}; }
     void place(int point, Vec2 x);
-    void push(int point, Vec2 v);
-    bool feels(int point) const { return inverseMass[point] != 0.0; }
+    void setVelocity(int point, Vec2 v);
+    bool isDynamic(int point) const { return inverseMass[point] != 0.0; }
     /// How often all points had their turn, see `evaluations`.
-    double turns() const { return static_cast<double>(evaluations) / std::max(1, points()); }
+    double forceEvaluations() const
+    {
+        return static_cast<double>(pointEvaluations) / std::max(1, pointCount());
+    }
 };
 
 /// What the numbers of a column are, and so who looks at them. All columns are compared by sameBits().
-enum class Column {
+enum class ColumnKind {
     motion, ///< what a learner sees: must be finite, decides whether a run rests, goes over to a changed scene
-    sum,    ///< gathered in each step: must be finite, and where it changes a block does not rest
-    memory,  ///< read by the next step: where it changes a block does not rest
-    scratch, ///< of a method while it steps: it leaves no block at rest while there is any
+    accumulator, ///< gathered in each step: must be finite, and where it changes a block does not rest
+    persistent,  ///< read by the next step: where it changes a block does not rest
+    scratch,     ///< of a method while it steps: it leaves no block at rest while there is any
 };
 
 /// Calls `visit(kind, &State::values)` for each array of a State that has a row a point, or none at all. The one list of
@@ -117,28 +122,28 @@ enum class Column {
 template <class Visit>
 constexpr void forEachColumn(Visit &&visit)
 {
-    visit(Column::motion, &State::position);
-    visit(Column::motion, &State::velocity);
-    visit(Column::sum, &State::acceleration);
-    visit(Column::memory, &State::previous);
-    visit(Column::memory, &State::inverseMass);
-    visit(Column::motion, &State::angle);
-    visit(Column::motion, &State::spin);
-    visit(Column::sum, &State::turning);
-    visit(Column::scratch, &State::stages);
-    visit(Column::memory, &State::resting);
+    visit(ColumnKind::motion, &State::position);
+    visit(ColumnKind::motion, &State::velocity);
+    visit(ColumnKind::accumulator, &State::acceleration);
+    visit(ColumnKind::persistent, &State::previous);
+    visit(ColumnKind::persistent, &State::inverseMass);
+    visit(ColumnKind::motion, &State::angle);
+    visit(ColumnKind::motion, &State::spin);
+    visit(ColumnKind::accumulator, &State::angularAcceleration);
+    visit(ColumnKind::scratch, &State::stages);
+    visit(ColumnKind::persistent, &State::restingContacts);
 }
 
 /// Whether numbers of this kind have to be finite for a run to go on.
-constexpr bool mustBeFinite(Column kind)
+constexpr bool mustBeFinite(ColumnKind kind)
 {
-    return kind == Column::motion || kind == Column::sum;
+    return kind == ColumnKind::motion || kind == ColumnKind::accumulator;
 }
 
 /// Calls `visit(data, bytes)` for each run of memory that makes up `state`, sizes included: comparing and counting both
 /// use it.
 template <class Visit>
-void visitMemory(const State &state, Visit &&visit)
+void visitBytes(const State &state, Visit &&visit)
 {
     const auto one = [&](const auto &value) { visit(&value, sizeof value); };
     const auto place = [&](Vec2 at) {
@@ -149,23 +154,23 @@ void visitMemory(const State &state, Visit &&visit)
         one(static_cast<std::int64_t>(values.rows()));
         visit(values.data(), static_cast<std::size_t>(values.size()) * sizeof *values.data());
     };
-    forEachColumn([&](Column, auto values) { array(state.*values); });
-    one(state.ahead.size());
-    for (const Ahead &ahead :
-         state.ahead) { // each number by itself: there is room between them that means nothing
-        one(ahead.from);
-        one(ahead.to);
-        one(ahead.length);
-        one(ahead.next);
-        one(ahead.stuck);
+    forEachColumn([&](ColumnKind, auto values) { array(state.*values); });
+    one(state.adaptiveSteps.size());
+    for (const AdaptiveStep &lastStep :
+         state.adaptiveSteps) { // each number by itself: there is room between them that means nothing
+        one(lastStep.start);
+        one(lastStep.end);
+        one(lastStep.length);
+        one(lastStep.nextLength);
+        one(lastStep.stuckPoint);
     }
-    one(state.evaluations);
+    one(state.pointEvaluations);
     array(state.gait);
     array(state.gaitSpeed);
-    one(state.gale.front);
-    one(state.gale.end);
+    one(state.gustExtent.front);
+    one(state.gustExtent.tail);
     one(state.frame);
-    const Outside &outside = state.outside;
+    const InputState &outside = state.input;
     one(outside.pointer.has_value());
     place(outside.pointer.value_or(Vec2{}));
     one(outside.pointerDown);
@@ -184,13 +189,13 @@ void visitMemory(const State &state, Visit &&visit)
 bool sameBits(const State &a, const State &b);
 
 /// How much memory a copy of `state` takes, in bytes.
-std::size_t memoryOf(const State &state);
+std::size_t byteSize(const State &state);
 
 /// The first point with a number (position, velocity, angle, spin, or what is gathered) that is not finite, or -1;
 /// the point count for a number that belongs to no point.
-int firstNotFinite(const State &state);
+int firstNonFinitePoint(const State &state);
 
-/// Ahead::stuck of the first island that has one, or -1.
-int firstStuck(const State &state);
+/// AdaptiveStep::stuck of the first island that has one, or -1.
+int firstStuckPoint(const State &state);
 
 }

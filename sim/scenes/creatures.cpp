@@ -24,7 +24,7 @@ sim::Scene pointsInTheMiddle(int points)
 /// Makes a handle of the body of a creature.
 sim::Scene onHandle(sim::Scene scene)
 {
-    scene.start.inverseMass[scene.start.points() - 1] = 0.0;
+    scene.start.inverseMass[scene.start.pointCount() - 1] = 0.0;
     scene.groups.pop_back();
     return scene;
 }
@@ -110,11 +110,11 @@ sim::Scene crowdByParts(int creatures, int feet)
 
 void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places)
 {
-    const int feet = scene.start.points() - 1;
+    const int feet = scene.start.pointCount() - 1;
     const int placed = std::min(feet, static_cast<int>(places.size()));
     for (int i = 0; i < placed; ++i)
         scene.start.place(i, places[static_cast<std::size_t>(i)]);
-    const sim::Vec2 body = scene.start.at(feet);
+    const sim::Vec2 body = scene.start.positionOf(feet);
     for (int i = placed; i < feet; ++i) {
         const double angle = 2.0 * std::numbers::pi * (i - placed) / (feet - placed);
         scene.start.place(i, body + spareDistance * sim::Vec2{std::cos(angle), std::sin(angle)});
@@ -128,8 +128,8 @@ bool isBody(const std::string &name)
 
 Eigen::ArrayXd halfWidths(const sim::Scene &scene)
 {
-    Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.points(), footWidth / 2);
-    for (int i = 0; i < scene.start.points(); ++i) {
+    Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.pointCount(), footWidth / 2);
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
         if (isBody(scene.names[static_cast<std::size_t>(i)]))
             half[i] = bodyWidth / 2;
     }

@@ -10,7 +10,7 @@ sim::Scene onePoint(const std::string &name, sim::Vec2 x, sim::Vec2 v)
     sim::Scene scene;
     scene.start = sim::State::ofPoints(1);
     scene.start.place(0, x);
-    scene.start.push(0, v);
+    scene.start.setVelocity(0, v);
     scene.names = {name};
     scene.groups = {{name, {0, 1}}};
     return scene;

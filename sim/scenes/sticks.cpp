@@ -21,7 +21,7 @@ sim::Scene fallingSticks(const StickFigure &figure)
         scene.start.inverseMass[point] = 0.0;
     add<sim::Gravity>(scene, figure.gravity);
     add<sim::Damping>(scene, figure.damp);
-    add<sim::Sticks>(scene, figure.sticks, scene.start.points(), figure.passes);
+    add<sim::Sticks>(scene, figure.sticks, scene.start.pointCount(), figure.passes);
     return scene;
 }
 

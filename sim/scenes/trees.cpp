@@ -14,12 +14,12 @@ sim::Tree forkedTree(int levels, double slope, double baseLength)
     constexpr double spread = 30.0; // degrees
     sim::Tree tree = sim::Tree::ofTrunk(baseLength);
     for (int level = 0, first = 0; level < levels; ++level) {
-        const int end = tree.branches();
+        const int end = tree.branchCount();
         for (int i = first; i < end; ++i) {
             const auto row = static_cast<std::size_t>(i);
             const double angle = tree.rest[row], scale = slope * tree.scale[row];
-            tree.sprout(i, angle - spread, scale);
-            tree.sprout(i, angle + spread, scale);
+            tree.addBranch(i, angle - spread, scale);
+            tree.addBranch(i, angle + spread, scale);
         }
         first = end;
     }
@@ -29,21 +29,21 @@ sim::Tree forkedTree(int levels, double slope, double baseLength)
 sim::Tree bush()
 {
     sim::Tree tree = sim::Tree::ofTrunk(100.0);
-    tree.sprout(0, -30.0, 0.8);
-    tree.sprout(0, 30.0, 0.7);
+    tree.addBranch(0, -30.0, 0.8);
+    tree.addBranch(0, 30.0, 0.7);
     return tree;
 }
 
 sim::Scene branchesOf(const sim::Tree &tree)
 {
-    const int branches = tree.branches();
+    const int branches = tree.branchCount();
     sim::Scene scene;
     scene.start = sim::State::ofPoints(branches);
     scene.start.angle = Eigen::Map<const Eigen::ArrayXd>(tree.rest.data(), branches);
     scene.names.reserve(tree.rest.size());
     for (int i = 0; i < branches; ++i)
         scene.names.push_back(SIM_TEXT("branch") + std::to_string(i));
-    scene.groups = {{SIM_TEXT("branches"), {0, branches}, sim::Inertia::none}};
+    scene.groups = {{SIM_TEXT("branches"), {0, branches}, sim::Motion::prescribed}};
     return scene;
 }
 
@@ -51,19 +51,19 @@ sim::Scene standingTree(const sim::Tree &tree, sim::Vec2 root, sim::TreeFormula 
 {
     sim::Scene scene = branchesOf(tree);
     scene.start.place(0, root);
-    sim::fromTheTrunk(tree, scene.start, sim::degreesOf(formula), [](int) {});
+    sim::forEachFromTrunk(tree, scene.start, sim::degreesOf(formula), [](int) {});
     return scene;
 }
 
 void letSwing(sim::Scene &scene)
 {
-    scene.start.spin.setZero(scene.start.points());
-    scene.groups.front().inertia = sim::Inertia::some;
+    scene.start.spin.setZero(scene.start.pointCount());
+    scene.groups.front().motion = sim::Motion::byVelocity;
 }
 
 void addSway(sim::Scene &scene, const sim::TreePtr &tree, const Sway &sway)
 {
-    const sim::Limbs limbs = sim::limbsOf(*tree, sway.k);
+    const sim::BranchMechanics limbs = sim::branchMechanicsOf(*tree, sway.k);
     add<sim::GustFront>(scene, sway.front);
     add<sim::Torsion>(scene, tree, limbs);
     add<sim::WindTorque>(scene, tree, limbs.inertia, sway.wind, sway.gusts);

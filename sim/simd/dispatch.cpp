@@ -7,26 +7,26 @@ namespace sim {
 
 namespace {
 
-Instructions found()
+InstructionSet found()
 {
 #if defined(__GNUC__) && defined(__x86_64__)
     const char *said = std::getenv("SPRINGSTEP_INSTRUCTIONS");
     const std::string_view most = said ? said : "";
     if (most == "baseline" || !__builtin_cpu_supports("avx2"))
-        return Instructions::baseline;
+        return InstructionSet::baseline;
     const bool has512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
-    return has512 && most != "avx2" ? Instructions::avx512 : Instructions::avx2;
+    return has512 && most != "avx2" ? InstructionSet::avx512 : InstructionSet::avx2;
 #else
-    return Instructions::baseline;
+    return InstructionSet::baseline;
 #endif
 }
 
 }
 
-Instructions instructions()
+InstructionSet instructionSet()
 {
-    static const Instructions widest = found();
+    static const InstructionSet widest = found();
     return widest;
 }
 

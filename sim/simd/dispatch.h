@@ -12,7 +12,7 @@
 namespace sim {
 
 /// The instructions that loops over many numbers run with.
-enum class Instructions {
+enum class InstructionSet {
     baseline, ///< those of every machine of its kind
     avx2,     ///< four numbers at a time
     avx512,   ///< eight
@@ -20,14 +20,14 @@ enum class Instructions {
 
 /// The widest that this machine has. The environment variable SPRINGSTEP_INSTRUCTIONS=baseline, or avx2, says that it
 /// may be no wider. Found out once.
-Instructions instructions();
+InstructionSet instructionSet();
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
 /// `work` compiled for machines with AVX2, with all that it calls. Multiply-add in one instruction is left out on
 /// purpose: it rounds once where two instructions round twice, and the same input would not give the same bits.
 template <class Work>
-[[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void runWide(const Work &work)
+[[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void runAvx2(const Work &work)
 {
     work();
 }
@@ -36,7 +36,7 @@ template <class Work>
 template <class Work>
 [[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,prefer-vector-width=512"), gnu::flatten,
   gnu::noinline]] void
-runWidest(const Work &work)
+runAvx512(const Work &work)
 {
     work();
 }
@@ -48,7 +48,7 @@ template <class Work>
 #if defined(__GNUC__)
 [[gnu::flatten, gnu::noinline]]
 #endif
-void runPlain(const Work &work)
+void runBaseline(const Work &work)
 {
     work();
 }
@@ -56,21 +56,21 @@ void runPlain(const Work &work)
 /// Runs `work`, a loop over many numbers, in the form that is the fastest on this machine. All forms come to the same
 /// bits.
 template <class Work>
-void runFast(const Work &work)
+void dispatch(const Work &work)
 {
 #if defined(__GNUC__) && defined(__x86_64__)
-    switch (instructions()) {
-    case Instructions::avx512:
-        runWidest(work);
+    switch (instructionSet()) {
+    case InstructionSet::avx512:
+        runAvx512(work);
         return;
-    case Instructions::avx2:
-        runWide(work);
+    case InstructionSet::avx2:
+        runAvx2(work);
         return;
-    case Instructions::baseline:
+    case InstructionSet::baseline:
         break;
     }
 #endif
-    runPlain(work);
+    runBaseline(work);
 }
 
 }

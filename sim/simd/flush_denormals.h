@@ -14,21 +14,21 @@ namespace sim {
 /// at. On processors other than x86-64 and 64-bit ARM it does nothing.
 /// Source: Intel, "64 and IA-32 architectures software developer's manual", volume 1, sections 10.2.3.3 and 10.2.3.4
 /// (FTZ, DAZ); Arm, "Architecture reference manual", FPCR, bit FZ.
-class FlushTiny
+class FlushDenormals
 {
 public:
-    FlushTiny() : m_before(mode()) { setMode(m_before | flushing); }
-    ~FlushTiny() { setMode(m_before); }
-    FlushTiny(const FlushTiny &) = delete;
-    FlushTiny &operator=(const FlushTiny &) = delete;
+    FlushDenormals() : m_before(mode()) { setMode(m_before | flushBits); }
+    ~FlushDenormals() { setMode(m_before); }
+    FlushDenormals(const FlushDenormals &) = delete;
+    FlushDenormals &operator=(const FlushDenormals &) = delete;
 
     /// Whether this thread is under one.
-    static bool isOn() { return flushing != 0 && (mode() & flushing) == flushing; }
+    static bool isActive() { return flushBits != 0 && (mode() & flushBits) == flushBits; }
 
 private:
 #if defined(__SSE2__)
     using Mode = unsigned int;
-    static constexpr Mode flushing = 0x8040; // FTZ and DAZ
+    static constexpr Mode flushBits = 0x8040; // FTZ and DAZ
     static Mode mode()
     {
         return _mm_getcsr();
@@ -39,7 +39,7 @@ private:
     }
 #elif defined(__aarch64__)
     using Mode = std::uint64_t;
-    static constexpr Mode flushing = Mode{1} << 24; // FZ
+    static constexpr Mode flushBits = Mode{1} << 24; // FZ
     static Mode mode()
     {
         Mode mode = 0;
@@ -52,7 +52,7 @@ private:
     }
 #else
     using Mode = unsigned int;
-    static constexpr Mode flushing = 0;
+    static constexpr Mode flushBits = 0;
     static Mode mode()
     {
         return 0;

@@ -10,17 +10,17 @@
 namespace sim {
 
 /// The x and the y of all points, each in one run of memory.
-struct Columns
+struct XyColumns
 {
     double *x;
     double *y;
 
-    explicit Columns(Eigen::ArrayX2d &of) : x(of.data()), y(of.data() + of.rows()) {}
+    explicit XyColumns(Eigen::ArrayX2d &of) : x(of.data()), y(of.data() + of.rows()) {}
     Vec2 at(int point) const { return {x[point], y[point]}; }
 };
 
 /// What `points` and `others` have in common.
-inline Points common(Points points, Points others)
+inline PointRange intersection(PointRange points, PointRange others)
 {
     const int first = std::max(points.first, others.first);
     const int end = std::min(points.end(), others.end());
@@ -28,10 +28,10 @@ inline Points common(Points points, Points others)
 }
 
 /// The same points in ascending order, neighbouring runs made one.
-std::vector<Points> inOrder(std::vector<Points> runs);
+std::vector<PointRange> sortedRanges(std::vector<PointRange> ranges);
 
 /// Sets the numbers of `points` to 0.
-inline void clear(Eigen::ArrayX2d &columns, Points points)
+inline void setZero(Eigen::ArrayX2d &columns, PointRange points)
 {
     double *x = &columns(points.first, 0), *y = &columns(points.first, 1);
     for (int i = 0; i < points.count; ++i)
@@ -39,7 +39,7 @@ inline void clear(Eigen::ArrayX2d &columns, Points points)
 }
 
 /// Whether none of `points` has an inverse mass of 0.
-inline bool allFeel(const double *inverseMass, Points points)
+inline bool areAllDynamic(const double *inverseMass, PointRange points)
 {
     std::int64_t held = 0;
     for (int i = points.first; i < points.end(); ++i)
@@ -49,13 +49,14 @@ inline bool allFeel(const double *inverseMass, Points points)
 
 /// Runs `one(point, feels)` for each point of `points`, several at once. No point looks at another one.
 template <class One>
-void forEachFree(const double *inverseMass, Points points, const One &one)
+void forEachPoint(const double *inverseMass, PointRange points, const One &one)
 {
-    runFast([&] {
+    dispatch([&] {
         const One work = one; // numbers that no store can change
         const double *share = inverseMass;
         const int first = points.first, end = points.end();
-        if (allFeel(share, points)) { // as they mostly do: a store that depends takes longer than this look
+        if (areAllDynamic(share,
+                          points)) { // as they mostly do: a store that depends takes longer than this look
             SIM_TURNS_ARE_APART
             for (int i = first; i < end; ++i)
                 work(i, true);
@@ -69,9 +70,10 @@ void forEachFree(const double *inverseMass, Points points, const One &one)
 
 /// Gives each point of `points` that feels forces what `rule(point)` says, a Vec2 for its row of `into`.
 template <class Rule>
-void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, Eigen::ArrayX2d &into, const Rule &rule)
+void updateDynamic(const Eigen::ArrayXd &inverseMass, PointRange points, Eigen::ArrayX2d &into,
+                   const Rule &rule)
 {
-    forEachFree(inverseMass.data(), points, [rule, at = Columns(into)](int i, bool feels) {
+    forEachPoint(inverseMass.data(), points, [rule, at = XyColumns(into)](int i, bool feels) {
         const Vec2 value = rule(i);
         at.x[i] = feels ? value.x : at.x[i];
         at.y[i] = feels ? value.y : at.y[i];
@@ -80,9 +82,9 @@ void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, Eigen::ArrayX
 
 /// The same for one number a point.
 template <class Rule>
-void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, double *into, const Rule &rule)
+void updateDynamic(const Eigen::ArrayXd &inverseMass, PointRange points, double *into, const Rule &rule)
 {
-    forEachFree(inverseMass.data(), points, [rule, into](int i, bool feels) {
+    forEachPoint(inverseMass.data(), points, [rule, into](int i, bool feels) {
         const double value = rule(i);
         into[i] = feels ? value : into[i];
     });
@@ -90,10 +92,10 @@ void replaceFree(const Eigen::ArrayXd &inverseMass, Points points, double *into,
 
 /// The same for position and velocity at once: `rule(point)` says a value with `x` and `v`, both Vec2.
 template <class Rule>
-void replaceFreeMotion(State &state, Points points, const Rule &rule)
+void updateDynamicMotion(State &state, PointRange points, const Rule &rule)
 {
-    const Columns position(state.position), velocity(state.velocity);
-    forEachFree(state.inverseMass.data(), points, [rule, x = position, v = velocity](int i, bool feels) {
+    const XyColumns position(state.position), velocity(state.velocity);
+    forEachPoint(state.inverseMass.data(), points, [rule, x = position, v = velocity](int i, bool feels) {
         const auto after = rule(i);
         x.x[i] = feels ? after.x.x : x.x[i];
         x.y[i] = feels ? after.x.y : x.y[i];

@@ -11,20 +11,20 @@
 /// whatever its C library, and a loop over many of them runs several at once.
 /// They are off by less than 0.61 units in the last digit, where the C library
 /// that we measured against is off by 0.52.
-namespace sim::alike {
+namespace sim::portable {
 
 /// Added to a number it leaves the nearest whole one in the last bits.
-constexpr double whole = 0x1.8p52;
+constexpr double roundingShift = 0x1.8p52;
 
 /// The nearest whole number, to 2^51; of two the even one.
-inline double nearest(double x)
+inline double roundToWhole(double x)
 {
-    return (x + whole) - whole;
+    return (x + roundingShift) - roundingShift;
 }
 
 /// `x` with the lower half of its digits left out: two such numbers have an
 /// exact product.
-inline double upper(double x)
+inline double upperHalf(double x)
 {
     constexpr std::int64_t kept = ~std::int64_t{0x7ffffff};
     return std::bit_cast<double>(std::bit_cast<std::int64_t>(x) & kept);
@@ -33,43 +33,43 @@ inline double upper(double x)
 /// What rounding took from the product of a and b.
 /// Source: Dekker, "A floating-point technique for extending the available
 /// precision", 1971.
-inline double lostIn(double product, double a, double b)
+inline double productError(double product, double a, double b)
 {
-    const double aHigh = upper(a), aLow = a - aHigh, bHigh = upper(b), bLow = b - bHigh;
+    const double aHigh = upperHalf(a), aLow = a - aHigh, bHigh = upperHalf(b), bLow = b - bHigh;
     return ((aHigh * bHigh - product) + aHigh * bLow + aLow * bHigh) + aLow * bLow;
 }
 
 /// A number in two parts, of which the second is much smaller.
-struct Parts
+struct DoubleDouble
 {
     double high = 0.0;
     double low = 0.0;
 };
 
 /// x (a z + rest), where `rest` is much smaller than a z.
-inline Parts product(double x, Parts z, double a, double rest)
+inline DoubleDouble product(double x, DoubleDouble z, double a, double rest)
 {
-    const double xHigh = upper(x), zHigh = upper(z.high), aHigh = upper(a);
-    const double first = zHigh * aHigh, firstHigh = upper(first);
+    const double xHigh = upperHalf(x), zHigh = upperHalf(z.high), aHigh = upperHalf(a);
+    const double first = zHigh * aHigh, firstHigh = upperHalf(first);
     const double second = (z.high - zHigh) * aHigh + (z.high * (a - aHigh) + z.low * a + rest);
     return {xHigh * firstHigh, (x - xHigh) * firstHigh + x * ((first - firstHigh) + second)};
 }
 
 /// a + b, where b is the smaller.
-inline Parts sum(double a, double b)
+inline DoubleDouble sum(double a, double b)
 {
     const double high = a + b;
     return {high, (a - high) + b};
 }
 
-struct Heading
+struct SinCos
 {
     double cosine = 0.0;
     double sine = 0.0;
 };
 
 /// An angle in rad, but not past a million, where it has hardly any digits left behind the point.
-inline double withinAMillion(double rad)
+inline double clampedAngle(double rad)
 {
     return std::copysign(std::min(std::abs(rad), 1e6), rad); // in this order NaN stays what it is
 }
@@ -111,23 +111,23 @@ inline double arcTail(double z)
     return -(z * odd + even);
 }
 
-/// Of an angle in rad, withinAMillion(). Source of the coefficients and of pi/2 in three parts: Sun Microsystems,
+/// Of an angle in rad, clampedAngle(). Source of the coefficients and of pi/2 in three parts: Sun Microsystems,
 /// FDLIBM 5.3, k_sin.c, k_cos.c, e_rem_pio2.c.
-inline Heading headingOf(double rad)
+inline SinCos sinCos(double rad)
 {
-    rad = withinAMillion(rad);
-    const double turns = nearest(rad * quartersPerRadian);
+    rad = clampedAngle(rad);
+    const double turns = roundToWhole(rad * quartersPerRadian);
     const double rough = rad - turns * 1.57079632673412561417e+00, more = turns * 6.07710050630396597660e-11;
     const double fine = rough - more, finer = ((rough - fine) - more) - turns * 2.02226624879595063154e-21;
     const double x = fine + finer, xLow = (fine - x) + finer;
     const double z = x * x;
-    const Parts square = {z, lostIn(z, x, x) + 2.0 * x * xLow};
-    const Parts cube = product(x, square, sineCube, z * z * sineTail(z));
-    const Parts sines = sum(x, cube.high);
+    const DoubleDouble square = {z, productError(z, x, x) + 2.0 * x * xLow};
+    const DoubleDouble cube = product(x, square, sineCube, z * z * sineTail(z));
+    const DoubleDouble sines = sum(x, cube.high);
     const double sine = sines.high + (sines.low + (cube.low + xLow));
-    const Parts cosines = sum(1.0, -0.5 * z);
+    const DoubleDouble cosines = sum(1.0, -0.5 * z);
     const double cosine = cosines.high + (cosines.low + (z * cosineTail(z) - 0.5 * square.low));
-    const double quarter = turns - 4.0 * nearest(0.25 * turns); // -2 to 2
+    const double quarter = turns - 4.0 * roundToWhole(0.25 * turns); // -2 to 2
     // cosine and sine of whole quarters, without a branch: one is 0, the other 1
     // or -1
     const double along = 1.0 - std::abs(quarter), aside = quarter * (2.0 - std::abs(quarter));
@@ -136,21 +136,21 @@ inline Heading headingOf(double rad)
 
 inline double cos(double rad)
 {
-    return headingOf(rad).cosine;
+    return sinCos(rad).cosine;
 }
 
 inline double sin(double rad)
 {
-    return headingOf(rad).sine;
+    return sinCos(rad).sine;
 }
 
 /// (t + off) - (t + off)^3 / 3 + ..., the arc tangent where t is below 0.44,
 /// without its first term t. Source of the coefficients: Sun Microsystems,
 /// FDLIBM 5.3, s_atan.c.
-inline Parts arcBend(double t, double off)
+inline DoubleDouble arcTangentTail(double t, double off)
 {
     const double z = t * t;
-    const Parts bend = product(t, {z, lostIn(z, t, t)}, arcCube, arcTail(z));
+    const DoubleDouble bend = product(t, {z, productError(z, t, t)}, arcCube, arcTail(z));
     return {bend.high, bend.low + (off - off * (z - z * z))};
 }
 
@@ -166,16 +166,16 @@ inline double atan2(double y, double x)
     const double overLow = eighth ? small - (over + large) : 0.0;
     const double underLow = eighth ? (large - under) + small : 0.0;
     const double by = under == 0.0 ? 0.0 : 1.0 / under, t = over * by, back = t * under;
-    const double missing = ((over - back) - lostIn(back, t, under)) + overLow - t * underLow;
+    const double missing = ((over - back) - productError(back, t, under)) + overLow - t * underLow;
     const double off = missing * by; // of t, which need not be the nearest
-    const Parts bend = arcBend(t, off);
+    const DoubleDouble bend = arcTangentTail(t, off);
     // The angle is so many eighths of a turn, and what is found added or taken
     // off.
     const double behind = std::copysign(1.0, x), steep = high > wide ? -1.0 : 1.0, sign = steep * behind;
     const double near = eighth ? 1.0 : 0.0, side = 1.0 - steep + steep * near;
     const double eighths = 2.0 - 2.0 * behind + behind * side;
     const double base = eighths * 7.85398163397448278999e-01, baseLow = eighths * 3.06161699786838301793e-17;
-    const Parts first = sum(base, sign * t), second = sum(first.high, sign * bend.high);
+    const DoubleDouble first = sum(base, sign * t), second = sum(first.high, sign * bend.high);
     const double angle = second.high + (second.low + (first.low + (baseLow + sign * bend.low)));
     const double isNone = (x - x) + (y - y); // 0 or not a number
     return std::copysign(angle + isNone, y);
@@ -186,7 +186,7 @@ inline double atan2(double y, double x)
 /// doubles, and products with the rounded 1/360 find the halves between them.
 inline double remainder(double x, double y)
 {
-    const double left = x - y * nearest(x * (1.0 / y));
+    const double left = x - y * roundToWhole(x * (1.0 / y));
     const double once = left > 0.5 * y ? left - y : left; // the quotient was rounded
     return once < -0.5 * y ? once + y : once;
 }
@@ -196,33 +196,33 @@ inline double remainder(double x, double y)
 namespace fast {
 
 /// `x` with its sign turned round where bit 1 of `quarters` is set.
-inline double signedBy(std::uint64_t quarters, double x)
+inline double withSignOf(std::uint64_t quarters, double x)
 {
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ ((quarters & 2) << 62));
 }
 
-inline Heading headingOf(double rad)
+inline SinCos sinCos(double rad)
 {
-    rad = withinAMillion(rad);
+    rad = clampedAngle(rad);
     // cosine and sine swap in odd quarters of a turn, and change signs every second quarter
-    const double shifted = rad * quartersPerRadian + whole, turns = shifted - whole;
+    const double shifted = rad * quartersPerRadian + roundingShift, turns = shifted - roundingShift;
     const double x = (rad - turns * 1.57079632673412561417e+00) - turns * 6.07710050650619224932e-11;
     const double z = x * x;
     const double sine = x + x * z * (sineCube + z * sineTail(z));
     const double cosine = 1.0 - (0.5 * z - z * cosineTail(z));
     const auto quarters = std::bit_cast<std::uint64_t>(shifted); // in its last bits
     const bool isOdd = (quarters & 1) != 0;
-    return {signedBy(quarters + 1, isOdd ? sine : cosine), signedBy(quarters, isOdd ? cosine : sine)};
+    return {withSignOf(quarters + 1, isOdd ? sine : cosine), withSignOf(quarters, isOdd ? cosine : sine)};
 }
 
 inline double cos(double rad)
 {
-    return headingOf(rad).cosine;
+    return sinCos(rad).cosine;
 }
 
 inline double sin(double rad)
 {
-    return headingOf(rad).sine;
+    return sinCos(rad).sine;
 }
 
 /// Not a number for (0, 0), which has no direction, and where x or y is not a number.
@@ -242,4 +242,4 @@ inline double atan2(double y, double x)
 
 }
 
-} // namespace sim::alike
+} // namespace sim::portable

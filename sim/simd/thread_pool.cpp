@@ -12,16 +12,16 @@
 namespace sim {
 
 /// Helpers that wait for jobs. All that they share is written while no helper is inside a job.
-class Crew::Threads
+class ThreadPool::Workers
 {
 public:
-    explicit Threads(int threads) : m_portions(static_cast<std::size_t>(threads))
+    explicit Workers(int threads) : m_portions(static_cast<std::size_t>(threads))
     {
         for (std::size_t i = 1; i < m_portions.size(); ++i)
             m_helpers.emplace_back([this, i] { help(i); });
     }
 
-    ~Threads()
+    ~Workers()
     {
         m_ends = true;
         m_job.fetch_add(1);
@@ -30,16 +30,16 @@ public:
             helper.join();
     }
 
-    Threads(const Threads &) = delete;
-    Threads &operator=(const Threads &) = delete;
+    Workers(const Workers &) = delete;
+    Workers &operator=(const Workers &) = delete;
 
-    void share(int parts, const std::function<void(int)> &work)
+    void parallelFor(int parts, const std::function<void(int)> &work)
     {
         m_work = &work;
         std::fegetenv(&m_mode);
         const auto count = static_cast<int>(m_portions.size());
         for (int i = 0; i < count; ++i) {
-            Portion &portion = m_portions[static_cast<std::size_t>(i)];
+            Range &portion = m_portions[static_cast<std::size_t>(i)];
             portion.next = static_cast<int>(std::int64_t{parts} * i / count);
             portion.end = static_cast<int>(std::int64_t{parts} * (i + 1) / count);
         }
@@ -53,7 +53,7 @@ public:
 private:
     /// The parts of a job that one thread begins with. The same ones in each job, so that what it computes stays in
     /// its processor's cache; whoever is done takes from the others.
-    struct alignas(64) Portion
+    struct alignas(64) Range
     {
         std::atomic<int> next = 0;
         int end = 0;
@@ -62,7 +62,7 @@ private:
     void take(std::size_t self)
     {
         for (std::size_t i = 0; i < m_portions.size(); ++i) {
-            Portion &portion = m_portions[(self + i) % m_portions.size()];
+            Range &portion = m_portions[(self + i) % m_portions.size()];
             for (int part = portion.next++; part < portion.end; part = portion.next++)
                 (*m_work)(part);
         }
@@ -133,7 +133,7 @@ private:
     /// virtual machine, and next to nothing of the time between two pictures.
     static constexpr std::chrono::microseconds patience{100};
 
-    std::vector<Portion> m_portions; ///< one a thread, the calling one first
+    std::vector<Range> m_portions; ///< one a thread, the calling one first
     const std::function<void(int)> *m_work = nullptr;
     std::fenv_t m_mode{};
     std::atomic<int> m_inside = closed; ///< helpers in a job; that plus `closed` when no more may come in
@@ -142,24 +142,24 @@ private:
     std::vector<std::thread> m_helpers;
 };
 
-Crew::Crew() : Crew(std::thread::hardware_concurrency() > 1 ? 2 : 1) {}
+ThreadPool::ThreadPool() : ThreadPool(std::thread::hardware_concurrency() > 1 ? 2 : 1) {}
 
-Crew::Crew(int threads) : m_threads(std::max(1, threads)) {}
+ThreadPool::ThreadPool(int threads) : m_threads(std::max(1, threads)) {}
 
-Crew::Crew(const Crew &other) : Crew(other.m_threads) {}
+ThreadPool::ThreadPool(const ThreadPool &other) : ThreadPool(other.m_threads) {}
 
-Crew &Crew::operator=(const Crew &other)
+ThreadPool &ThreadPool::operator=(const ThreadPool &other)
 {
     m_threads = other.m_threads;
     m_running.reset();
     return *this;
 }
 
-Crew::Crew(Crew &&) noexcept = default;
-Crew &Crew::operator=(Crew &&) noexcept = default;
-Crew::~Crew() = default;
+ThreadPool::ThreadPool(ThreadPool &&) noexcept = default;
+ThreadPool &ThreadPool::operator=(ThreadPool &&) noexcept = default;
+ThreadPool::~ThreadPool() = default;
 
-void Crew::share(int parts, const std::function<void(int)> &work)
+void ThreadPool::parallelFor(int parts, const std::function<void(int)> &work)
 {
     if (m_threads == 1 || parts < 2) {
         for (int i = 0; i < parts; ++i)
@@ -167,8 +167,8 @@ void Crew::share(int parts, const std::function<void(int)> &work)
         return;
     }
     if (!m_running)
-        m_running = std::make_unique<Threads>(m_threads);
-    m_running->share(parts, work);
+        m_running = std::make_unique<Workers>(m_threads);
+    m_running->parallelFor(parts, work);
 }
 
 }

@@ -24,7 +24,7 @@ inline lessons::Step fallStep()
         scenes::add<sim::Gravity>(scene, values["gravity"]);
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
     return step;
 }
 
@@ -62,12 +62,12 @@ struct World
     {
         sim::Track track(session.timeline().script(), 0);
         track.seek({frame, 0});
-        return track.now();
+        return track.state();
     }
     sim::State at(std::int64_t frame)
     {
         session.goTo({frame, 0});
-        return session.timeline().now();
+        return session.timeline().state();
     }
 
     app::LessonLibrary lessons = library();

@@ -34,7 +34,7 @@ inline CodePlace placeOf(const QString &file, const QString &part)
 
 inline const sim::Phase &nextPhase(const sim::Timeline &run)
 {
-    return run.track().next()->pipeline.phaseAt(run.at().phase);
+    return run.track().nextInterval()->pipeline.phaseAt(run.cursor().phase);
 }
 
 /// The moments before `frames` at which a run of `script` is to stop, found by stepping from phase to phase. With
@@ -45,11 +45,11 @@ inline std::vector<sim::Cursor> search(const sim::Script &script, std::int64_t f
     sim::Timeline run(script);
     std::vector<sim::Cursor> found;
     bool held = question(run);
-    while (run.at().frame < frames) {
-        run.stepPhase();
+    while (run.cursor().frame < frames) {
+        run.nextPhase();
         const bool holds = question(run);
-        if (holds && !(edge && held) && run.at().frame < frames)
-            found.push_back(run.at());
+        if (holds && !(edge && held) && run.cursor().frame < frames)
+            found.push_back(run.cursor());
         held = holds;
     }
     return found;
@@ -62,15 +62,15 @@ struct Bench
         session.openStep(lesson, step);
         session.setSpeed(4.0);
     }
-    sim::Cursor at() const { return session.timeline().at(); }
+    sim::Cursor at() const { return session.timeline().cursor(); }
     /// Goes on to the next stop, or some way beyond `frame`.
-    void goOn(Way way, std::int64_t frame)
+    void goOn(Way setup, std::int64_t frame)
     {
-        if (way == Way::play) {
+        if (setup == Way::play) {
             session.play();
             QVERIFY(QTest::qWaitFor([&] { return !session.isPlaying() || at().frame > frame; }, 20000));
             session.pause();
-        } else if (way == Way::runTo) {
+        } else if (setup == Way::runTo) {
             session.runTo({frame + 1, 0});
             QVERIFY(QTest::qWaitFor([&] { return !session.goingTo(); }, 20000));
         } else {
@@ -80,16 +80,17 @@ struct Bench
         }
     }
     /// All stops up to `frame`; each must have the bits of a run that goes straight there.
-    std::vector<sim::Cursor> stops(Way way, std::int64_t frame)
+    std::vector<sim::Cursor> stops(Way setup, std::int64_t frame)
     {
         std::vector<sim::Cursor> all;
         for (;;) {
-            goOn(way, frame);
+            goOn(setup, frame);
             if (!session.stoppedBy() || at().frame > frame)
                 return all;
             sim::Timeline straight(session.timeline().script());
             straight.seek(at());
-            if (session.stoppedBy()->at != at() || !sim::sameBits(straight.now(), session.timeline().now()))
+            if (session.stoppedBy()->at != at() ||
+                !sim::sameBits(straight.state(), session.timeline().state()))
                 return {};
             all.push_back(at());
         }

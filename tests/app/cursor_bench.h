@@ -86,13 +86,13 @@ struct Bench : window_bench::Bench
     {
         sim::Track track(session.timeline().script(), 0);
         track.seek({frame, 0});
-        const sim::Vec2 at = track.now().at(track.shown().scene.find(body));
+        const sim::Vec2 at = track.state().positionOf(track.interval().scene.find(body));
         return {at.x, at.y};
     }
     QPointF shown(const char *body)
     {
         const Picture &picture = view.shown().picture;
-        const sim::Vec2 at = picture.state.at(picture.segment->scene.find(body));
+        const sim::Vec2 at = picture.state.positionOf(picture.interval->scene.find(body));
         return {at.x, at.y};
     }
     QString status() { return window.statusBar()->findChild<QLabel *>()->text(); }

@@ -18,7 +18,7 @@ class TiedSpring : public sim::BodySpring
 {
 public:
     using BodySpring::BodySpring;
-    void ties(std::vector<sim::Tie> &into) const override { into.emplace_back(0, 1); }
+    void addCouplings(std::vector<sim::Coupling> &into) const override { into.emplace_back(0, 1); }
 };
 
 /// Gravity that is left out where it is 0.
@@ -26,7 +26,7 @@ class RareGravity : public sim::Gravity
 {
 public:
     explicit RareGravity(double gravity) : Gravity(gravity), m_gravity(gravity) {}
-    bool idle() const override { return m_gravity == 0.0; }
+    bool isIdle() const override { return m_gravity == 0.0; }
 
 private:
     double m_gravity;
@@ -38,7 +38,7 @@ inline lessons::Step tiedStep()
     step.id = "tied";
     step.title = "A leg";
     lessons::Parameter gravity = lessons::gravity();
-    gravity.preset = 0.0;
+    gravity.defaultValue = 0.0;
     step.parameters = {lessons::stiffness(), lessons::damping(), gravity};
     step.scene = [](const sim::Values &values) {
         sim::Scene scene = scenes::pair();
@@ -48,8 +48,8 @@ inline lessons::Step tiedStep()
         scenes::add<sim::Damping>(scene, values["damp"]);
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &) {
-        return lessons::creatureLookWithLegs(scene);
+    step.view = [](const sim::Scene &scene, const sim::Values &) {
+        return lessons::creatureViewWithLegs(scene);
     };
     return step;
 }
@@ -62,11 +62,11 @@ inline lessons::Step puppetStep()
     step.title = "A puppet";
     step.scene = [](const sim::Values &) {
         sim::Scene scene = scenes::loneFoot();
-        scene.groups.front().inertia = sim::Inertia::none;
+        scene.groups.front().motion = sim::Motion::prescribed;
         scenes::add<sim::CarriedByPointer>(scene, 0);
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
     return step;
 }
 

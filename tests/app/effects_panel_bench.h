@@ -29,7 +29,7 @@ inline sim::FrameCost madeUp(const sim::Scene &scene)
     cost.restNs = 10.0;
     cost.restSpread = 0.2;
     for (const sim::EffectPtr &effect : scene.effects) {
-        const bool isSpring = effect->kind() == sim::Kind::spring;
+        const bool isSpring = effect->kind() == sim::EffectKind::spring;
         cost.effects.push_back({effect, 6, 1.0, isSpring ? 31.4 : 4.6, 0.3});
     }
     return cost;
@@ -44,13 +44,13 @@ struct Meter
 
     CostFunction function()
     {
-        return [this](const CostSubject &about, const sim::GoesOn &goesOn,
+        return [this](const CostSubject &about, const sim::ShouldContinue &shouldContinue,
                       const std::function<void(const sim::FrameCost &)> &tell) {
             ++begun;
             do {
-                tell(madeUp(about.segment->scene));
+                tell(madeUp(about.interval->scene));
                 std::this_thread::sleep_for(std::chrono::milliseconds(1));
-                if (!goesOn()) {
+                if (!shouldContinue()) {
                     ++stopped;
                     return;
                 }
@@ -94,21 +94,21 @@ struct Bench
     }
     bool hasPhase(const std::string &id) const
     {
-        const auto &phases = world.session.timeline().track().next()->pipeline.phases;
+        const auto &phases = world.session.timeline().track().nextInterval()->pipeline.phases;
         return std::any_of(phases.begin(), phases.end(),
                            [&](const sim::Phase &phase) { return phase.id == id; });
     }
     bool showsSource(const QString &file)
     {
         const CodeListing listing =
-            listingOf(session().step(), *run().track().next(), *run().script().method);
+            listingOf(session().step(), *run().track().nextInterval(), *run().script().method);
         return std::any_of(listing.sections.begin(), listing.sections.end(),
                            [&](const CodeSection &section) { return section.files().contains(file); });
     }
 
-    Meter meter;
+    Meter reader;
     World world{legLibrary()};
-    EffectsPanel panel{world.session, world.theme, meter.function()};
+    EffectsPanel panel{world.session, world.theme, reader.function()};
 };
 
 const char *springFile = "sim/effects/pairs/spring.h";

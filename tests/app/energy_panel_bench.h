@@ -24,7 +24,7 @@ inline LessonLibrary withPuppet()
     puppet.scene = [build = puppet.scene](const sim::Values &values) {
         sim::Scene scene = build(values);
         for (sim::Group &group : scene.groups)
-            group.inertia = sim::Inertia::none;
+            group.motion = sim::Motion::prescribed;
         return scene;
     };
     library.lessons.front().steps.push_back(puppet);
@@ -54,7 +54,7 @@ struct Bench
         }
         return nullptr;
     }
-    std::int64_t frame() { return session().timeline().at().frame; }
+    std::int64_t frame() { return session().timeline().cursor().frame; }
     QPoint placeOf(std::int64_t frame)
     {
         EnergyPlot &plot = panel.plot();
@@ -96,15 +96,16 @@ inline constexpr double atStart = 0.5 * 0.2 * (30.0 * 30.0 + 10.0 * 10.0);
 
 inline double springEnergy(const sim::State &state)
 {
-    const sim::Vec2 d = state.at(0) - sim::Vec2{270.0, 200.0};
+    const sim::Vec2 d = state.positionOf(0) - sim::Vec2{270.0, 200.0};
     return 0.5 * 0.2 * (d.x * d.x + d.y * d.y);
 }
 
 inline double motionEnergy(const sim::State &state)
 {
     double sum = 0.0;
-    for (int i = 0; i < state.points(); ++i)
-        sum += 0.5 * (state.speed(i).x * state.speed(i).x + state.speed(i).y * state.speed(i).y);
+    for (int i = 0; i < state.pointCount(); ++i)
+        sum += 0.5 * (state.velocityOf(i).x * state.velocityOf(i).x +
+                      state.velocityOf(i).y * state.velocityOf(i).y);
     return sum;
 }
 

@@ -51,7 +51,7 @@ inline Experiment everything()
     sim::Script &script = experiment.script;
     experiment.frames = mostFrames;
     script.method = newExperiment("multi_foot", "any_number", library()).script.method;
-    script.step = sim::StepSize::of(1.0 / 3.0);
+    script.step = sim::StepSize::ofLength(1.0 / 3.0);
     script.values.set("k", 0.1 + 0.2);
     script.values.set("feet", 7.0);
     script.values.seed = std::uint64_t{1} << 53;
@@ -73,7 +73,7 @@ inline Branch branchOf(const QString &name, bool isNamed, bool isKept, sim::Scri
 inline Experiment withBranches(double h = 1.0 / 3.0)
 {
     Experiment experiment = everything();
-    experiment.script.step = sim::StepSize::of(h);
+    experiment.script.step = sim::StepSize::ofLength(h);
     sim::Script forked = experiment.script;
     forked.input.resize(6);
     forked.input.push_back({8, sim::Grab{"foot1"}});

@@ -85,7 +85,7 @@ private:
     QPoint onBody()
     {
         const Picture picture = m_bench.session.picture();
-        const sim::Vec2 at = picture.state.at(m_random.bounded(picture.state.points()));
+        const sim::Vec2 at = picture.state.positionOf(m_random.bounded(picture.state.pointCount()));
         return m_bench.view.mapFromScene(at.x, at.y);
     }
 

@@ -35,7 +35,7 @@ inline sim::Timeline runOf(const lessons::Step &step, const QString &method = "p
 
 inline CodeListing listingOf(const lessons::Step &step, const sim::Timeline &run)
 {
-    return app::listingOf(step, run.track().shown(), *run.script().method);
+    return app::listingOf(step, run.track().interval(), *run.script().method);
 }
 
 /// Whether `method` can compute `step`: those that need more than forces refuse some.

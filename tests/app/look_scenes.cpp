@@ -12,27 +12,30 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-sim::Vec2 endOf(const lessons::TreeLook &tree, const sim::State &state, int branch)
+sim::Vec2 endOf(const lessons::TreeView &tree, const sim::State &state, int branch)
 {
     const double angle = state.angle[branch] * degree;
-    return state.at(branch) +
+    return state.positionOf(branch) +
            tree.length[static_cast<std::size_t>(branch)] * sim::Vec2{std::cos(angle), std::sin(angle)};
 }
 
 class Sway : public sim::Driver
 {
 public:
-    Sway(lessons::TreeLook tree, Eigen::ArrayXd rest) : m_tree(std::move(tree)), m_rest(std::move(rest)) {}
+    Sway(lessons::TreeView tree, Eigen::ArrayXd rest) : m_tree(std::move(tree)), m_rest(std::move(rest)) {}
     std::string id() const override { return "sway"; }
     std::string title() const override { return "sway"; }
-    sim::Kind kind() const override { return sim::Kind::driver; }
-    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
-    int count(const sim::State &, sim::Points points) const override { return points.count; }
-    std::vector<sim::Live> explain(const sim::State &, const sim::State &, int) const override { return {}; }
+    sim::EffectKind kind() const override { return sim::EffectKind::driver; }
+    std::vector<sim::Region> regions(sim::DirectionRule) const override { return {}; }
+    int count(const sim::State &, sim::PointRange points) const override { return points.count; }
+    std::vector<sim::LiveValue> explain(const sim::State &, const sim::State &, int) const override
+    {
+        return {};
+    }
     void drive(sim::State &state, double) const override
     {
         const double turn = 6.0 * std::sin(static_cast<double>(state.frame) / 15.0);
-        for (int i = 0; i < state.points(); ++i) {
+        for (int i = 0; i < state.pointCount(); ++i) {
             const auto row = static_cast<std::size_t>(i);
             state.angle[i] = m_rest[i] + turn * 100.0 / (100.0 + m_tree.length[row]);
             if (m_tree.parent[row] >= 0)
@@ -41,19 +44,19 @@ public:
     }
 
 private:
-    lessons::TreeLook m_tree;
+    lessons::TreeView m_tree;
     Eigen::ArrayXd m_rest;
 };
 
 }
 
-lessons::Step step(const char *id, const sim::Scene &scene, const lessons::Look &look)
+lessons::Step step(const char *id, const sim::Scene &scene, const lessons::View &look)
 {
     lessons::Step made;
     made.id = id;
     made.title = id;
     made.scene = [scene](const sim::Values &) { return scene; };
-    made.look = [look](const sim::Scene &, const sim::Values &) { return look; };
+    made.view = [look](const sim::Scene &, const sim::Values &) { return look; };
     return made;
 }
 
@@ -63,9 +66,9 @@ void letGlide(sim::Scene &scene, sim::Vec2 velocity)
     scene.start.velocity.col(1) = velocity.y;
 }
 
-lessons::Look feetOnly(const sim::Scene &scene)
+lessons::View feetOnly(const sim::Scene &scene)
 {
-    lessons::Look look;
+    lessons::View look;
     look.bodies.resize(scene.names.size());
     return look;
 }
@@ -77,7 +80,7 @@ Tree tree(int forks)
     made.scene = scenes::pointsAt(std::vector<sim::Vec2>(static_cast<std::size_t>(count), {270.0, 400.0}));
     sim::State &start = made.scene.start;
     start.angle = Eigen::ArrayXd::Constant(count, -90.0);
-    lessons::TreeLook branches;
+    lessons::TreeView branches;
     branches.parent = {-1};
     branches.length = {100.0};
     branches.width = {13.0};
@@ -90,9 +93,9 @@ Tree tree(int forks)
         start.angle[i] = start.angle[parent] + (i % 2 == 1 ? -28.0 : 28.0);
         start.place(i, endOf(branches, start, parent));
     }
-    made.look.bodies.resize(static_cast<std::size_t>(count), {lessons::BodyLook::Shape::none, 2.0});
+    made.look.bodies.resize(static_cast<std::size_t>(count), {lessons::BodyView::Shape::none, 2.0});
     made.look.tree = std::move(branches);
-    made.look.sky = lessons::Look::Sky::dusk;
+    made.look.sky = lessons::View::Sky::dusk;
     return made;
 }
 

@@ -9,19 +9,19 @@
 namespace look_scenes {
 
 /// A step that has nothing but a scene and a look.
-lessons::Step step(const char *id, const sim::Scene &scene, const lessons::Look &look);
+lessons::Step step(const char *id, const sim::Scene &scene, const lessons::View &look);
 
 /// All points go on by `velocity`, px/frame.
 void letGlide(sim::Scene &scene, sim::Vec2 velocity);
 /// A look with one foot a point.
-lessons::Look feetOnly(const sim::Scene &scene);
+lessons::View feetOnly(const sim::Scene &scene);
 
 /// A tree that forks `forks` times: 2^(forks + 1) - 1 branches, the trunk 100 px long and from (270, 400) straight
 /// up, children 0.8 times as long, 0.68 times as thick, and 28 degrees to either side.
 struct Tree
 {
     sim::Scene scene;
-    lessons::Look look;
+    lessons::View look;
 };
 Tree tree(int forks);
 /// All branches turn to and fro, the thinner the farther.

@@ -20,9 +20,9 @@ sim::AccuracyRow rowOf(const sim::MethodPtr &method, int rung, std::size_t numbe
 {
     const bool adaptive = method->stepping() == sim::Stepping::adaptive;
     sim::AccuracyRow row;
-    row.way.method = method;
-    row.way.step =
-        adaptive ? sim::StepSize::within(std::pow(10.0, -rung)) : sim::StepSize::of(1.0 / (1 << rung));
+    row.setup.method = method;
+    row.setup.step = adaptive ? sim::StepSize::withTolerance(std::pow(10.0, -rung))
+                              : sim::StepSize::ofLength(1.0 / (1 << rung));
     row.outcome = sim::Outcome::measured;
     row.error = std::max(mostExact, 4.0 * std::pow(0.5, method->order() * rung));
     row.evaluations = std::pow(2.0, rung);
@@ -52,9 +52,9 @@ sim::Accuracy madeUp(const sim::Script &script, const sim::StudyPlan &plan)
     const sim::Scene scene = sim::sceneOf(script, script.values);
     for (std::int64_t frame = 0; frame <= found.horizon; ++frame) {
         std::vector<sim::Vec2> places;
-        for (int i = 0; i < scene.start.points(); ++i)
-            places.push_back(scene.start.at(i) + sim::Vec2{3.0, 4.0});
-        found.reference.places.push_back(std::move(places));
+        for (int i = 0; i < scene.start.pointCount(); ++i)
+            places.push_back(scene.start.positionOf(i) + sim::Vec2{3.0, 4.0});
+        found.reference.trajectories.push_back(std::move(places));
     }
     sim::markFront(found.rows);
     return found;
@@ -98,7 +98,7 @@ QPoint Bench::spotOf(const std::string &id, sim::StepSize step)
 {
     const auto &rows = study.accuracy()->rows;
     for (const Spot &spot : plot().spots()) {
-        if (rows[spot.row].way.method->id() == id && rows[spot.row].way.step == step)
+        if (rows[spot.row].setup.method->id() == id && rows[spot.row].setup.step == step)
             return plot().onScreen(spot).toPoint();
     }
     qFatal("%s has no such spot", id.c_str());

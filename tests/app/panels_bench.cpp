@@ -30,8 +30,8 @@ lessons::Step springStep(const QString &id, const QString &title, const QString 
         scenes::add<sim::Damping>(scene, values["damp"]);
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
-    const auto done = [](const sim::Timeline &timeline) { return timeline.at().frame >= 5; };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
+    const auto done = [](const sim::Timeline &timeline) { return timeline.cursor().frame >= 5; };
     if (!tryText.isEmpty())
         step.tries = {{tryText, done}};
     return step;

@@ -31,7 +31,7 @@ inline lessons::Step loneStep(const char *id, sim::Vec2 start, const char *metho
         addEffects(scene, values);
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
     return step;
 }
 
@@ -59,7 +59,7 @@ inline app::LessonLibrary library()
     puppet.scene = [build = pair.scene](const sim::Values &values) {
         sim::Scene scene = build(values);
         for (sim::Group &group : scene.groups)
-            group.inertia = sim::Inertia::none;
+            group.motion = sim::Motion::prescribed;
         return scene;
     };
     app::LessonLibrary library;

@@ -35,7 +35,7 @@ struct Bench
     {
         QVERIFY(QTest::qWaitFor([&] { return !session().goingTo() && panel->isSettled(); }));
     }
-    std::int64_t frame() { return session().timeline().at().frame; }
+    std::int64_t frame() { return session().timeline().cursor().frame; }
     void hover(QPoint place, std::size_t index = 0, Qt::MouseButtons buttons = {})
     {
         QMouseEvent move(QEvent::MouseMove, place, plot(index).mapToGlobal(place), Qt::NoButton, buttons, {});

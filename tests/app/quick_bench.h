@@ -34,11 +34,11 @@ struct Bench
     QPoint onScreen(const char *body) const
     {
         const Picture picture = session.picture();
-        const sim::Vec2 at = picture.state.at(picture.segment->scene.find(body));
+        const sim::Vec2 at = picture.state.positionOf(picture.interval->scene.find(body));
         return view.mapFromScene(at.x, at.y);
     }
-    std::int64_t frame() const { return session.timeline().at().frame; }
-    int phase() const { return session.timeline().at().phase; }
+    std::int64_t frame() const { return session.timeline().cursor().frame; }
+    int phase() const { return session.timeline().cursor().phase; }
 };
 
 }

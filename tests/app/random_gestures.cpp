@@ -57,14 +57,14 @@ void RandomGestures::parameter()
     const int moves = 1 + below(3);
     m_done << one.id;
     for (int i = 0; i < moves; ++i) // near its preset: the ends can be scenes that take long
-        m_session.setParameter(one.id, one.preset + (share() - 0.5) * 0.2 * (one.max - one.min));
+        m_session.setParameter(one.id, one.defaultValue + (share() - 0.5) * 0.2 * (one.max - one.min));
     m_session.endGesture();
     arrive(m_session);
 }
 
 void RandomGestures::drag()
 {
-    const std::vector<std::string> names = m_session.timeline().track().shown().scene.names;
+    const std::vector<std::string> names = m_session.timeline().track().interval().scene.names;
     const QString body =
         QString::fromStdString(names[static_cast<std::size_t>(below(static_cast<int>(names.size())))]);
     m_done << QStringLiteral("drag ") + body;
@@ -103,7 +103,7 @@ void RandomGestures::method()
 
 void RandomGestures::preset()
 {
-    const std::vector<lessons::Preset> &gallery = m_session.step().presetGallery;
+    const std::vector<lessons::Preset> &gallery = m_session.step().presets;
     if (!gallery.empty() && below(2) == 0) {
         m_done << QStringLiteral("preset");
         m_session.startWith(gallery[static_cast<std::size_t>(below(static_cast<int>(gallery.size())))]);

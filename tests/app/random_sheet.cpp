@@ -101,8 +101,8 @@ private:
         if (!parameter.choices.isEmpty())
             return errs() ? m_draw.of(noNumbers) : quoted(m_draw.of(parameter.choices));
         // Counts decide how much work a frame is: mostly few.
-        if (parameter.isWhole()) {
-            const double most = parameter.scale == lessons::Scale::decades ? 1000.0 : parameter.max;
+        if (parameter.hasWholeValues()) {
+            const double most = parameter.scale == lessons::Scale::logarithmic ? 1000.0 : parameter.max;
             return whole(parameter.min, m_draw.chance(0.05) ? most : std::min(most, parameter.min + 12));
         }
         return m_draw.chance(0.5) ? number(parameter.sliderMin, parameter.sliderMax)
@@ -217,23 +217,23 @@ private:
 
     QByteArray happening()
     {
-        const auto may = [this](lessons::Does what) { return m_known.step->can(what) || errs(); };
+        const auto may = [this](lessons::Interaction what) { return m_known.step->accepts(what) || errs(); };
         const auto truth = [this] { return m_draw.chance(0.5) ? "true" : "false"; };
         switch (m_draw.below(7)) {
         case 0:
-            if (may(lessons::Does::pointer))
+            if (may(lessons::Interaction::pointer))
                 return "\"pointer\", " + place() + ", \"down\": " + truth();
             break;
         case 1:
-            if (may(lessons::Does::target))
+            if (may(lessons::Interaction::target))
                 return "\"target\", " + place();
             break;
         case 2:
-            if (may(lessons::Does::gust))
+            if (may(lessons::Interaction::gust))
                 return "\"gust\", \"degrees\": " + coordinate();
             break;
         case 3:
-            if (may(lessons::Does::keys))
+            if (may(lessons::Interaction::keys))
                 return QByteArray("\"key\", \"key\": \"") + m_draw.of(std::vector<QByteArray>{"left", "up"}) +
                        "\", \"down\": " + truth();
             break;
@@ -246,7 +246,7 @@ private:
         default:
             break;
         }
-        return may(lessons::Does::hand) ? hand() : QByteArray();
+        return may(lessons::Interaction::drag) ? hand() : QByteArray();
     }
 
     void input()

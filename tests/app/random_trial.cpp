@@ -64,8 +64,8 @@ void checkState(const sim::State &state)
     all(state.spin, "a spin");
     all(state.gait, "a gait");
     all(state.gaitSpeed, "a gait's speed");
-    checkFinite(state.gale.front + state.gale.end, "a gale" + where);
-    checkFinite(state.outside.target.x, "a target" + where);
+    checkFinite(state.gustExtent.front + state.gustExtent.tail, "a gale" + where);
+    checkFinite(state.input.target.x, "a target" + where);
     checkFinite(state.hold.hand.x, "a hand" + where);
 }
 
@@ -87,7 +87,7 @@ public:
         : m_experiment(experiment), m_step(step), m_draw(draw),
           m_track(experiment.script, draw.of(std::vector<std::size_t>{0, 50'000, 1'000'000}))
     {
-        const bool solves = !experiment.script.method->needs().empty();
+        const bool solves = !experiment.script.method->requirements().empty();
         m_cost = solves ? 30 : 1;
     }
 
@@ -105,26 +105,26 @@ private:
     bool goes(sim::Cursor target)
     {
         return m_track.seek(target, [this] {
-            m_left -= m_cost * (5 + m_track.now().points());
+            m_left -= m_cost * (5 + m_track.state().pointCount());
             return m_left > 0;
         });
     }
 
     void forth()
     {
-        checkState(m_track.now());
-        m_seen[0] = m_track.now();
-        const std::int64_t row = m_track.rowFrames();
+        checkState(m_track.state());
+        m_seen[0] = m_track.state();
+        const std::int64_t row = m_track.framesPerOutput();
         const std::int64_t last = std::min(m_experiment.frames, mostRows * row);
         for (std::int64_t frame = row; frame <= last; frame += row) {
             if (!goes({frame, 0}) || m_track.stop())
                 break;
-            checkState(m_track.now());
+            checkState(m_track.state());
             if (m_draw.chance(0.05))
-                m_seen[frame] = m_track.now();
+                m_seen[frame] = m_track.state();
         }
         if (m_track.stop())
-            checkStop(*m_track.stop(), m_track.at().frame);
+            checkStop(*m_track.stop(), m_track.cursor().frame);
     }
 
     /// To moments that were there before, also inside a row: the same numbers again.
@@ -135,11 +135,11 @@ private:
             const auto seen = std::next(m_seen.begin(), m_draw.below(int(m_seen.size())));
             if (!goes({seen->first, m_draw.below(7)}))
                 return;
-            if (m_track.at().phase == 0)
-                checkState(m_track.now());
+            if (m_track.cursor().phase == 0)
+                checkState(m_track.state());
             if (!goes({seen->first, 0}))
                 return;
-            require(sim::sameBits(m_track.now(), seen->second),
+            require(sim::sameBits(m_track.state(), seen->second),
                     QStringLiteral("frame %1 is another the second time").arg(seen->first));
         }
     }
@@ -147,20 +147,20 @@ private:
     /// What is drawn over the picture and written beside it.
     void shown()
     {
-        const sim::Segment &segment = m_track.shown();
-        const sim::State &state = m_track.now();
-        const lessons::Look look = m_step.look(segment.scene, segment.values);
-        require(int(look.bodies.size()) == state.points(), "some bodies have no look");
-        for (const lessons::Guide &guide : app::guidesOf(m_step, m_track, segment, state)) {
+        const sim::ComposedInterval &interval = m_track.interval();
+        const sim::State &state = m_track.state();
+        const lessons::View look = m_step.view(interval.scene, interval.values);
+        require(int(look.bodies.size()) == state.pointCount(), "some bodies have no look");
+        for (const lessons::Overlay &guide : app::guidesOf(m_step, m_track, interval, state)) {
             for (const double number : {guide.a.x, guide.a.y, guide.b.x, guide.b.y, guide.size})
                 checkFinite(number, "a guide");
         }
-        for (int i = 0; i < state.points(); ++i)
-            checkFinite(app::shownLength(state.speed(i)), "a speed as it is shown");
-        checkValues(segment.scene.names[std::size_t(m_draw.below(state.points()))]);
+        for (int i = 0; i < state.pointCount(); ++i)
+            checkFinite(app::shownLength(state.velocityOf(i)), "a speed as it is shown");
+        checkValues(interval.scene.names[std::size_t(m_draw.below(state.pointCount()))]);
         for (const lessons::Measure &measure : m_step.measures) {
             if (measure.of)
-                measure.of(segment.scene, state, nullptr, segment.values);
+                measure.of(interval.scene, state, nullptr, interval.values);
         }
     }
 
@@ -169,8 +169,8 @@ private:
     {
         if (m_left <= 0)
             return;
-        for (const sim::Moment &moment : m_track.moments(body)) {
-            for (const sim::Live &live : moment.live) {
+        for (const sim::PhaseExplanation &moment : m_track.explainPhases(body)) {
+            for (const sim::LiveValue &live : moment.live) {
                 const QString shown = app::shownValue(live.value);
                 require(!shown.contains("nan") && !shown.contains("inf"),
                         QString::fromStdString(live.name) + " is shown as " + shown);
@@ -184,38 +184,38 @@ private:
         sim::Timeline line(m_experiment.script, 200'000);
         const std::int64_t middle = m_seen.rbegin()->first / 2;
         line.seek({middle, 0});
-        line.stepPhase();
-        line.stepPhaseBack();
-        line.stepRowBack();
-        line.stepRow();
-        checkState(line.now());
-        const sim::Scene &scene = line.track().shown().scene;
-        line.hand(sim::Grab{scene.names[std::size_t(m_draw.below(int(scene.names.size())))]});
-        line.hand(sim::Move{{m_draw.real(-1e9, 1e9), m_draw.real(0.0, 400.0)}});
-        line.stepRow();
-        line.hand(sim::Release{});
+        line.nextPhase();
+        line.previousPhase();
+        line.previousOutputStep();
+        line.nextOutputStep();
+        checkState(line.state());
+        const sim::Scene &scene = line.track().interval().scene;
+        line.applyInput(sim::Grab{scene.names[std::size_t(m_draw.below(int(scene.names.size())))]});
+        line.applyInput(sim::Move{{m_draw.real(-1e9, 1e9), m_draw.real(0.0, 400.0)}});
+        line.nextOutputStep();
+        line.applyInput(sim::Release{});
         if (!m_step.parameters.empty()) {
             const lessons::Parameter &parameter = m_draw.of(m_step.parameters);
-            if (!parameter.whole && parameter.choices.isEmpty())
+            if (!parameter.isInteger && parameter.choices.isEmpty())
                 set(line, parameter);
         }
         for (int i = 0; i < 5; ++i) {
-            line.stepRow();
-            checkState(line.now());
+            line.nextOutputStep();
+            checkState(line.state());
         }
         if (line.stop())
-            checkStop(*line.stop(), line.at().frame);
+            checkStop(*line.stop(), line.cursor().frame);
         for (const lessons::Try &one : m_step.tries)
-            one.done(line);
-        line.forgetGhost();
+            one.isDone(line);
+        line.dropComparison();
         line.seek({0, 0});
-        checkState(line.now());
+        checkState(line.state());
     }
 
     void set(sim::Timeline &line, const lessons::Parameter &parameter)
     {
         try {
-            line.set(parameter.id.toStdString(), m_draw.real(parameter.min, parameter.max));
+            line.setParameter(parameter.id.toStdString(), m_draw.real(parameter.min, parameter.max));
         } catch (const sim::Error &error) {
             const QString sentence = app::sentenceFor(error);
             require(!sentence.contains("does not fit together"), "nobody has words for this: " + sentence);

@@ -54,8 +54,8 @@ lessons::Step stepCalled(const char *id, sim::Scene (*scene)(const sim::Values &
     step.title = id;
     step.parameters = {lessons::stiffness(), lessons::damping(), lessons::gravity()};
     step.scene = scene;
-    step.look = [](const sim::Scene &built, const sim::Values &) {
-        return lessons::creatureLookWithLegs(built);
+    step.view = [](const sim::Scene &built, const sim::Values &) {
+        return lessons::creatureViewWithLegs(built);
     };
     return step;
 }
@@ -65,18 +65,18 @@ lessons::Step stepCalled(const char *id, sim::Scene (*scene)(const sim::Values &
 LessonLibrary sceneLibrary()
 {
     lessons::Step inRoom = stepCalled("room", creatureInARoom);
-    inRoom.look = [](const sim::Scene &scene, const sim::Values &) {
-        lessons::Look look = lessons::creatureLookWithLegs(scene);
+    inRoom.view = [](const sim::Scene &scene, const sim::Values &) {
+        lessons::View look = lessons::creatureViewWithLegs(scene);
         look.room = room;
         return look;
     };
     lessons::Step lone = stepCalled("lone", footOnASpring);
-    lone.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
-    lone.guides = [](const sim::Scene &, const sim::State &state, const sim::Values &) {
-        using Shape = lessons::Guide::Shape;
-        return std::vector<lessons::Guide>{
+    lone.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
+    lone.overlays = [](const sim::Scene &, const sim::State &state, const sim::Values &) {
+        using Shape = lessons::Overlay::Shape;
+        return std::vector<lessons::Overlay>{
             {.shape = Shape::ring, .a = {270, 200}, .size = 30.0},
-            {.shape = Shape::line, .a = {270, 200}, .b = state.at(0), .label = "dx"}};
+            {.shape = Shape::line, .a = {270, 200}, .b = state.positionOf(0), .label = "dx"}};
     };
     LessonEntry entry;
     entry.id = "scene";
@@ -137,7 +137,7 @@ QPoint SceneBench::onScreen(const char *body) const
 sim::Vec2 SceneBench::place(const char *body) const
 {
     const Picture picture = session.picture();
-    return picture.state.at(picture.segment->scene.find(body));
+    return picture.state.positionOf(picture.interval->scene.find(body));
 }
 
 QImage SceneBench::image()

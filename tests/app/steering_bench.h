@@ -16,7 +16,7 @@ struct Steered : Shown
 {
     Steered() : Shown("gravity_walls", "gravity") { QVERIFY(QTest::qWaitForWindowActive(&window)); }
 
-    sim::Cursor at() const { return session.timeline().at(); }
+    sim::Cursor at() const { return session.timeline().cursor(); }
     /// The middle of `word` in the first row that has `line`.
     QPoint middleOf(const QString &line, const QString &word)
     {

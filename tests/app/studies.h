@@ -14,7 +14,7 @@ inline sim::Accuracy noStudy(const sim::Script &, const sim::StudyPlan &, const 
 }
 
 /// No times.
-inline void noCost(const CostSubject &, const sim::GoesOn &,
+inline void noCost(const CostSubject &, const sim::ShouldContinue &,
                    const std::function<void(const sim::FrameCost &)> &)
 {
 }
@@ -28,11 +28,11 @@ inline sim::Accuracy quickStudy(const sim::Script &script, const sim::StudyPlan 
     found.reference.disagreement = 2e-11;
     const sim::State start = sim::sceneOf(script, script.values).start;
     std::vector<sim::Vec2> places;
-    for (int i = 0; i < start.points(); ++i)
-        places.push_back(start.at(i) + sim::Vec2{3.0, 4.0});
-    found.reference.places.assign(static_cast<std::size_t>(plan.frames + 1), places);
+    for (int i = 0; i < start.pointCount(); ++i)
+        places.push_back(start.positionOf(i) + sim::Vec2{3.0, 4.0});
+    found.reference.trajectories.assign(static_cast<std::size_t>(plan.frames + 1), places);
     sim::AccuracyRow row;
-    row.way = *plan.inUse;
+    row.setup = *plan.inUse;
     row.outcome = sim::Outcome::measured;
     row.error = 3.7;
     row.nsPerFrame = 250.0;

@@ -32,7 +32,7 @@ lessons::Step stepCalled(const QString &id, const QString &method)
         scenes::add<sim::Damping>(scene, values["damp"]);
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
     return step;
 }
 
@@ -85,7 +85,7 @@ bool TimeBench::isStraightRun() const
 {
     sim::Timeline straight(session.timeline().script());
     straight.seek(at());
-    return sim::sameBits(straight.now(), session.timeline().now());
+    return sim::sameBits(straight.state(), session.timeline().state());
 }
 
 int runTimeSuite(QObject &suite, int count, char **arguments)

@@ -23,7 +23,7 @@ struct TimeBench
 
     explicit TimeBench(const QString &step = "at_once", int width = 600);
 
-    sim::Cursor at() const { return session.timeline().at(); }
+    sim::Cursor at() const { return session.timeline().cursor(); }
     /// Waits until the session is where it was told to go.
     bool arrive() const;
     void goTo(std::int64_t frame, int phase = 0);

@@ -45,7 +45,7 @@ std::set<std::string> methodsOf(const Bench &bench, const SpotPlot &plot)
 {
     std::set<std::string> shown;
     for (const Spot &spot : plot.spots())
-        shown.insert(bench.study.accuracy()->rows[spot.row].way.method->id());
+        shown.insert(bench.study.accuracy()->rows[spot.row].setup.method->id());
     return shown;
 }
 
@@ -67,7 +67,7 @@ void AccuracyPanelTest::aBeginnerSeesThreeMethodsAndTheTimeOfAFrame()
     const std::set<std::string> shown = methodsOf(bench, plot);
     QCOMPARE(shown.size(), std::size_t(3));
     QVERIFY(shown.count(bench.world.session.step().script().method->id()));
-    QVERIFY(shown.count(cheapest->way.method->id()));
+    QVERIFY(shown.count(cheapest->setup.method->id()));
     // A frame of 30 a second has 33,333 microseconds: right of all marks, and in sight.
     QVERIFY(plot.showsFrame());
     for (const Spot &spot : plot.spots())
@@ -104,7 +104,8 @@ void AccuracyPanelTest::theWayInUseIsAlwaysShown()
     QVERIFY(bench.measured());
     for (const sim::MethodPtr &method : sim::allMethods()) {
         const bool adapts = method->stepping() == sim::Stepping::adaptive;
-        bench.world.session.use(method, adapts ? sim::StepSize::within(1e-2) : sim::StepSize::of(0.5));
+        bench.world.session.use(method,
+                                adapts ? sim::StepSize::withTolerance(1e-2) : sim::StepSize::ofLength(0.5));
         QVERIFY2(methodsOf(bench, bench.plot()).count(method->id()), method->id().c_str());
     }
 }
@@ -113,7 +114,7 @@ void AccuracyPanelTest::theTellingMethodsAreTheCheapestAndTheMostExact()
 {
     const auto row = [](const char *method, double error, double ns) {
         sim::AccuracyRow made;
-        made.way = {sim::findMethod(method), sim::StepSize::of(1.0)};
+        made.setup = {sim::findMethod(method), sim::StepSize::ofLength(1.0)};
         made.outcome = sim::Outcome::measured;
         made.error = error;
         made.nsPerFrame = ns;
@@ -159,7 +160,7 @@ void AccuracyPanelTest::theCardNamesTheCheapestWayWithinTheTarget()
     QVERIFY(best);
     const QString said = bench.panel.verdict();
     QVERIFY2(said.startsWith("To be within 0.1 px, this scene costs "), qPrintable(said));
-    QVERIFY2(said.contains(QString::fromStdString(best->way.method->title())), qPrintable(said));
+    QVERIFY2(said.contains(QString::fromStdString(best->setup.method->title())), qPrintable(said));
     QVERIFY2(said.contains("Yours "), qPrintable(said));
 }
 
@@ -167,7 +168,7 @@ void AccuracyPanelTest::useItAdoptsTheCheapestWay()
 {
     Bench bench;
     QVERIFY(bench.measured());
-    const sim::Way best = bench.study.accuracy()->cheapest(0.1)->way;
+    const sim::MethodSetup best = bench.study.accuracy()->cheapest(0.1)->setup;
     auto *use = bench.panel.findChild<QPushButton *>("use");
     QVERIFY(use->isVisible());
     QTest::mouseClick(use, Qt::LeftButton);
@@ -181,18 +182,18 @@ void AccuracyPanelTest::aClickOnASpotAdoptsItsMethodAndStep()
 {
     Bench bench;
     QVERIFY(bench.measured());
-    const sim::StepSize quarter = sim::StepSize::of(0.25);
+    const sim::StepSize quarter = sim::StepSize::ofLength(0.25);
     QTest::mouseClick(&bench.plot(), Qt::LeftButton, {}, bench.spotOf("semi_implicit_euler", quarter));
     QCOMPARE(bench.method(), "semi_implicit_euler");
     QCOMPARE(bench.step(), quarter);
-    QCOMPARE(bench.study.inUse()->way.step, quarter);
+    QCOMPARE(bench.study.inUse()->setup.step, quarter);
 }
 
 void AccuracyPanelTest::hoverTellsAllAboutASpot()
 {
     Bench bench;
     QVERIFY(bench.measured());
-    const QPoint spot = bench.spotOf("semi_implicit_euler", sim::StepSize::of(0.5));
+    const QPoint spot = bench.spotOf("semi_implicit_euler", sim::StepSize::ofLength(0.5));
     QTest::mouseMove(&bench.plot(), spot);
     QTRY_VERIFY(bench.plot().chosen());
     const QString said = bench.plot().sentence();
@@ -209,19 +210,19 @@ void AccuracyPanelTest::arrowKeysWalkThroughTheSpotsAndEnterAdopts()
     QVERIFY(bench.measured());
     WorkPrecisionPlot &plot = bench.plot();
     plot.setFocus(Qt::TabFocusReason);
-    const auto chosen = [&] { return bench.study.accuracy()->rows[plot.chosen()->row].way; };
+    const auto chosen = [&] { return bench.study.accuracy()->rows[plot.chosen()->row].setup; };
     QTest::keyClick(&plot, Qt::Key_Right);
     QCOMPARE(chosen().method->id(), "semi_implicit_euler"); // what is in use comes first
-    QCOMPARE(chosen().step, sim::StepSize::of(1.0));
+    QCOMPARE(chosen().step, sim::StepSize::ofLength(1.0));
     QTest::keyClick(&plot, Qt::Key_Right);
     QTest::keyClick(&plot, Qt::Key_Right);
-    QCOMPARE(chosen().step, sim::StepSize::of(0.25));
+    QCOMPARE(chosen().step, sim::StepSize::ofLength(0.25));
     QTest::keyClick(&plot, Qt::Key_Left);
-    QCOMPARE(chosen().step, sim::StepSize::of(0.5));
-    QCOMPARE(bench.step(), sim::StepSize::of(1.0)); // nothing is adopted by looking
+    QCOMPARE(chosen().step, sim::StepSize::ofLength(0.5));
+    QCOMPARE(bench.step(), sim::StepSize::ofLength(1.0)); // nothing is adopted by looking
     QTest::keyClick(&plot, Qt::Key_Return);
     QCOMPARE(bench.method(), "semi_implicit_euler");
-    QCOMPARE(bench.step(), sim::StepSize::of(0.5));
+    QCOMPARE(bench.step(), sim::StepSize::ofLength(0.5));
     QTest::keyClick(&plot, Qt::Key_Down);
     QVERIFY(chosen().method->id() != "semi_implicit_euler");
 }
@@ -309,7 +310,7 @@ void AccuracyPanelTest::whereNothingMovesTheVerdictSaysSo()
     still.span = still.horizon = 200;
     still.rows.resize(2);
     for (sim::AccuracyRow &row : still.rows) {
-        row.way = {sim::findMethod("semi_implicit_euler"), sim::StepSize::of(1.0)};
+        row.setup = {sim::findMethod("semi_implicit_euler"), sim::StepSize::ofLength(1.0)};
         row.outcome = sim::Outcome::measured;
         row.nsPerFrame = 100.0;
     }

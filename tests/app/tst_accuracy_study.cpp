@@ -83,10 +83,10 @@ void AccuracyStudyTest::anotherMethodKeepsTheResult()
     Watched watched;
     QVERIFY(watched.ends());
     const sim::Accuracy *before = watched.study.accuracy();
-    watched.world.session.use(sim::findMethod("semi_implicit_euler"), sim::StepSize::of(0.5));
+    watched.world.session.use(sim::findMethod("semi_implicit_euler"), sim::StepSize::ofLength(0.5));
     QCOMPARE(watched.study.accuracy(), before);
     QVERIFY(!watched.study.isDue());
-    QCOMPARE(watched.study.inUse()->way.step, sim::StepSize::of(0.5));
+    QCOMPARE(watched.study.inUse()->setup.step, sim::StepSize::ofLength(0.5));
 }
 
 void AccuracyStudyTest::aStepThatIsNoRungIsMeasured()
@@ -160,12 +160,12 @@ void AccuracyStudyTest::methodsKeepTheirKindOfStep()
     session.setStepSize(0.25);
     session.setMethod("dormand_prince");
     QCOMPARE(session.timeline().script().method->id(), "dormand_prince");
-    QCOMPARE(step(), sim::StepSize::within(1e-3));
+    QCOMPARE(step(), sim::StepSize::withTolerance(1e-3));
     session.setTolerance(1e-6);
     session.setMethod("rk4");
-    QCOMPARE(step(), sim::StepSize::of(0.25));
+    QCOMPARE(step(), sim::StepSize::ofLength(0.25));
     session.setMethod("dop853");
-    QCOMPARE(step(), sim::StepSize::within(1e-6));
+    QCOMPARE(step(), sim::StepSize::withTolerance(1e-6));
 }
 
 QTEST_MAIN(AccuracyStudyTest)

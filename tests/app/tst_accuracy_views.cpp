@@ -42,11 +42,11 @@ void AccuracyViewsTest::theUnstableAreMarkedAndNamed()
     Bench bench;
     QVERIFY(bench.measured());
     const sim::AccuracyRow &unstable = bench.study.accuracy()->rows.front();
-    const QPoint mark = bench.spotOf(unstable.way.method->id(), unstable.way.step);
+    const QPoint mark = bench.spotOf(unstable.setup.method->id(), unstable.setup.step);
     QVERIFY(mark.y() < bench.plot().axisRect()->top() + 40);
     auto *named = bench.panel.findChild<QLabel *>("failure");
     QVERIFY(named->isVisible());
-    QVERIFY(named->text().contains(QString::fromStdString(unstable.way.method->title())));
+    QVERIFY(named->text().contains(QString::fromStdString(unstable.setup.method->title())));
 }
 
 void AccuracyViewsTest::anErrorOfNothingStandsOnAFloorBelowTheNumbers()
@@ -120,7 +120,7 @@ void AccuracyViewsTest::theOrderViewMeasuresTheSlope()
 void AccuracyViewsTest::theRunViewDrawsOneRowAMethodWithTheOneInUse()
 {
     Bench bench;
-    bench.world.session.use(sim::findMethod("semi_implicit_euler"), sim::StepSize::of(0.25));
+    bench.world.session.use(sim::findMethod("semi_implicit_euler"), sim::StepSize::ofLength(0.25));
     QVERIFY(bench.measured());
     bench.panel.setView(AccuracyPanel::overTheRun);
     const auto &rows = bench.panel.findChild<RunPlot *>()->rows();
@@ -168,9 +168,9 @@ void AccuracyViewsTest::numbersOfTheViewThatIsSeenAreSaved()
             if (row.outcome != sim::Outcome::measured)
                 continue;
             const QStringList fields = lines[line++].split(',');
-            QCOMPARE(fields[0], QString("\"%1\"").arg(QString::fromStdString(row.way.method->id())));
-            QCOMPARE(fields[row.way.step.adaptive() ? 3 : 2].toDouble(),
-                     row.way.step.adaptive() ? row.way.step.tolerance : row.way.step.h);
+            QCOMPARE(fields[0], QString("\"%1\"").arg(QString::fromStdString(row.setup.method->id())));
+            QCOMPARE(fields[row.setup.step.isAdaptive() ? 3 : 2].toDouble(),
+                     row.setup.step.isAdaptive() ? row.setup.step.tolerance : row.setup.step.h);
             QCOMPARE(fields[4].toDouble(), row.error);
             QCOMPARE(fields[6].toDouble(), row.nsPerFrame);
             QCOMPARE(fields[8], QString(row.front ? "1" : "0"));
@@ -203,15 +203,15 @@ void AccuracyViewsTest::remarksSayWhatTheNumbersDependOn_data()
     sim::Accuracy chaotic;
     chaotic.span = 200;
     chaotic.horizon = 80;
-    chaotic.reference.end = sim::ReferenceRun::End::parted;
+    chaotic.reference.end = sim::ReferenceRun::End::diverged;
     QTest::newRow("a horizon") << chaotic << "up to frame 80 of 200";
     sim::Accuracy jumping;
-    jumping.reference.kind = sim::ReferenceRun::Kind::ownRefinement;
+    jumping.reference.kind = sim::ReferenceRun::Kind::selfRefinement;
     jumping.reference.method = "own_refinement";
     QTest::newRow("no continuous limit") << jumping << "no exact motion to compare with";
     sim::Accuracy unfit;
     unfit.rows.resize(1);
-    unfit.rows[0].way.method = sim::findMethod("semi_implicit_euler");
+    unfit.rows[0].setup.method = sim::findMethod("semi_implicit_euler");
     unfit.rows[0].outcome = sim::Outcome::doesNotFit;
     QTest::newRow("a method that does not fit") << unfit << "Semi-implicit Euler";
 }

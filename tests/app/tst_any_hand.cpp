@@ -83,15 +83,15 @@ void AnyHandTest::theRunIsTheOneThatItsFileTells()
     session.letUp();
     QVERIFY2(QTest::qWaitFor([&] { return !session.goingTo(); }, 60'000), qPrintable(hand.last()));
     const sim::Timeline &timeline = session.timeline();
-    QVERIFY2(timeline.now().position.allFinite() && timeline.now().velocity.allFinite(),
+    QVERIFY2(timeline.state().position.allFinite() && timeline.state().velocity.allFinite(),
              qPrintable(hand.last()));
     const Experiment there = session.experiment();
     const Experiment read = experimentFromLine(experimentLine(there, bench.library), bench.library);
     QVERIFY2(sameScript(read.script, there.script), qPrintable(hand.last()));
     sim::Timeline again(read.script);
-    again.seek(timeline.at());
-    QCOMPARE(again.at(), timeline.at());
-    QVERIFY2(sim::sameBits(again.now(), timeline.now()), qPrintable(hand.last()));
+    again.seek(timeline.cursor());
+    QCOMPARE(again.cursor(), timeline.cursor());
+    QVERIFY2(sim::sameBits(again.state(), timeline.state()), qPrintable(hand.last()));
 }
 
 QTEST_MAIN(AnyHandTest)

@@ -154,10 +154,10 @@ void AppearanceTest::lessMotionStopsWhatOnlyDecorates()
         auto *view = bench.window.findChild<SceneView *>();
         view->zoomTo100(); // else the picture makes room for the tree, which the wind bends
         QTest::mousePress(view->viewport(), Qt::LeftButton, {}, {150, 300});
-        bench.session.goTo({bench.session.timeline().at().frame + 1, 0});
+        bench.session.goTo({bench.session.timeline().cursor().frame + 1, 0});
         const auto look = [view] { return view->viewport()->grab(QRect(0, 150, 260, 300)).toImage(); };
         const QImage before = look();
-        bench.session.goTo({bench.session.timeline().at().frame + 10, 0});
+        bench.session.goTo({bench.session.timeline().cursor().frame + 10, 0});
         const bool differs = look() != before;
         QTest::mouseRelease(view->viewport(), Qt::LeftButton, {}, {150, 300});
         return differs;

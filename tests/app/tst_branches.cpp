@@ -86,7 +86,7 @@ private slots:
             session.letGo();
             session.goTo({60, 0});
             const sim::Script old = session.timeline().script();
-            const sim::State oldState = session.timeline().now();
+            const sim::State oldState = session.timeline().state();
             session.goTo({what.endsWith("start") ? 0 : 30, 0});
             if (what.startsWith("parameter"))
                 session.setParameter("k", 0.07);
@@ -107,15 +107,16 @@ private slots:
                 session.goTo({45, 1});
                 session.goBackTo(world.newest());
                 QCOMPARE(session.branches().all().size(), std::size_t(1));
-                QCOMPARE(session.timeline().at(), (sim::Cursor{45, 1}));
+                QCOMPARE(session.timeline().cursor(), (sim::Cursor{45, 1}));
                 const bool isOld = round % 2 == 0;
                 QVERIFY(sameScript(session.timeline().script(), isOld ? old : other));
                 QVERIFY(sameScript(*session.beside()->script, isOld ? other : old));
                 for (const std::int64_t frame : {60, 31, 0, 59, 75})
                     QVERIFY(sim::sameBits(world.at(frame), world.straight(frame)));
                 QVERIFY(sim::sameBits(world.at(60), isOld ? oldState : otherState));
-                QVERIFY(session.timeline().ghost());
-                QVERIFY(sim::sameBits(session.timeline().ghost()->now(), isOld ? otherState : oldState));
+                QVERIFY(session.timeline().comparison());
+                QVERIFY(
+                    sim::sameBits(session.timeline().comparison()->state(), isOld ? otherState : oldState));
             }
         }
     }
@@ -205,11 +206,11 @@ private slots:
         const int shown = world.newest();
         world.session.deleteBranch(shown);
         QCOMPARE(world.names(), before.mid(0, 1));
-        QVERIFY(!world.session.beside() && !world.session.timeline().ghost());
+        QVERIFY(!world.session.beside() && !world.session.timeline().comparison());
         world.session.undo();
         QCOMPARE(world.names(), before);
         QCOMPARE(world.session.beside()->id, shown);
-        QVERIFY(world.session.timeline().ghost());
+        QVERIFY(world.session.timeline().comparison());
         world.session.redo();
         QCOMPARE(world.names(), before.mid(0, 1));
         world.session.undo();
@@ -273,11 +274,11 @@ private slots:
         for (const double gravity : {0.6, 0.7, 0.5}) // away, and in the same gesture back
             world.session.setParameter("gravity", gravity);
         QVERIFY(world.session.branches().isEmpty());
-        QVERIFY(!world.session.timeline().ghost());
+        QVERIFY(!world.session.timeline().comparison());
         QCOMPARE(world.session.deeds().count(), 0);
         world.session.setParameter("gravity", 0.75); // and the run that was computed to frame 60 is not lost
         QCOMPARE(world.names(), QStringList{"before: gravity 0.5"});
-        QVERIFY(world.session.timeline().ghost());
+        QVERIFY(world.session.timeline().comparison());
         QCOMPARE(world.session.branches().all().front().end, 60);
     }
 
@@ -292,7 +293,7 @@ private slots:
         QCOMPARE(world.names(), names);
         QVERIFY(!world.session.beside());
         world.session.showBeside(world.newest());
-        QVERIFY(world.session.timeline().ghost());
+        QVERIFY(world.session.timeline().comparison());
     }
 
     void aSavedRunBringsItsBranchesBackBitForBit_data()
@@ -308,7 +309,7 @@ private slots:
         world.fork(60, fork, "gravity", 0.75);
         sim::Track left(*world.session.branches().all().back().script, 0);
         left.seek({60, 0});
-        const sim::State old = left.now();
+        const sim::State old = left.state();
         const sim::State own = world.straight(60);
         world.session.renameBranch(world.newest(), "the light one");
         const QByteArray text = experimentText(world.session.experiment(), world.session.library());
@@ -319,7 +320,7 @@ private slots:
         QCOMPARE(later.session.branches().all().front().end, 60);
         later.session.goTo({60, 0});
         later.session.goBackTo(later.newest());
-        QVERIFY(sim::sameBits(later.session.timeline().now(), old));
+        QVERIFY(sim::sameBits(later.session.timeline().state(), old));
         QVERIFY(sim::sameBits(later.straight(60), old));
         // The name went with it, and is in the next file.
         const QByteArray again = experimentText(later.session.experiment(), later.session.library());
@@ -339,18 +340,18 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session.goingTo(), 60'000);
         session.showBeside(branch);
         QVERIFY(session.isBringing());
-        QVERIFY(!session.timeline().ghost());
+        QVERIFY(!session.timeline().comparison());
         QSignalSpy said(&session, &Session::said);
         session.stopGoing();
         QVERIFY(!session.isBringing() && !session.beside());
         QVERIFY(said.back().front().toString().contains("not shown"));
         session.showBeside(branch);
         QTRY_VERIFY_WITH_TIMEOUT(!session.isBringing(), 60'000);
-        QCOMPARE(session.timeline().ghost()->at().frame, far);
-        QVERIFY(session.timeline().keptBytes() <= sim::Timeline::defaultBudget);
+        QCOMPARE(session.timeline().comparison()->cursor().frame, far);
+        QVERIFY(session.timeline().keyframeBytes() <= sim::Timeline::defaultBudget);
         sim::Track straight(*session.beside()->script, 0);
         straight.seek({far, 0});
-        QVERIFY(sim::sameBits(session.timeline().ghost()->now(), straight.now()));
+        QVERIFY(sim::sameBits(session.timeline().comparison()->state(), straight.state()));
     }
 
 private:

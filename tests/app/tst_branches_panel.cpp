@@ -79,11 +79,11 @@ private slots:
         QVERIFY(bench.strip().hintAt(bench.mark(60)).contains("before: gravity 0.5"));
         QTest::mouseClick(&bench.strip(), Qt::LeftButton, {}, bench.mark(60));
         QCOMPARE(bench.session().beside(), &bench.branches().front());
-        QCOMPARE(bench.session().timeline().at().frame, 90);
-        QVERIFY(bench.session().timeline().ghost());
+        QCOMPARE(bench.session().timeline().cursor().frame, 90);
+        QVERIFY(bench.session().timeline().comparison());
         QTest::mouseClick(&bench.strip(), Qt::LeftButton, {},
                           {bench.mark(60).x(), 25}); // the track still scrubs
-        QTRY_VERIFY(bench.session().timeline().at().frame < 70);
+        QTRY_VERIFY(bench.session().timeline().cursor().frame < 70);
     }
 
     void severalRunsAtOneForkAreChosenFromAMenu()
@@ -218,7 +218,7 @@ private slots:
         QTest::keyClick(&bench.window, Qt::Key_Escape);
         QVERIFY(!bench.session().isBringing());
         QVERIFY(!bench.session().beside());
-        QCOMPARE(bench.session().timeline().at().frame, 400'000);
+        QCOMPARE(bench.session().timeline().cursor().frame, 400'000);
         QCOMPARE(bench.branches().size(), std::size_t(1));
     }
 
@@ -272,10 +272,11 @@ private slots:
         QCOMPARE(lines.size(), 32);
         QCOMPARE(lines[0], QString("\"frame\",\"distance [px]\",\"body\""));
         const sim::State now = bench.session().timeline().track().stateAt(90);
-        const sim::State before = bench.session().timeline().ghost()->stateAt(90);
+        const sim::State before = bench.session().timeline().comparison()->stateAt(90);
         const QStringList last = lines[31].split(',');
         QCOMPARE(last[0].toInt(), 90);
-        QCOMPARE(last[1].toDouble(), std::hypot(now.at(0).x - before.at(0).x, now.at(0).y - before.at(0).y));
+        QCOMPARE(last[1].toDouble(), std::hypot(now.positionOf(0).x - before.positionOf(0).x,
+                                                now.positionOf(0).y - before.positionOf(0).y));
         QCOMPARE(last[2], QString("\"foot\""));
     }
 
@@ -290,11 +291,11 @@ private slots:
         plot.replot();
         const QPoint place(qRound(plot.xAxis->coordToPixel(70)), plot.height() / 2);
         QTest::mouseClick(&plot, Qt::LeftButton, {}, place);
-        QTRY_COMPARE(bench.session().timeline().at().frame, 70);
+        QTRY_COMPARE(bench.session().timeline().cursor().frame, 70);
         auto *go = bench.panel().findChildren<QToolButton *>().back();
         QCOMPARE(go->text(), "Go there");
         QTest::mouseClick(go, Qt::LeftButton);
-        QTRY_COMPARE(bench.session().timeline().at().frame, 90);
+        QTRY_COMPARE(bench.session().timeline().cursor().frame, 90);
     }
 };
 

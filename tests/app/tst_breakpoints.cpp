@@ -33,17 +33,19 @@ private slots:
         QFETCH(Way, way);
         QFETCH(QString, condition);
         const std::map<QString, Question> questions = {
-            {"foot0.y > 371", [](const auto &run) { return run.now().position(0, 1) > 371; }},
-            {"frame == 12", [](const auto &run) { return run.at().frame == 12; }},
+            {"foot0.y > 371", [](const auto &run) { return run.state().position(0, 1) > 371; }},
+            {"frame == 12", [](const auto &run) { return run.cursor().frame == 12; }},
             {"body.vx * body.vx + body.vy * body.vy > 25",
              [](const auto &run) {
-                 const sim::Vec2 v = run.now().speed(run.track().shown().scene.find("body"));
+                 const sim::Vec2 v = run.state().velocityOf(run.track().interval().scene.find("body"));
                  return v.x * v.x + v.y * v.y > 25;
              }},
             {"foot0.vy < 0 and phase == \"walls\"",
-             [](const auto &run) { return run.now().speed(0).y < 0 && nextPhase(run).title == "walls"; }},
+             [](const auto &run) {
+                 return run.state().velocityOf(0).y < 0 && nextPhase(run).title == "walls";
+             }},
             {"frame / 7 == 3 or frame > 38",
-             [](const auto &run) { return run.at().frame == 21 || run.at().frame > 38; }}};
+             [](const auto &run) { return run.cursor().frame == 21 || run.cursor().frame > 38; }}};
         Bench bench;
         const auto expected = search(bench.session.timeline().script(), 60, questions.at(condition), true);
         QVERIFY(!expected.empty());
@@ -76,7 +78,7 @@ private slots:
         const auto expected = search(
             bench.session.timeline().script(), 60,
             [](const sim::Timeline &run) {
-                return nextPhase(run).title == "walls" && run.now().position(0, 1) > 372.5;
+                return nextPhase(run).title == "walls" && run.state().position(0, 1) > 372.5;
             },
             false);
         QVERIFY(expected.size() > 3);
@@ -103,8 +105,8 @@ private slots:
             return search(
                 bench.session.timeline().script(), 24,
                 [&](const sim::Timeline &run) {
-                    const bool low = run.now().position(1, 1) > 300;
-                    const bool comes = low && !held && run.at() != sim::Cursor{};
+                    const bool low = run.state().position(1, 1) > 300;
+                    const bool comes = low && !held && run.cursor() != sim::Cursor{};
                     held = low;
                     return comes || nextPhase(run).id == "gravity";
                 },
@@ -120,7 +122,7 @@ private slots:
         QTest::addColumn<QString>("step");
         for (const LessonEntry &lesson : library().lessons) {
             for (const lessons::Step &step : lesson.steps) {
-                if (step.script().build(step.presets()).start.points() < 500)
+                if (step.script().build(step.defaultValues()).start.pointCount() < 500)
                     QTest::addRow("%s/%s", qPrintable(lesson.id), qPrintable(step.id))
                         << lesson.id << step.id;
             }
@@ -131,13 +133,13 @@ private slots:
         QFETCH(QString, lesson);
         QFETCH(QString, step);
         Bench bench(lesson, step);
-        const sim::Phase &last = bench.session.timeline().track().next()->pipeline.phases.back();
+        const sim::Phase &last = bench.session.timeline().track().nextInterval()->pipeline.phases.back();
         const QString text =
             QString("frame == 3 and phase == \"%1\"").arg(QString::fromStdString(last.title));
         const auto expected = search(
             bench.session.timeline().script(), 5,
             [&](const sim::Timeline &run) {
-                return run.at().frame == 3 && nextPhase(run).title == last.title;
+                return run.cursor().frame == 3 && nextPhase(run).title == last.title;
             },
             true);
         bench.session.breakpoints().add(text);
@@ -226,7 +228,7 @@ private slots:
         bench.session.breakpoints().add("foot.x > 10000");
         bench.session.play();
         QVERIFY(QTest::qWaitFor([&] { return bench.session.isResting(); }, 20000));
-        QVERIFY(bench.session.timeline().isOver());
+        QVERIFY(bench.session.timeline().isFinished());
     }
 
     void aRunThatEndsByItselfEndsWhereItWould()
@@ -242,9 +244,9 @@ private slots:
         bench.session.breakpoints().add("frame == 1000000");
         bench.session.runTo({100000, 0});
         QVERIFY(QTest::qWaitFor([&] { return !bench.session.goingTo(); }, 20000));
-        QCOMPARE(bench.at(), straight.at());
+        QCOMPARE(bench.at(), straight.cursor());
         QVERIFY(!bench.session.stoppedBy());
-        QVERIFY(sim::sameBits(bench.session.timeline().now(), straight.now()));
+        QVERIFY(sim::sameBits(bench.session.timeline().state(), straight.state()));
     }
 
     void aConditionOnABodyThatIsGoneWaitsUntilItIsThere()
@@ -297,7 +299,7 @@ private slots:
             bench.session.phaseForward();
         sim::Timeline straight(bench.session.timeline().script());
         straight.seek(bench.at());
-        QVERIFY(sim::sameBits(straight.now(), bench.session.timeline().now()));
+        QVERIFY(sim::sameBits(straight.state(), bench.session.timeline().state()));
         QVERIFY(bench.session.timeline().script().input.empty());
     }
 };

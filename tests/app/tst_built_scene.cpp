@@ -43,7 +43,7 @@ QByteArray manyPoints(std::size_t count)
 QByteArray offered()
 {
     QByteArrayList ids;
-    for (const sim::Description *one : library().workshops.front().steps.front().catalogue)
+    for (const sim::EffectDescription *one : library().workshops.front().steps.front().availableEffects)
         ids << '"' + QByteArray(one->id) + '"';
     return ids.join(", ");
 }
@@ -98,8 +98,8 @@ private slots:
         QCOMPARE(plan.points[0].mass, 1.0);
         QCOMPARE(plan.points[0].size, 10.0);
         QVERIFY(!plan.points[0].fixed);
-        QVERIFY(plan.springs == (std::vector<sim::BuiltSpring>{{1, 0, 1.0, 2.0}}));
-        QVERIFY(plan.gaits.front() == sim::BuiltGait());
+        QVERIFY(plan.springs == (std::vector<sim::BlueprintSpring>{{1, 0, 1.0, 2.0}}));
+        QVERIFY(plan.gaits.front() == sim::BlueprintGait());
         QVERIFY(plan.effects.empty());
     }
 

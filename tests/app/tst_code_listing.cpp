@@ -50,7 +50,7 @@ private slots:
         QVERIFY(listing.sections[1].role == CodeSection::Role::order);
         for (const CodeSection &section : listing.sections)
             QVERIFY2(!section.lines.empty(), qPrintable(section.title));
-        for (int phase = 0; phase < run.track().shown().pipeline.phasesPerStep(); ++phase) {
+        for (int phase = 0; phase < run.track().interval().pipeline.phasesPerStep(); ++phase) {
             const auto with = std::count_if(listing.sections.begin(), listing.sections.end(),
                                             [phase](const CodeSection &one) { return one.has(phase); });
             QCOMPARE(with, 1);
@@ -141,7 +141,7 @@ private slots:
         QTest::newRow("any number") << "multi_foot"
                                     << "two_feet"
                                     << "any_number"
-                                    << "values.whole(\"feet\")";
+                                    << "values.integer(\"feet\")";
         QTest::newRow("gravity") << "gravity_walls"
                                  << "walls"
                                  << "gravity"
@@ -213,7 +213,7 @@ private slots:
     void aLineThatIsGoneStandsWhereItWas()
     {
         const auto section = [](const QStringList &lines, const QString &file) {
-            CodeSection made{CodeSection::Role::phase, "1 Springs", sim::Kind::spring, {0}, {}};
+            CodeSection made{CodeSection::Role::phase, "1 Springs", sim::EffectKind::spring, {0}, {}};
             for (int i = 0; i < lines.size(); ++i) {
                 CodeLine line;
                 line.source.text = lines[i];

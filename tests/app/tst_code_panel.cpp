@@ -131,7 +131,7 @@ private slots:
         shown.session.breakpoints().toggle(shown.view().placeOf(row));
         shown.session.frameForward();
         QVERIFY(shown.session.stoppedBy());
-        QCOMPARE(shown.session.timeline().at(), (sim::Cursor{0, 3}));
+        QCOMPARE(shown.session.timeline().cursor(), (sim::Cursor{0, 3}));
         QCOMPARE(shown.view().chipText(row), QString());
         shown.session.phaseForward();
         QVERIFY(!shown.view().chipText(row).isEmpty());
@@ -314,8 +314,8 @@ private slots:
         QVERIFY2(changes <= clock.elapsed() / 100 + 1, qPrintable(QString::number(changes)));
         QVERIFY(frames > changes);
         // Stopped, they are those of the moment at once.
-        const sim::Segment &segment = shown.session.timeline().track().shown();
-        const auto current = chipsOf(shown.panel->listing(), shown.session.moments(), segment, 0);
+        const sim::ComposedInterval &interval = shown.session.timeline().track().interval();
+        const auto current = chipsOf(shown.panel->listing(), shown.session.moments(), interval, 0);
         QVERIFY(!current.empty());
         const auto &values = shown.view().values();
         QVERIFY(std::equal(current.begin(), current.end(), values.begin()));

@@ -46,7 +46,7 @@ private slots:
         QCOMPARE(shown.at(), (sim::Cursor{1, 2}));
         sim::Timeline straight(shown.session.timeline().script());
         straight.seek(shown.at());
-        QVERIFY(sim::sameBits(straight.now(), shown.session.timeline().now()));
+        QVERIFY(sim::sameBits(straight.state(), shown.session.timeline().state()));
     }
 
     void aLineThatNoPhaseHasSaysSo()
@@ -81,8 +81,8 @@ private slots:
         QCOMPARE(card.history().samples.size(), std::size_t(historyFrames));
         // The value of the moment, as the phase explains it.
         sim::Vec2 pull;
-        for (const sim::Moment &moment : shown.session.moments()) {
-            for (const sim::Live &live : moment.live) {
+        for (const sim::PhaseExplanation &moment : shown.session.moments()) {
+            for (const sim::LiveValue &live : moment.live) {
                 if (live.name == "pull" && moment.phase == card.symbol().phase)
                     pull = std::get<sim::Vec2>(live.value);
             }

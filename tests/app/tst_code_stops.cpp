@@ -13,7 +13,7 @@ struct Stopped : Shown
 {
     Stopped() : Shown("gravity_walls", "gravity") { QVERIFY(QTest::qWaitForWindowActive(&window)); }
 
-    sim::Cursor at() const { return session.timeline().at(); }
+    sim::Cursor at() const { return session.timeline().cursor(); }
     const std::vector<Breakpoint> &all() const { return session.breakpoints().all(); }
     QLineEdit *field() { return panel->stops().field(); }
     void type(const QString &text)
@@ -191,12 +191,12 @@ private slots:
         Stopped shown;
         shown.type("foot0.y > 300");
         sim::Timeline search(shown.session.timeline().script());
-        while (search.now().position(0, 1) <= 300.0)
-            search.stepPhase();
+        while (search.state().position(0, 1) <= 300.0)
+            search.nextPhase();
         shown.session.play();
         QTRY_VERIFY_WITH_TIMEOUT(!shown.session.isPlaying(), 20000);
-        QCOMPARE(shown.at(), search.at());
-        QVERIFY(sim::sameBits(shown.session.timeline().now(), search.now()));
+        QCOMPARE(shown.at(), search.cursor());
+        QVERIFY(sim::sameBits(shown.session.timeline().state(), search.state()));
     }
 
     void readersAreToldWhatEachIs()

@@ -27,19 +27,19 @@ QStringList namesOf(const QString &line)
 
 std::vector<ParameterSpot> spotsOf(const lessons::Step &step, const sim::Timeline &run)
 {
-    return parameterSpots(listingOf(step, run), step, run.track().shown());
+    return parameterSpots(listingOf(step, run), step, run.track().interval());
 }
 
 /// The state with all points somewhere else, so that some are beyond each wall.
 sim::State anywhere(sim::State state, int number)
 {
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         const auto share = [&](int which) { return sim::uniform(7, number, 4 * i + which); };
         state.place(i, {1000.0 * share(0) - 200.0, 1000.0 * share(1) - 200.0});
-        state.push(i, {40.0 * share(2) - 20.0, 40.0 * share(3) - 20.0});
+        state.setVelocity(i, {40.0 * share(2) - 20.0, 40.0 * share(3) - 20.0});
     }
     // For what is steered: at any speed, with one key down.
-    (number % 2 == 0 ? state.outside.keys.left : state.outside.keys.right) = true;
+    (number % 2 == 0 ? state.input.keys.left : state.input.keys.right) = true;
     for (double &speed : state.gaitSpeed)
         speed = 0.4 * sim::uniform(8, number, 0) - 0.2;
     return state;
@@ -50,13 +50,13 @@ std::optional<CodeSymbol> symbolOf(const lessons::Step &step, const sim::Timelin
                                    const QString &word, int point = 0)
 {
     const CodeListing listing = listingOf(step, run);
-    const sim::Segment &segment = run.track().shown();
+    const sim::ComposedInterval &interval = run.track().interval();
     for (std::size_t s = 0; s < listing.sections.size(); ++s) {
         for (std::size_t i = 0; i < listing.sections[s].lines.size(); ++i) {
             const QString text = listing.sections[s].lines[i].source.text;
             if (text.contains(line))
-                return symbolAt(listing, s, i, text.indexOf(word), parameterSpots(listing, step, segment),
-                                step, segment, point);
+                return symbolAt(listing, s, i, text.indexOf(word), parameterSpots(listing, step, interval),
+                                step, interval, point);
         }
     }
     return std::nullopt;
@@ -87,7 +87,7 @@ private slots:
         QTest::newRow("parameter") << "double k = values[\"k\"];"
                                    << QStringList{"double", "k", "values[\"k\"]"};
         QTest::newRow("whole parameter")
-            << "int n = values.whole(\"feet\");" << QStringList{"int", "n", "values.whole(\"feet\")"};
+            << "int n = values.integer(\"feet\");" << QStringList{"int", "n", "values.integer(\"feet\")"};
         QTest::newRow("numbers") << "double a = 0.5 * 1e3;" << QStringList{"double", "a"};
         QTest::newRow("nothing") << "" << QStringList();
     }
@@ -137,7 +137,7 @@ private slots:
         for (const LessonEntry &lesson : library().lessons) {
             for (const lessons::Step &step : lesson.steps) {
                 sim::Timeline run = runOf(step, step.method);
-                if (run.now().points() > 200)
+                if (run.state().pointCount() > 200)
                     continue;
                 const CodeListing listing = listingOf(step, run);
                 std::set<std::pair<std::size_t, QString>> pairs;
@@ -148,24 +148,24 @@ private slots:
                 for (const auto &[section, id] : pairs) {
                     seen += 1;
                     const lessons::Parameter &one = *step.parameter(id);
-                    const double other = one.preset == one.sliderMax ? one.sliderMin : one.sliderMax;
-                    sim::Values values = step.presets();
+                    const double other = one.defaultValue == one.sliderMax ? one.sliderMin : one.sliderMax;
+                    sim::Values values = step.defaultValues();
                     values.set(id.toStdString(), other);
                     const sim::Timeline changed(step.scriptWith(values, run.script().method));
                     const auto phase = static_cast<std::size_t>(listing.sections[section].phases.front());
-                    const auto &before = run.track().shown().pipeline.phases;
-                    const auto &after = changed.track().shown().pipeline.phases;
+                    const auto &before = run.track().interval().pipeline.phases;
+                    const auto &after = changed.track().interval().pipeline.phases;
                     if (after.size() != before.size())
                         continue; // it is idle with the other value: it surely matters
                     bool differs = false;
                     run.seek({0, 0});
                     for (int frame = 0; frame < 200 && !differs; ++frame) {
-                        sim::State a = anywhere(run.now(), frame);
+                        sim::State a = anywhere(run.state(), frame);
                         sim::State b = a;
                         before[phase].run(a);
                         after[phase].run(b);
                         differs = !sim::sameBits(a, b);
-                        run.stepPhase();
+                        run.nextPhase();
                     }
                     QVERIFY2(differs, qPrintable(lesson.id + '/' + step.id + ' ' + id));
                 }
@@ -218,21 +218,22 @@ private slots:
         QFETCH(QString, method);
         const lessons::Step &its = stepOf(lesson, step);
         sim::Timeline run = runOf(its, method);
-        if (run.now().points() > 200)
+        if (run.state().pointCount() > 200)
             QSKIP("too many points to look back at each word");
         run.seek({3, 1});
         const CodeListing listing = listingOf(its, run);
-        const sim::Segment &segment = run.track().shown();
-        const std::vector<ParameterSpot> spots = parameterSpots(listing, its, segment);
+        const sim::ComposedInterval &interval = run.track().interval();
+        const std::vector<ParameterSpot> spots = parameterSpots(listing, its, interval);
         int found = 0;
         for (std::size_t s = 0; s < listing.sections.size(); ++s) {
             for (std::size_t i = 0; i < listing.sections[s].lines.size(); ++i) {
                 for (const CodeWord &word : wordsOf(listing.sections[s].lines[i].source.text)) {
-                    const auto symbol = symbolAt(listing, s, i, word.from, spots, its, segment, 0);
+                    const auto symbol = symbolAt(listing, s, i, word.from, spots, its, interval, 0);
                     if (!symbol)
                         continue;
                     ++found;
-                    for (const auto &sample : historyOf(*symbol, run.track(), segment.scene.names[0]).samples)
+                    for (const auto &sample :
+                         historyOf(*symbol, run.track(), interval.scene.names[0]).samples)
                         QVERIFY(sample.frame <= 4); // a row of one phase is done by now
                 }
             }
@@ -265,7 +266,7 @@ private slots:
         const lessons::Step &step = stepOf("gravity_walls", "gravity");
         sim::Script script = step.script();
         script.method = sim::findMethod("semi_implicit_euler");
-        script.step = sim::StepSize::of(h);
+        script.step = sim::StepSize::ofLength(h);
         sim::Timeline run(script);
         const auto symbol = symbolOf(step, run, "x = x + h * v", "x");
         QVERIFY(symbol);
@@ -278,10 +279,10 @@ private slots:
         QVERIFY(history.isPair());
         sim::Timeline other(script);
         for (const CodeHistory::Sample &sample : history.samples) {
-            const int last = script.step.perRow * other.track().shown().pipeline.phasesPerStep() -
-                             other.track().shown().pipeline.phasesPerStep();
+            const int last = script.step.stepsPerOutput * other.track().interval().pipeline.phasesPerStep() -
+                             other.track().interval().pipeline.phasesPerStep();
             other.seek({sample.frame - 1, last + symbol->phase + 1});
-            const sim::Vec2 there = other.now().at(1);
+            const sim::Vec2 there = other.state().positionOf(1);
             QCOMPARE(std::get<sim::Vec2>(sample.value), there);
         }
     }
@@ -300,10 +301,10 @@ private slots:
         sim::Timeline other = runOf(step);
         for (std::int64_t frame = 0; frame < 100; ++frame) {
             other.seek({frame, symbol->phase});
-            const sim::State before = other.now();
+            const sim::State before = other.state();
             other.seek({frame, symbol->phase + 1});
-            if (before.speed(0) != other.now().speed(0))
-                expected.push_back({frame + 1, other.now().speed(0).y});
+            if (before.velocityOf(0) != other.state().velocityOf(0))
+                expected.push_back({frame + 1, other.state().velocityOf(0).y});
         }
         for (const CodeHistory::Sample &sample : history.samples)
             got.push_back({sample.frame, std::get<double>(sample.value)});
@@ -316,7 +317,7 @@ private slots:
         const lessons::Step &step = stepOf("gravity_walls", "gravity");
         sim::Timeline run = runOf(step);
         run.seek({10, 0});
-        run.set("gravity", 2.0);
+        run.setParameter("gravity", 2.0);
         run.seek({20, 0});
         const auto symbol = symbolOf(step, run, "Vec2 pull = {0, gravity}", "gravity");
         QVERIFY(symbol);

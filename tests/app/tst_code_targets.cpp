@@ -61,12 +61,13 @@ private slots:
         QCOMPARE(draggedValue(one, 1.0, -100000), -10.0);
         QCOMPARE(draggedValue(one, 1.0, 100000), 20.0);
         QCOMPARE(draggedValue(one, 0.123456, 0), 0.123456);
-        one.whole = true;
+        one.isInteger = true;
         QCOMPARE(draggedValue(one, 3.0, 29), 4.0);
-        one.whole = false, one.scale = lessons::Scale::decades, one.sliderMin = 0.1, one.sliderMax = 1000.0;
+        one.isInteger = false, one.scale = lessons::Scale::logarithmic, one.sliderMin = 0.1,
+        one.sliderMax = 1000.0;
         one.max = 1e6;
         QCOMPARE(draggedValue(one, 1.0, 50), 10.0);
-        one.choices = {"a", "b", "c"}, one.min = 0.0, one.max = 2.0, one.scale = lessons::Scale::even;
+        one.choices = {"a", "b", "c"}, one.min = 0.0, one.max = 2.0, one.scale = lessons::Scale::linear;
         QCOMPARE(draggedValue(one, 0.0, 25), 1.0);
         QCOMPARE(draggedValue(one, 0.0, 500), 2.0);
     }

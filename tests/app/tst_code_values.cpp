@@ -28,8 +28,8 @@ QList<When> whens(const std::vector<SectionMark> &marks)
 
 std::vector<CodeChip> chipsAt(const CodeListing &listing, const sim::Timeline &run, const std::string &body)
 {
-    const sim::Segment &segment = run.track().shown();
-    return chipsOf(listing, run.track().moments(body), segment, segment.scene.find(body));
+    const sim::ComposedInterval &interval = run.track().interval();
+    return chipsOf(listing, run.track().explainPhases(body), interval, interval.scene.find(body));
 }
 
 }
@@ -48,20 +48,20 @@ private slots:
         QFETCH(QString, method);
         sim::Timeline run = runOf(stepOf(lesson, step), method);
         const CodeListing listing = listingOf(stepOf(lesson, step), run);
-        const int frames = run.now().points() > 20 ? 10 : 60;
+        const int frames = run.state().pointCount() > 20 ? 10 : 60;
         // Nothing but the phase and the name decides where a value stands.
         std::set<std::pair<int, std::string>> found;
         for (int frame = 1; frame <= frames; ++frame) {
-            run.stepRow();
-            const std::vector<std::string> &names = run.track().shown().scene.names;
+            run.nextOutputStep();
+            const std::vector<std::string> &names = run.track().interval().scene.names;
             for (std::size_t i = 0; i < names.size(); i += 1 + names.size() / 12) {
                 const std::string &body = names[i];
-                for (const sim::Moment &moment : run.track().moments(body)) {
+                for (const sim::PhaseExplanation &moment : run.track().explainPhases(body)) {
                     const auto section =
                         std::find_if(listing.sections.begin(), listing.sections.end(),
                                      [&](const CodeSection &one) { return one.has(moment.phase); });
                     QVERIFY(section != listing.sections.end());
-                    for (const sim::Live &live : moment.live) {
+                    for (const sim::LiveValue &live : moment.live) {
                         if (found.emplace(moment.phase, live.name).second)
                             QVERIFY2(lineOf(*section, live), live.name.c_str());
                     }
@@ -110,7 +110,7 @@ private slots:
         sim::Timeline run = runOf(step);
         const CodeListing listing = listingOf(step, run);
         for (int frame = 0; frame < 600; ++frame) {
-            run.stepRow();
+            run.nextOutputStep();
             for (const CodeChip &chip : chipsAt(listing, run, "foot0")) {
                 if (!chip.tip.startsWith("v.y"))
                     continue;
@@ -159,7 +159,7 @@ private slots:
     {
         const lessons::Step &step = stepOf("multi_foot", "any_number");
         sim::Timeline run = runOf(step);
-        run.set("feet", 7);
+        run.setParameter("feet", 7);
         const CodeListing listing = listingOf(step, run);
         int feet = 0;
         for (const CodeChip &chip : parameterChips(listing, step, run.values())) {
@@ -192,9 +192,9 @@ private slots:
         sim::Timeline run = runOf(step, method);
         const CodeListing listing = listingOf(step, run);
         run.seek({4, 0});
-        const int phases = run.track().phasesPerRow();
+        const int phases = run.track().phasesPerOutput();
         for (int phase = 0; phase < phases; ++phase) {
-            run.stepPhase();
+            run.nextPhase();
             const std::vector<SectionMark> marks = marksOf(listing, run, {}, -1);
             for (std::size_t i = 0; i < marks.size(); ++i) {
                 const bool isIt = listing.sections[i].has(phase);
@@ -202,8 +202,8 @@ private slots:
                 QCOMPARE(marks[i].result.has_value(), isIt);
             }
         }
-        QCOMPARE(run.at(), (sim::Cursor{5, 0})); // what files and commands call this moment
-        run.stepPhase();
+        QCOMPARE(run.cursor(), (sim::Cursor{5, 0})); // what files and commands call this moment
+        run.nextPhase();
         const std::vector<SectionMark> next = marksOf(listing, run, {}, -1);
         for (std::size_t i = 0; i < next.size(); ++i)
             QCOMPARE(next[i].when == When::now, listing.sections[i].has(0));
@@ -217,11 +217,11 @@ private slots:
         QFETCH(QString, method);
         sim::Timeline run = runOf(stepOf(lesson, step), method);
         const CodeListing listing = listingOf(stepOf(lesson, step), run);
-        const int phases = run.track().shown().pipeline.phasesPerStep();
+        const int phases = run.track().interval().pipeline.phasesPerStep();
         run.seek({2, 0});
         for (int phase = 0; phase < std::min(phases, 12); ++phase) {
-            run.stepPhase();
-            const sim::Scene &scene = run.track().shown().scene;
+            run.nextPhase();
+            const sim::Scene &scene = run.track().interval().scene;
             for (const std::string &body : {scene.names.front(), scene.names.back()}) {
                 const auto chips = chipsAt(listing, run, body);
                 for (std::size_t i = 0;
@@ -260,10 +260,10 @@ private slots:
         sim::Timeline run = runOf(step, "semi_implicit_euler");
         const CodeListing listing = listingOf(step, run);
         run.seek({4, 0});
-        std::vector<sim::Moment> moments = run.track().moments("foot");
+        std::vector<sim::PhaseExplanation> moments = run.track().explainPhases("foot");
         bool any = false;
-        for (sim::Moment &moment : moments) {
-            for (sim::Live &live : moment.live) {
+        for (sim::PhaseExplanation &moment : moments) {
+            for (sim::LiveValue &live : moment.live) {
                 if (live.name != "pull")
                     continue;
                 live.value = sim::Vec2{-3.3e-18, 1.9e-18};
@@ -273,7 +273,7 @@ private slots:
         }
         QVERIFY(any);
         int found = 0;
-        for (const CodeChip &chip : chipsOf(listing, moments, run.track().shown(), 0)) {
+        for (const CodeChip &chip : chipsOf(listing, moments, run.track().interval(), 0)) {
             if (!chip.tip.startsWith("pull: "))
                 continue;
             ++found;
@@ -326,7 +326,7 @@ private slots:
         const CodeListing listing = listingOf(step, run);
         const std::vector<CodeChip> chips = chipsAt(listing, run, body.toStdString());
         const std::vector<SectionMark> marks =
-            marksOf(listing, run, chips, run.track().shown().scene.find(body.toStdString()));
+            marksOf(listing, run, chips, run.track().interval().scene.find(body.toStdString()));
         QTEST(whens(marks), "sections");
         for (std::size_t i = 0; i < marks.size(); ++i)
             QCOMPARE(marks[i].result.has_value(), marks[i].when == When::now);
@@ -338,7 +338,7 @@ private slots:
         sim::Timeline run = runOf(step, "semi_implicit_euler");
         run.seek({4, 2});
         const CodeListing listing = listingOf(step, run);
-        const int body = run.track().shown().scene.find("body");
+        const int body = run.track().interval().scene.find("body");
         const auto marks = marksOf(listing, run, chipsAt(listing, run, "body"), body);
         const auto now = std::find_if(marks.begin(), marks.end(),
                                       [](const SectionMark &mark) { return mark.when == When::now; });
@@ -354,14 +354,14 @@ private slots:
     {
         const lessons::Step &step = stepOf("single_spring", "radial");
         sim::Script script = step.script();
-        script.step = sim::StepSize::of(0.5);
+        script.step = sim::StepSize::ofLength(0.5);
         sim::Timeline run(std::move(script));
-        const int perStep = run.track().shown().pipeline.phasesPerStep();
+        const int perStep = run.track().interval().pipeline.phasesPerStep();
         const CodeListing listing = listingOf(step, run);
         run.seek({4, 1});
         const QList<When> first = whens(marksOf(listing, run, {}, 0));
         run.seek({4, perStep + 1});
-        QCOMPARE(run.at().phase, perStep + 1);
+        QCOMPARE(run.cursor().phase, perStep + 1);
         QCOMPARE(whens(marksOf(listing, run, {}, 0)), first);
         QVERIFY(first.contains(When::now));
     }

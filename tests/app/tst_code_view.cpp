@@ -180,7 +180,7 @@ private slots:
         Shown shown("gravity_walls", "gravity");
         shown.window.resize(400, 240);
         shown.panel->resize(400, 240);
-        const int phases = shown.session.timeline().track().phasesPerRow();
+        const int phases = shown.session.timeline().track().phasesPerOutput();
         QVERIFY(phases > 5);
         for (int i = 1; i <= phases; ++i) { // the last one, too
             shown.session.phaseForward();

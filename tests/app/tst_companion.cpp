@@ -26,8 +26,8 @@ lessons::Step footStep()
     step.id = step.title = "foot";
     step.parameters = {lessons::stiffness(0.2), lessons::damping(1.0)};
     step.scene = footOnASpring;
-    step.look = [](const sim::Scene &scene, const sim::Values &) {
-        lessons::Look look = lessons::creatureLook(scene);
+    step.view = [](const sim::Scene &scene, const sim::Values &) {
+        lessons::View look = lessons::creatureView(scene);
         look.bodies[0].radius = 8.0;
         look.stage = QRectF(220, 150, 100, 80);
         return look;
@@ -43,16 +43,18 @@ lessons::Step openedStep()
     lessons::Step step = footStep();
     step.companion.reset();
     lessons::Parameter which = lessons::choice("which", "Which", "Which one.", {"one", "other"});
-    which.opens = true;
+    which.restartsRun = true;
     step.parameters.push_back(which);
-    step.opening = [](sim::Script &script) {
-        if (script.values.whole("which") == 0)
+    step.prepareScript = [](sim::Script &script) {
+        if (script.values.integer("which") == 0)
             return;
         script.input = {{3, sim::Grab{"foot"}}, {3, sim::Move{{280, 150}}}, {5, sim::Release{}}};
-        if (!script.step.adaptive())
-            script.step = sim::StepSize::of(0.5);
+        if (!script.step.isAdaptive())
+            script.step = sim::StepSize::ofLength(0.5);
     };
-    step.note = [](const sim::Track &run) { return QStringLiteral("this is frame %1").arg(run.at().frame); };
+    step.note = [](const sim::Track &run) {
+        return QStringLiteral("this is frame %1").arg(run.cursor().frame);
+    };
     return step;
 }
 
@@ -71,10 +73,10 @@ sim::State beside(const sim::Timeline &run)
 {
     sim::Script script = run.script();
     script.method = sim::findMethod("implicit_midpoint");
-    script.step = sim::StepSize::of(1.0);
+    script.step = sim::StepSize::ofLength(1.0);
     sim::Track track(script, 0);
-    track.seek({run.at().frame, 0});
-    return track.now();
+    track.seek({run.cursor().frame, 0});
+    return track.state();
 }
 
 bool isBeside(const Session &session)
@@ -116,7 +118,7 @@ void CompanionTest::itGoesWithTheCursor()
     for (int i = 0; i < 20; ++i)
         session.frameForward();
     QVERIFY(isBeside(session));
-    QVERIFY(!sim::sameBits(session.companion()->state, session.timeline().now()));
+    QVERIFY(!sim::sameBits(session.companion()->state, session.timeline().state()));
     for (int i = 0; i < 7; ++i)
         session.frameBack();
     QVERIFY(isBeside(session));
@@ -157,7 +159,7 @@ void CompanionTest::itComesToAFarFrame()
     SceneBench bench({footStep()});
     bench.session.setMethod("semi_implicit_euler");
     bench.goTo(20'000);
-    QCOMPARE(bench.session.timeline().at().frame, 20'000);
+    QCOMPARE(bench.session.timeline().cursor().frame, 20'000);
     QVERIFY(isBeside(bench.session));
 }
 
@@ -173,7 +175,7 @@ void CompanionTest::whereItsMethodCannotThereIsNone()
     Session session(library);
     session.frameForward();
     QVERIFY(!session.companion());
-    QCOMPARE(session.timeline().at().frame, 1);
+    QCOMPARE(session.timeline().cursor().frame, 1);
 }
 
 void CompanionTest::itIsDrawnWhereItsOffsetSays()
@@ -187,7 +189,7 @@ void CompanionTest::itIsDrawnWhereItsOffsetSays()
     QVERIFY(isBody({310, 200}));
     QVERIFY(isBody({310, 300}));
     bench.goTo(7);
-    const sim::Vec2 there = bench.session.companion()->state.at(0);
+    const sim::Vec2 there = bench.session.companion()->state.positionOf(0);
     QVERIFY(isBody(there + sim::Vec2{0, 100}));
     QVERIFY(!isBody({310, 300}));
 }
@@ -221,7 +223,7 @@ void CompanionTest::anotherChoiceOpensTheRunAnew()
     for (int i = 0; i < 10; ++i)
         session.frameForward();
     session.setParameter("which", 1);
-    QCOMPARE(session.timeline().at().frame, 0);
+    QCOMPARE(session.timeline().cursor().frame, 0);
     QCOMPARE(session.timeline().script().method->id(), std::string("semi_implicit_euler"));
     QCOMPARE(session.timeline().script().step.h, 0.5);
     QCOMPARE(session.timeline().script().input.size(), std::size_t{3});
@@ -235,8 +237,8 @@ void CompanionTest::anotherChoiceOpensTheRunAnew()
 void CompanionTest::aRefusedChoiceLeavesTheRunAsItWas()
 {
     lessons::Step step = openedStep();
-    step.opening = [](sim::Script &script) {
-        if (script.values.whole("which") == 1)
+    step.prepareScript = [](sim::Script &script) {
+        if (script.values.integer("which") == 1)
             script.input = {{3, sim::Move{{std::nan(""), 0}}}};
     };
     const LessonLibrary library = libraryOf(step);
@@ -246,7 +248,7 @@ void CompanionTest::aRefusedChoiceLeavesTheRunAsItWas()
         session.frameForward();
     session.setParameter("which", 1);
     QVERIFY(said.count() > 0);
-    QCOMPARE(session.timeline().at().frame, 4);
+    QCOMPARE(session.timeline().cursor().frame, 4);
     QCOMPARE(session.parameter("which"), 0.0);
 }
 

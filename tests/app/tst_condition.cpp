@@ -13,16 +13,16 @@ namespace {
 struct Bench
 {
     explicit Bench(const QString &lesson = "gravity_walls", const QString &name = "gravity")
-        : step(stepOf(lesson, name)), run(runOf(step)), state(run.now())
+        : step(stepOf(lesson, name)), run(runOf(step)), state(run.state())
     {
         state.place(0, {100.0, 381.5});
-        state.push(0, {3.0, -4.0});
+        state.setVelocity(0, {3.0, -4.0});
         state.place(1, {-7.25, 0.0});
     }
     bool ask(const QString &text)
     {
         const Condition condition = Condition::parse(text, conditionNames(step, run));
-        return condition.holds({state, 41, &run.track().next()->pipeline.phaseAt(phase)});
+        return condition.holds({state, 41, &run.track().nextInterval()->pipeline.phaseAt(phase)});
     }
     QString refusal(const QString &text)
     {
@@ -229,7 +229,7 @@ private slots:
     {
         Bench bench("swaying_tree", "branches");
         QVERIFY(bench.state.angle.size() > 0);
-        const QString body = QString::fromStdString(bench.run.track().shown().scene.names[1]);
+        const QString body = QString::fromStdString(bench.run.track().interval().scene.names[1]);
         bench.phase = 0;
         bench.state.angle[1] = 12.5;
         QVERIFY(bench.ask(body + ".angle == 12.5"));
@@ -241,8 +241,8 @@ private slots:
         bench.phase = 0;
         const lessons::Parameter *formula = bench.step.parameter("formula");
         QVERIFY(formula && formula->choices.size() > 1);
-        const QString is = formula->choices[int(formula->preset)];
-        const QString other = formula->choices[formula->preset == 0.0 ? 1 : 0];
+        const QString is = formula->choices[int(formula->defaultValue)];
+        const QString other = formula->choices[formula->defaultValue == 0.0 ? 1 : 0];
         QVERIFY(bench.ask(QString("formula == \"%1\"").arg(is)));
         QVERIFY(!bench.ask(QString("\"%1\" == formula").arg(other)));
         QVERIFY(bench.ask(QString("formula != \"%1\"").arg(other)));

@@ -28,18 +28,18 @@ lessons::Step glide()
 {
     sim::Scene scene = scenes::pointsAt({{start, 100}, {start, 150}});
     look_scenes::letGlide(scene, {speed, 0.0});
-    lessons::Look look = look_scenes::feetOnly(scene);
+    lessons::View look = look_scenes::feetOnly(scene);
     look.feet = {0, 1};
     lessons::Step step = look_scenes::step("glide", scene, look);
     step.parameters = {{"k", "k", {}, {}, "k", 0.0, 0.0, 1.0, 0.0, 1.0, 2, {}}};
     step.measures = {
         {"Place", "px", "Where p0 is.", 1,
          [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &) {
-             return state.at(0).x;
+             return state.positionOf(0).x;
          }},
         {"Way", "px", "How far p0 came in the frame.", 1,
          [](const sim::Scene &, const sim::State &state, const sim::State *before, const sim::Values &) {
-             return before ? state.at(0).x - before->at(0).x : std::nan("");
+             return before ? state.positionOf(0).x - before->positionOf(0).x : std::nan("");
          }},
         {"Stiffness",
          {},
@@ -56,7 +56,7 @@ lessons::Step glide()
              return -0.01;
          }},
     };
-    step.stands = [](const sim::Scene &, const sim::State &state, const sim::Values &, int point) {
+    step.isFootDown = [](const sim::Scene &, const sim::State &state, const sim::Values &, int point) {
         return state.frame / stride % 2 == point;
     };
     return step;
@@ -79,11 +79,11 @@ lessons::Step whole()
     measure.ofRun = [](const sim::Script &script, const sim::Scene &, const sim::State &, const sim::State *,
                        const sim::Values &) { return script.step.h; };
     step.measures = {measure};
-    step.guidesOfRun = [](const sim::Script &script, const sim::State &, std::int64_t frame) {
-        return std::vector<lessons::Guide>{
-            {.shape = lessons::Guide::Shape::cross, .a = {double(frame), script.step.h}}};
+    step.runOverlays = [](const sim::Script &script, const sim::State &, std::int64_t frame) {
+        return std::vector<lessons::Overlay>{
+            {.shape = lessons::Overlay::Shape::cross, .a = {double(frame), script.step.h}}};
     };
-    const auto came = [](const sim::Timeline &run) { return run.at().frame >= 10; };
+    const auto came = [](const sim::Timeline &run) { return run.cursor().frame >= 10; };
     const double anyPrice = std::numeric_limits<double>::infinity();
     step.tries = {{"For nothing.", came, lessons::Budget{1e-6, 0.0, 10}},
                   {"At any price.", came, lessons::Budget{1e-6, anyPrice, 10}},
@@ -103,7 +103,7 @@ struct Bench
         return made;
     }();
     Session session{library};
-    Course course{session};
+    Course integrator{session};
     Theme theme{Scheme::light};
 
     /// Goes there, and waits until all is measured.
@@ -111,7 +111,7 @@ struct Bench
     {
         session.goTo({frame, 0});
         return QTest::qWaitFor(
-            [&] { return !session.goingTo() && course.last() >= session.timeline().computed(); });
+            [&] { return !session.goingTo() && integrator.last() >= session.timeline().computed(); });
     }
 };
 
@@ -137,17 +137,17 @@ private slots:
         Bench bench;
         bench.session.setStepSize(h);
         QVERIFY(bench.goTo(99));
-        const std::int64_t row = bench.course.rowFrames();
+        const std::int64_t row = bench.integrator.rowFrames();
         QCOMPARE(row, std::int64_t(h > 1.0 ? h : 1.0));
         for (std::int64_t frame = 0; frame <= 99; frame += row) {
-            const Sample *sample = bench.course.at(frame);
+            const Sample *sample = bench.integrator.at(frame);
             QVERIFY(sample);
             QCOMPARE(sample->measures[0], start + speed * double(frame));
             if (frame > 0)
                 QCOMPARE(sample->measures[1], speed * double(row));
         }
-        QVERIFY(std::isnan(bench.course.at(0)->measures[1]));
-        QVERIFY(!bench.course.at(99 + row));
+        QVERIFY(std::isnan(bench.integrator.at(0)->measures[1]));
+        QVERIFY(!bench.integrator.at(99 + row));
     }
 
     void whatAChangeMakesWrongIsMeasuredAgain()
@@ -157,14 +157,14 @@ private slots:
         bench.session.goTo({30, 0});
         bench.session.setParameter("k", 0.5);
         QVERIFY(bench.goTo(50));
-        QCOMPARE(bench.course.last(), std::int64_t(50));
-        QCOMPARE(bench.course.at(30)->measures[2], 0.0);
-        QCOMPARE(bench.course.at(31)->measures[2], 0.5);
-        QCOMPARE(bench.course.at(31)->measures[1], speed);
+        QCOMPARE(bench.integrator.last(), std::int64_t(50));
+        QCOMPARE(bench.integrator.at(30)->measures[2], 0.0);
+        QCOMPARE(bench.integrator.at(31)->measures[2], 0.5);
+        QCOMPARE(bench.integrator.at(31)->measures[1], speed);
         bench.session.goTo({0, 0});
         bench.session.setParameter("k", 0.25);
         QVERIFY(bench.goTo(20));
-        QCOMPARE(bench.course.at(10)->measures[2], 0.25);
+        QCOMPARE(bench.integrator.at(10)->measures[2], 0.25);
     }
 
     void stancesAndSlipsAreThoseOfTheRun()
@@ -172,7 +172,7 @@ private slots:
         Bench bench;
         QVERIFY(bench.goTo(45));
         Stances stances;
-        stances.follow(bench.course, 2);
+        stances.follow(bench.integrator, 2);
         const std::vector<Stance> &first = stances.of(0);
         QCOMPARE(first.size(), std::size_t(3));
         QCOMPARE(first[0].from, std::int64_t(0));
@@ -187,11 +187,11 @@ private slots:
     {
         Bench bench;
         Stances followed;
-        QObject::connect(&bench.course, &Course::changed, &bench.course,
-                         [&] { followed.follow(bench.course, 2); });
+        QObject::connect(&bench.integrator, &Course::changed, &bench.integrator,
+                         [&] { followed.follow(bench.integrator, 2); });
         const auto same = [&] {
             Stances fresh;
-            fresh.follow(bench.course, 2);
+            fresh.follow(bench.integrator, 2);
             return !fresh.of(0).empty() && fresh.of(0) == followed.of(0) && fresh.of(1) == followed.of(1);
         };
         for (const std::int64_t frame : {1, 2, 7, 45, 46, 90}) {
@@ -214,7 +214,7 @@ private slots:
     {
         Bench bench;
         TimelineStrip timeline(bench.session, bench.theme);
-        FootfallStrip strip(bench.session, bench.course, timeline, bench.theme);
+        FootfallStrip strip(bench.session, bench.integrator, timeline, bench.theme);
         timeline.resize(600, 98);
         strip.resize(600, strip.sizeHint().height());
         strip.show();
@@ -231,7 +231,7 @@ private slots:
         QVERIFY(at(14, 0) != standing);
         QCOMPARE(at(17, 1), standing);
         QTest::mouseClick(&strip, Qt::LeftButton, {}, {qRound(timeline.axis().xOf(12)), 30});
-        QCOMPARE(bench.session.timeline().at().frame, std::int64_t(12));
+        QCOMPARE(bench.session.timeline().cursor().frame, std::int64_t(12));
         bench.session.openStep("lesson", "plain");
         QVERIFY(strip.isHidden());
     }
@@ -239,7 +239,7 @@ private slots:
     void theMeasuresStandAtTheCursor()
     {
         Bench bench;
-        MeasurePanel panel(bench.session, bench.course, bench.theme);
+        MeasurePanel panel(bench.session, bench.integrator, bench.theme);
         panel.resize(400, 300);
         panel.show();
         const QList<MeasureRow *> rows = panel.findChildren<MeasureRow *>();
@@ -262,8 +262,8 @@ private slots:
         bench.session.openStep("lesson", "whole");
         bench.session.setStepSize(0.5);
         QVERIFY(bench.goTo(20));
-        QCOMPARE(bench.course.at(20)->measures.at(0), 0.5);
-        const std::vector<lessons::Guide> guides = bench.session.picture().guides;
+        QCOMPARE(bench.integrator.at(20)->measures.at(0), 0.5);
+        const std::vector<lessons::Overlay> guides = bench.session.picture().guides;
         QCOMPARE(guides.size(), std::size_t{1});
         QCOMPARE(guides[0].a, (sim::Vec2{20.0, 0.5}));
     }
@@ -291,7 +291,7 @@ private slots:
         bench.session.openStep("lesson", "plain");
         bench.session.goTo({30, 0});
         QTest::qWait(20);
-        QVERIFY(bench.course.isEmpty());
+        QVERIFY(bench.integrator.isEmpty());
     }
 };
 

@@ -19,37 +19,40 @@ using namespace app;
 
 namespace described {
 
-extern const sim::Description sail;
+extern const sim::EffectDescription sail;
 
 }
 
 namespace {
 
 /// A steady push to the right on points that carry a sail, by its area.
-class Sail : public sim::Described<sim::Force, described::sail>
+class Sail : public sim::DescribedEffect<sim::Force, described::sail>
 {
 public:
     Sail(double strength, Eigen::ArrayXd area) : m_strength(strength), m_area(std::move(area)) {}
 
-    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
-    int count(const sim::State &, sim::Points points) const override { return points.count; }
-    void add(const sim::State &state, sim::Points movers, double scale, sim::Directions,
+    std::vector<sim::Region> regions(sim::DirectionRule) const override { return {}; }
+    int count(const sim::State &, sim::PointRange points) const override { return points.count; }
+    void add(const sim::State &state, sim::PointRange movers, double scale, sim::DirectionRule,
              Eigen::ArrayX2d &into) const override
     {
         for (int i = movers.first; i < movers.end(); ++i)
             into(i, 0) += scale * state.inverseMass[i] * m_strength * m_area[i];
     }
-    std::vector<sim::Live> explain(const sim::State &, int, sim::Directions) const override { return {}; }
-    bool takeInto(sim::Taken &into) const override;
+    std::vector<sim::LiveValue> explain(const sim::State &, int, sim::DirectionRule) const override
+    {
+        return {};
+    }
+    bool addToDraft(sim::BlueprintDraft &draft) const override;
 
 private:
     double m_strength;
     Eigen::ArrayXd m_area;
 };
 
-constexpr sim::Setting sailSettings[] = {
+constexpr sim::ParameterSpec sailSettings[] = {
     {"strength", "Strength", "s", "px/frame²", "How hard it blows.", 0.1, 0.0, 10.0, 0.0, 1.0}};
-constexpr sim::Setting sailOfPoints[] = {
+constexpr sim::ParameterSpec sailOfPoints[] = {
     {"area", "Area", "", "px²", "How large its sail is.", 0.0, -4.0, 4.0, -4.0, 4.0, 1}};
 
 sim::EffectPtr buildSail(const sim::Blueprint &plan, const sim::Values &values)
@@ -57,11 +60,11 @@ sim::EffectPtr buildSail(const sim::Blueprint &plan, const sim::Values &values)
     return std::make_shared<Sail>(values["strength"], sim::valuesOf(plan, sailOfPoints[0]));
 }
 
-bool Sail::takeInto(sim::Taken &into) const
+bool Sail::addToDraft(sim::BlueprintDraft &draft) const
 {
-    into.choose("sail", {{"strength", m_strength}});
-    for (int i = 0; i < into.now.points(); ++i)
-        sim::setValue(into.blueprint.points[std::size_t(i)], sailOfPoints[0], m_area[i]);
+    draft.addEffect("sail", {{"strength", m_strength}});
+    for (int i = 0; i < draft.state.pointCount(); ++i)
+        sim::setValue(draft.blueprint.points[std::size_t(i)], sailOfPoints[0], m_area[i]);
     return true;
 }
 
@@ -69,13 +72,13 @@ bool Sail::takeInto(sim::Taken &into) const
 
 namespace described {
 
-constinit const sim::Description sail = {.id = "sail",
-                                         .title = "sail",
-                                         .kind = sim::Kind::wind,
-                                         .purpose = "Pushes what carries a sail.",
-                                         .settings = sailSettings,
-                                         .ofPoints = sailOfPoints,
-                                         .make = buildSail};
+constinit const sim::EffectDescription sail = {.id = "sail",
+                                               .title = "sail",
+                                               .kind = sim::EffectKind::wind,
+                                               .purpose = "Pushes what carries a sail.",
+                                               .parameters = sailSettings,
+                                               .pointProperties = sailOfPoints,
+                                               .make = buildSail};
 
 }
 
@@ -84,15 +87,15 @@ namespace {
 /// The sandbox, with one effect more.
 LessonLibrary libraryWithSail()
 {
-    static constexpr const sim::Description *more[] = {&described::sail};
+    static constexpr const sim::EffectDescription *more[] = {&described::sail};
     LessonLibrary library = LessonLibrary::load({LESSON_DIR});
     lessons::Step &step = library.workshops.front().steps.front();
-    step.addParameters(lessons::settingsOf(more));
-    step.catalogue.push_back(more[0]);
+    step.addParameters(lessons::parametersOf(more));
+    step.availableEffects.push_back(more[0]);
     step.scene = [old = step.scene](const sim::Values &values) {
         sim::Scene scene = old(values);
         if (values.blueprint) {
-            for (const sim::EffectPtr &one : sim::chosenEffects(more, *values.blueprint, values).pulls)
+            for (const sim::EffectPtr &one : sim::chosenEffects(more, *values.blueprint, values).beforeMove)
                 scene.effects.push_back(one);
         }
         return scene;
@@ -117,11 +120,12 @@ struct World
         });
     }
     const sim::Blueprint &plan() const { return bench.plan(); }
-    const sim::Setting &area() const { return sailOfPoints[0]; }
+    const sim::ParameterSpec &area() const { return sailOfPoints[0]; }
     /// The area of the chosen points, as a property; none where they have no such property.
     std::optional<BuiltProperty> property() const
     {
-        for (const BuiltProperty &one : propertiesOf(plan(), bench.chosen(), session.step().catalogue)) {
+        for (const BuiltProperty &one :
+             propertiesOf(plan(), bench.chosen(), session.step().availableEffects)) {
             if (one.about.id == "area")
                 return one;
         }
@@ -250,9 +254,9 @@ private slots:
         world.bench.setEffect("sail", true);
         world.setArea({{0}, {}, {}}, 3.0);
         world.session.goTo({20, 0});
-        const sim::State &now = world.session.timeline().now();
-        QVERIFY(std::abs(now.at(0).x - 0.5 * (0.1 * 3.0 / 2.0) * 400.0) < 1e-9);
-        QCOMPARE(now.at(1).x, 0.0);
+        const sim::State &now = world.session.timeline().state();
+        QVERIFY(std::abs(now.positionOf(0).x - 0.5 * (0.1 * 3.0 / 2.0) * 400.0) < 1e-9);
+        QCOMPARE(now.positionOf(1).x, 0.0);
     }
 
     void aSceneThatHasItCanBeTakenOver()
@@ -261,18 +265,18 @@ private slots:
         world.bench.setEffect("sail", true);
         world.setArea({{2}, {}, {}}, -2.5);
         const Picture picture = world.session.picture();
-        const auto taken = lessons::blueprintOf(picture.segment->scene, picture.state, *picture.look);
-        QVERIFY(taken && taken->left.empty());
-        QCOMPARE(taken->numbers.at("strength"), 0.1);
-        QVERIFY(taken->blueprint.points[2].more == world.plan().points[2].more);
-        QVERIFY(sim::has(taken->blueprint, "sail"));
+        const auto draft = lessons::blueprintOf(picture.interval->scene, picture.state, *picture.look);
+        QVERIFY(draft && draft->omitted.empty());
+        QCOMPARE(draft->parameters.at("strength"), 0.1);
+        QVERIFY(draft->blueprint.points[2].properties == world.plan().points[2].properties);
+        QVERIFY(sim::hasEffect(draft->blueprint, "sail"));
     }
 
     void theListOfEffectsOffersIt()
     {
         World world;
         EffectFacts facts;
-        facts.offered = world.session.step().catalogue;
+        facts.offered = world.session.step().availableEffects;
         const std::vector<EffectLine> lines = effectLines(facts);
         const auto line =
             std::find_if(lines.begin(), lines.end(), [](const EffectLine &one) { return one.id == "sail"; });
@@ -284,16 +288,17 @@ private slots:
     void noTwoEffectsShareAnIdAndSharedSettingsAgree()
     {
         QStringList ids;
-        std::map<std::string, const sim::Setting *> settings;
-        for (const sim::Description *one : sim::allEffects()) {
+        std::map<std::string, const sim::ParameterSpec *> settings;
+        for (const sim::EffectDescription *one : sim::allEffects()) {
             ids << one->id;
-            for (const sim::Setting &setting : one->settings) {
-                const auto [known, isNew] = settings.emplace(setting.id, &setting);
-                QVERIFY2(isNew ||
-                             (std::string(known->second->help) == setting.help &&
-                              known->second->preset == setting.preset && known->second->max == setting.max),
-                         setting.id);
-                QVERIFY2(setting.preset >= setting.min && setting.preset <= setting.max, setting.id);
+            for (const sim::ParameterSpec &parameter : one->parameters) {
+                const auto [known, isNew] = settings.emplace(parameter.id, &parameter);
+                QVERIFY2(isNew || (std::string(known->second->help) == parameter.help &&
+                                   known->second->defaultValue == parameter.defaultValue &&
+                                   known->second->max == parameter.max),
+                         parameter.id);
+                QVERIFY2(parameter.defaultValue >= parameter.min && parameter.defaultValue <= parameter.max,
+                         parameter.id);
             }
         }
         QCOMPARE(ids.removeDuplicates(), 0);

@@ -36,12 +36,12 @@ private slots:
             isQuiet = quietForHalfASecond();
         QVERIFY(isQuiet);
         QVERIFY(bench.panel.ledger().costs().isAtRest());
-        QCOMPARE(bench.meter.begun.load(), 1);
+        QCOMPARE(bench.reader.begun.load(), 1);
         auto *again = bench.panel.findChild<QToolButton *>("tab");
         QVERIFY(!again->toolTip().isEmpty());
         QTest::mouseClick(again, Qt::LeftButton);
         QVERIFY(bench.settle());
-        QCOMPARE(bench.meter.begun.load(), 2);
+        QCOMPARE(bench.reader.begun.load(), 2);
         qApp->removeEventFilter(&counter);
     }
 
@@ -51,32 +51,32 @@ private slots:
         bench.panel.hide();
         bench.session().setParameter("k", 0.3);
         QTest::qWait(2 * CostWatch::settleMilliseconds);
-        QCOMPARE(bench.meter.begun.load(), 1);
+        QCOMPARE(bench.reader.begun.load(), 1);
         bench.panel.show();
         QVERIFY(bench.settle());
-        QCOMPARE(bench.meter.begun.load(), 2);
+        QCOMPARE(bench.reader.begun.load(), 2);
         bench.panel.setCovered(true);
         bench.session().setParameter("k", 0.4);
         QTest::qWait(2 * CostWatch::settleMilliseconds);
-        QCOMPARE(bench.meter.begun.load(), 2);
-        bench.meter.held = true;
+        QCOMPARE(bench.reader.begun.load(), 2);
+        bench.reader.held = true;
         bench.panel.setCovered(false);
-        QTRY_COMPARE(bench.meter.begun.load(), 3);
+        QTRY_COMPARE(bench.reader.begun.load(), 3);
         bench.panel.hide(); // in the middle of it
-        QTRY_COMPARE(bench.meter.stopped.load(), 1);
-        bench.meter.held = false;
+        QTRY_COMPARE(bench.reader.stopped.load(), 1);
+        bench.reader.held = false;
     }
 
     void aChangeCancelsWhatIsUnderWay()
     {
         Bench bench;
-        bench.meter.held = true;
+        bench.reader.held = true;
         bench.session().setParameter("k", 0.3);
-        QTRY_COMPARE(bench.meter.begun.load(), 2);
+        QTRY_COMPARE(bench.reader.begun.load(), 2);
         bench.session().setEffect("body_spring", false);
-        QTRY_COMPARE(bench.meter.stopped.load(), 1);
+        QTRY_COMPARE(bench.reader.stopped.load(), 1);
         QCOMPARE(bench.line("damping").frame, "…"); // nothing is known of this frame yet
-        bench.meter.held = false;
+        bench.reader.held = false;
         QVERIFY(bench.settle());
         QCOMPARE(bench.line("damping").frame, "0.0046");
     }

@@ -14,14 +14,14 @@ using namespace app;
 
 namespace {
 
-int linksOf(const lessons::Look &look)
+int linksOf(const lessons::View &look)
 {
     return static_cast<int>(look.legs.size() + look.sticks.size() + look.chains.size());
 }
 
 bool holds(const sim::EffectPtr &effect)
 {
-    return effect->kind() == sim::Kind::spring || effect->kind() == sim::Kind::stick;
+    return effect->kind() == sim::EffectKind::spring || effect->kind() == sim::EffectKind::stick;
 }
 
 }
@@ -58,26 +58,26 @@ private slots:
         open();
         constexpr std::int64_t frames = 3;
         m_session->goTo({frames, 0});
-        const sim::State before = m_session->timeline().now();
+        const sim::State before = m_session->timeline().state();
         for (const sim::EffectPtr &effect : m_session->listedEffects()) {
             const QString id = QString::fromStdString(effect->id());
             m_session->setEffect(id, false);
             if (!m_session->isOff(id))
                 continue; // nothing would move: that was said
-            const sim::Segment &segment = *m_session->timeline().track().next();
-            for (const sim::Phase &phase : segment.pipeline.phases) {
+            const sim::ComposedInterval &interval = *m_session->timeline().track().nextInterval();
+            for (const sim::Phase &phase : interval.pipeline.phases) {
                 QVERIFY(!phase.effect || phase.effect->id() != effect->id());
-                for (const sim::EffectPtr &one : phase.within)
+                for (const sim::EffectPtr &one : phase.innerEffects)
                     QVERIFY(one->id() != effect->id());
             }
             m_session->goTo({2 * frames, 1});
             const Picture picture = m_session->picture();
-            QCOMPARE(static_cast<int>(picture.look->bodies.size()), picture.state.points());
+            QCOMPARE(static_cast<int>(picture.look->bodies.size()), picture.state.pointCount());
             m_session->note();
             m_session->goTo({frames, 0});
             m_session->undo();
             QVERIFY(!m_session->isOff(id));
-            QVERIFY2(sim::sameBits(m_session->timeline().now(), before), qPrintable(id));
+            QVERIFY2(sim::sameBits(m_session->timeline().state(), before), qPrintable(id));
         }
     }
 
@@ -110,12 +110,12 @@ private slots:
         open();
         bool any = false;
         for (const sim::EffectPtr &effect : m_session->listedEffects()) {
-            if (effect->kind() != sim::Kind::contact)
+            if (effect->kind() != sim::EffectKind::contact)
                 continue;
             m_session->setEffect(QString::fromStdString(effect->id()), false);
             any = true;
         }
-        const std::shared_ptr<const lessons::Look> look = m_session->picture().look;
+        const std::shared_ptr<const lessons::View> look = m_session->picture().look;
         if (!any)
             QSKIP("nothing to touch here");
         QVERIFY(!look->room);

@@ -171,25 +171,25 @@ private slots:
         Bench bench;
         bench.clickSwitch("body_spring");
         bench.session().goTo({50, 0});
-        QCOMPARE(bench.run().now().at(0), (sim::Vec2{300, 210}));
+        QCOMPARE(bench.run().state().positionOf(0), (sim::Vec2{300, 210}));
     }
 
     void undoBringsTheVeryBitsBack()
     {
         Bench bench;
         bench.session().goTo({40, 0});
-        const sim::State with = bench.run().now();
+        const sim::State with = bench.run().state();
         bench.clickSwitch("body_spring");
-        const sim::State without = bench.run().now();
-        QCOMPARE(bench.run().at().frame, 40);
+        const sim::State without = bench.run().state();
+        QCOMPARE(bench.run().cursor().frame, 40);
         QVERIFY(!sim::sameBits(with, without));
         QVERIFY(bench.session().deeds().canUndo());
         QCOMPARE(bench.session().deeds().undoText(), "Spring off");
         bench.session().undo();
-        QVERIFY(sim::sameBits(bench.run().now(), with));
+        QVERIFY(sim::sameBits(bench.run().state(), with));
         QVERIFY(bench.line("body_spring").isOn());
         bench.session().redo();
-        QVERIFY(sim::sameBits(bench.run().now(), without));
+        QVERIFY(sim::sameBits(bench.run().state(), without));
         QVERIFY(!bench.session().deeds().canRedo());
     }
 

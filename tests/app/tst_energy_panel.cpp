@@ -23,7 +23,7 @@ private slots:
         Bench bench;
         for (const std::int64_t frame : {0, 20, 5, 40, 39}) {
             bench.goTo(frame);
-            const sim::State &state = bench.session().timeline().now();
+            const sim::State &state = bench.session().timeline().state();
             QVERIFY(std::abs(bench.amount("springs") - springEnergy(state)) < 1e-9);
             QVERIFY(std::abs(bench.amount("moving") - motionEnergy(state)) < 1e-9);
             const double is = bench.amount("springs") + bench.amount("moving");
@@ -55,8 +55,8 @@ private slots:
         Bench bench;
         bench.goTo(10);
         QVERIFY(!bench.line("hand"));
-        const double before = springEnergy(bench.session().timeline().now());
-        const sim::Scene &scene = bench.session().timeline().track().shown().scene;
+        const double before = springEnergy(bench.session().timeline().state());
+        const sim::Scene &scene = bench.session().timeline().track().interval().scene;
         bench.session().grab(QString::fromStdString(scene.names.front()));
         bench.session().moveHand({370.0, 200.0});
         bench.session().frameForward();
@@ -85,7 +85,7 @@ private slots:
         bench.session().undo();
         bench.goTo(30);
         QVERIFY(!bench.line("hand"));
-        QVERIFY(std::abs(bench.amount("springs") - springEnergy(bench.session().timeline().now())) < 1e-9);
+        QVERIFY(std::abs(bench.amount("springs") - springEnergy(bench.session().timeline().state())) < 1e-9);
     }
 
     void nothingIsCountedWhileNobodyLooks()
@@ -112,7 +112,7 @@ private slots:
             QVERIFY(!tab->toolTip().isEmpty() && (tab->focusPolicy() & Qt::TabFocus));
         QTest::mouseClick(tabs[1], Qt::LeftButton);
         QCOMPARE(bench.panel.view(), EnergyPanel::momentum);
-        const sim::Vec2 v = bench.session().timeline().now().speed(0);
+        const sim::Vec2 v = bench.session().timeline().state().velocityOf(0);
         QVERIFY(std::abs(bench.line("momentum")->amount - v.x) < 1e-9);
         QVERIFY(std::abs(bench.line("momentum")->across - v.y) < 1e-9);
         QVERIFY(bench.line("anchors")->amount < -1.0);
@@ -137,8 +137,8 @@ private slots:
                 const sim::State at =
                     bench.session().timeline().track().stateAt(static_cast<std::int64_t>(row.at("frame")));
                 if (view == EnergyPanel::momentum) {
-                    QVERIFY(std::abs(row.at("momentum_x") - at.speed(0).x) < 1e-12);
-                    QVERIFY(std::abs(row.at("momentum_y") - at.speed(0).y) < 1e-12);
+                    QVERIFY(std::abs(row.at("momentum_x") - at.velocityOf(0).x) < 1e-12);
+                    QVERIFY(std::abs(row.at("momentum_y") - at.velocityOf(0).y) < 1e-12);
                     continue;
                 }
                 QVERIFY(std::abs(row.at("moving") - motionEnergy(at)) < 1e-9);

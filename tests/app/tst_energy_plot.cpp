@@ -26,7 +26,7 @@ private slots:
         EnergyPlot &plot = bench.panel.plot();
         const int x = qRound(plot.xAxis->coordToPixel(25.0));
         QTest::mouseClick(&plot, Qt::LeftButton, {}, {x, plot.height() / 2});
-        QTRY_VERIFY(std::abs(bench.session().timeline().at().frame - 25) <= 1);
+        QTRY_VERIFY(std::abs(bench.session().timeline().cursor().frame - 25) <= 1);
         const double is = bench.amount("springs") + bench.amount("moving");
         QVERIFY(std::abs(atStart + bench.amount("damping") + bench.amount("drift") - is) < 1e-9);
     }
@@ -79,9 +79,9 @@ private slots:
         QTest::keyClick(&plot, Qt::Key_Right);
         QCOMPARE(bench.frame(), 41);
         QTest::keyClick(&plot, Qt::Key_Right, Qt::ShiftModifier);
-        QCOMPARE(bench.session().timeline().at().phase, 1);
+        QCOMPARE(bench.session().timeline().cursor().phase, 1);
         QTest::keyClick(&plot, Qt::Key_Left, Qt::ShiftModifier);
-        QCOMPARE(bench.session().timeline().at().phase, 0);
+        QCOMPARE(bench.session().timeline().cursor().phase, 0);
     }
 
     void aScreenReaderHearsWhatThePlotShowsAtTheCursor()
@@ -133,8 +133,8 @@ private slots:
         QVERIFY(!plot.hovered() && !quantity.hovered() && !timeline.pointed());
         hover(plot, {qRound(plot.xAxis->coordToPixel(20.0)), plot.height() / 2});
         QVERIFY(timeline.pointed());
-        QCOMPARE(world.session.timeline().at().frame, 60); // nothing of this has moved time
-        world.session.openStep("one", "second");           // its frames are others
+        QCOMPARE(world.session.timeline().cursor().frame, 60); // nothing of this has moved time
+        world.session.openStep("one", "second");               // its frames are others
         QVERIFY(!timeline.pointed() && !plot.hovered());
     }
 

@@ -67,7 +67,7 @@ private slots:
     void aToleranceComesBackExactly_data()
     {
         QTest::addColumn<double>("tolerance");
-        for (const double tolerance : {1e-13, 0.1 + 0.2, sim::presetTolerance, 100.0})
+        for (const double tolerance : {1e-13, 0.1 + 0.2, sim::defaultTolerance, 100.0})
             QTest::addRow("%g", tolerance) << tolerance;
     }
     void aToleranceComesBackExactly()
@@ -75,12 +75,12 @@ private slots:
         QFETCH(double, tolerance);
         Experiment experiment = newExperiment("multi_foot", "any_number", library());
         experiment.script.method = sim::findMethod("dop853");
-        experiment.script.step = sim::StepSize::within(tolerance);
+        experiment.script.step = sim::StepSize::withTolerance(tolerance);
         compareAfterRoundTrip(experiment);
         const QByteArray text = experimentText(experiment, library());
         QVERIFY(!text.contains("\"h\""));
         QCOMPARE(text.contains("\"tolerance\""),
-                 tolerance != sim::presetTolerance); // it is what there is without
+                 tolerance != sim::defaultTolerance); // it is what there is without
     }
 
     void aMethodWithoutAStepGetsOneThatFits_data()
@@ -141,7 +141,7 @@ private slots:
         sim::Track after(back.script, 0);
         before.seek({50, 0});
         after.seek({50, 0});
-        QVERIFY(sim::sameBits(before.now(), after.now()));
+        QVERIFY(sim::sameBits(before.state(), after.state()));
     }
 
     void aNumberThatIsNotFiniteIsNotWritten()

@@ -116,9 +116,9 @@ private slots:
                      QByteArray::number(i + 1) + "\", \"length\": 25}";
         const Experiment experiment = read(sticks(points(count) + ",\n\"links\": [" + links + "]"));
         const sim::Timeline run(experiment.script);
-        QCOMPARE(run.now().points(), count);
+        QCOMPARE(run.state().pointCount(), count);
         for (int i = 0; i < count; ++i)
-            QCOMPARE(run.now().at(i).x, 100.0 + 30.0 * i);
+            QCOMPARE(run.state().positionOf(i).x, 100.0 + 30.0 * i);
         QCOMPARE(int(experiment.script.values.sticks->size()), count - 1);
         QCOMPARE(experiment.script.values.sticks->front().share, 0.5);
     }

@@ -153,7 +153,7 @@ void FilesTest::aRunThatIsKeptIsSavedAndOpenedWithTheFile()
     {
         Bench bench("multi_foot", "two_feet");
         bench.session.goTo({50, 0});
-        old = bench.session.timeline().now();
+        old = bench.session.timeline().state();
         bench.session.goTo({20, 0});
         bench.drag("foot0", {40, 10});
         QVERIFY(bench.window.saveFile(path));
@@ -173,7 +173,7 @@ void FilesTest::aRunThatIsKeptIsSavedAndOpenedWithTheFile()
     QCOMPARE(bench.session.branches().all().size(), std::size_t(1));
     bench.session.goTo({50, 0});
     bench.session.goBackTo(bench.session.branches().all().front().id);
-    QVERIFY(sim::sameBits(bench.session.timeline().now(), old));
+    QVERIFY(sim::sameBits(bench.session.timeline().state(), old));
     QVERIFY(bench.isMarked());
 }
 
@@ -305,7 +305,7 @@ void FilesTest::aRunIsCopiedAndPastedWithAllItsBits()
     bench.session.setParameter("feet", 7);
     bench.drag("foot0", {51, 17});
     bench.session.goTo({60, 0});
-    const sim::State end = bench.session.timeline().now();
+    const sim::State end = bench.session.timeline().state();
     bench.press(Qt::Key_C, ctrlShift);
     const QString line = QGuiApplication::clipboard()->text();
     QVERIFY(!line.contains('\n') && !line.contains(' '));
@@ -316,7 +316,7 @@ void FilesTest::aRunIsCopiedAndPastedWithAllItsBits()
     QCOMPARE(bench.notice.sentence(), QString());
     QCOMPARE(bench.session.step().id, QString("any_number"));
     bench.session.goTo({60, 0});
-    QVERIFY(sim::sameBits(bench.session.timeline().now(), end));
+    QVERIFY(sim::sameBits(bench.session.timeline().state(), end));
     QVERIFY(bench.isMarked());
     QVERIFY(!bench.window.windowTitle().contains(".json"));
 }

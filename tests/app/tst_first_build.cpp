@@ -41,7 +41,7 @@ struct Guided : Bench
     }
     /// It may be the child of any widget in the window.
     GuideRing *ring() const { return window.findChild<GuideRing *>("guideRing"); }
-    sim::Vec2 body() { return session().timeline().now().at(0); }
+    sim::Vec2 body() { return session().timeline().state().positionOf(0); }
 
     /// The feet that the guide asks for, with the mouse.
     void giveFeet()
@@ -92,7 +92,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bench.step() == BuildGuide::Step::done, 60'000);
         bench.session().pause();
         bench.session().goTo({600, 0});
-        QTRY_COMPARE(bench.session().timeline().at().frame, 600);
+        QTRY_COMPARE(bench.session().timeline().cursor().frame, 600);
         QVERIFY2(std::abs(bench.body().x - from.x) > 400.0, qPrintable(QString::number(bench.body().x)));
         QVERIFY(bench.said().startsWith("It walks"));
     }
@@ -207,7 +207,7 @@ private slots:
         const lessons::Example &bridge = bench.session().step().examples[1];
         QVERIFY(takeExample(bench.session(), bridge));
         QVERIFY(!bench.guide().isOn());
-        for (const sim::BuiltPoint &point : bench.plan().points)
+        for (const sim::BlueprintPoint &point : bench.plan().points)
             QVERIFY(bench.view().viewport()->rect().contains(bench.on(point.x)));
     }
 

@@ -17,7 +17,7 @@ namespace {
 LessonLibrary withPresets()
 {
     LessonLibrary library = twoLessons();
-    library.lessons[0].steps[0].presetGallery = {
+    library.lessons[0].steps[0].presets = {
         {"Soft", "A spring that hardly pulls.", {{"k", 0.05}}},
         {"Stiff", "A spring that pulls hard.", {{"k", 0.9}, {"damp", 0.5}}},
         {"Lazy", "All keeps its speed.", {{"damp", 1.0}}},
@@ -103,7 +103,7 @@ private slots:
         bench.open();
         QTest::mouseClick(bench.cards()[0], Qt::LeftButton);
         QVERIFY(!QApplication::activePopupWidget());
-        QCOMPARE(bench.session.timeline().at().frame, std::int64_t(0));
+        QCOMPARE(bench.session.timeline().cursor().frame, std::int64_t(0));
         QCOMPARE(bench.value("k"), 0.05);
         QCOMPARE(bench.value("damp"), 0.9); // the step's own: the preset does not name it
     }

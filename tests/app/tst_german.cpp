@@ -224,7 +224,7 @@ void GermanTest::theGalleriesOfPresetsAreNotCut()
     int galleries = 0;
     for (const LessonEntry &lesson : german.library.lessons) {
         for (const lessons::Step &step : lesson.steps) {
-            if (step.presetGallery.empty())
+            if (step.presets.empty())
                 continue;
             german.session.openStep(lesson.id, step.id);
             settle();
@@ -325,7 +325,7 @@ void GermanTest::aWindowThatGoesTakesItsOpenGalleryAlong()
         auto german = std::make_unique<German>();
         for (const LessonEntry &lesson : german->library.lessons) {
             for (const lessons::Step &step : lesson.steps) {
-                if (!step.presetGallery.empty())
+                if (!step.presets.empty())
                     german->session.openStep(lesson.id, step.id);
             }
         }

@@ -156,7 +156,7 @@ void GermanWordsTest::whatTheCoreNamesIsNamedInGerman()
     QSet<QString> missing;
     for (const LessonEntry &lesson : library.lessons) {
         for (const lessons::Step &step : lesson.steps) {
-            const sim::Scene scene = step.scene(step.presets());
+            const sim::Scene scene = step.scene(step.defaultValues());
             for (const sim::MethodPtr &method : sim::allMethods()) {
                 try {
                     missIn(scene, *method, missing);

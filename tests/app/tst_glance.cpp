@@ -28,7 +28,7 @@ struct Run
         session.goTo({10, 0});
         const QString body = session.selected();
         const Picture picture = session.picture();
-        const sim::Vec2 at = picture.state.at(picture.segment->scene.find(body.toStdString()));
+        const sim::Vec2 at = picture.state.positionOf(picture.interval->scene.find(body.toStdString()));
         session.grab(body);
         session.moveHand(at + sim::Vec2{12.0, -7.0});
         session.frameForward();
@@ -46,7 +46,7 @@ struct Run
     {
         sim::Track track(session.timeline().script(), 0);
         track.seek(at);
-        return track.now();
+        return track.state();
     }
 
     Session session{library()};
@@ -56,9 +56,10 @@ struct Run
 struct Stand
 {
     explicit Stand(const Session &session)
-        : script(session.timeline().script()), at(session.timeline().at()), now(session.timeline().now()),
-          computed(session.timeline().computed()), kept(session.timeline().keptBytes()),
-          deeds(session.deeds().count()), index(session.deeds().index()), branches(session.branches())
+        : script(session.timeline().script()), at(session.timeline().cursor()),
+          now(session.timeline().state()), computed(session.timeline().computed()),
+          kept(session.timeline().keyframeBytes()), deeds(session.deeds().count()),
+          index(session.deeds().index()), branches(session.branches())
     {
     }
     bool isLike(const Stand &other) const
@@ -118,7 +119,7 @@ private slots:
             if (!run.session.isGlancing())
                 continue; // too much to compute again in one go
             ++shown;
-            QVERIFY(sim::sameBits(run.session.shown().now(), run.straight(at)));
+            QVERIFY(sim::sameBits(run.session.shown().state(), run.straight(at)));
             QVERIFY(Stand(run.session).isLike(before));
         }
         QVERIFY(shown > 0);
@@ -128,7 +129,7 @@ private slots:
         QVERIFY(Stand(run.session).isLike(before) && run.session.branches() == before.branches);
         QCOMPARE(moved.size() + changed.size(), 0);
         run.goTo(80);
-        QVERIFY(sim::sameBits(run.session.timeline().now(), run.straight(run.session.timeline().at())));
+        QVERIFY(sim::sameBits(run.session.timeline().state(), run.straight(run.session.timeline().cursor())));
     }
 
     void whateverIsDoneIsDoneWhereTheRunStands_data()
@@ -238,7 +239,7 @@ private slots:
         QCOMPARE(run.session.marked(), (sim::Cursor{computed, 0}));
         QCOMPARE(run.session.timeline().computed(), computed);
         run.session.glance({-3, 0});
-        QCOMPARE(run.session.shown().at(), (sim::Cursor{0, 0}));
+        QCOMPARE(run.session.shown().cursor(), (sim::Cursor{0, 0}));
     }
 
     void theOldRunIsShownAtTheSameMoment()
@@ -252,7 +253,7 @@ private slots:
         QCOMPARE(run.session.ghost()->state.frame, 30);
         sim::Track old(*run.session.beside()->script, 0);
         old.seek({30, 0});
-        QVERIFY(sim::sameBits(run.session.ghost()->state, old.now()));
+        QVERIFY(sim::sameBits(run.session.ghost()->state, old.state()));
         run.session.endGlance();
         QCOMPARE(run.session.ghost()->state.frame, 50);
     }

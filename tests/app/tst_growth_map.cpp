@@ -135,13 +135,13 @@ void GrowthMapTest::aClickOnTheMapGoesThere()
     QVERIFY2(std::abs(std::log10(bench.session.parameter("k"))) < 0.05,
              qPrintable(QString::number(bench.session.parameter("k"))));
     QVERIFY(std::abs(bench.session.parameter("damp") - damp) < 0.03);
-    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::of(h));
+    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::ofLength(h));
     QCOMPARE(bench.window.stability().tried().size(), tried + 1); // one change, not one for each number
-    QVERIFY(bench.session.timeline().ghost());                    // the run as it was
-    const sim::Values &before = bench.session.timeline().ghost()->script().values;
+    QVERIFY(bench.session.timeline().comparison());               // the run as it was
+    const sim::Values &before = bench.session.timeline().comparison()->script().values;
     QCOMPARE(before["k"], 0.2);
-    QCOMPARE(bench.session.timeline().ghost()->script().step, sim::StepSize::of(1.0));
-    QCOMPARE(bench.session.timeline().ghost()->computed(), std::int64_t(40));
+    QCOMPARE(bench.session.timeline().comparison()->script().step, sim::StepSize::ofLength(1.0));
+    QCOMPARE(bench.session.timeline().comparison()->computed(), std::int64_t(40));
 }
 
 void GrowthMapTest::keysWalkOverTheMapAndGoThere()

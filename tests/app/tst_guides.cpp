@@ -27,10 +27,10 @@ class TestGuides : public QObject
         experiment.script.bodies["foot"] = {{x, 100.0}, {}};
         const lessons::Step *step = m_library.lesson("single_spring")->step("drag");
         const sim::Track run(experiment.script, 0);
-        const sim::Segment &segment = run.shown();
-        all = step->guides(segment.scene, run.now(), segment.values).size();
-        const std::vector<lessons::Guide> guides = guidesOf(*step, run, segment, run.now());
-        for (const lessons::Guide &guide : guides) {
+        const sim::ComposedInterval &interval = run.interval();
+        all = step->overlays(interval.scene, run.state(), interval.values).size();
+        const std::vector<lessons::Overlay> guides = guidesOf(*step, run, interval, run.state());
+        for (const lessons::Overlay &guide : guides) {
             for (const double number : {guide.a.x, guide.a.y, guide.b.x, guide.b.y, guide.size})
                 QVERIFY(std::isfinite(number));
         }

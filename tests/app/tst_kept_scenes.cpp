@@ -185,7 +185,7 @@ void KeptScenesTest::whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas()
     Bench bench("multi_foot", "two_feet");
     bench.drag("foot0", {40, 10});
     bench.session.goTo({80, 0});
-    const sim::State end = bench.session.timeline().now();
+    const sim::State end = bench.session.timeline().state();
     leave(folder.path(), bench.session.experiment(), bench.library);
     Bench next;
     next.window.keepScenesIn(folder.path(), soon);
@@ -197,8 +197,8 @@ void KeptScenesTest::whatAKilledProgramLeftIsOfferedAndGoesOnWhereItWas()
     QCOMPARE(next.session.step().id, QString("fixed_centre"));
     QVERIFY(next.answer("Open it"));
     QCOMPARE(next.session.step().id, QString("two_feet"));
-    QCOMPARE(next.session.timeline().at().frame, 80);
-    QVERIFY(sim::sameBits(next.session.timeline().now(), end));
+    QCOMPARE(next.session.timeline().cursor().frame, 80);
+    QVERIFY(sim::sameBits(next.session.timeline().state(), end));
     QVERIFY(next.isMarked());
     // It is kept by the program that has it now, and by no other.
     QCOMPARE(scenesIn(folder.path()).size(), 1);
@@ -325,7 +325,7 @@ void KeptScenesTest::anyOfTheListIsRecoveredOrDeleted()
     QTest::keyClick(&rows, Qt::Key_Return);
     QVERIFY(!listOf(bench)->isVisible());
     QCOMPARE(bench.session.step().id, QString("two_feet"));
-    QCOMPARE(bench.session.timeline().at().frame, 80);
+    QCOMPARE(bench.session.timeline().cursor().frame, 80);
     for (QAction *one : bench.window.findChildren<QAction *>()) { // the other is still there
         if (one->text() == "Reco&ver scenes…")
             one->trigger();

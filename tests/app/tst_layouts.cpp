@@ -222,10 +222,10 @@ private slots:
         auto *timeline = bench.window.findChild<TimelineStrip *>();
         const QPoint place(qRound(timeline->axis().xOf(30)), 25);
         QTest::mouseClick(timeline, Qt::LeftButton, {}, place);
-        QTRY_COMPARE(bench.session.timeline().at().frame, timeline->axis().frameAt(place.x()));
+        QTRY_COMPARE(bench.session.timeline().cursor().frame, timeline->axis().frameAt(place.x()));
         timeline->setFocus();
         QTest::keyClick(timeline, Qt::Key_Right, Qt::ShiftModifier);
-        QCOMPARE(bench.session.timeline().at().phase, 1);
+        QCOMPARE(bench.session.timeline().cursor().phase, 1);
     }
 
     void theCardSaysWhatThereIsToTryUntilItIsDone()

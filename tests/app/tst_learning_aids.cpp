@@ -176,7 +176,7 @@ namespace {
 /// A thing to try that is begun at frame 1 and done at frame 5.
 lessons::Try toFrameFive()
 {
-    const auto frame = [](const sim::Timeline &run) { return static_cast<double>(run.at().frame); };
+    const auto frame = [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame); };
     return {"Go to frame 5. What is there?",
             {lessons::atLeast(1.0, frame, {}),
              lessons::atLeast(5.0, frame, "go on to frame **5**. This is frame %1.", 0)}};
@@ -217,13 +217,13 @@ void LearningAidsTest::whatIsBegunSaysWhatIsMissing()
 void LearningAidsTest::whatIsToStopCountsOnlyWhileTheRunStands()
 {
     lessons::Try one = toFrameFive();
-    one.whileStopped = true;
+    one.onlyWhilePaused = true;
     World world{lessonsWith(one)};
     LearnPanel panel(world.session, world.theme);
     show(panel, {280, 732});
     const TryBox &box = *panel.findChild<TryBox *>();
     world.session.play();
-    QTRY_VERIFY(world.session.timeline().at().frame > 6);
+    QTRY_VERIFY(world.session.timeline().cursor().frame > 6);
     QVERIFY(world.session.isPlaying());
     QVERIFY(!box.isDone());
     QTRY_VERIFY(textOf(box, "todoText")->toPlainText().contains("Space"));

@@ -166,7 +166,7 @@ void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
     bench.session.goTo({40, 0});
     const Experiment mine = bench.session.experiment();
     const QByteArray before = textOf(bench);
-    const sim::State now = bench.session.timeline().now();
+    const sim::State now = bench.session.timeline().state();
     const QString path = m_folder.filePath("spoiled.json");
     quint32 refused = 0;
     for (quint32 i = 0; i < count; ++i) {
@@ -191,7 +191,7 @@ void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
                      said.endsWith(" Your scene is unchanged.") && !said.contains('\n') && said.size() < 600,
                  what);
         QVERIFY2(textOf(bench) == before, what);
-        QVERIFY2(sim::sameBits(bench.session.timeline().now(), now), what);
+        QVERIFY2(sim::sameBits(bench.session.timeline().state(), now), what);
     }
     qInfo("%u files from seed %u: %u refused, %u opened", count, seed, refused, count - refused);
     QVERIFY(refused > count / 2);

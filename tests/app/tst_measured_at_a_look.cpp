@@ -37,7 +37,8 @@ struct Stiffened : Bench
         track.seek({frame, 0});
         const sim::Script &script = track.script();
         return 100.0 *
-               sim::stabilityOf(track.next()->scene, track.now(), *script.method, script.step.h).share();
+               sim::stabilityOf(track.nextInterval()->scene, track.state(), *script.method, script.step.h)
+                   .share();
     }
     bool waitsFor(double percent)
     {
@@ -98,7 +99,7 @@ private slots:
         QVERIFY(std::abs(bench.percentAt(20) - bench.percentAt(stands)) > 5.0);
         bench.hover(bench.timeline, bench.onTrack(20));
         QVERIFY(bench.session.isGlancing());
-        const std::int64_t frame = bench.session.shown().at().frame;
+        const std::int64_t frame = bench.session.shown().cursor().frame;
         QVERIFY(bench.waitsFor(bench.percentAt(frame)));
         QVERIFY(!bench.gauge.isPale());
         QVERIFY(bench.gauge.words() != words);
@@ -115,7 +116,7 @@ private slots:
         for (const std::int64_t frame : {50, 40, 20, 10, 35})
             bench.hover(bench.timeline, bench.onTrack(frame));
         QVERIFY(bench.session.isGlancing());
-        QVERIFY(bench.waitsFor(bench.percentAt(bench.session.shown().at().frame)));
+        QVERIFY(bench.waitsFor(bench.percentAt(bench.session.shown().cursor().frame)));
         QVERIFY(bench.waitsFor(bench.percentAt(35)));
     }
 
@@ -127,7 +128,7 @@ private slots:
         QCoreApplication::processEvents();
         const QString verdict = panel.verdict();
         bench.hover(bench.timeline, bench.onTrack(20));
-        QVERIFY(bench.waitsFor(bench.percentAt(bench.session.shown().at().frame)));
+        QVERIFY(bench.waitsFor(bench.percentAt(bench.session.shown().cursor().frame)));
         QCOMPARE(panel.verdict(), verdict);
     }
 
@@ -138,7 +139,7 @@ private slots:
         const QImage before = plot.grab().toImage();
         bench.hover(plot, bench.onRun(20.0));
         QVERIFY(bench.session.isGlancing());
-        QCOMPARE(bench.session.shown().at().frame, 20);
+        QCOMPARE(bench.session.shown().cursor().frame, 20);
         QCOMPARE(plot.hovered(), 20);
         QCOMPARE(bench.timeline.pointed(), 20);
         QVERIFY(QLineF(bench.shown("foot0"), bench.places(20, "foot0")).length() < 1e-9);
@@ -155,7 +156,7 @@ private slots:
         const QImage before = plot.grab().toImage();
         bench.hover(bench.timeline, bench.onTrack(30));
         QVERIFY(plot.hovered());
-        const std::int64_t frame = bench.session.shown().at().frame;
+        const std::int64_t frame = bench.session.shown().cursor().frame;
         QCOMPARE(plot.hovered(), frame);
         const QImage during = plot.grab().toImage();
         const auto differs = [&](double at) {

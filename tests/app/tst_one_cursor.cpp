@@ -83,7 +83,7 @@ private slots:
                                                          {&bench.timeline, bench.onTrack(20)}};
         bench.hover(*targets[where].first, targets[where].second);
         QVERIFY(bench.session.isGlancing());
-        const std::int64_t frame = bench.session.shown().at().frame;
+        const std::int64_t frame = bench.session.shown().cursor().frame;
         QVERIFY(std::abs(frame - 20) <= 1);
         QVERIFY(QLineF(bench.shown("foot0"), bench.places(frame, "foot0")).length() < 1e-9);
         QVERIFY(QLineF(bench.shown("foot0"), bench.places(stands, "foot0")).length() > 1e-3);
@@ -97,7 +97,7 @@ private slots:
         QVERIFY2(bench.view.caption().contains(said), qPrintable(bench.view.caption()));
         QVERIFY2(bench.counter.text().contains(said), qPrintable(bench.counter.text()));
         QVERIFY(bench.counter.text().contains("60"));
-        QCOMPARE(bench.session.timeline().at(), (sim::Cursor{stands, 0}));
+        QCOMPARE(bench.session.timeline().cursor(), (sim::Cursor{stands, 0}));
         bench.park();
         const Sight after(bench);
         QCOMPARE(after.picture, before.picture);
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(feet.isVisible());
         bench.hover(feet, {bench.timeline.axis().xOf(20), feet.height() / 2.0});
         QVERIFY(bench.session.isGlancing());
-        QCOMPARE(bench.timeline.pointed(), bench.session.shown().at().frame);
+        QCOMPARE(bench.timeline.pointed(), bench.session.shown().cursor().frame);
         bench.park();
         QVERIFY(!bench.session.marked());
     }
@@ -140,7 +140,7 @@ private slots:
     {
         Bench bench;
         bench.hover(bench.plot(), bench.onPlot(20.0));
-        const QString frame = QString("frame %1").arg(bench.session.shown().at().frame);
+        const QString frame = QString("frame %1").arg(bench.session.shown().cursor().frame);
         const auto says = [&](QWidget &widget, QAccessible::Text kind) {
             const QString text = bench.spoken(widget, kind);
             return text.contains(frame, Qt::CaseInsensitive) ? QString() : text;
@@ -158,7 +158,7 @@ private slots:
         bench.hover(bench.plot(), bench.onPlot(20.0));
         QTest::mouseClick(&bench.plot(), Qt::LeftButton, {}, bench.onPlot(20.0).toPoint());
         QVERIFY(!bench.session.isGlancing());
-        QCOMPARE(bench.session.timeline().at().frame, 20);
+        QCOMPARE(bench.session.timeline().cursor().frame, 20);
         QVERIFY(QLineF(bench.shown("foot0"), bench.places(20, "foot0")).length() < 1e-9);
     }
 
@@ -173,7 +173,7 @@ private slots:
         bench.press(Qt::Key_Right, Qt::AltModifier);
         QVERIFY(!bench.session.isGlancing());
         QVERIFY(QLineF(bench.shown("foot0"), from + QPointF(10.0, 0.0)).length() < 1e-9);
-        QCOMPARE(bench.session.timeline().at().frame, stands);
+        QCOMPARE(bench.session.timeline().cursor().frame, stands);
     }
 
     void theCursorThatKeysMoveTakesAllWithIt()
@@ -181,7 +181,7 @@ private slots:
         Bench bench;
         bench.plot().setFocus();
         QTest::keyClick(&bench.plot(), Qt::Key_Left);
-        QCOMPARE(bench.session.timeline().at().frame, stands - 1);
+        QCOMPARE(bench.session.timeline().cursor().frame, stands - 1);
         QVERIFY(QLineF(bench.shown("foot0"), bench.places(stands - 1, "foot0")).length() < 1e-9);
         QCOMPARE(bench.timeline.frame(), stands - 1);
         QVERIFY(bench.spoken(bench.plot(), QAccessible::Value).contains("frame 59"));
@@ -193,7 +193,7 @@ private slots:
         const Sight before(bench);
         bench.hover(bench.timeline, bench.onPhase(1));
         QVERIFY(bench.session.isGlancing());
-        QCOMPARE(bench.session.shown().at(), (sim::Cursor{stands, 2}));
+        QCOMPARE(bench.session.shown().cursor(), (sim::Cursor{stands, 2}));
         QVERIFY2(bench.view.caption().contains("Inside frame 60"), qPrintable(bench.view.caption()));
         QVERIFY(bench.code.view().values() != before.chips);
         QCoreApplication::processEvents();
@@ -201,7 +201,7 @@ private slots:
         bench.park();
         QVERIFY(!bench.plot().insidePlace());
         QVERIFY(Sight(bench) == before);
-        QCOMPARE(bench.session.timeline().at(), (sim::Cursor{stands, 0}));
+        QCOMPARE(bench.session.timeline().cursor(), (sim::Cursor{stands, 0}));
     }
 
     void aLineOfCodeMarksItsPhaseAndShowsItInsideAFrameOnly()
@@ -224,7 +224,7 @@ private slots:
         const Sight before(bench);
         bench.hover(*bench.code.view().viewport(), inside);
         QVERIFY(bench.session.isGlancing());
-        QCOMPARE(bench.session.shown().at().frame, stands);
+        QCOMPARE(bench.session.shown().cursor().frame, stands);
         QCOMPARE(bench.code.view().values(), before.chips); // what is under the mouse stays
         bench.park();
         QVERIFY(Sight(bench) == before);
@@ -237,7 +237,7 @@ private slots:
             bench.goTo(frame); // only one after the other do they leave a trail
         const auto &marks = bench.view.shown().trail.marks();
         QVERIFY(marks.size() > 10);
-        const auto body = bench.view.shown().picture.segment->scene.find("body");
+        const auto body = bench.view.shown().picture.interval->scene.find("body");
         const Trail::Mark mark = marks[1];
         const sim::State now = bench.view.shown().state();
         const QImage before = bench.view.picture();

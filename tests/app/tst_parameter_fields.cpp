@@ -270,8 +270,8 @@ lessons::Parameter oneToAMillion()
     parameter.min = parameter.sliderMin = 1.0;
     parameter.max = parameter.sliderMax = 1e6;
     parameter.decimals = 0;
-    parameter.whole = true;
-    parameter.scale = lessons::Scale::decades;
+    parameter.isInteger = true;
+    parameter.scale = lessons::Scale::logarithmic;
     return parameter;
 }
 

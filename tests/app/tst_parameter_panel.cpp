@@ -38,7 +38,7 @@ void ParameterPanelTest::aChangeInThePastLeavesAGhostMark()
         world.session.frameForward();
     world.session.goTo({5, 0});
     type(*rowOf(panel, "damp")->findChild<NumberBox *>(), "0.5");
-    QVERIFY(world.session.timeline().ghost());
+    QVERIFY(world.session.timeline().comparison());
     QCOMPARE(world.session.ghostName(), QString("before: damp 0.9"));
     QCOMPARE(slider->ghost(), std::optional<double>(0.9));
     QCOMPARE(rowOf(panel, "k")->findChild<ParameterSlider *>()->ghost(), std::optional<double>());

@@ -39,9 +39,9 @@ struct Bench
             const std::int64_t frame = samples.frameOf(i);
             const sim::State state = track.stateAt(frame);
             const double change =
-                frame > 0 ? state.speed(0).x - track.stateAt(frame - 1).speed(0).x : std::nan("");
+                frame > 0 ? state.velocityOf(0).x - track.stateAt(frame - 1).velocityOf(0).x : std::nan("");
             const double a = samples.at(i, 1).first;
-            if (samples.at(i, 0).first != state.at(0).y || samples.at(i, 2).first != double(frame) ||
+            if (samples.at(i, 0).first != state.positionOf(0).y || samples.at(i, 2).first != double(frame) ||
                 !(a == change || (std::isnan(a) && std::isnan(change))))
                 return false;
         }
@@ -196,7 +196,7 @@ private slots:
         const Samples &ghost = bench.course.ghost();
         QCOMPARE(ghost.firstFrame(), 80); // the last moment that both share
         QCOMPARE(ghost.nextFrame(), 201);
-        QVERIFY(bench.isRight(ghost, *bench.session.timeline().ghost()));
+        QVERIFY(bench.isRight(ghost, *bench.session.timeline().comparison()));
         const std::size_t at = bench.course.run().bucketNear(150);
         QVERIFY(bench.course.run().at(at, 0).first != ghost.at(ghost.bucketNear(150), 0).first);
         bench.session.forgetGhost();
@@ -216,7 +216,7 @@ private slots:
         bench.session.letGo();
         QVERIFY(bench.isThere(120));
         QVERIFY(bench.isRight());
-        QVERIFY(bench.isRight(bench.course.ghost(), *bench.session.timeline().ghost()));
+        QVERIFY(bench.isRight(bench.course.ghost(), *bench.session.timeline().comparison()));
         bench.session.undo();
         QVERIFY(bench.isThere(90));
         QVERIFY(bench.isRight());
@@ -229,9 +229,9 @@ private slots:
         const double before = bench.course.now()[0];
         bench.session.phaseForward(); // forces
         QCOMPARE(bench.course.now()[0], before);
-        while (bench.session.timeline().at().phase > 0)
+        while (bench.session.timeline().cursor().phase > 0)
             bench.session.phaseForward();
-        QCOMPARE(bench.session.timeline().at().frame, 11);
+        QCOMPARE(bench.session.timeline().cursor().frame, 11);
         QCOMPARE(bench.course.now()[0], fallFrom + gravity * 11.0 * 12.0 / 2.0);
     }
 
@@ -242,9 +242,9 @@ private slots:
         bench.session.select("body");
         QTRY_VERIFY(!bench.course.isReading());
         const sim::Track &track = bench.session.timeline().track();
-        QCOMPARE(bench.course.run().at(30, 0).first, track.stateAt(30).at(1).y);
+        QCOMPARE(bench.course.run().at(30, 0).first, track.stateAt(30).positionOf(1).y);
         QCOMPARE(bench.course.run().at(30, 1).first,
-                 track.stateAt(30).speed(0).x - track.stateAt(29).speed(0).x);
+                 track.stateAt(30).velocityOf(0).x - track.stateAt(29).velocityOf(0).x);
     }
 
     void aLongRunTakesNoMoreMemory()
@@ -260,7 +260,7 @@ private slots:
             double low = 1e9, high = -1e9;
             for (std::int64_t frame = samples.frameOf(i);
                  frame < std::min(samples.frameOf(i + 1), samples.nextFrame()); ++frame) {
-                const double value = track.stateAt(frame).at(0).y;
+                const double value = track.stateAt(frame).positionOf(0).y;
                 low = std::min(low, value);
                 high = std::max(high, value);
             }

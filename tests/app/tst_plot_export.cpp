@@ -90,8 +90,8 @@ private slots:
         QCOMPARE(lines.size(), 52);
         QCOMPARE(lines[0], QString("\"frame\",\"y(foot) [px]\",\"velocity_y(foot) [px/frame]\""));
         const sim::State state = bench.session().timeline().track().stateAt(50);
-        QCOMPARE(lines[51].split(',')[1].toDouble(), state.at(0).y);
-        QCOMPARE(lines[51].split(',')[2].toDouble(), state.speed(0).y);
+        QCOMPARE(lines[51].split(',')[1].toDouble(), state.positionOf(0).y);
+        QCOMPARE(lines[51].split(',')[2].toDouble(), state.velocityOf(0).y);
     }
 
     void aPlotThatGoesLeavesOffWhatItWrites()

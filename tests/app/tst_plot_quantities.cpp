@@ -24,7 +24,7 @@ std::vector<std::vector<double>> rowsOf(const sim::Script &script, const std::ve
 {
     sim::Track track(script, std::size_t{1} << 20);
     track.seek({frames, 0});
-    RunSampler sampler(quantities, 0, track.rowFrames(), 1);
+    RunSampler sampler(quantities, 0, track.framesPerOutput(), 1);
     while (sampler.samples().nextFrame() <= frames)
         sampler.takeRow(track);
     std::vector<std::vector<double>> rows;
@@ -136,7 +136,7 @@ private slots:
         std::vector<Quantity> quantities;
         std::map<QString, std::size_t> first; // column of a body's first quantity
         sim::Track start(experiment.script, 0);
-        const sim::Scene &scene = start.shown().scene;
+        const sim::Scene &scene = start.interval().scene;
         for (const std::string &name : scene.names) {
             first[QString::fromStdString(name)] = quantities.size();
             for (const QString &title : titles.mid(2))
@@ -149,7 +149,8 @@ private slots:
             const std::vector<double> &row = rows[fields[0].toULongLong()];
             for (qsizetype i = 2; i < fields.size(); ++i) {
                 const double is = row[first.at(fields[1]) + static_cast<std::size_t>(i) - 2];
-                if (titles[i].startsWith('v') && !scene.hasInertia(scene.find(fields[1].toStdString()))) {
+                if (titles[i].startsWith('v') &&
+                    !scene.movesByVelocity(scene.find(fields[1].toStdString()))) {
                     QCOMPARE(fields[i].toDouble(), 0.0); // a handle has no velocity, and so no curve of it
                     QVERIFY(std::isnan(is));
                     continue;
@@ -203,7 +204,7 @@ private slots:
         QFETCH(QString, what);
         QFETCH(QString, body);
         QFETCH(QString, words);
-        const sim::Scene scene = sim::Track(scriptOf(qPrintable(step)), 0).shown().scene;
+        const sim::Scene scene = sim::Track(scriptOf(qPrintable(step)), 0).interval().scene;
         const Quantity quantity{*measuredFrom(what), body};
         const std::optional<NoValue> why = whyNot(quantity, scene);
         QVERIFY(why);
@@ -240,7 +241,8 @@ private slots:
         QCOMPARE(lines[1], QString("0,10,"));
         sim::Track track(scriptOf("fall"), 0);
         track.seek({20'000, 0});
-        QCOMPARE(lines[20'001].split(',')[1].toDouble(), track.now().at(0).y); // the very same number
+        QCOMPARE(lines[20'001].split(',')[1].toDouble(),
+                 track.state().positionOf(0).y); // the very same number
         QCOMPARE(lines[20'001].split(',')[0], QString("20000"));
     }
 

@@ -126,15 +126,17 @@ private slots:
         QVERIFY(!plot.insidePlace());
         const QString before = plot.valueText();
         const sim::Timeline &run = bench.session().timeline();
-        const double y = run.now().at(0).y;
-        while (run.now().at(0).y == y)
+        const double y = run.state().positionOf(0).y;
+        while (run.state().positionOf(0).y == y)
             bench.session().phaseForward();
-        QVERIFY(run.at().phase > 0 && run.at().frame == 12);
+        QVERIFY(run.cursor().phase > 0 && run.cursor().frame == 12);
         bench.settle();
-        const double time = 12.0 + double(run.at().phase) / run.track().shown().pipeline.phasesPerRow();
-        const double across = isAgainstTime ? time : run.now().speed(0).y;
+        const double time =
+            12.0 + double(run.cursor().phase) / run.track().interval().pipeline.phasesPerOutput();
+        const double across = isAgainstTime ? time : run.state().velocityOf(0).y;
         QVERIFY(plot.insidePlace());
-        const QPointF ring(plot.xAxis->coordToPixel(across), plot.yAxis->coordToPixel(run.now().at(0).y));
+        const QPointF ring(plot.xAxis->coordToPixel(across),
+                           plot.yAxis->coordToPixel(run.state().positionOf(0).y));
         QVERIFY(QLineF(*plot.insidePlace(), ring).length() < 1e-6);
         QVERIFY(plot.valueText() != before);
         QVERIFY2(plot.sentence().endsWith("inside frame 12"), qPrintable(plot.sentence()));
@@ -142,7 +144,7 @@ private slots:
         const QColor now = bench.world.theme.tokens().now;
         QCOMPARE(shown.pixelColor(plot.placeOf(12).toPoint()), now); // the dot stays where the curve is
         QCOMPARE(shown.pixelColor(ring.toPoint()), bench.world.theme.tokens().panel);
-        while (run.at().phase > 0)
+        while (run.cursor().phase > 0)
             bench.session().phaseForward();
         bench.settle();
         QVERIFY(!plot.insidePlace());

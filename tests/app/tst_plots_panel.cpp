@@ -37,7 +37,7 @@ private slots:
         bench.goTo(30);
         QCOMPARE(bench.plot().emptyText(), QString());
         QVERIFY(bench.plot().yAxis->rangeReversed()); // down in the picture is down in the plot
-        const double y = bench.session().timeline().now().at(0).y;
+        const double y = bench.session().timeline().state().positionOf(0).y;
         QCOMPARE(bench.plot().valueText(), QString("%1\u2009px").arg(y, 0, 'f', 2));
     }
 
@@ -105,9 +105,9 @@ private slots:
         QTest::keyClick(&bench.plot(), Qt::Key_Right);
         QCOMPARE(bench.frame(), 41);
         QTest::keyClick(&bench.plot(), Qt::Key_Right, Qt::ShiftModifier);
-        QCOMPARE(bench.session().timeline().at().phase, 1);
+        QCOMPARE(bench.session().timeline().cursor().phase, 1);
         QTest::keyClick(&bench.plot(), Qt::Key_Left, Qt::ShiftModifier);
-        QCOMPARE(bench.session().timeline().at().phase, 0);
+        QCOMPARE(bench.session().timeline().cursor().phase, 0);
     }
 
     void fewerAndMoreFramesAreShownInAllPlots()
@@ -240,7 +240,7 @@ private slots:
         const QPoint at(qRound(timeline->axis().xOf(40)), 20);
         QTest::mouseClick(timeline, Qt::LeftButton, {}, at);
         QVERIFY(QTest::qWaitFor([&] { return window.plots().isSettled(); }));
-        const std::int64_t frame = world.session.timeline().at().frame;
+        const std::int64_t frame = world.session.timeline().cursor().frame;
         QVERIFY(std::abs(frame - 40) <= 1);
         QuantityPlot &plot = window.plots().cards()[0]->plot();
         QVERIFY(plot.sentence().endsWith(QString("frame %1").arg(frame)));

@@ -26,7 +26,7 @@ struct Settled : TimeBench
     {
         sim::Track awake(session.timeline().script(), 0, sim::Sleeping::never);
         awake.seek(at());
-        return sim::sameBits(awake.now(), session.timeline().now());
+        return sim::sameBits(awake.state(), session.timeline().state());
     }
 };
 
@@ -92,7 +92,7 @@ private slots:
         QTRY_VERIFY(bench.at().frame > frame + 5);
         bench.session.letGo();
         QTRY_VERIFY(bench.at().frame > frame + 20);
-        QVERIFY(bench.session.timeline().now().at(0).x != 0.0);
+        QVERIFY(bench.session.timeline().state().positionOf(0).x != 0.0);
         QVERIFY(bench.isAwakeRun());
         QTRY_VERIFY_WITH_TIMEOUT(bench.session.isResting(), 60'000);
         QVERIFY(bench.isAwakeRun());
@@ -162,7 +162,7 @@ private slots:
         bench.session.goTo({10, 0});
         bench.session.setParameter("damp", 0.7); // and now it is the old run
         bench.goTo(700);
-        QVERIFY(!bench.session.timeline().ghost()->isOver());
+        QVERIFY(!bench.session.timeline().comparison()->isFinished());
         bench.session.play();
         QTRY_VERIFY(bench.at().frame > 720);
         QVERIFY(!bench.session.isResting());
@@ -193,7 +193,7 @@ private slots:
         session.play();
         QTRY_VERIFY_WITH_TIMEOUT(session.isResting(), 60'000);
         QVERIFY(session.progress().isDone("patience", "waits", 0));
-        QVERIFY(session.timeline().at().frame >= 2150);
+        QVERIFY(session.timeline().cursor().frame >= 2150);
     }
 };
 

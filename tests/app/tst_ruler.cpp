@@ -120,10 +120,10 @@ void RulerTest::betweenTwoFramesAllThatPullsIsShown()
     Extras extras = bench.view.extras();
     extras.pulls = true;
     bench.view.setExtras(extras);
-    const std::vector<sim::Gathered> &pulls = bench.view.shown().gathered;
+    const std::vector<sim::ForceSnapshot> &pulls = bench.view.shown().gathered;
     QCOMPARE(pulls.size(), std::size_t(2)); // springs and gravity
-    for (const sim::Gathered &pull : pulls) {
-        if (pull.effect->kind() != sim::Kind::gravity)
+    for (const sim::ForceSnapshot &pull : pulls) {
+        if (pull.effect->kind() != sim::EffectKind::gravity)
             continue;
         for (Eigen::Index point = 0; point < pull.acceleration.rows(); ++point) {
             QCOMPARE(pull.acceleration(point, 0), 0.0);

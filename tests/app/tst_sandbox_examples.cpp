@@ -39,21 +39,22 @@ struct Run
 {
     explicit Run(const QString &name) : track(example(name).script, std::size_t{1} << 20) {}
 
-    const sim::Scene &scene() const { return track.shown().scene; }
-    sim::Vec2 at(const char *point) const { return track.now().at(scene().find(point)); }
+    const sim::Scene &scene() const { return track.interval().scene; }
+    sim::Vec2 at(const char *point) const { return track.state().positionOf(scene().find(point)); }
     void to(std::int64_t frame) { track.seek({frame, 0}); }
-    double fastest() const { return track.now().velocity.matrix().rowwise().norm().maxCoeff(); }
+    double fastest() const { return track.state().velocity.matrix().rowwise().norm().maxCoeff(); }
     double energy() const
     {
-        const sim::Meter meter(scene());
-        return meter.read(track.now()).total();
+        const sim::StoredEnergyReader reader(scene());
+        return reader.read(track.state()).total();
     }
     /// By which part of its length the worst stick is wrong.
     double worstStick() const
     {
         double worst = 0.0;
-        for (const sim::BuiltStick &stick : track.script().values.blueprint->sticks) {
-            const double is = sim::length(track.now().at(stick.a) - track.now().at(stick.b));
+        for (const sim::BlueprintStick &stick : track.script().values.blueprint->sticks) {
+            const double is =
+                sim::length(track.state().positionOf(stick.a) - track.state().positionOf(stick.b));
             worst = std::max(worst, std::abs(is / stick.length - 1.0));
         }
         return worst;
@@ -72,12 +73,12 @@ private slots:
     void jellyIsDrawnAsSoftMatter()
     {
         const Run jelly("jelly"); // 6 by 5 points
-        const lessons::Look look = workshop().look(jelly.scene(), jelly.track.script().values);
+        const lessons::View look = workshop().view(jelly.scene(), jelly.track.script().values);
         QCOMPARE(look.sheets.size(), std::size_t{5 * 4});
-        using Part = lessons::SpringLook::Part;
+        using Part = lessons::SpringView::Part;
         const auto count = [&](Part part) {
             return std::count_if(look.springs.begin(), look.springs.end(),
-                                 [part](const lessons::SpringLook &spring) { return spring.part == part; });
+                                 [part](const lessons::SpringView &spring) { return spring.part == part; });
         };
         QCOMPARE(count(Part::edge), 2 * (5 + 4));
         QCOMPARE(count(Part::inside), 2 * 5 * 4 + 5 * 3 + 4 * 4); // across, and between two patches
@@ -86,9 +87,9 @@ private slots:
     void springsThatCrossNoneAreCoils()
     {
         const Run wheel("wheel");
-        for (const lessons::SpringLook &spring :
-             workshop().look(wheel.scene(), wheel.track.script().values).springs)
-            QCOMPARE(spring.part, lessons::SpringLook::Part::alone);
+        for (const lessons::SpringView &spring :
+             workshop().view(wheel.scene(), wheel.track.script().values).springs)
+            QCOMPARE(spring.part, lessons::SpringView::Part::alone);
     }
     void steadyWindLetsASceneRest_data()
     {
@@ -110,7 +111,7 @@ private slots:
         script.values.set("damp", 0.8);
         sim::Track track(std::move(script), std::size_t{1} << 20);
         track.seek({longRun, 0});
-        QVERIFY(track.now().at(1).x > 201.0); // the wind has carried it
+        QVERIFY(track.state().positionOf(1).x > 201.0); // the wind has carried it
         QCOMPARE(track.sleep() != nullptr, gusts == 0.0);
     }
 
@@ -137,8 +138,8 @@ private slots:
         for (std::int64_t frame = 0; frame <= longRun; frame += 250) {
             track.seek({frame, 0});
             QVERIFY(!track.stop());
-            QVERIFY(track.now().position.allFinite());
-            QVERIFY2(track.now().position.abs().maxCoeff() < 1500.0, qPrintable(QString::number(frame)));
+            QVERIFY(track.state().position.allFinite());
+            QVERIFY2(track.state().position.abs().maxCoeff() < 1500.0, qPrintable(QString::number(frame)));
         }
     }
 
@@ -188,8 +189,8 @@ private slots:
         Run run("jelly");
         run.to(longRun);
         double lowest = 0.0;
-        for (int i = 0; i < run.track.now().points(); ++i)
-            lowest = std::max(lowest, run.track.now().at(i).y);
+        for (int i = 0; i < run.track.state().pointCount(); ++i)
+            lowest = std::max(lowest, run.track.state().positionOf(i).y);
         QVERIFY(std::abs(lowest - 375.0) < 0.5); // the floor less half a point
         QVERIFY(run.fastest() < 0.2);
         // It kept its shape: as wide as it was, nearly.
@@ -215,7 +216,7 @@ private slots:
         Run run("walker");
         for (std::int64_t frame = 0; frame <= 4000; frame += 5) {
             run.to(frame);
-            const sim::State &now = run.track.now();
+            const sim::State &now = run.track.state();
             QCOMPARE(now.gaitSpeed[1], now.gaitSpeed[0]); // it turns round with all legs
             QVERIFY(std::abs(now.gait[1] - now.gait[0] - 1.5708) < 1e-9);
         }
@@ -246,7 +247,7 @@ private slots:
             run.to(frame);
             const sim::Vec2 hub = run.at("p0");
             for (int i = 1; i <= 14; ++i) {
-                const double away = sim::length(run.track.now().at(i) - hub);
+                const double away = sim::length(run.track.state().positionOf(i) - hub);
                 QVERIFY2(away > 35.0 && away < 85.0,
                          qPrintable(QStringLiteral("%1: %2").arg(frame).arg(away)));
             }
@@ -288,8 +289,8 @@ private slots:
         // The room has the last word in a frame: what lies on the floor carries the weight above it as an error of its
         // sticks (1.2 px of 44), however often they are enforced before.
         QVERIFY(run.worstStick() < 0.04);
-        for (int i = 0; i < run.track.now().points(); ++i)
-            QVERIFY(run.track.now().at(i).y > 300.0);
+        for (int i = 0; i < run.track.state().pointCount(); ++i)
+            QVERIFY(run.track.state().positionOf(i).y > 300.0);
     }
 
     void theTrampolineCatchesTheBall()

@@ -80,7 +80,7 @@ private slots:
         bench.drag({100, 200}, {160, 200});
         QVERIFY(!bench.bench().first());
         QCOMPARE(bench.plan().springs.size(), std::size_t(3));
-        const sim::BuiltSpring &last = bench.plan().springs.back();
+        const sim::BlueprintSpring &last = bench.plan().springs.back();
         QVERIFY(isNear(bench.plan().points[std::size_t(last.a)].x, {100, 200}, 1.5));
         QVERIFY(isNear(bench.plan().points[std::size_t(last.b)].x, {160, 200}, 1.5));
     }
@@ -187,7 +187,7 @@ private slots:
         bench.key(Qt::Key_Left);
         bench.key(Qt::Key_Return);
         QCOMPARE(bench.plan().points.size(), points + 1);
-        QVERIFY(bench.session().timeline().at() == sim::Cursor{}); // no arrow went to the timeline
+        QVERIFY(bench.session().timeline().cursor() == sim::Cursor{}); // no arrow went to the timeline
         bench.key(Qt::Key_S);
         bench.key(Qt::Key_Return); // begins at the point that the cross is on
         QVERIFY(bench.bench().first());

@@ -209,7 +209,7 @@ private slots:
         NumberBox &x = *bench.row("x")->findChild<NumberBox *>();
         type(x, "0");
         QCOMPARE(x.text(), QString("0"));
-        for (const sim::BuiltPoint &one : bench.plan().points)
+        for (const sim::BlueprintPoint &one : bench.plan().points)
             QCOMPARE(one.x.x, 0.0);
         bench.session().undo();
         QCOMPARE(bench.plan().points[1].x.x, 340.0);
@@ -231,8 +231,8 @@ private slots:
         QVERIFY(colorAt({105, 305}) != air); // it falls to the right from there: that place is inside
         QCOMPARE(colorAt({405, 305}), air);
         bench.session().goTo({200, 0});
-        const sim::State &now = bench.session().timeline().now();
-        const sim::Vec2 from = now.at(1) - sim::Vec2{100, 200};
+        const sim::State &now = bench.session().timeline().state();
+        const sim::Vec2 from = now.positionOf(1) - sim::Vec2{100, 200};
         const double rad = 30.0 / 180.0 * 3.141592653589793;
         QVERIFY(from.x * std::sin(rad) - from.y * std::cos(rad) > 12.0 - 1e-6); // half of its width
         bench.session().restart();
@@ -268,8 +268,8 @@ private slots:
         Bench bench;
         bench.build();
         bench.session().goTo({5, 0});
-        const sim::State &now = bench.session().timeline().now();
-        const sim::Vec2 place = now.at(1);
+        const sim::State &now = bench.session().timeline().state();
+        const sim::Vec2 place = now.positionOf(1);
         bench.drag(place, {place.x + 50, place.y});
         QVERIFY(!bench.session().timeline().script().input.empty());
     }

@@ -128,16 +128,16 @@ void SceneBarTest::theBarOffersTolerancesToAdaptiveMethods()
     QVERIFY(entry(bar, tolerance)->isVisible());
     QVERIFY(!entry(bar, "1 frame")->isVisible());
     entry(bar, tolerance)->trigger();
-    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::within(0.1));
+    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::withTolerance(0.1));
     QVERIFY(entry(bar, tolerance)->isChecked());
     auto *field = bar.findChild<QLineEdit *>();
     QTest::keyClicks(field, "1000");
     QTest::keyClick(field, Qt::Key_Return);
-    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::within(0.1)); // too much
+    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::withTolerance(0.1)); // too much
     field->clear();
     QTest::keyClicks(field, "5e-4");
     QTest::keyClick(field, Qt::Key_Return);
-    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::within(5e-4));
+    QCOMPARE(bench.session.timeline().script().step, sim::StepSize::withTolerance(5e-4));
     bench.session.setMethod("rk4");
     QVERIFY(button(bar, "Step 1 frame"));
     QVERIFY(entry(bar, "1 frame")->isVisible());

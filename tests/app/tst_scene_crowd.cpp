@@ -22,14 +22,14 @@ lessons::Step crowdStep()
     step.id = step.title = "crowd";
     lessons::Parameter creatures;
     creatures.id = "creatures";
-    creatures.preset = 5.0;
+    creatures.defaultValue = 5.0;
     creatures.min = 1.0;
     creatures.max = 1e5;
-    creatures.whole = true;
+    creatures.isInteger = true;
     step.parameters = {creatures};
     step.method = "semi_implicit_euler";
     step.scene = [](const sim::Values &values) {
-        const int count = values.whole("creatures");
+        const int count = values.integer("creatures");
         sim::Scene scene = scenes::crowdByParts(count, 2);
         for (int i = 0; i < count; ++i) {
             const double x = 100.0 * (i % 40) + 50.0;
@@ -41,9 +41,9 @@ lessons::Step crowdStep()
         scenes::add<sim::Gravity>(scene, 0.1);
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &values) {
-        const int count = values.whole("creatures");
-        lessons::Look look = lessons::crowdByPartsLook(scene, count);
+    step.view = [](const sim::Scene &scene, const sim::Values &values) {
+        const int count = values.integer("creatures");
+        lessons::View look = lessons::crowdByPartsView(scene, count);
         look.stage = QRectF(0, 0, 100.0 * std::min(count, 40), 100.0 * (1 + count / 40));
         look.room = sim::Room{0.0, look.stage.right(), look.stage.bottom(), 1.0};
         return look;
@@ -167,13 +167,13 @@ void SceneCrowdTest::goingBackComesToTheVeryState()
 {
     Bench bench(20'000);
     bench.goTo(90);
-    QVERIFY(bench.session.timeline().track().keptStates() < 60);
+    QVERIFY(bench.session.timeline().track().keyframeCount() < 60);
     sim::Track straight(bench.session.timeline().script(), 0);
     for (const std::int64_t frame : {61, 60, 13, 89, 0}) {
         bench.goTo(frame);
         straight.seek({frame, 0});
-        QCOMPARE(bench.session.timeline().at().frame, frame);
-        QVERIFY(sim::sameBits(bench.session.timeline().now(), straight.now()));
+        QCOMPARE(bench.session.timeline().cursor().frame, frame);
+        QVERIFY(sim::sameBits(bench.session.timeline().state(), straight.state()));
     }
 }
 

@@ -154,7 +154,7 @@ lessons::Step dampedFoot()
     lessons::Step step = look_scenes::step("damped", {}, {});
     step.method = "semi_implicit_euler";
     step.scene = [](const sim::Values &) { return scenes::oscillator({400, 200}, {270, 200}, 0.05, 0.8); };
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureLook(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
     return step;
 }
 
@@ -163,7 +163,7 @@ lessons::Step dampedFoot()
 void SceneDrawingTest::dampingShortensTheArrowOfTheVelocity()
 {
     SceneBench bench({dampedFoot()});
-    const auto &pipeline = bench.session.timeline().track().shown().pipeline;
+    const auto &pipeline = bench.session.timeline().track().interval().pipeline;
     int damping = 0;
     while (pipeline.phaseAt(damping).title.find("damping") == std::string::npos)
         ++damping;
@@ -244,11 +244,11 @@ void SceneDrawingTest::aChangeOfTheScaleIsSaid()
 void SceneDrawingTest::noArrowRunsThroughTheLegend()
 {
     lessons::Step step = dampedFoot();
-    step.guides = [](const sim::Scene &, const sim::State &, const sim::Values &) {
+    step.overlays = [](const sim::Scene &, const sim::State &, const sim::Values &) {
         // A wide line along the row of the legend, at whatever height that is.
-        std::vector<lessons::Guide> lines;
+        std::vector<lessons::Overlay> lines;
         for (double y = 300.0; y < 500.0; y += 0.5)
-            lines.push_back({.shape = lessons::Guide::Shape::line, .a = {0, y}, .b = {1000, y}});
+            lines.push_back({.shape = lessons::Overlay::Shape::line, .a = {0, y}, .b = {1000, y}});
         return lines;
     };
     SceneBench bench({step});
@@ -280,7 +280,7 @@ void SceneDrawingTest::aDiscThrowsAShadowOnTheFloor()
     QFETCH(bool, hasShadow);
     const auto floorUnder = [&](double height) {
         const sim::Scene scene = scenes::pointsAt({{150, 300.0 - height}});
-        lessons::Look look = look_scenes::feetOnly(scene);
+        lessons::View look = look_scenes::feetOnly(scene);
         look.bodies[0].radius = 15.0;
         look.ground = 315.0;
         SceneBench bench({look_scenes::step("shadow", scene, look)});
@@ -342,7 +342,7 @@ lessons::Step pressedSpring()
             std::make_shared<sim::Springs>(std::vector<sim::Spring>{{0, 1, 0.2, 100.0}}, 2));
         return scene;
     };
-    step.look = [](const sim::Scene &scene, const sim::Values &) { return look_scenes::feetOnly(scene); };
+    step.view = [](const sim::Scene &scene, const sim::Values &) { return look_scenes::feetOnly(scene); };
     return step;
 }
 
@@ -351,11 +351,11 @@ lessons::Step pressedSpring()
 void SceneDrawingTest::aBarMarksTheLengthAtRest()
 {
     SceneBench bench({pressedSpring()});
-    const std::vector<RestMark> marks = restMarks(bench.session.picture().segment->scene,
+    const std::vector<RestMark> marks = restMarks(bench.session.picture().interval->scene,
                                                   bench.session.picture().state, bench.view.shown().look());
     QCOMPARE(marks.size(), std::size_t{1});
     QCOMPARE(marks[0].rest.mover, 0); // the end that can go
-    QVERIFY(sim::length(marks[0].rest.place - sim::Vec2{200, 200}) < 1e-9);
+    QVERIFY(sim::length(marks[0].rest.position - sim::Vec2{200, 200}) < 1e-9);
     Extras extras = bench.view.extras();
     extras.grid = extras.guides = false;
     bench.view.setExtras(extras);

@@ -126,8 +126,8 @@ void SceneLabelsTest::aNameCoversNoArrow()
     shown.text = bench.theme.ui(12);
     const double angle = degrees * std::numbers::pi / 180.0;
     const sim::Vec2 pull = {3.0 * std::cos(angle), 3.0 * std::sin(angle)};
-    shown.picture.guides = {{.shape = lessons::Guide::Shape::arrow,
-                             .a = shown.state().at(0),
+    shown.picture.guides = {{.shape = lessons::Overlay::Shape::arrow,
+                             .a = shown.state().positionOf(0),
                              .b = pull,
                              .label = "a pull with a long name"}};
     const Camera camera(bench.view.viewportTransform());
@@ -167,8 +167,8 @@ void SceneLabelsTest::aPullThatIsNotSeenHasNoName()
     const Camera camera(bench.view.viewportTransform());
     const QRectF view(bench.view.viewport()->rect());
     for (const auto &[pull, labels] : {std::pair{3.0, 1U}, {0.0, 0U}}) {
-        shown.picture.guides = {{.shape = lessons::Guide::Shape::arrow,
-                                 .a = shown.state().at(0),
+        shown.picture.guides = {{.shape = lessons::Overlay::Shape::arrow,
+                                 .a = shown.state().positionOf(0),
                                  .b = {pull, 0.0},
                                  .label = "a pull"}};
         QCOMPARE(guideLabels(shown, camera, bench.theme, view).size(), labels);

@@ -11,8 +11,8 @@
 #include <cmath>
 
 using namespace app;
-using lessons::Look;
-using Shape = lessons::BodyLook::Shape;
+using lessons::View;
+using Shape = lessons::BodyView::Shape;
 
 namespace {
 
@@ -38,10 +38,10 @@ int thickness(const SceneBench &bench, const QImage &image, QPoint at, QPoint st
     return count;
 }
 
-lessons::Look withoutGridOrDiscs(const sim::Scene &scene)
+lessons::View withoutGridOrDiscs(const sim::Scene &scene)
 {
-    Look look = look_scenes::feetOnly(scene);
-    for (lessons::BodyLook &body : look.bodies)
+    View look = look_scenes::feetOnly(scene);
+    for (lessons::BodyView &body : look.bodies)
         body.shape = Shape::none;
     return look;
 }
@@ -100,7 +100,7 @@ void SceneLooksTest::aLookIsMadeOnce()
     look_scenes::letGlide(scene, {1.0, 0.0});
     lessons::Step step = look_scenes::step("once", scene, look_scenes::feetOnly(scene));
     int made = 0;
-    step.look = [&made](const sim::Scene &built, const sim::Values &) {
+    step.view = [&made](const sim::Scene &built, const sim::Values &) {
         ++made;
         return look_scenes::feetOnly(built);
     };
@@ -129,7 +129,7 @@ void SceneLooksTest::aLegBendsAsItsControlPointSays()
     const sim::Vec2 body{210, 220};
     const sim::Vec2 foot{330, 260};
     const sim::Scene scene = scenes::pointsAt({body, foot});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.legs.push_back({0, 1, curve});
     SceneBench bench({look_scenes::step("leg", scene, look)});
     hideTheGrid(bench);
@@ -145,7 +145,7 @@ void SceneLooksTest::aGhostsLegBendsToo()
 {
     sim::Scene scene = scenes::pointsAt({{210, 220}, {330, 260}});
     look_scenes::letGlide(scene, {0.0, 1.0});
-    Look look = look_scenes::feetOnly(scene);
+    View look = look_scenes::feetOnly(scene);
     look.legs.push_back({0, 1, 80.0});
     SceneBench bench({look_scenes::step("leg", scene, look)});
     hideTheGrid(bench);
@@ -187,7 +187,7 @@ void SceneLooksTest::aStickHasTheColourOfItsError()
     QFETCH(double, error);
     QFETCH(QString, expected);
     const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.sticks.push_back({0, 1, 160.0 / (1.0 + error), 6.0});
     SceneBench bench({look_scenes::step("stick", scene, look)});
     for (const Scheme scheme : {Scheme::light, Scheme::dark}) {
@@ -202,7 +202,7 @@ void SceneLooksTest::whatIsPulledLongGetsThinner()
 {
     const auto width = [](double error) {
         const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
-        Look look = withoutGridOrDiscs(scene);
+        View look = withoutGridOrDiscs(scene);
         look.sticks.push_back({0, 1, 160.0 / (1.0 + error), 6.0});
         SceneBench bench({look_scenes::step("stick", scene, look)});
         hideTheGrid(bench);
@@ -226,7 +226,7 @@ struct DrawnSpring
 DrawnSpring drawnSpring(double length, double rest)
 {
     const sim::Scene scene = scenes::pointsAt({{150, 200}, {150 + length, 200}});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.springs.push_back({0, 1, rest});
     SceneBench bench({look_scenes::step("spring", scene, look)});
     hideTheGrid(bench);
@@ -270,7 +270,7 @@ void SceneLooksTest::aSpringToAPlaceEndsThere()
 {
     sim::Scene scene = scenes::pointsAt({{210, 200}});
     look_scenes::letGlide(scene, {0.0, 4.0});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.springs.push_back({0, -1, 0.0, {290, 200}});
     SceneBench bench({look_scenes::step("spring", scene, look)});
     hideTheGrid(bench);
@@ -298,7 +298,7 @@ void SceneLooksTest::aGhostsSpringToAPlaceIsDrawn()
 {
     sim::Scene scene = scenes::pointsAt({{210, 200}});
     look_scenes::letGlide(scene, {0.0, 4.0});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.bodies[0].shape = Shape::foot;
     look.springs.push_back({0, -1, 0.0, {290, 200}});
     SceneBench bench({look_scenes::step("spring", scene, look)});
@@ -322,9 +322,9 @@ void SceneLooksTest::aGhostsSpringToAPlaceIsDrawn()
 void SceneLooksTest::softMatterIsFilledAndFine()
 {
     const sim::Scene scene = scenes::pointsAt({{200, 150}, {340, 150}, {340, 250}, {200, 250}});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.sheets.push_back({{0, 1, 2, 3}});
-    using Part = lessons::SpringLook::Part;
+    using Part = lessons::SpringView::Part;
     look.springs.push_back({0, 1, 140.0, {}, Part::edge});
     SceneBench bench({look_scenes::step("sheet", scene, look)});
     hideTheGrid(bench);
@@ -341,7 +341,7 @@ void SceneLooksTest::aLegIsThickAtTheBodyAndThinAtTheFoot()
 {
     const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
     for (const double curve : {0.0, 1.0}) {
-        Look look = withoutGridOrDiscs(scene);
+        View look = withoutGridOrDiscs(scene);
         look.legs.push_back({0, 1, curve});
         SceneBench bench({look_scenes::step("leg", scene, look)});
         hideTheGrid(bench);
@@ -355,7 +355,7 @@ void SceneLooksTest::aLegIsThickAtTheBodyAndThinAtTheFoot()
 void SceneLooksTest::aLimbIsAsWideAsItSays()
 {
     const sim::Scene scene = scenes::pointsAt({{190, 200}, {350, 200}});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.limbs.push_back({0, 1, 20.0});
     SceneBench bench({look_scenes::step("limb", scene, look)});
     hideTheGrid(bench);
@@ -372,7 +372,7 @@ void SceneLooksTest::aLimbIsAsWideAsItSays()
 void SceneLooksTest::aJointIsAHollowDisc()
 {
     const sim::Scene scene = scenes::pointsAt({{270, 200}, {320, 240}});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.bodies[0] = {Shape::joint, 6.0};
     SceneBench bench({look_scenes::step("joint", scene, look)});
     hideTheGrid(bench);
@@ -387,7 +387,7 @@ void SceneLooksTest::aJointIsAHollowDisc()
 void SceneLooksTest::whatIsHiddenIsNeitherDrawnNorTaken()
 {
     const sim::Scene scene = scenes::pointsAt({{270, 200}, {320, 240}});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.bodies[1].shape = Shape::foot;
     SceneBench bench({look_scenes::step("hidden", scene, look)});
     hideTheGrid(bench);
@@ -417,7 +417,7 @@ void SceneLooksTest::aSkinGoesThroughItsPoints()
 {
     const std::vector<sim::Vec2> corners{{210, 200}, {250, 150}, {320, 170}, {340, 220}, {280, 250}};
     const sim::Scene scene = scenes::pointsAt(corners);
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.skins.push_back({{0, 1, 2, 3, 4}, -1});
     SceneBench bench({look_scenes::step("skin", scene, look)});
     hideTheGrid(bench);
@@ -437,7 +437,7 @@ void SceneLooksTest::aSkinLooksWhereItGoes()
     const auto eyes = [](sim::Vec2 velocity) {
         sim::Scene scene = scenes::pointsAt({{200, 200}, {270, 150}, {340, 200}, {270, 250}});
         look_scenes::letGlide(scene, velocity);
-        Look look = withoutGridOrDiscs(scene);
+        View look = withoutGridOrDiscs(scene);
         look.skins.push_back({{0, 1, 2, 3}, 2});
         SceneBench bench({look_scenes::step("skin", scene, look)});
         const QImage image = bench.image();
@@ -464,7 +464,7 @@ void SceneLooksTest::aSkinLooksWhereItGoes()
 void SceneLooksTest::aTentacleGetsThinner()
 {
     const sim::Scene scene = scenes::pointsAt({{190, 200}, {230, 200}, {270, 200}, {310, 200}, {350, 200}});
-    Look look = withoutGridOrDiscs(scene);
+    View look = withoutGridOrDiscs(scene);
     look.chains.push_back({{0, 1, 2, 3, 4}, 16.0});
     SceneBench bench({look_scenes::step("chain", scene, look)});
     hideTheGrid(bench);
@@ -484,8 +484,8 @@ void SceneLooksTest::windStandsStillWithTime()
 {
     sim::Scene scene = scenes::pointsAt({{100, 100}});
     lessons::Step step = look_scenes::step("wind", scene, withoutGridOrDiscs(scene));
-    step.guides = [](const sim::Scene &, const sim::State &, const sim::Values &) {
-        return std::vector<lessons::Guide>{{.shape = lessons::Guide::Shape::wind, .a = {270, 200}}};
+    step.overlays = [](const sim::Scene &, const sim::State &, const sim::Values &) {
+        return std::vector<lessons::Overlay>{{.shape = lessons::Overlay::Shape::wind, .a = {270, 200}}};
     };
     SceneBench bench({step});
     const auto streaks = [&bench](std::int64_t frame) {

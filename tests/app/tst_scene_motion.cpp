@@ -46,7 +46,7 @@ struct Stage
     {
         const double angle = picture.state.angle[branch] * 3.14159265358979323846 / 180.0;
         const double length = picture.look->tree->length[static_cast<std::size_t>(branch)];
-        const sim::Vec2 at = picture.state.at(branch);
+        const sim::Vec2 at = picture.state.positionOf(branch);
         return {at.x + length * std::cos(angle), at.y + length * std::sin(angle)};
     }
 
@@ -56,9 +56,11 @@ struct Stage
         const Picture picture = session.picture();
         const QRectF seen(view.viewport()->rect());
         int count = 0;
-        for (int i = 0; i < picture.state.points(); ++i)
+        for (int i = 0; i < picture.state.pointCount(); ++i)
             count +=
-                seen.contains(onScreen(picture.look->tree ? endOf(picture, i) : picture.state.at(i))) ? 0 : 1;
+                seen.contains(onScreen(picture.look->tree ? endOf(picture, i) : picture.state.positionOf(i)))
+                    ? 0
+                    : 1;
         return count;
     }
 
@@ -68,7 +70,7 @@ struct Stage
         const Shown &beside = view.beside();
         const QRectF seen = view.viewport()->rect();
         for (int i = 0; i < beside.points(); ++i) {
-            const sim::Vec2 at = beside.state().at(i) + beside.shift;
+            const sim::Vec2 at = beside.state().positionOf(i) + beside.shift;
             if (!seen.contains(onScreen(at)))
                 return false;
         }
@@ -83,7 +85,7 @@ struct Stage
             return outside() == 0;
         const sim::State state = session.picture().state;
         const bool isGone = (state.position.abs().rowwise().maxCoeff() > 0.5 * worldReach).all();
-        return isGone || outside() < state.points() || isCompanionSeen();
+        return isGone || outside() < state.pointCount() || isCompanionSeen();
     }
 
     void goOn(int frames)
@@ -162,8 +164,8 @@ void SceneMotionTest::afterADragAllBodiesAreSeenAgain()
     const Picture picture = stage.session.picture();
     for (const QPointF by : {QPointF(-260, -180), QPointF(300, 20)}) {
         stage.session.startAfresh();
-        const int point = picture.segment->scene.find(stage.session.selected().toStdString());
-        const QPointF at = stage.onScreen(stage.session.picture().state.at(std::max(0, point)));
+        const int point = picture.interval->scene.find(stage.session.selected().toStdString());
+        const QPointF at = stage.onScreen(stage.session.picture().state.positionOf(std::max(0, point)));
         stage.session.play();
         stage.press(at);
         stage.move(at + by);
@@ -174,7 +176,7 @@ void SceneMotionTest::afterADragAllBodiesAreSeenAgain()
         stage.release(at + by);
         for (int frame = 0; frame < 60; ++frame) {
             stage.goOn(1);
-            QVERIFY2(isPan ? stage.outside() < picture.state.points() : stage.isSeen(lesson),
+            QVERIFY2(isPan ? stage.outside() < picture.state.pointCount() : stage.isSeen(lesson),
                      qPrintable(QString("frame %1: %2").arg(frame).arg(stage.outside())));
         }
     }
@@ -207,8 +209,8 @@ void SceneMotionTest::aTreeThatTheWindLaysDownIsSeenBelowTheGround()
     const QImage image = stage.view.picture();
     const QColor meadow = skyColors(static_cast<Scheme>(scheme)).meadow;
     int buried = 0;
-    for (int i = 0; i < picture.state.points(); ++i) {
-        const sim::Vec2 from = picture.state.at(i), to = Stage::endOf(picture, i);
+    for (int i = 0; i < picture.state.pointCount(); ++i) {
+        const sim::Vec2 from = picture.state.positionOf(i), to = Stage::endOf(picture, i);
         const sim::Vec2 middle{(from.x + to.x) / 2.0, (from.y + to.y) / 2.0};
         if (middle.y < 420.0)
             continue;

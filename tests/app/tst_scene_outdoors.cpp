@@ -15,8 +15,8 @@
 #include <numbers>
 
 using namespace app;
-using lessons::Look;
-using Shape = lessons::BodyLook::Shape;
+using lessons::View;
+using Shape = lessons::BodyView::Shape;
 
 namespace {
 
@@ -25,10 +25,10 @@ lessons::Step walker(double speed, const char *id = "walk")
 {
     sim::Scene scene = scenes::pointsAt({{270, 360}});
     look_scenes::letGlide(scene, {speed, 0.0});
-    Look look = look_scenes::feetOnly(scene);
+    View look = look_scenes::feetOnly(scene);
     look.bodies[0] = {Shape::body, 15.0};
     look.ground = 400.0;
-    look.follow = 0;
+    look.followedPoint = 0;
     return look_scenes::step(id, scene, look);
 }
 
@@ -52,7 +52,7 @@ double ink(const QImage &image)
 QImage paintedTree(const look_scenes::Tree &tree, const Theme &theme, double zoom)
 {
     Shown shown;
-    shown.picture.look = std::make_shared<const Look>(tree.look);
+    shown.picture.look = std::make_shared<const View>(tree.look);
     shown.picture.state = tree.scene.start;
     QImage image(static_cast<int>(600 * zoom), static_cast<int>(500 * zoom), QImage::Format_RGB32);
     image.fill(theme.tokens().scene);
@@ -215,7 +215,7 @@ void SceneOutdoorsTest::aPictureThatWasMovedComesBackWhenItsLastBodyHasLeft()
 void SceneOutdoorsTest::aTreeEndsWhereItsBranchesDo()
 {
     look_scenes::Tree tree = look_scenes::tree(5);
-    tree.look.sky = Look::Sky::paper;
+    tree.look.sky = View::Sky::paper;
     SceneBench bench({look_scenes::step("tree", tree.scene, tree.look)});
     const QImage image = bench.image();
     // The outermost tip on the left: each fork turns by 28 degrees once more.
@@ -264,7 +264,7 @@ void SceneOutdoorsTest::aFarTreeCoversAsMuchAsANearOne()
     QFETCH(double, zoom);
     const Theme theme(Scheme::light);
     look_scenes::Tree tree = look_scenes::tree(forks);
-    tree.look.sky = Look::Sky::paper;
+    tree.look.sky = View::Sky::paper;
     const double near = ink(paintedTree(tree, theme, 4.0)); // all branches are wider than a px there
     const double far = ink(paintedTree(tree, theme, zoom));
     qInfo("ink: near %.4f, far %.4f", near, far);
@@ -332,11 +332,11 @@ void SceneOutdoorsTest::aWholeTreeShowsAtFirst()
     SceneBench bench({look_scenes::step("tree", tree.scene, tree.look)});
     bench.view.resize(size);
     const QRectF view(bench.view.viewport()->rect());
-    for (int i = 0; i < tree.scene.start.points(); ++i) {
+    for (int i = 0; i < tree.scene.start.pointCount(); ++i) {
         const double a = tree.scene.start.angle[i] * std::numbers::pi / 180.0;
         const double length = tree.look.tree->length[static_cast<std::size_t>(i)];
         QVERIFY(view.contains(
-            onScreen(bench, tree.scene.start.at(i) + length * sim::Vec2{std::cos(a), std::sin(a)})));
+            onScreen(bench, tree.scene.start.positionOf(i) + length * sim::Vec2{std::cos(a), std::sin(a)})));
     }
     QVERIFY2(onScreen(bench, {270, 400}).y() < view.height() - 50.0, "no ground below the trunk");
 }
@@ -344,11 +344,11 @@ void SceneOutdoorsTest::aWholeTreeShowsAtFirst()
 void SceneOutdoorsTest::onionSkinsAreWhereThePointsWere()
 {
     lessons::Step step = walker(6.0);
-    const Look plain = step.look({}, {});
-    step.look = [plain](const sim::Scene &, const sim::Values &) {
-        Look look = plain;
-        look.onionSkins = true;
-        look.follow = -1;
+    const View plain = step.view({}, {});
+    step.view = [plain](const sim::Scene &, const sim::Values &) {
+        View look = plain;
+        look.showsOnionSkins = true;
+        look.followedPoint = -1;
         return look;
     };
     SceneBench bench({step});
@@ -385,10 +385,10 @@ void SceneOutdoorsTest::whatAStepShowsIsTheLearnersChoiceAfterAll()
 {
     const auto showing = [](const char *id, bool all) {
         lessons::Step step = walker(1.0, id);
-        const Look plain = step.look({}, {});
-        step.look = [plain, all](const sim::Scene &, const sim::Values &) {
-            Look look = plain;
-            look.onionSkins = look.velocities = all;
+        const View plain = step.view({}, {});
+        step.view = [plain, all](const sim::Scene &, const sim::Values &) {
+            View look = plain;
+            look.showsOnionSkins = look.showsVelocities = all;
             return look;
         };
         return step;

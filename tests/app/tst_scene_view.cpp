@@ -90,7 +90,7 @@ void SceneViewTest::aBodyThatIsLetGoWhileMovingIsThrown()
     QCOMPARE(handEvents(bench.session),
              QStringList({"grab foot0", "move", "move", "move", "move", "release"}));
     bench.session.frameForward();
-    QVERIFY(bench.session.timeline().now().speed(0).y < -2.0);
+    QVERIFY(bench.session.timeline().state().velocityOf(0).y < -2.0);
 }
 
 void SceneViewTest::aClickSelectsAndChangesNothing_data()
@@ -115,7 +115,7 @@ void SceneViewTest::aClickSelectsAndChangesNothing()
     bench.release(at + slip);
     QCOMPARE(bench.session.selected(), "body");
     QVERIFY(bench.session.timeline().script().input.empty());
-    QCOMPARE(bench.session.timeline().at().phase, phase);
+    QCOMPARE(bench.session.timeline().cursor().phase, phase);
 }
 
 void SceneViewTest::aPressTakesHoldAtOnceWhileTheRunPlays()
@@ -163,9 +163,9 @@ void SceneViewTest::aHandThatTakesSomethingStartsTime()
     });
     QVERIFY(isTold);
     if (starts)
-        QTRY_VERIFY(bench.session.timeline().at().frame > frame + 1);
+        QTRY_VERIFY(bench.session.timeline().cursor().frame > frame + 1);
     else
-        QCOMPARE(bench.session.timeline().at(), (sim::Cursor{frame, phase}));
+        QCOMPARE(bench.session.timeline().cursor(), (sim::Cursor{frame, phase}));
     bench.release(at + QPoint(0, 30));
     bench.session.pause();
 }

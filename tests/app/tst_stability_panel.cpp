@@ -194,9 +194,9 @@ void StabilityPanelTest::oneClickMakesSticksFit()
     const auto at = static_cast<std::size_t>(wanted - buttons.begin());
     const double promised = before.remedies.at(at).stickError.value();
     QVERIFY(promised <= sim::fitting);
-    const std::int64_t frame = bench.session.timeline().at().frame;
+    const std::int64_t frame = bench.session.timeline().cursor().frame;
     QTest::mouseClick(*wanted, Qt::LeftButton);
-    QTRY_COMPARE(bench.session.timeline().at().frame, frame);
+    QTRY_COMPARE(bench.session.timeline().cursor().frame, frame);
     bench.settle();
     QCOMPARE(std::abs(bench.window.stability().reading()->sticks.value().now.error), promised);
     QVERIFY(bench.panel.verdict().contains("Sticks fit"));

@@ -119,8 +119,8 @@ void StabilityWatchTest::whatWasComputedLaterChangesNoReading()
     go(computed, 30);
     go(computed, 20);
     const StabilityReading &a = pending.settled(), &b = computed.settled();
-    QVERIFY(b.segment->scene.start.points() > computed.session.timeline().now().points());
-    QCOMPARE(b.segment->scene.start.points(), a.segment->scene.start.points());
+    QVERIFY(b.interval->scene.start.pointCount() > computed.session.timeline().state().pointCount());
+    QCOMPARE(b.interval->scene.start.pointCount(), a.interval->scene.start.pointCount());
     QCOMPARE(b.stability.stiffness, a.stability.stiffness);
     QCOMPARE(b.stability.limit, a.stability.limit);
 }
@@ -198,7 +198,7 @@ void StabilityWatchTest::adoptingARemedyMends()
         begin(bench);
         bench.watch.adopt(one);
         const sim::Stability &found = bench.settled().stability;
-        if (one.kind == sim::Remedy::Kind::boundlessMethod) {
+        if (one.kind == sim::Remedy::Kind::unlimitedMethod) {
             QVERIFY(found.bound == sim::Bound::none || found.bound == sim::Bound::tolerance);
             continue;
         }
@@ -248,11 +248,11 @@ void StabilityWatchTest::aRemedySaysWhatComesOfIt()
 {
     const sim::MethodPtr euler = sim::findMethod("semi_implicit_euler");
     const auto outcome = [&](sim::Remedy::Kind kind, double share) {
-        return remedyOutcome(sim::Remedy::of(kind, euler, sim::StepSize::of(1.0), share));
+        return remedyOutcome(sim::Remedy::of(kind, euler, sim::StepSize::ofLength(1.0), share));
     };
     QCOMPARE(outcome(sim::Remedy::Kind::moreDamping, 0.88), QString("then at 88\u2009% of the limit"));
     QCOMPARE(outcome(sim::Remedy::Kind::moreDamping, 0.0), QString("then damping holds every step"));
-    QCOMPARE(outcome(sim::Remedy::Kind::boundlessMethod, 0.0), QString("has no such limit"));
+    QCOMPARE(outcome(sim::Remedy::Kind::unlimitedMethod, 0.0), QString("has no such limit"));
 }
 
 void StabilityWatchTest::wordsSayWhatBoundsTheStep()

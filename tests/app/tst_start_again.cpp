@@ -134,7 +134,7 @@ private slots:
         const double damp = session.parameter("damp");
         QAction *size = sizeOf(*desk.window, 125);
         QVERIFY(size);
-        const sim::State state = session.timeline().now();
+        const sim::State state = session.timeline().state();
         size->trigger(); // nothing is asked: nothing is lost
         QVERIFY(!desk.window->isVisible());
         const std::optional<Left> left = desk.window->left();
@@ -145,9 +145,9 @@ private slots:
         QCOMPARE(session.lesson().id, lesson);
         QCOMPARE(session.step().id, step);
         QCOMPARE(int(desk.window->mode()), mode);
-        QCOMPARE(session.timeline().at().frame, 40);
+        QCOMPARE(session.timeline().cursor().frame, 40);
         QCOMPARE(session.timeline().computed(), 70);
-        QVERIFY(sim::sameBits(session.timeline().now(), state));
+        QVERIFY(sim::sameBits(session.timeline().state(), state));
         QCOMPARE(session.parameter("damp"), damp);
         QVERIFY2(desk.sentence().isEmpty(),
                  qPrintable(desk.sentence())); // the run that is open is not offered
@@ -162,7 +162,7 @@ private slots:
     {
         Desk desk;
         desk.open();
-        const auto place = [&] { return desk.session.picture().state.at(0); };
+        const auto place = [&] { return desk.session.picture().state.positionOf(0); };
         const sim::Vec2 before = place();
         desk.session.grab("foot");
         desk.session.moveHand({before.x - 60.0, before.y + 40.0});
@@ -173,7 +173,7 @@ private slots:
         const std::optional<Left> left = desk.window->left();
         desk.open();
         desk.window->goOn(*left);
-        QCOMPARE(desk.session.timeline().at().frame, 0);
+        QCOMPARE(desk.session.timeline().cursor().frame, 0);
         QVERIFY(place() == moved);
     }
 

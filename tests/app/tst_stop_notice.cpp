@@ -132,33 +132,33 @@ private slots:
         }
         QVERIFY(QTest::qWaitFor([&] { return !bench.run().stop(); }));
         QVERIFY(bench.arrives());
-        QCOMPARE(bench.run().at().frame, stop.frame);
+        QCOMPARE(bench.run().cursor().frame, stop.frame);
         QVERIFY(bench.run().script().input == input);
         QVERIFY(bench.notice.isHidden());
         QVERIFY(bench.window.findChild<SceneView *>()->hasFocus());
-        QVERIFY(bench.run().ghost() && bench.run().ghost()->stop());
-        QCOMPARE(bench.run().ghost()->stop()->frame, stop.frame);
+        QVERIFY(bench.run().comparison() && bench.run().comparison()->stop());
+        QCOMPARE(bench.run().comparison()->stop()->frame, stop.frame);
         QVERIFY(bench.session.ghostName().startsWith("before: "));
         bench.session.goTo({10 * stop.frame, 0});
         QVERIFY(bench.arrives());
         QVERIFY(!bench.run().stop());
-        for (int i = 0; i < bench.run().now().points(); ++i) // in the picture, and calm
-            QVERIFY(sim::length(bench.run().now().speed(i)) < 1e-3 &&
-                    sim::length(bench.run().now().at(i) - sim::Vec2{270, 200}) < 1000.0);
+        for (int i = 0; i < bench.run().state().pointCount(); ++i) // in the picture, and calm
+            QVERIFY(sim::length(bench.run().state().velocityOf(i)) < 1e-3 &&
+                    sim::length(bench.run().state().positionOf(i) - sim::Vec2{270, 200}) < 1000.0);
     }
 
     void goingBackHidesItAndLosesNothing()
     {
         Bench bench;
         QVERIFY(bench.stops() && bench.findsRemedies());
-        const std::int64_t end = bench.run().at().frame;
-        const sim::State state = bench.run().now();
+        const std::int64_t end = bench.run().cursor().frame;
+        const sim::State state = bench.run().state();
         bench.session.frameBack();
         QVERIFY(bench.notice.isHidden());
         bench.session.goTo({end, 0});
         QVERIFY(bench.notice.isVisible() && !bench.notice.search().isSearching());
         QVERIFY(bench.button("Use a step"));
-        QVERIFY(sim::sameBits(bench.run().now(), state));
+        QVERIFY(sim::sameBits(bench.run().state(), state));
         bench.session.goTo({10, 0});
         bench.session.setParameter("feet", 5); // another run, with a future
         QVERIFY(bench.notice.isHidden());

@@ -194,7 +194,7 @@ void TestTime::theGhostAppearsAfterAChangeInThePastAndCanBeForgotten()
     QCOMPARE(bench.strip->hintAt(dots), "frame 80");
     const QImage without = bench.strip->grab().toImage();
     bench.session.setParameter("damp", 0.5);
-    QVERIFY(bench.session.timeline().ghost());
+    QVERIFY(bench.session.timeline().comparison());
     QVERIFY(bench.strip->hintAt(dots).contains("before: damp 0.9"));
     QVERIFY(bench.strip->grab().toImage().copy(0, 32, 600, 14) != without.copy(0, 32, 600, 14));
     QContextMenuEvent ask(QContextMenuEvent::Mouse, dots, bench.strip->mapToGlobal(dots));
@@ -204,7 +204,7 @@ void TestTime::theGhostAppearsAfterAChangeInThePastAndCanBeForgotten()
     QCOMPARE(menu->actions().last()->text(), "&Delete");
     menu->actions().last()->trigger();
     menu->close();
-    QVERIFY(!bench.session.timeline().ghost());
+    QVERIFY(!bench.session.timeline().comparison());
     QCOMPARE(bench.strip->hintAt(dots), "frame 80");
     QCOMPARE(bench.strip->grab().toImage().copy(0, 32, 600, 14), without.copy(0, 32, 600, 14));
 }

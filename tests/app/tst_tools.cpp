@@ -10,7 +10,7 @@
 #include <QtTest>
 
 using namespace app;
-using lessons::Does;
+using lessons::Interaction;
 
 namespace {
 
@@ -22,23 +22,27 @@ class Reader : public sim::Driver, public sim::InputReader
 public:
     std::string id() const override { return "reader"; }
     std::string title() const override { return "reader"; }
-    sim::Kind kind() const override { return sim::Kind::driver; }
-    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
-    int count(const sim::State &, sim::Points points) const override { return points.count; }
-    bool reads(sim::Signal) const override { return true; }
+    sim::EffectKind kind() const override { return sim::EffectKind::driver; }
+    std::vector<sim::Region> regions(sim::DirectionRule) const override { return {}; }
+    int count(const sim::State &, sim::PointRange points) const override { return points.count; }
+    bool reads(sim::InputKind) const override { return true; }
     void drive(sim::State &, double) const override {}
-    std::vector<sim::Live> explain(const sim::State &, const sim::State &, int) const override { return {}; }
+    std::vector<sim::LiveValue> explain(const sim::State &, const sim::State &, int) const override
+    {
+        return {};
+    }
 };
 
-lessons::Step stepThatKnows(const char *id, std::vector<Does> does, int pointed = -1, bool isRead = true)
+lessons::Step stepThatKnows(const char *id, std::vector<Interaction> does, int pointed = -1,
+                            bool isRead = true)
 {
     sim::Scene scene = scenes::pointsAt({{200, 150}, {300, 150}});
     if (isRead)
         scene.effects.push_back(std::make_shared<Reader>());
-    lessons::Look look = look_scenes::feetOnly(scene);
-    look.pointed = pointed;
+    lessons::View look = look_scenes::feetOnly(scene);
+    look.pointerPoint = pointed;
     lessons::Step step = look_scenes::step(id, scene, look);
-    step.does = std::move(does);
+    step.interactions = std::move(does);
     return step;
 }
 
@@ -111,7 +115,7 @@ private slots:
 
     void aPressOnTheBackgroundIsThePointersDownToItsRelease()
     {
-        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        ToolBench bench(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         const QPoint from = bench.onScreen(empty), to = bench.onScreen({380, 300});
         const QTransform before = bench.view.transform();
         bench.press(from);
@@ -127,7 +131,7 @@ private slots:
 
     void movesInOneFrameAreOneEvent()
     {
-        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        ToolBench bench(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         bench.press(bench.onScreen(empty));
         for (const double x : {400.0, 390.0, 380.0})
             bench.move(bench.onScreen({x, 320}));
@@ -136,7 +140,7 @@ private slots:
 
     void aBodyIsStillTakenByTheHand()
     {
-        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        ToolBench bench(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         const QPoint body = bench.onScreen({300, 150});
         bench.press(body);
         bench.move(body + QPoint(30, 0));
@@ -145,7 +149,7 @@ private slots:
 
     void undoingSaysWhatWasDone()
     {
-        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        ToolBench bench(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         const QPoint at = bench.onScreen(empty);
         bench.press(at);
         bench.release(at);
@@ -159,7 +163,7 @@ private slots:
 
     void theBodyThatThePointerCarriesGoesWithIt()
     {
-        ToolBench bench(stepThatKnows("sticks", {Does::hand, Does::pointer}, 0));
+        ToolBench bench(stepThatKnows("sticks", {Interaction::drag, Interaction::pointer}, 0));
         const QPoint body = bench.onScreen({200, 150});
         bench.press(body);
         QCOMPARE(told(bench.session), QStringList{bench.word("down", body)});
@@ -168,7 +172,7 @@ private slots:
 
     void aClickOnTheBackgroundSetsATarget()
     {
-        ToolBench bench(stepThatKnows("swim", {Does::hand, Does::target}));
+        ToolBench bench(stepThatKnows("swim", {Interaction::drag, Interaction::target}));
         const QPoint at = bench.onScreen(empty);
         bench.press(at);
         bench.release(at);
@@ -177,7 +181,7 @@ private slots:
 
     void withoutAToolTheBackgroundMovesThePicture()
     {
-        ToolBench bench(stepThatKnows("plain", {Does::hand}));
+        ToolBench bench(stepThatKnows("plain", {Interaction::drag}));
         const QPoint at = bench.onScreen(empty);
         bench.press(at);
         bench.move(at + QPoint(40, 0));
@@ -188,8 +192,9 @@ private slots:
 
     void whatNoEffectReadsIsNoInput()
     {
-        ToolBench bench(
-            stepThatKnows("torture", {Does::hand, Does::pointer, Does::target, Does::keys}, -1, false));
+        ToolBench bench(stepThatKnows(
+            "torture", {Interaction::drag, Interaction::pointer, Interaction::target, Interaction::keys}, -1,
+            false));
         const QPoint at = bench.onScreen(empty);
         bench.press(at);
         bench.release(at);
@@ -240,7 +245,7 @@ private slots:
 
     void arrowKeysSteerWhileItPlaysAndOnlyThen()
     {
-        ToolBench bench(stepThatKnows("steered", {Does::hand, Does::keys}));
+        ToolBench bench(stepThatKnows("steered", {Interaction::drag, Interaction::keys}));
         QTest::keyClick(&bench.view, Qt::Key_Left);
         QVERIFY(told(bench.session).isEmpty());
         bench.session.play();
@@ -252,7 +257,7 @@ private slots:
 
     void aKeyThatSteersDoesNotReachTheWindowsShortcuts()
     {
-        ToolBench bench(stepThatKnows("steered", {Does::hand, Does::keys}));
+        ToolBench bench(stepThatKnows("steered", {Interaction::drag, Interaction::keys}));
         QKeyEvent override(QEvent::ShortcutOverride, Qt::Key_Left, Qt::NoModifier);
         override.ignore();
         QApplication::sendEvent(&bench.view, &override);
@@ -264,7 +269,7 @@ private slots:
 
     void whatIsDownComesUpWhenTheKeyboardLeaves()
     {
-        ToolBench bench(stepThatKnows("steered", {Does::hand, Does::keys}));
+        ToolBench bench(stepThatKnows("steered", {Interaction::drag, Interaction::keys}));
         bench.session.play();
         QTest::keyPress(&bench.view, Qt::Key_Left);
         bench.view.clearFocus();
@@ -273,24 +278,24 @@ private slots:
 
     void theKeyboardMovesAndPressesThePointer()
     {
-        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        ToolBench bench(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         QTest::keyClick(&bench.view, Qt::Key_Return, Qt::AltModifier);
         bench.session.frameForward();
         const QString first = told(bench.session).constLast();
         QVERIFY(first.startsWith("down"));
-        const double x = bench.session.timeline().now().outside.pointer->x;
+        const double x = bench.session.timeline().state().input.pointer->x;
         QTest::keyClick(&bench.view, Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
         bench.session.frameForward();
-        QCOMPARE(bench.session.timeline().now().outside.pointer->x, x + 20.0);
-        QVERIFY(bench.session.timeline().now().outside.pointerDown);
+        QCOMPARE(bench.session.timeline().state().input.pointer->x, x + 20.0);
+        QVERIFY(bench.session.timeline().state().input.pointerDown);
         QTest::keyClick(&bench.view, Qt::Key_Return, Qt::AltModifier);
         bench.session.frameForward();
-        QVERIFY(!bench.session.timeline().now().outside.pointerDown);
+        QVERIFY(!bench.session.timeline().state().input.pointerDown);
     }
 
     void leavingAStepKeepsWhatAFileSaysOfThePointer()
     {
-        ToolBench bench(stepThatKnows("wind", {Does::hand, Does::pointer}));
+        ToolBench bench(stepThatKnows("wind", {Interaction::drag, Interaction::pointer}));
         Experiment experiment = bench.session.experiment();
         experiment.script.input = {{2, sim::Pointer{{10, 10}, true}}, {9, sim::Pointer{{10, 10}, false}}};
         bench.session.open(experiment);

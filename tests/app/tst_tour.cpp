@@ -144,7 +144,7 @@ void TourTest::theWindowCanBeUsedMeanwhile()
     bench.window.startTour();
     bench.view.setFocus();
     QTest::keyClick(&bench.view, Qt::Key_Right);
-    QCOMPARE(bench.session.timeline().at().frame, 1);
+    QCOMPARE(bench.session.timeline().cursor().frame, 1);
     QVERIFY(bench.tour().isRunning());
 }
 
@@ -191,7 +191,7 @@ void TourTest::aKeyOpensTheGlossaryWhichDoesNotLeaveTheLesson()
     QTest::keyClick(&bench.view, Qt::Key_F1, Qt::ShiftModifier);
     auto *page = bench.window.findChild<GlossaryPage *>();
     QVERIFY(page && page->isVisible() && !page->isModal());
-    QCOMPARE(bench.session.timeline().at().frame, 7);
+    QCOMPARE(bench.session.timeline().cursor().frame, 7);
     QTest::keyClick(page, Qt::Key_Escape);
     QVERIFY(!page->isVisible());
 }

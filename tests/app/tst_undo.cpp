@@ -55,13 +55,13 @@ private slots:
         Session &session = world.session;
         session.setParameter("k", 0.5);
         session.goTo({20, 0});
-        const sim::State before = session.timeline().now();
+        const sim::State before = session.timeline().state();
         session.startAfresh();
         QCOMPARE(session.parameter("k"), 0.2);
         session.undo();
         QCOMPARE(session.parameter("k"), 0.5);
         session.goTo({20, 0});
-        QVERIFY(sim::sameBits(session.timeline().now(), before));
+        QVERIFY(sim::sameBits(session.timeline().state(), before));
     }
 
     void restartingIsFreshWithTheParametersAsTheyAre()
@@ -75,13 +75,13 @@ private slots:
         session.frameForward();
         session.letGo();
         session.goTo({30, 0});
-        const sim::State before = session.timeline().now();
+        const sim::State before = session.timeline().state();
         QVERIFY(session.hasInput());
         session.restart();
-        QCOMPARE(session.timeline().at(), sim::Cursor{});
+        QCOMPARE(session.timeline().cursor(), sim::Cursor{});
         QVERIFY(!session.isPlaying());
         QVERIFY(!session.hasInput());
-        QVERIFY(!session.timeline().ghost());
+        QVERIFY(!session.timeline().comparison());
         QCOMPARE(session.branches().all().size(), std::size_t(1)); // the run as it was
         QCOMPARE(session.parameter("k"), 0.5);
         sim::Script fresh = session.step().script();
@@ -89,10 +89,10 @@ private slots:
         sim::Timeline expected(fresh);
         expected.seek({30, 0});
         session.goTo({30, 0});
-        QVERIFY(sim::sameBits(session.timeline().now(), expected.now()));
+        QVERIFY(sim::sameBits(session.timeline().state(), expected.state()));
         session.undo();
         session.goTo({30, 0});
-        QVERIFY(sim::sameBits(session.timeline().now(), before));
+        QVERIFY(sim::sameBits(session.timeline().state(), before));
     }
 
     void restartingWhatNobodyTouchedIsGoingToTheStart()
@@ -101,7 +101,7 @@ private slots:
         Session &session = world.session;
         session.goTo({20, 0});
         session.restart();
-        QCOMPARE(session.timeline().at(), sim::Cursor{});
+        QCOMPARE(session.timeline().cursor(), sim::Cursor{});
         QCOMPARE(session.timeline().computed(), 20);
         QCOMPARE(session.deeds().count(), 0);
         QVERIFY(session.branches().all().empty());
@@ -118,11 +118,11 @@ private slots:
         session.frameForward();
         session.letGo();
         session.goTo({15, 0});
-        const sim::State before = session.timeline().now();
+        const sim::State before = session.timeline().state();
         QVERIFY(!session.recordedHand());
         session.repeat();
         QVERIFY(session.isPlaying());
-        QCOMPARE(session.timeline().at(), sim::Cursor{});
+        QCOMPARE(session.timeline().cursor(), sim::Cursor{});
         QVERIFY(session.hasInput());
         session.pause();
         session.goTo({5, 0}); // the hand of then is seen
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(*session.recordedHand() == (sim::Vec2{310, 220}));
         session.goTo({15, 0});
         QVERIFY(!session.recordedHand());
-        QVERIFY(sim::sameBits(session.timeline().now(), before));
+        QVERIFY(sim::sameBits(session.timeline().state(), before));
     }
 
     void aBodyInTheHandIsLetGoBeforeItIsUndone()
@@ -138,13 +138,13 @@ private slots:
         World world;
         Session &session = world.session;
         session.goTo({5, 0});
-        const sim::State before = session.timeline().now();
+        const sim::State before = session.timeline().state();
         session.grab("foot");
         session.moveHand({100, 100});
         session.undo();
         QVERIFY(!session.isHolding());
-        QCOMPARE(session.timeline().now().hold.point, -1);
-        QVERIFY(sim::sameBits(session.timeline().now(), before));
+        QCOMPARE(session.timeline().state().hold.point, -1);
+        QVERIFY(sim::sameBits(session.timeline().state(), before));
         QVERIFY(session.timeline().script().input.empty());
     }
 
@@ -197,7 +197,7 @@ private slots:
         const auto pick = [&](int below) { return static_cast<int>(dice() % static_cast<unsigned>(below)); };
         const auto at = [&](std::int64_t frame) {
             session.goTo({frame, 0});
-            return session.timeline().now();
+            return session.timeline().state();
         };
         for (int round = 0; round < 20; ++round) {
             session.openStep("legs", "puppet");

@@ -25,7 +25,7 @@ Found look(Session &session, std::int64_t frame)
 {
     session.goTo({frame, 0});
     arrive(session);
-    return {session.timeline().script(), session.timeline().now()};
+    return {session.timeline().script(), session.timeline().state()};
 }
 
 /// Whether two lists have the same runs with the same names.
@@ -78,7 +78,7 @@ private slots:
         m_deeds = 0;
         for (const lessons::Step &step : m_library.lesson(lesson)->steps) {
             session.openStep(lesson, step.id);
-            const bool isLarge = session.timeline().now().points() > manyPoints;
+            const bool isLarge = session.timeline().state().pointCount() > manyPoints;
             tryOut(session, ++seed, isLarge ? 4 : 20, isLarge ? 5 : 14);
         }
         QVERIFY2(m_deeds > 0, "nothing was done");
@@ -97,7 +97,7 @@ private:
         const auto straight = [&](const Found &found) {
             sim::Track track(found.script, 0);
             track.seek({frames, 0});
-            return sim::sameBits(track.now(), found.state);
+            return sim::sameBits(track.state(), found.state);
         };
         QVERIFY2(straight(end), what);
         while (session.deeds().canRedo()) // an undo among the gestures leaves some

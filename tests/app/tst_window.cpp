@@ -97,9 +97,9 @@ void WindowTest::aThrowByMouseIsTheSameRunInTrace()
     QVERIFY(trace.waitForFinished());
     QCOMPARE(trace.exitCode(), 0);
     const QStringList rows = bodiesOf(trace.readAllStandardOutput(), 60);
-    const sim::State &now = bench.session.timeline().now();
-    QCOMPARE(rows.size(), now.points());
-    for (int i = 0; i < now.points(); ++i) {
+    const sim::State &now = bench.session.timeline().state();
+    QCOMPARE(rows.size(), now.pointCount());
+    for (int i = 0; i < now.pointCount(); ++i) {
         const QStringList fields = rows[i].split(',');
         QCOMPARE(fields[2].toDouble(), now.position(i, 0));
         QCOMPARE(fields[3].toDouble(), now.position(i, 1));
@@ -144,20 +144,20 @@ void WindowTest::homeRestartsAndWithShiftItRepeats()
     bench.session.frameForward();
     bench.session.letGo();
     bench.session.goTo({12, 0});
-    const sim::State end = bench.session.timeline().now();
+    const sim::State end = bench.session.timeline().state();
     QTest::keyClick(&bench.view, Qt::Key_Home, Qt::ShiftModifier);
     QVERIFY(bench.session.isPlaying());
     QVERIFY(bench.session.hasInput());
     bench.session.pause();
     bench.session.goTo({12, 0});
-    QVERIFY(sim::sameBits(bench.session.timeline().now(), end));
+    QVERIFY(sim::sameBits(bench.session.timeline().state(), end));
     QTest::keyClick(&bench.view, Qt::Key_Home);
     QCOMPARE(bench.frame(), 0);
     QVERIFY(!bench.session.isPlaying());
     QVERIFY(!bench.session.hasInput());
     QTest::keyClick(&bench.view, Qt::Key_Z, Qt::ControlModifier);
     bench.session.goTo({12, 0});
-    QVERIFY(sim::sameBits(bench.session.timeline().now(), end));
+    QVERIFY(sim::sameBits(bench.session.timeline().state(), end));
 }
 
 void WindowTest::pageKeysWalkThroughAllStepsOfAllLessons()
@@ -185,13 +185,13 @@ void WindowTest::scrubbingTheTimelineComesBackToTheSameBits()
 {
     Bench bench("two_body", "leg_line");
     bench.session.goTo({100, 0});
-    const sim::State end = bench.session.timeline().now();
+    const sim::State end = bench.session.timeline().state();
     auto *strip = bench.window.findChild<TimelineStrip *>();
     QTest::mouseClick(strip, Qt::LeftButton, {}, QPoint(strip->width() / 4, 25));
     QVERIFY(bench.frame() > 0 && bench.frame() < 100);
     QTest::keyClick(&bench.view, Qt::Key_End);
     QCOMPARE(bench.frame(), 100);
-    QVERIFY(sim::sameBits(bench.session.timeline().now(), end));
+    QVERIFY(sim::sameBits(bench.session.timeline().state(), end));
 }
 
 void WindowTest::aParameterChangedInThePastLeavesAGhost()
@@ -204,18 +204,18 @@ void WindowTest::aParameterChangedInThePastLeavesAGhost()
     QVERIFY(slider);
     slider->setFocus();
     QTest::keyClick(slider, Qt::Key_Right);
-    QVERIFY(bench.session.timeline().ghost());
-    QCOMPARE(bench.session.timeline().fork(), 31);
-    QCOMPARE(bench.session.timeline().ghost()->computed(), 80);
+    QVERIFY(bench.session.timeline().comparison());
+    QCOMPARE(bench.session.timeline().forkFrame(), 31);
+    QCOMPARE(bench.session.timeline().comparison()->computed(), 80);
     bench.session.goTo({60, 0});
-    QVERIFY(!sim::sameBits(bench.session.timeline().now(), bench.session.timeline().ghost()->now()));
+    QVERIFY(!sim::sameBits(bench.session.timeline().state(), bench.session.timeline().comparison()->state()));
 }
 
 void WindowTest::aBadFileIsNamedAndTheSceneIsUnchanged()
 {
     Bench bench;
     bench.session.goTo({12, 0});
-    const sim::State before = bench.session.timeline().now();
+    const sim::State before = bench.session.timeline().state();
     QFile bad(m_folder.filePath("bad.json"));
     QVERIFY(bad.open(QFile::WriteOnly));
     bad.write(
@@ -226,7 +226,7 @@ void WindowTest::aBadFileIsNamedAndTheSceneIsUnchanged()
     const QString said = bench.window.findChild<Notice *>()->sentence();
     QVERIFY2(said.contains("bad.json") && said.contains("line 3") && said.contains("1.4"), qPrintable(said));
     QCOMPARE(bench.session.step().id, QString("fixed_centre"));
-    QVERIFY(sim::sameBits(bench.session.timeline().now(), before));
+    QVERIFY(sim::sameBits(bench.session.timeline().state(), before));
 }
 
 void WindowTest::aSavedExperimentOpensAsTheSameRun()
@@ -235,14 +235,14 @@ void WindowTest::aSavedExperimentOpensAsTheSameRun()
     bench.session.goTo({5, 0});
     bench.session.setParameter("k", 0.31);
     bench.session.goTo({50, 0});
-    const sim::State end = bench.session.timeline().now();
+    const sim::State end = bench.session.timeline().state();
     const QString file = m_folder.filePath("saved.json");
     QVERIFY(bench.window.saveFile(file));
     bench.session.openStep("single_spring", "drag");
     bench.window.openFile(file);
     QCOMPARE(bench.session.step().id, QString("two_feet"));
     bench.session.goTo({50, 0});
-    QVERIFY(sim::sameBits(bench.session.timeline().now(), end));
+    QVERIFY(sim::sameBits(bench.session.timeline().state(), end));
 }
 
 void WindowTest::arrowKeysMoveASliderThatHasTheFocus()

@@ -170,9 +170,9 @@ void WindowModesTest::guidesOfTheExactMotionGiveWayToTheReference()
     Bench bench("accuracy", "halve");
     bench.session.goTo({12, 0});
     const auto marks = [&] {
-        const std::vector<lessons::Guide> &guides = bench.view.shown().picture.guides;
-        return std::count_if(guides.begin(), guides.end(), [](const lessons::Guide &guide) {
-            return guide.about == lessons::Guide::About::exactMotion;
+        const std::vector<lessons::Overlay> &guides = bench.view.shown().picture.guides;
+        return std::count_if(guides.begin(), guides.end(), [](const lessons::Overlay &guide) {
+            return guide.about == lessons::Overlay::About::exactMotion;
         });
     };
     const auto all = marks();

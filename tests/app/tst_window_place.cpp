@@ -183,7 +183,7 @@ private slots:
             session.goTo({70, 0});
             session.undo();
             session.goTo({40, 2});
-            state = session.timeline().now();
+            state = session.timeline().state();
             computed = session.timeline().computed();
             window.setGeometry(40, 40, 700, 600);
             QTRY_COMPARE(window.size(), QSize(700, 600));
@@ -196,9 +196,9 @@ private slots:
                 QVERIFY(window.findChild<Notice *>()->sentence().isEmpty());
                 QCOMPARE(window.screen()->devicePixelRatio(), i % 2 ? 1.25 : 1.0);
                 QCOMPARE(session.step().id, QString("mutual"));
-                QCOMPARE(session.timeline().at(), (sim::Cursor{40, 2}));
+                QCOMPARE(session.timeline().cursor(), (sim::Cursor{40, 2}));
                 QCOMPARE(session.timeline().computed(), computed);
-                QVERIFY(sim::sameBits(session.timeline().now(), state));
+                QVERIFY(sim::sameBits(session.timeline().state(), state));
                 QVERIFY(window.isWindowModified());
                 if (i % 2 == 0)
                     QCOMPARE(onScreen(window), place);
@@ -206,7 +206,7 @@ private slots:
                 QCOMPARE(session.parameter("k"), 0.15);
                 QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
                 QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
-                QCOMPARE(session.parameter("damp"), session.step().parameter("damp")->preset);
+                QCOMPARE(session.parameter("damp"), session.step().parameter("damp")->defaultValue);
                 session.redo();
                 QCOMPARE(session.parameter("damp"), 0.7);
                 session.goTo({40, 2});
@@ -231,7 +231,7 @@ private slots:
             QVERIFY(session.step().title != "Each pulls the other");
             QVERIFY(window.windowTitle().contains(session.step().title));
             QCOMPARE(session.parameter("k"), 0.15);
-            QCOMPARE(session.timeline().at().frame, 40);
+            QCOMPARE(session.timeline().cursor().frame, 40);
             session.undo();
             QVERIFY(session.parameter("k") != 0.15);
             session.play();
@@ -240,8 +240,8 @@ private slots:
         program.run([&](MainWindow &, Session &session) {
             QCOMPARE(session.step().title, QString("Each pulls the other"));
             QVERIFY(session.isPlaying());
-            const std::int64_t from = session.timeline().at().frame;
-            QTRY_VERIFY(session.timeline().at().frame > from + 3);
+            const std::int64_t from = session.timeline().cursor().frame;
+            QTRY_VERIFY(session.timeline().cursor().frame > from + 3);
         });
     }
 
@@ -258,7 +258,7 @@ private slots:
         program.run([&](MainWindow &window, Session &session) {
             QVERIFY(session.isWorkshop());
             QCOMPARE(int(window.mode()), int(MainWindow::Mode::build));
-            QCOMPARE(session.timeline().at().frame, 12);
+            QCOMPARE(session.timeline().cursor().frame, 12);
             window.setMode(MainWindow::Mode::learn);
             QCOMPARE(session.step().id, QString("mutual"));
         });

@@ -81,7 +81,7 @@ private slots:
         world.session.endGesture();
         QCOMPARE(world.session.deeds().count(), 3);
         world.session.goTo({20, 0});
-        const sim::State after = world.session.timeline().now();
+        const sim::State after = world.session.timeline().state();
         const sim::Blueprint end = world.plan();
         while (world.session.deeds().canUndo())
             world.session.undo();
@@ -90,7 +90,7 @@ private slots:
             world.session.redo();
         QVERIFY(world.plan() == end);
         world.session.goTo({20, 0});
-        QVERIFY(sim::sameBits(world.session.timeline().now(), after));
+        QVERIFY(sim::sameBits(world.session.timeline().state(), after));
     }
 
     void randomEditsAreAllUndone()
@@ -279,9 +279,9 @@ private slots:
         for (int frame = 0; frame <= 100; frame += 20) {
             built.seek({frame, 0});
             session.goTo({10 + frame, 0});
-            const sim::State &now = session.timeline().now();
-            for (int i = 0; i < now.points(); ++i)
-                QVERIFY2(sim::length(built.now().at(i) - now.at(i)) < 1e-6,
+            const sim::State &now = session.timeline().state();
+            for (int i = 0; i < now.pointCount(); ++i)
+                QVERIFY2(sim::length(built.state().positionOf(i) - now.positionOf(i)) < 1e-6,
                          qPrintable(QStringLiteral("frame %1, point %2").arg(frame).arg(i)));
         }
         QVERIFY(scene.sentence.startsWith("This is your own copy"));

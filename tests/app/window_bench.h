@@ -48,7 +48,7 @@ struct Bench
     void drag(const char *body, QPoint by)
     {
         const app::Picture picture = session.picture();
-        const sim::Vec2 at = picture.state.at(picture.segment->scene.find(body));
+        const sim::Vec2 at = picture.state.positionOf(picture.interval->scene.find(body));
         const QPoint from = view.mapFromScene(at.x, at.y);
         QWidget *target = view.viewport();
         QTest::mousePress(target, Qt::LeftButton, {}, from);

@@ -64,17 +64,17 @@ public:
         SUNContext_Free(&m_context);
     }
 
-    void run(Course &course) override
+    void run(Course &integrator) override
     {
         setStart();
         CVodeReInit(m_memory, 0.0, m_now);
-        write(course[0]);
+        write(integrator[0]);
         for (std::size_t frame = 1; frame <= frames; ++frame) {
             double reached = 0.0;
             const int answer = CVode(m_memory, static_cast<double>(frame), m_now, &reached, CV_NORMAL);
             if (answer < 0)
                 N_VConst(HUGE_VAL, m_now); // it gave up: not exact enough for any target
-            write(course[frame]);
+            write(integrator[frame]);
         }
     }
 

@@ -38,17 +38,17 @@ public:
         m_pipeline = sim::compose(prepared, *method, step);
     }
 
-    void run(air::Course &course) override
+    void run(air::Course &integrator) override
     {
         sim::State state = m_start;
-        write(state, course[0]);
+        write(state, integrator[0]);
         for (std::size_t frame = 1; frame <= air::frames; ++frame) {
             state.frame = static_cast<std::int64_t>(frame);
-            for (int step = 0; step < m_pipeline.step.perRow; ++step) {
+            for (int step = 0; step < m_pipeline.step.stepsPerOutput; ++step) {
                 for (const sim::Phase &phase : m_pipeline.phases)
                     phase.run(state);
             }
-            write(state, course[frame]);
+            write(state, integrator[frame]);
         }
     }
 
@@ -71,8 +71,8 @@ int enterAll()
     for (const sim::MethodPtr &method : sim::allMethods()) {
         const bool adaptive = method->stepping() == sim::Stepping::adaptive;
         const auto make = [method, adaptive](double size) {
-            return std::make_unique<Pipelined>(method, adaptive ? sim::StepSize::within(size)
-                                                                : sim::StepSize::of(size));
+            return std::make_unique<Pipelined>(method, adaptive ? sim::StepSize::withTolerance(size)
+                                                                : sim::StepSize::ofLength(size));
         };
         air::enter({"springstep", method->id(), adaptive ? air::tolerancesDownTo(1e-12) : steps, make});
     }
@@ -86,10 +86,10 @@ void race(benchmark::State &run, const std::string &team, double target)
         run.SkipWithError("nobody of this team is here, or exact enough");
         return;
     }
-    air::Course course{};
+    air::Course integrator{};
     for (auto _ : run) {
-        champion.solver->run(course);
-        benchmark::DoNotOptimize(course);
+        champion.solver->run(integrator);
+        benchmark::DoNotOptimize(integrator);
     }
     run.SetLabel(champion.name);
     run.counters["per_frame"] = benchmark::Counter(static_cast<double>(run.iterations()) * air::frames,

@@ -16,8 +16,8 @@ struct Crowd
     explicit Crowd(int creatures) : scene(bench::crowd::inTheRoom(creatures))
     {
         const sim::MethodPtr method = sim::findMethod("semi_implicit_euler");
-        method->prepare(scene.start);
-        pipeline = sim::compose(scene, *method, sim::StepSize::of(1.0));
+        method->prepareState(scene.start);
+        pipeline = sim::compose(scene, *method, sim::StepSize::ofLength(1.0));
         state = scene.start;
     }
 
@@ -48,10 +48,10 @@ void byPass(benchmark::State &run, int creatures)
 void inBlocks(benchmark::State &run, int creatures, int threads)
 {
     Crowd crowd(creatures);
-    sim::Crew crew(threads);
+    sim::ThreadPool pool(threads);
     for (auto _ : run) {
         crowd.nextFrame();
-        sim::runStep(crowd.pipeline, crowd.state, crew);
+        sim::runStep(crowd.pipeline, crowd.state, pool);
         benchmark::ClobberMemory();
     }
     run.SetItemsProcessed(run.iterations() * creatures);
@@ -63,7 +63,7 @@ void bySize(benchmark::State &run, int creatures)
 {
     Crowd crowd(creatures);
     const int points = static_cast<int>(run.range(0));
-    crowd.pipeline.blocks = sim::blocksOf(crowd.scene, crowd.pipeline.phases, {points, 1});
+    crowd.pipeline.blocks = sim::cacheBlocksOf(crowd.scene, crowd.pipeline.phases, {points, 1});
     for (auto _ : run) {
         crowd.nextFrame();
         sim::runStep(crowd.pipeline, crowd.state);

@@ -24,7 +24,7 @@ constexpr double tolerance = 1e-10;
 
 struct System
 {
-    std::vector<sim::Slopes::Entry> entries;
+    std::vector<sim::Jacobian::Entry> entries;
     Eigen::VectorXd right;
 };
 
@@ -35,12 +35,12 @@ System drawnOut()
     support::Dice dice(3);
     const int points = side * side, free = points - side;
     for (int i = 0; i < points; ++i)
-        scene.start.place(i, 1.5 * scene.start.at(i) + sim::Vec2{dice.real(-1, 1), dice.real(-1, 1)});
-    sim::Slopes slopes(points);
-    sim::Flow(scene, sim::Directions::apart).slopes(scene.start, slopes);
+        scene.start.place(i, 1.5 * scene.start.positionOf(i) + sim::Vec2{dice.real(-1, 1), dice.real(-1, 1)});
+    sim::Jacobian jacobian(points);
+    sim::OdeSystem(scene, sim::DirectionRule::regularised).jacobian(scene.start, jacobian);
     const auto number = [&](int row) { return row % points - side + (row < points ? 0 : free); };
     System system;
-    for (const sim::Slopes::Entry &entry : slopes.entries()) {
+    for (const sim::Jacobian::Entry &entry : jacobian.entries()) {
         if (entry.row % points >= side && entry.column % points >= side)
             system.entries.push_back({number(entry.row), number(entry.column), -entry.value});
     }
@@ -56,7 +56,7 @@ Eigen::SparseMatrix<double, Eigen::RowMajor> matrixOf(const System &system)
     all.reserve(system.entries.size() + std::size_t(system.right.size()));
     for (int i = 0; i < system.right.size(); ++i)
         all.emplace_back(i, i, 1.0);
-    for (const sim::Slopes::Entry &entry : system.entries)
+    for (const sim::Jacobian::Entry &entry : system.entries)
         all.emplace_back(entry.row, entry.column, entry.value);
     Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(system.right.size(), system.right.size());
     matrix.setFromTriplets(all.begin(), all.end());
@@ -106,14 +106,14 @@ void clothCholesky(benchmark::State &run)
 void frames(benchmark::State &run, const sim::Scene &scene, const char *id)
 {
     const sim::MethodPtr method = sim::findMethod(id);
-    const sim::Pipeline pipeline = sim::compose(scene, *method, sim::StepSize::of(1.0));
+    const sim::Pipeline pipeline = sim::compose(scene, *method, sim::StepSize::ofLength(1.0));
     sim::State state = scene.start;
-    method->prepare(state);
+    method->prepareState(state);
     for (auto _ : run) {
         sim::runStep(pipeline, state);
         benchmark::DoNotOptimize(state.position.data());
     }
-    run.SetComplexityN(state.points());
+    run.SetComplexityN(state.pointCount());
 }
 
 /// By semi-implicit Euler.

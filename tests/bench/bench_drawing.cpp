@@ -32,9 +32,9 @@ void paint(benchmark::State &bench, SceneBench &scene)
     std::vector<double> times; // ms
     for (auto _ : bench) {
         scene.session.frameForward();
-        const double start = sim::computedSeconds();
+        const double start = sim::threadCpuSeconds();
         scene.view.viewport()->render(&image);
-        const double took = sim::computedSeconds() - start;
+        const double took = sim::threadCpuSeconds() - start;
         bench.SetIterationTime(took);
         times.push_back(1e3 * took);
     }
@@ -60,8 +60,8 @@ void paintTree(benchmark::State &bench, int forks, double enlarged)
     for (; enlarged < 1.0; enlarged *= 1.25)
         scene.view.zoomOut();
     paint(bench, scene);
-    bench.counters["branches"] = static_cast<double>(tree.scene.start.points());
-    bench.SetComplexityN(tree.scene.start.points());
+    bench.counters["branches"] = static_cast<double>(tree.scene.start.pointCount());
+    bench.SetComplexityN(tree.scene.start.pointCount());
 }
 
 void paintWholeTree(benchmark::State &bench)
@@ -97,16 +97,17 @@ void paintCreatures(benchmark::State &bench, int count, double across)
         const auto index = static_cast<std::uint64_t>(i);
         scene.start.place(i, {room.left + 60.0 + (500.0 * size - 120.0) * sim::uniform(1, 0, index),
                               320.0 - (360.0 * size - 120.0) * sim::uniform(1, 1, index)});
-        for (int foot = i + count; foot < scene.start.points(); foot += count) {
+        for (int foot = i + count; foot < scene.start.pointCount(); foot += count) {
             const double angle = 2.0 * M_PI * sim::uniform(1, 2, static_cast<std::uint64_t>(foot));
-            scene.start.place(foot, scene.start.at(i) + 50.0 * sim::Vec2{std::cos(angle), std::sin(angle)});
+            scene.start.place(foot,
+                              scene.start.positionOf(i) + 50.0 * sim::Vec2{std::cos(angle), std::sin(angle)});
         }
     }
     scenes::add<sim::RadialSpring>(scene, scenes::legsByParts(count, feet), 0.2, 50.0);
     scenes::add<sim::Gravity>(scene, 0.5);
     scenes::add<sim::Damping>(scene, 0.9);
     scenes::add<sim::Walls>(scene, room, scenes::halfWidths(scene));
-    lessons::Look look = lessons::crowdByPartsLook(scene, count);
+    lessons::View look = lessons::crowdByPartsView(scene, count);
     look.room = room;
     look.stage = QRectF(room.left, room.floor - 360.0 * size, 500.0 * size, 380.0 * size);
     SceneBench bed({look_scenes::step("creatures", scene, look)});
@@ -115,7 +116,7 @@ void paintCreatures(benchmark::State &bench, int count, double across)
     for (; across < 1.0; across *= 1.25)
         bed.view.zoomIn();
     paint(bench, bed);
-    bench.counters["points"] = static_cast<double>(scene.start.points());
+    bench.counters["points"] = static_cast<double>(scene.start.pointCount());
     bench.SetComplexityN(count);
 }
 

@@ -21,9 +21,9 @@ void plain(benchmark::State &run, void (bench::PlainCreature::*frame)())
 {
     const sim::State start = sim::sceneOf(creature("published"), creature("published").values).start;
     bench::PlainCreature body;
-    for (int i = 0; i < start.points(); ++i) {
-        body.x[static_cast<std::size_t>(i)] = start.at(i).x;
-        body.y[static_cast<std::size_t>(i)] = start.at(i).y;
+    for (int i = 0; i < start.pointCount(); ++i) {
+        body.x[static_cast<std::size_t>(i)] = start.positionOf(i).x;
+        body.y[static_cast<std::size_t>(i)] = start.positionOf(i).y;
     }
     const bench::PlainCreature first = body;
     int done = 0;
@@ -63,7 +63,7 @@ void track(benchmark::State &run, const std::string &method, std::size_t budget)
     for (auto _ : run) {
         sim::Track fresh(script, budget);
         fresh.seek({tenMinutes, 0});
-        benchmark::DoNotOptimize(fresh.now().position.data());
+        benchmark::DoNotOptimize(fresh.state().position.data());
     }
     run.SetItemsProcessed(run.iterations() * tenMinutes);
     run.counters["per_frame"] = benchmark::Counter(static_cast<double>(run.iterations()) * tenMinutes,

@@ -18,7 +18,7 @@ void frames(benchmark::State &run, const sim::Scene &scene, const char *id, sim:
     const sim::MethodPtr method = sim::findMethod(id);
     const sim::Pipeline pipeline = sim::compose(scene, *method, step);
     sim::State start = scene.start;
-    method->prepare(start);
+    method->prepareState(start);
     sim::State state = start;
     for (auto _ : run) {
         if (state.frame == length)
@@ -38,7 +38,7 @@ void feetOnOneBody(benchmark::State &run)
                                                     {"damp", 0.85},
                                                     {"radius", 50.0},
                                                     {"out", 70.0}});
-    frames(run, sim::hard::creature(values), "backward_euler", sim::StepSize::of(1.0));
+    frames(run, sim::hard::creature(values), "backward_euler", sim::StepSize::ofLength(1.0));
 }
 
 void chain(benchmark::State &run)
@@ -48,20 +48,21 @@ void chain(benchmark::State &run)
                                                     {"damp", 0.9},
                                                     {"gravity", 0.5},
                                                     {"passes", 20.0}});
-    frames(run, sim::hard::stretchedChain(values), "semi_implicit_euler", sim::StepSize::of(1.0));
+    frames(run, sim::hard::stretchedChain(values), "semi_implicit_euler", sim::StepSize::ofLength(1.0));
 }
 
 /// Each takes the steps that it needs.
 void exactCreatures(benchmark::State &run)
 {
-    frames(run, bench::crowd::inTheAir(static_cast<int>(run.range(0))), "rkn86", sim::StepSize::within(1e-6));
+    frames(run, bench::crowd::inTheAir(static_cast<int>(run.range(0))), "rkn86",
+           sim::StepSize::withTolerance(1e-6));
 }
 
 /// The same where each meets walls on its own.
 void exactCrowd(benchmark::State &run)
 {
     frames(run, bench::crowd::inTheRoom(static_cast<int>(run.range(0))), "rkn86",
-           sim::StepSize::within(1e-3));
+           sim::StepSize::withTolerance(1e-3));
 }
 
 BENCHMARK(feetOnOneBody)->Arg(10)->Arg(100)->Arg(1'000)->Arg(10'000)->Complexity();

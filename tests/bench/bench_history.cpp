@@ -35,8 +35,8 @@ void seekWithin(benchmark::State &run, std::size_t budget)
     std::sort(microseconds.begin(), microseconds.end());
     run.counters["median_us"] = microseconds[microseconds.size() / 2];
     run.counters["worst_us"] = microseconds.back();
-    run.counters["kept_bytes"] = static_cast<double>(timeline.keptBytes());
-    run.counters["kept_states"] = static_cast<double>(timeline.track().keptStates());
+    run.counters["kept_bytes"] = static_cast<double>(timeline.keyframeBytes());
+    run.counters["kept_states"] = static_cast<double>(timeline.track().keyframeCount());
     run.SetComplexityN(frames);
 }
 
@@ -56,7 +56,7 @@ void computeStraight(benchmark::State &run)
     for (auto _ : run) {
         sim::Track fresh(creature(), 0);
         fresh.seek({frames / 2, 0});
-        benchmark::DoNotOptimize(fresh.now().position.data());
+        benchmark::DoNotOptimize(fresh.state().position.data());
     }
     run.SetComplexityN(frames);
 }
@@ -67,7 +67,7 @@ void liveValues(benchmark::State &run)
     sim::Timeline timeline(creature());
     timeline.seek({1000, 0});
     for (auto _ : run)
-        benchmark::DoNotOptimize(timeline.track().moments("body"));
+        benchmark::DoNotOptimize(timeline.track().explainPhases("body"));
 }
 
 /// A frame on, as playing does.
@@ -75,8 +75,8 @@ void playFrame(benchmark::State &run)
 {
     sim::Timeline timeline(creature());
     for (auto _ : run) {
-        timeline.stepRow();
-        if (timeline.at().frame == tenMinutes) {
+        timeline.nextOutputStep();
+        if (timeline.cursor().frame == tenMinutes) {
             run.PauseTiming();
             timeline = sim::Timeline(creature());
             run.ResumeTiming();
@@ -88,15 +88,15 @@ void playFrame(benchmark::State &run)
 void dragFrame(benchmark::State &run)
 {
     sim::Timeline timeline(creature());
-    timeline.hand(sim::Grab{"foot0"});
+    timeline.applyInput(sim::Grab{"foot0"});
     for (auto _ : run) {
-        const double x = 200.0 + static_cast<double>(timeline.at().frame % 100);
-        timeline.hand(sim::Move{{x, 100.0}});
-        timeline.stepRow();
-        if (timeline.at().frame == 1000) {
+        const double x = 200.0 + static_cast<double>(timeline.cursor().frame % 100);
+        timeline.applyInput(sim::Move{{x, 100.0}});
+        timeline.nextOutputStep();
+        if (timeline.cursor().frame == 1000) {
             run.PauseTiming();
             timeline = sim::Timeline(creature());
-            timeline.hand(sim::Grab{"foot0"});
+            timeline.applyInput(sim::Grab{"foot0"});
             run.ResumeTiming();
         }
     }

@@ -25,8 +25,8 @@ template <class Limit>
 bool isRight(benchmark::State &run, const Limit &limit, const sim::State &right)
 {
     double most = 0.0;
-    for (int point = 0; point < right.points(); ++point)
-        most = std::max(most, sim::length(limit.at(point) - right.at(point)));
+    for (int point = 0; point < right.pointCount(); ++point)
+        most = std::max(most, sim::length(limit.at(point) - right.positionOf(point)));
     run.counters["px_apart"] = most;
     const bool holds = most < 1e-6;
     if (!holds)
@@ -76,7 +76,7 @@ void treeLimit(benchmark::State &run)
         limit.frame(++number);
         benchmark::ClobberMemory();
     }
-    run.SetComplexityN(scene.start.points());
+    run.SetComplexityN(scene.start.pointCount());
 }
 
 BENCHMARK(clothLimit)->Arg(32)->Arg(64)->Arg(128)->Arg(256)->Complexity();

@@ -73,7 +73,7 @@ void turnTabs(const MainWindow &window)
 Memory memoryNow(const Session &session)
 {
     return {session.timeline().computed(), resident(),
-            static_cast<double>(session.timeline().keptBytes()) / mebi};
+            static_cast<double>(session.timeline().keyframeBytes()) / mebi};
 }
 
 void note(Play &play, Took took, bool arranges, bool computes)
@@ -133,7 +133,7 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, const
     std::int64_t turned = plan.from;
     std::int64_t noted = plan.from;
     while (session.timeline().computed() < plan.frames && session.isPlaying() && !session.isResting()) {
-        const std::int64_t before = session.timeline().at().frame;
+        const std::int64_t before = session.timeline().cursor().frame;
         const bool turns = before >= turned + framesOfATab;
         application.slowest();
         const Stopwatch watch;
@@ -143,7 +143,7 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, const
         }
         QApplication::processEvents();
         const Took took = watch.took();
-        const std::int64_t now = session.timeline().at().frame;
+        const std::int64_t now = session.timeline().cursor().frame;
         note(play, took, turns, now > before);
         if (took.work > tooLong)
             play.slow << QString("frame %1%2: ").arg(now).arg(turns ? " (tabs)" : "") +

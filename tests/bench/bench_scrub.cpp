@@ -102,12 +102,12 @@ void jump(Session &session, Theme &theme, const Plan &plan, QTextStream &out)
     std::vector<double> seeking, all;
     QImage image(window.size(), QImage::Format_RGB32);
     for (int i = 0; i < plan.moves; ++i) {
-        const double start = sim::computedSeconds();
+        const double start = sim::threadCpuSeconds();
         session.goTo({anywhere(random), 0});
         waitThere(session);
-        seeking.push_back(sim::computedSeconds() - start);
+        seeking.push_back(sim::threadCpuSeconds() - start);
         window.render(&image);
-        all.push_back(sim::computedSeconds() - start);
+        all.push_back(sim::threadCpuSeconds() - start);
         QApplication::processEvents(); // what is due later: readings, courses
     }
     out << "  jumping, 1280 x 800 px, seeking:       " << percentiles(seeking)
@@ -135,7 +135,7 @@ public:
             m_unseen.erase(receiver);
         const bool answer = WatchedApplication::notify(receiver, event);
         if (type == QEvent::UpdateRequest && m_unseen.empty() && !m_seen)
-            m_seen = sim::computedSeconds();
+            m_seen = sim::threadCpuSeconds();
         return answer;
     }
 
@@ -186,17 +186,17 @@ void drag(Session &session, Theme &theme, Eyes &application, const Plan &plan, Q
         x += step;
         application.slowest();
         application.lookFor(views);
-        const double start = sim::computedSeconds();
+        const double start = sim::threadCpuSeconds();
         send(timeline, QEvent::MouseMove, {x, onTrack});
         waitThere(session);
         for (int one = 0; !application.seen() && one < turnsAfterwards; ++one)
             turn(1);
-        seen.push_back(application.seen().value_or(sim::computedSeconds()) - start);
+        seen.push_back(application.seen().value_or(sim::threadCpuSeconds()) - start);
         if (seen.back() > aPicture)
             for (const WatchedApplication::Delivery &one : application.slowest())
                 slow << QString("%1 %2 ms").arg(one.what).arg(one.took.work, 0, 'f', 1);
         turn(turnsAfterwards);
-        read.push_back(sim::computedSeconds() - start);
+        read.push_back(sim::threadCpuSeconds() - start);
     }
     send(timeline, QEvent::MouseButtonRelease, {x, onTrack});
     out << "  dragging, " << window.width() << " x " << window.height()
@@ -233,9 +233,9 @@ int main(int count, char **arguments)
         openStep(session, one);
         session.goTo({plan.frames, 0});
         waitThere(session);
-        out << one << ": " << session.timeline().now().points() << " points, "
-            << session.timeline().track().keptStates() << " moments kept of " << session.timeline().computed()
-            << Qt::endl;
+        out << one << ": " << session.timeline().state().pointCount() << " points, "
+            << session.timeline().track().keyframeCount() << " moments kept of "
+            << session.timeline().computed() << Qt::endl;
         jump(session, theme, plan, out);
         drag(session, theme, application, plan, out);
     }

@@ -14,9 +14,9 @@ using namespace bench;
 void frames(benchmark::State &run, const sim::Scene &scene, const std::string &id)
 {
     const sim::MethodPtr method = sim::findMethod(id);
-    const sim::Pipeline pipeline = sim::compose(scene, *method, sim::StepSize::of(1.0));
+    const sim::Pipeline pipeline = sim::compose(scene, *method, sim::StepSize::ofLength(1.0));
     sim::State state = scene.start;
-    method->prepare(state);
+    method->prepareState(state);
     for (auto _ : run) {
         ++state.frame;
         sim::runStep(pipeline, state);
@@ -24,9 +24,9 @@ void frames(benchmark::State &run, const sim::Scene &scene, const std::string &i
         benchmark::ClobberMemory();
     }
     run.counters["per_branch"] =
-        benchmark::Counter(static_cast<double>(run.iterations()) * state.points(),
+        benchmark::Counter(static_cast<double>(run.iterations()) * state.pointCount(),
                            benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-    run.SetComplexityN(state.points());
+    run.SetComplexityN(state.pointCount());
 }
 
 sim::TreePtr treeOf(const benchmark::State &run)

@@ -22,7 +22,7 @@ public:
             for (int foot = -1; foot < crowd::feet; ++foot) {
                 // the last group is filled up with a creature that is there already
                 const int as = std::min(creature, creatures - 1);
-                const sim::Vec2 at = scene.start.at(crowd::pointOf(creatures, as, foot));
+                const sim::Vec2 at = scene.start.positionOf(crowd::pointOf(creatures, as, foot));
                 FourCreatures::Point &point = m_start[std::size_t(creature) / 4].points[foot + 1];
                 point.x[creature % 4] = at.x;
                 point.y[creature % 4] = at.y;
@@ -48,7 +48,7 @@ class CreaturesInAir : public crowd::Runner
 {
 public:
     CreaturesInAir(const sim::Scene &scene, int creatures)
-        : m_start(scene.start.position), m_count(scene.start.points()), m_memory(std::size_t(6 * m_count))
+        : m_start(scene.start.position), m_count(scene.start.pointCount()), m_memory(std::size_t(6 * m_count))
     {
         const auto array = [&](int which) { return m_memory.data() + which * m_count; };
         m_arrays = {creatures, array(0), array(1), array(2), array(3), array(4), array(5)};
@@ -111,7 +111,7 @@ Tree::Tree(int forks)
     std::copy(tree->rest.begin(), tree->rest.end(), array(0));
     std::copy(tree->scale.begin(), tree->scale.end(), array(1));
     std::copy(tree->rest.begin(), tree->rest.end(), array(2));
-    m_arrays = {tree->branches(), array(0), array(1), array(2), array(3), array(4)};
+    m_arrays = {tree->branchCount(), array(0), array(1), array(2), array(3), array(4)};
     m_arrays.x[0] = trees::foot.x;
     m_arrays.y[0] = trees::foot.y;
     m_numbers = {tree->baseLength, trees::ease, trees::wind, trees::pointer.x, trees::pointer.y, 0.0};

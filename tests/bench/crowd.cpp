@@ -51,8 +51,8 @@ sim::Scene builtInTheRoom(int creatures)
 {
     sim::Scene scene = inTheRoom(creatures);
     sim::Blueprint plan;
-    for (int i = 0; i < scene.start.points(); ++i) {
-        sim::BuiltPoint point{scene.names[static_cast<std::size_t>(i)], scene.start.at(i), {}};
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
+        sim::BlueprintPoint point{scene.names[static_cast<std::size_t>(i)], scene.start.positionOf(i), {}};
         point.size = 2.0 * (i < creatures ? halfBody : halfFoot);
         plan.points.push_back(std::move(point));
     }
@@ -72,9 +72,10 @@ sim::Scene builtInTheRoom(int creatures)
             own.push_back({pointOf(creatures, creature, foot), creature, k, radius});
     }
     sim::ChosenEffects chosen = sim::chosenEffects(sim::allEffects(), plan, values);
-    scene.effects = std::move(chosen.pulls);
-    scene.effects.insert(scene.effects.begin(), std::make_shared<sim::Springs>(own, scene.start.points()));
-    scene.effects.insert(scene.effects.end(), chosen.rest.begin(), chosen.rest.end());
+    scene.effects = std::move(chosen.beforeMove);
+    scene.effects.insert(scene.effects.begin(),
+                         std::make_shared<sim::Springs>(own, scene.start.pointCount()));
+    scene.effects.insert(scene.effects.end(), chosen.afterMove.begin(), chosen.afterMove.end());
     return scene;
 }
 

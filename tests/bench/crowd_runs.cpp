@@ -13,11 +13,11 @@ class Pipelined : public Runner
 {
 public:
     Pipelined(const sim::Scene &scene, int creatures)
-        : m_creatures(creatures),
-          m_pipeline(sim::compose(scene, *sim::findMethod("semi_implicit_euler"), sim::StepSize::of(1.0))),
+        : m_creatures(creatures), m_pipeline(sim::compose(scene, *sim::findMethod("semi_implicit_euler"),
+                                                          sim::StepSize::ofLength(1.0))),
           m_start(scene.start)
     {
-        sim::findMethod("semi_implicit_euler")->prepare(m_start);
+        sim::findMethod("semi_implicit_euler")->prepareState(m_start);
         m_now = m_start;
     }
 
@@ -29,7 +29,7 @@ public:
     }
     sim::Vec2 at(int creature, int foot) const override
     {
-        return m_now.at(pointOf(m_creatures, creature, foot));
+        return m_now.positionOf(pointOf(m_creatures, creature, foot));
     }
 
 private:
@@ -49,9 +49,10 @@ double apartFrom(const sim::Scene &scene, int creatures, Runner &runner)
     double sum = 0.0;
     for (int creature = 0; creature < creatures; ++creature) {
         for (int foot = -1; foot < feet; ++foot)
-            sum += sim::length(runner.at(creature, foot) - right.at(pointOf(creatures, creature, foot)));
+            sum +=
+                sim::length(runner.at(creature, foot) - right.positionOf(pointOf(creatures, creature, foot)));
     }
-    return sum / right.points();
+    return sum / right.pointCount();
 }
 
 void run(benchmark::State &bench, const Entry &entry)

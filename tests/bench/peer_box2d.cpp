@@ -39,7 +39,7 @@ public:
         for (int number = 0; number < creatures; ++number) {
             addRoom(roomOf(creatures, number));
             for (int foot = -1; foot < feet; ++foot)
-                addPoint(scene.start.at(pointOf(creatures, number, foot)) + roomOf(creatures, number),
+                addPoint(scene.start.positionOf(pointOf(creatures, number, foot)) + roomOf(creatures, number),
                          foot < 0 ? halfBody : halfFoot);
             for (int foot = 0; foot < feet; ++foot)
                 addSpring(bodyOf(number, -1), bodyOf(number, foot));

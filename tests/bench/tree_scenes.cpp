@@ -13,8 +13,8 @@ sim::Scene sceneOf(const sim::Tree &tree)
 {
     sim::Scene scene = scenes::branchesOf(tree);
     scene.start.place(0, foot);
-    scene.start.outside.pointer = pointer;
-    scene.start.outside.pointerDown = true;
+    scene.start.input.pointer = pointer;
+    scene.start.input.pointerDown = true;
     return scene;
 }
 

@@ -6,7 +6,7 @@ namespace support {
 namespace {
 
 /// A stopwatch that says that every run takes `nanoseconds` a frame.
-lessons::Timing taking(double nanoseconds)
+lessons::TimeMeasurement taking(double nanoseconds)
 {
     return [nanoseconds](const sim::Script &, std::int64_t) { return nanoseconds; };
 }

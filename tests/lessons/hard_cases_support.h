@@ -19,11 +19,11 @@ inline double largest(const sim::Script &script, std::int64_t from, std::int64_t
 {
     sim::Track track(script, 0);
     double most = 0.0;
-    for (std::int64_t frame = from; frame <= frames; frame += track.rowFrames()) {
+    for (std::int64_t frame = from; frame <= frames; frame += track.framesPerOutput()) {
         track.seek({frame, 0});
         if (track.stop())
             return std::numeric_limits<double>::infinity();
-        most = std::max(most, of(track.now()));
+        most = std::max(most, of(track.state()));
     }
     return most;
 }
@@ -49,15 +49,15 @@ inline sim::Vec2 middleOf(const sim::State &state)
 
 inline double apart(const sim::State &state, int a, int b)
 {
-    return sim::length(state.at(a) - state.at(b));
+    return sim::length(state.positionOf(a) - state.positionOf(b));
 }
 
 /// px: how far the worst leg is from 50 px; the body comes last.
 inline double worstLeg(const sim::State &state)
 {
     double worst = 0.0;
-    for (int i = 0; i + 1 < state.points(); ++i)
-        worst = std::max(worst, std::abs(apart(state, i, state.points() - 1) - 50.0));
+    for (int i = 0; i + 1 < state.pointCount(); ++i)
+        worst = std::max(worst, std::abs(apart(state, i, state.pointCount() - 1) - 50.0));
     return worst;
 }
 

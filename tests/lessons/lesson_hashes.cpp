@@ -25,7 +25,7 @@ namespace {
 /// Source: Fowler, Noll and Vo, FNV-1a with 64 bits.
 std::uint64_t hashed(std::uint64_t hash, const sim::State &state)
 {
-    sim::visitMemory(state, [&](const void *data, std::size_t bytes) {
+    sim::visitBytes(state, [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
         for (std::size_t i = 0; i < bytes; ++i)
             hash = (hash ^ byte[i]) * 0x100000001b3u;
@@ -43,7 +43,7 @@ std::uint64_t hashOfRun(const sim::Script &script)
     std::uint64_t hash = begun;
     for (int frame = looks; frame <= frames; frame += looks) {
         run.seek({frame, 0});
-        hash = hashed(hash, run.now());
+        hash = hashed(hash, run.state());
     }
     return hash;
 }
@@ -52,23 +52,23 @@ std::uint64_t hashOfRun(const sim::Script &script)
 /// numbers stop being finite, as a Track does.
 std::uint64_t hashOfRows(const sim::Script &script, int threads)
 {
-    const sim::FlushTiny flush;
-    const sim::Segments segments(script);
-    sim::Crew crew(threads);
-    auto segment = segments.at(script, 0);
-    sim::Pipeline pipeline = segment->pipeline;
-    pipeline.blocks = sim::blocksOf(segment->scene, pipeline.phases, {1, 1});
-    sim::State state = segment->scene.start;
+    const sim::FlushDenormals flush;
+    const sim::ComposedIntervals intervals(script);
+    sim::ThreadPool pool(threads);
+    auto interval = intervals.at(script, 0);
+    sim::Pipeline pipeline = interval->pipeline;
+    pipeline.blocks = sim::cacheBlocksOf(interval->scene, pipeline.phases, {1, 1});
+    sim::State state = interval->scene.start;
     std::uint64_t hash = begun;
     bool goesOn = true;
-    const int row = script.step.rowFrames;
+    const int row = script.step.framesPerOutput;
     for (int frame = looks; frame <= frames; frame += looks) {
         while (goesOn && state.frame + row <= frame) {
             sim::State next = state;
-            sim::beginRow(next, script, segment, segment, state.frame + row);
-            for (int step = 0; step < script.step.perRow; ++step)
-                sim::runStep(pipeline, next, crew);
-            goesOn = sim::firstStuck(next) < 0 && sim::firstNotFinite(next) < 0;
+            sim::beginOutputStep(next, script, interval, interval, state.frame + row);
+            for (int step = 0; step < script.step.stepsPerOutput; ++step)
+                sim::runStep(pipeline, next, pool);
+            goesOn = sim::firstStuckPoint(next) < 0 && sim::firstNonFinitePoint(next) < 0;
             if (goesOn)
                 state = std::move(next);
         }
@@ -81,9 +81,10 @@ std::uint64_t hashOfRows(const sim::Script &script, int threads)
 /// thousand frames of those take too long here.
 bool takesLong(const sim::Script &script)
 {
-    const std::vector<std::string> needs = script.method->needs();
+    const std::vector<std::string> needs = script.method->requirements();
     const bool solves = std::find(needs.begin(), needs.end(), "slopes") != needs.end();
-    return (solves || script.step.adaptive()) && sim::sceneOf(script, script.values).start.points() > 500;
+    return (solves || script.step.isAdaptive()) &&
+           sim::sceneOf(script, script.values).start.pointCount() > 500;
 }
 
 }
@@ -92,7 +93,7 @@ int main(int count, char **arguments)
 {
     const int threads = count > 1 ? std::atoi(arguments[1]) : 0;
     constexpr const char *names[] = {"baseline", "avx2", "avx512"};
-    std::printf("%s\n", names[static_cast<int>(sim::instructions())]);
+    std::printf("%s\n", names[static_cast<int>(sim::instructionSet())]);
     for (const QString &lesson : support::lessonIds()) {
         for (const lessons::Step &step : support::loadLesson(lesson).steps) {
             for (const sim::MethodPtr &method : sim::allMethods()) {

@@ -17,16 +17,16 @@ RunPlayer::RunPlayer(const lessons::Step &step, std::size_t wanted)
 
 void RunPlayer::look()
 {
-    m_done = m_done || (m_try.done(m_run) &&
-                        (!m_try.budget || lessons::keeps(*m_try.budget, m_run.script(), m_timing)));
-    const bool isOpen = !m_done && m_try.conditions.begun(m_run) && !m_try.done(m_run);
+    m_done = m_done || (m_try.isDone(m_run) &&
+                        (!m_try.budget || lessons::staysWithin(*m_try.budget, m_run.script(), m_timing)));
+    const bool isOpen = !m_done && m_try.conditions.hasBegun(m_run) && !m_try.isDone(m_run);
     m_wasSilent = m_wasSilent || (isOpen && todo().isEmpty());
 }
 
 void RunPlayer::play(int frames)
 {
     for (int i = 0; i < frames; ++i) {
-        m_run.stepRow();
+        m_run.nextOutputStep();
         look();
     }
 }
@@ -40,7 +40,7 @@ void Player::playUntilDone(int frames)
 void RunPlayer::grab(const std::string &body)
 {
     m_held = body;
-    m_run.hand(sim::Grab{body});
+    m_run.applyInput(sim::Grab{body});
     look();
 }
 
@@ -55,12 +55,12 @@ void Player::carryTo(sim::Vec2 to, int frames)
 
 void RunPlayer::moveHand(sim::Vec2 to)
 {
-    m_run.hand(sim::Move{to});
+    m_run.applyInput(sim::Move{to});
 }
 
 void RunPlayer::letGo()
 {
-    m_run.hand(sim::Release{});
+    m_run.applyInput(sim::Release{});
     look();
 }
 
@@ -73,31 +73,31 @@ void Player::drag(const std::string &body, sim::Vec2 to, int frames)
 
 void RunPlayer::point(sim::Vec2 at, bool down)
 {
-    m_run.hand(sim::Pointer{at, down});
+    m_run.applyInput(sim::Pointer{at, down});
     look();
 }
 
 void RunPlayer::target(sim::Vec2 at)
 {
-    m_run.hand(sim::Target{at});
+    m_run.applyInput(sim::Target{at});
     look();
 }
 
 void RunPlayer::key(bool sim::Keys::*key, bool down)
 {
-    m_run.hand(sim::Key{key, down});
+    m_run.applyInput(sim::Key{key, down});
     look();
 }
 
 void RunPlayer::set(const std::string &parameter, double value)
 {
     const lessons::Parameter *declared = m_step.parameter(QString::fromStdString(parameter));
-    if (declared && declared->opens) {
-        sim::Values values = m_step.presets();
+    if (declared && declared->restartsRun) {
+        sim::Values values = m_step.defaultValues();
         values.set(parameter, value);
         m_run = sim::Timeline(m_step.scriptWith(values, m_run.script().method));
     } else {
-        m_run.set(parameter, value);
+        m_run.setParameter(parameter, value);
     }
     look();
 }
@@ -105,7 +105,7 @@ void RunPlayer::set(const std::string &parameter, double value)
 void RunPlayer::use(sim::Script script)
 {
     script.step = sim::stepFor(*script.method, script.step);
-    m_run.replace(std::move(script));
+    m_run.replaceScript(std::move(script));
     look();
 }
 
@@ -119,18 +119,18 @@ void RunPlayer::useMethod(const std::string &id)
 void RunPlayer::useStep(double h)
 {
     sim::Script script = m_run.script();
-    script.step = sim::StepSize::of(h);
+    script.step = sim::StepSize::ofLength(h);
     use(std::move(script));
 }
 
 void RunPlayer::useTolerance(double tolerance)
 {
     sim::Script script = m_run.script();
-    script.step = sim::StepSize::within(tolerance);
+    script.step = sim::StepSize::withTolerance(tolerance);
     use(std::move(script));
 }
 
-void RunPlayer::useTiming(lessons::Timing timing)
+void RunPlayer::useTiming(lessons::TimeMeasurement timing)
 {
     m_timing = std::move(timing);
 }
@@ -144,14 +144,14 @@ void RunPlayer::goTo(std::int64_t frame)
 void RunPlayer::stepPhases(int count)
 {
     for (int i = 0; i < count; ++i) {
-        m_run.stepPhase();
+        m_run.nextPhase();
         look();
     }
 }
 
 sim::Vec2 Player::at(const std::string &body) const
 {
-    return run().now().at(run().track().shown().scene.find(body));
+    return run().state().positionOf(run().track().interval().scene.find(body));
 }
 
 }

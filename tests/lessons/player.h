@@ -31,7 +31,7 @@ public:
     /// For a method that chooses its steps: px a step.
     virtual void useTolerance(double tolerance) = 0;
     /// How the time is told that a run takes, for tries with a budget; before, no time keeps one.
-    virtual void useTiming(lessons::Timing timing) = 0;
+    virtual void useTiming(lessons::TimeMeasurement timing) = 0;
     virtual void goTo(std::int64_t frame) = 0;
     virtual void stepPhases(int count) = 0;
 
@@ -69,7 +69,7 @@ public:
     void useMethod(const std::string &id) override;
     void useStep(double h) override;
     void useTolerance(double tolerance) override;
-    void useTiming(lessons::Timing timing) override;
+    void useTiming(lessons::TimeMeasurement timing) override;
     void goTo(std::int64_t frame) override;
     void stepPhases(int count) override;
 
@@ -87,7 +87,7 @@ private:
     lessons::Step m_step;
     sim::Timeline m_run;
     lessons::Try m_try;
-    lessons::Timing m_timing;
+    lessons::TimeMeasurement m_timing;
     bool m_done = false;
     bool m_wasSilent = false;
 };

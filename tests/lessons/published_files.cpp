@@ -64,7 +64,7 @@ sim::Script readScript(const QJsonObject &file, const lessons::Step &step)
 {
     sim::Script script = step.script();
     script.method = sim::findMethod(file[QStringLiteral("method")].toString().toStdString());
-    script.step = sim::StepSize::of(file[QStringLiteral("h")].toDouble());
+    script.step = sim::StepSize::ofLength(file[QStringLiteral("h")].toDouble());
     const QJsonObject parameters = file[QStringLiteral("parameters")].toObject();
     for (const QString &id : parameters.keys()) {
         const lessons::Parameter *parameter = step.parameter(id);
@@ -155,13 +155,13 @@ double largestDifference(const PublishedRun &run)
     double largest = 0.0;
     for (const PublishedRow &row : run.rows) {
         timeline.seek({row.frame, 0});
-        const int point = timeline.track().shown().scene.find(row.body);
-        if (point < 0 || timeline.at().frame != row.frame)
+        const int point = timeline.track().interval().scene.find(row.body);
+        if (point < 0 || timeline.cursor().frame != row.frame)
             return std::numeric_limits<double>::infinity();
-        const sim::State &now = timeline.now();
-        largest = std::max(largest, difference(now.at(point), row.x));
+        const sim::State &now = timeline.state();
+        largest = std::max(largest, difference(now.positionOf(point), row.x));
         if (row.v)
-            largest = std::max(largest, difference(now.speed(point), *row.v));
+            largest = std::max(largest, difference(now.velocityOf(point), *row.v));
         if (row.angle)
             largest = std::max(largest, std::abs(now.angle[point] - *row.angle));
     }

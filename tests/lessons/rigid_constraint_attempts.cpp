@@ -7,7 +7,7 @@ namespace {
 /// Leads the pointer to `to` in equal parts, one a frame.
 void lead(Player &p, sim::Vec2 to, int frames)
 {
-    const sim::Vec2 from = p.run().now().outside.pointer.value_or(p.at("p0"));
+    const sim::Vec2 from = p.run().state().input.pointer.value_or(p.at("p0"));
     for (int i = 1; i <= frames; ++i) {
         p.point(from + (double(i) / frames) * (to - from), true);
         p.play(1);

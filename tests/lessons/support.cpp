@@ -101,7 +101,7 @@ sim::Script scriptOf(const lessons::Step &step, const std::string &method, doubl
 {
     sim::Script script = step.script();
     script.method = sim::findMethod(method);
-    script.step = sim::stepFor(*script.method, sim::StepSize::of(h));
+    script.step = sim::stepFor(*script.method, sim::StepSize::ofLength(h));
     for (const auto &[id, value] : changes)
         script.values.set(id, value);
     return script;
@@ -111,7 +111,7 @@ sim::State stateAfter(const sim::Script &script, std::int64_t frames)
 {
     sim::Track track(script, 0);
     track.seek({frames, 0});
-    return track.now();
+    return track.state();
 }
 
 double farthestApart(const sim::State &a, const sim::State &b)
@@ -124,12 +124,12 @@ Slope slopeOf(const std::function<double(double)> &error, int first, int last)
     std::vector<double> logs;
     for (int n = first; n <= last; ++n)
         logs.push_back(std::log2(error(1.0 / (1 << n))));
-    Slope slope{1e9, -1e9};
+    Slope jacobian{1e9, -1e9};
     for (std::size_t i = 1; i < logs.size(); ++i) {
-        slope.least = std::min(slope.least, logs[i - 1] - logs[i]);
-        slope.greatest = std::max(slope.greatest, logs[i - 1] - logs[i]);
+        jacobian.least = std::min(jacobian.least, logs[i - 1] - logs[i]);
+        jacobian.greatest = std::max(jacobian.greatest, logs[i - 1] - logs[i]);
     }
-    return slope;
+    return jacobian;
 }
 
 }

@@ -11,19 +11,19 @@ Course courseOf(const sim::Script &script, const std::string &body, int from, in
 {
     sim::Track track(script, 0);
     track.seek({from, 0});
-    const int point = track.shown().scene.find(body);
-    const double start = track.now().at(point).x;
-    Course course;
+    const int point = track.interval().scene.find(body);
+    const double start = track.state().positionOf(point).x;
+    Course integrator;
     for (int frame = from; frame <= to; ++frame) {
         track.seek({frame, 0});
-        const sim::Vec2 at = track.now().at(point);
-        course.top = std::min(course.top, at.y);
-        course.bottom = std::max(course.bottom, at.y);
-        course.left = std::min(course.left, at.x);
-        course.right = std::max(course.right, at.x);
+        const sim::Vec2 at = track.state().positionOf(point);
+        integrator.top = std::min(integrator.top, at.y);
+        integrator.bottom = std::max(integrator.bottom, at.y);
+        integrator.left = std::min(integrator.left, at.x);
+        integrator.right = std::max(integrator.right, at.x);
     }
-    course.pace = (track.now().at(point).x - start) / (to - from);
-    return course;
+    integrator.pace = (track.state().positionOf(point).x - start) / (to - from);
+    return integrator;
 }
 
 }

@@ -25,7 +25,7 @@ class AccuracyLesson : public QObject
     {
         sim::Script script = step(id).script();
         script.method = sim::findMethod(method);
-        script.step = sim::StepSize::within(tolerance);
+        script.step = sim::StepSize::withTolerance(tolerance);
         return script;
     }
 
@@ -49,9 +49,9 @@ class AccuracyLesson : public QObject
         sim::State before;
         for (int frame = 0; frame <= frames; ++frame) {
             track.seek({frame, 0});
-            values.push_back(measure.ofRun(script, track.shown().scene, track.now(),
-                                           frame > 0 ? &before : nullptr, track.shown().values));
-            before = track.now();
+            values.push_back(measure.ofRun(script, track.interval().scene, track.state(),
+                                           frame > 0 ? &before : nullptr, track.interval().values));
+            before = track.state();
         }
         return values;
     }
@@ -85,7 +85,7 @@ void AccuracyLesson::aBigStepIsAsFarOffAsTheTextSays()
     QVERIFY(std::abs(2 * std::numbers::pi / std::sqrt(0.2) - 14.05) < 0.005);
     QVERIFY(saysOf("big_step", u"after 100 frames it is 66 px off"_qs));
     const sim::Script script = step("big_step").script();
-    const double off = std::abs(stateAfter(script, 100).at(0).x - 270.0 - cosine(130.0, 0.2, 100));
+    const double off = std::abs(stateAfter(script, 100).positionOf(0).x - 270.0 - cosine(130.0, 0.2, 100));
     QCOMPARE(std::round(off), 66.0);
     QVERIFY(std::abs(measured("big_step", 0, script, 100).back() - off) < 1e-6);
     QVERIFY(offAt("big_step", "semi_implicit_euler", 0.125, 100) < 5.0);
@@ -178,7 +178,7 @@ void AccuracyLesson::stepsGetShortOnlyAtTheMiddle()
     const std::vector<double> length = measured("adapt", 1, script, 150);
     double inside = 100.0, outside = 0.0;
     for (int frame = 1; frame <= 150; ++frame) {
-        const double away = sim::length(m_exact.at(script, frame)->at(0) - sim::Vec2{270, 200});
+        const double away = sim::length(m_exact.at(script, frame)->positionOf(0) - sim::Vec2{270, 200});
         double &extreme = away < 30.0 ? inside : outside;
         const double taken = length[static_cast<std::size_t>(frame)];
         extreme = away < 30.0 ? std::min(inside, taken) : std::max(outside, taken);
@@ -193,7 +193,7 @@ void AccuracyLesson::adaptiveStepsPayLess()
     const sim::Script script = step("adapt").script();
     const double off = offAt(script, 150);
     QVERIFY(off > 0.001 && off < 0.2);
-    const double perFrame = stateAfter(script, 150).turns() / 150;
+    const double perFrame = stateAfter(script, 150).forceEvaluations() / 150;
     QVERIFY(perFrame < 5.0);
     double sum = 0.0;
     for (double computations : measured("adapt", 2, script, 150))
@@ -220,7 +220,7 @@ void AccuracyLesson::eventFindingKeepsTheParabolas()
     const sim::Script script = within("bounce", 1e-3);
     for (int frame : {31, 60, 92, 150, 200, 270}) {
         const double height = bouncingHeight(235.0, 0.5, 1.0, frame);
-        QVERIFY(std::abs(365.0 - stateAfter(script, frame).at(0).y - height) < 1e-7);
+        QVERIFY(std::abs(365.0 - stateAfter(script, frame).positionOf(0).y - height) < 1e-7);
     }
     const std::vector<double> drift = measured("bounce", 1, script, 200);
     QVERIFY(std::abs(drift.back()) < 1e-6);
@@ -233,11 +233,11 @@ void AccuracyLesson::aBallComesToRestAfterAFiniteTime()
     QCOMPARE(std::round(first + 2 * first * 0.5 / (1 - 0.5)), 92.0);
     sim::Script script = within("bounce", 1e-3);
     script.values.set("bounce", 0.5);
-    QVERIFY(!stateAfter(script, 70).resting.any());
+    QVERIFY(!stateAfter(script, 70).restingContacts.any());
     const sim::State rest = stateAfter(script, 93);
-    QVERIFY(rest.resting.any());
-    QVERIFY(std::abs(rest.at(0).y - 365.0) < 1e-9);
-    QCOMPARE(rest.speed(0).y, 0.0);
+    QVERIFY(rest.restingContacts.any());
+    QVERIFY(std::abs(rest.positionOf(0).y - 365.0) < 1e-9);
+    QCOMPARE(rest.velocityOf(0).y, 0.0);
 }
 
 /// What a run costs does not count here.

@@ -180,7 +180,7 @@ void Codeling::matchesThePrintedCode()
         printed.update();
         track.seek({frame, 0});
         for (const auto &[point, wanted] : {std::pair{0, printed.lead}, std::pair{1, printed.tail}}) {
-            const sim::Vec2 at = track.now().at(point);
+            const sim::Vec2 at = track.state().positionOf(point);
             QVERIFY2(std::abs(at.x - wanted.x) <= 1e-9 && std::abs(at.y - wanted.y) <= 1e-9,
                      qPrintable(QString::number(frame)));
         }
@@ -214,7 +214,7 @@ void Codeling::theMotorIsTheExactDampedOscillator()
     for (const int n : {1, 2, 3, 10, 40, 100}) {
         const double left = (part1 * std::pow(z1, n) + part2 * std::pow(z2, n)).real();
         const sim::Vec2 wanted = sim::Vec2{450, 120} + left * sim::Vec2{-250, 80};
-        QVERIFY(sim::length(stateAfter(script, n).at(0) - wanted) <= 1e-9);
+        QVERIFY(sim::length(stateAfter(script, n).positionOf(0) - wanted) <= 1e-9);
     }
 }
 
@@ -224,13 +224,13 @@ void Codeling::theMotorConvergesToItsContinuousModel()
     const double c = -std::log(0.7), w2 = 0.9 * 0.0625, w = std::sqrt(w2 - c * c / 4), t = 12;
     const double left = std::exp(-c * t / 2) * (std::cos(w * t) + c / (2 * w) * std::sin(w * t));
     for (const char *method : {"published", "semi_implicit_euler"}) {
-        const Slope slope = slopeOf(
+        const Slope jacobian = slopeOf(
             [&](double h) {
                 const sim::Script script = scriptOf(step("motor"), method, h, {{"target_x", 450}});
                 return std::abs(stateAfter(script, 12).position(0, 0) - (450 - 250 * left));
             },
             4, 9);
-        QVERIFY(slope.least > 0.9 && slope.greatest < 1.1);
+        QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
     }
 }
 
@@ -242,7 +242,8 @@ void Codeling::theTailIsAlwaysAtItsRestLength()
         sim::Track track(script, 0);
         for (int frame = 1; frame <= 1000; ++frame) {
             track.seek({frame, 0});
-            QVERIFY(std::abs(sim::length(track.now().at(0) - track.now().at(1)) - 40.0) <= 1e-9);
+            QVERIFY(std::abs(sim::length(track.state().positionOf(0) - track.state().positionOf(1)) - 40.0) <=
+                    1e-9);
         }
     }
 }
@@ -265,9 +266,9 @@ void Codeling::anticipationIsOppositeToTheMove()
         const sim::Vec2 way = 150.0 * sim::Vec2{std::cos(angle), std::sin(angle)};
         sim::Script script = m_lesson.step(id).script();
         script.input = {{10, sim::Target{sim::Vec2{200, 200} + way}}};
-        const sim::Vec2 came = stateAfter(script, 10).at(0) - sim::Vec2{200, 200};
+        const sim::Vec2 came = stateAfter(script, 10).positionOf(0) - sim::Vec2{200, 200};
         QVERIFY(sim::length(came + (0.2 + 0.14 - 0.0675) * way) <= 1e-9);
-        QVERIFY(sim::length(stateAfter(script, 100).at(0) - sim::Vec2{200, 200} - way) < 0.1);
+        QVERIFY(sim::length(stateAfter(script, 100).positionOf(0) - sim::Vec2{200, 200} - way) < 0.1);
     }
 }
 
@@ -278,14 +279,14 @@ void Codeling::twoTargetsInOneFrameBothCount()
     const sim::State both = stateAfter(script, 1);
     // 200 - 20 = 180 and 200, then + 0.2 (180 - 200, 200 - 400): (176, 160), with the velocity (-24, -40).
     const sim::Vec2 v = sim::Vec2{0.7 * -24, 0.7 * -40} + 0.05625 * sim::Vec2{200 - 176, 400 - 160};
-    QVERIFY(sim::length(both.at(0) - sim::Vec2{176, 160} - v) <= 1e-9);
+    QVERIFY(sim::length(both.positionOf(0) - sim::Vec2{176, 160} - v) <= 1e-9);
 }
 
 void Codeling::aHeldLeadDoesNotAnticipate()
 {
     sim::Script script = step("squash_stretch").script();
     script.input = {{1, sim::Grab{"lead"}}, {1, sim::Move{{300, 300}}}, {5, sim::Target{{100, 100}}}};
-    QCOMPARE(stateAfter(script, 20).at(0), (sim::Vec2{300, 300}));
+    QCOMPARE(stateAfter(script, 20).positionOf(0), (sim::Vec2{300, 300}));
 }
 
 /// What is left of the error after h frames is (1 - soft)^h of it, whatever the step. Lead and tail at rest, nothing
@@ -296,8 +297,8 @@ void Codeling::twoHalfStepsOfASoftStickAreOne()
         sim::Script script = scriptOf(step("squash_stretch"), "published", h, {{"along", 0}, {"across", 0}});
         script.bodies["tail"] = {{150, 200}, {}};
         for (const int frame : {1, 5}) {
-            const double spine =
-                sim::length(stateAfter(script, frame).at(0) - stateAfter(script, frame).at(1));
+            const double spine = sim::length(stateAfter(script, frame).positionOf(0) -
+                                             stateAfter(script, frame).positionOf(1));
             QVERIFY(std::abs(spine - (40 + 10 * std::pow(0.9, frame))) <= 1e-9);
         }
     }
@@ -307,7 +308,7 @@ void Codeling::settingTheTargetParameterSendsIt()
 {
     sim::Script script = step("anticipation").script();
     script.input = {{10, sim::Set{"target_x", 400.0}}};
-    QVERIFY(sim::length(stateAfter(script, 200).at(0) - sim::Vec2{400, 200}) < 1e-6);
+    QVERIFY(sim::length(stateAfter(script, 200).positionOf(0) - sim::Vec2{400, 200}) < 1e-6);
 }
 
 QTEST_GUILESS_MAIN(Codeling)

@@ -41,7 +41,7 @@ void CodelingBody::theTailNeverPassesThroughTheLead()
         sim::Track track(script, 0);
         for (int frame = 1; frame <= 33000; ++frame) {
             track.seek({frame, 0});
-            const double spine = sim::length(track.now().at(0) - track.now().at(1));
+            const double spine = sim::length(track.state().positionOf(0) - track.state().positionOf(1));
             shortest = std::min(shortest, spine);
             longest = std::max(longest, spine);
         }
@@ -80,7 +80,7 @@ void CodelingBody::theAreaStays()
     double least = 1e9, most = -1e9;
     for (int frame = 1; frame <= 4000; ++frame) {
         track.seek({frame, 0});
-        const double area = sim::areaOf(track.now(), {0, 1, 2, 3}) / 600.0;
+        const double area = sim::areaOf(track.state(), {0, 1, 2, 3}) / 600.0;
         least = std::min(least, area);
         most = std::max(most, area);
     }
@@ -106,16 +106,17 @@ void CodelingBody::everyLinkKeepsItsLength()
     send(script, randomTargets(1500, 1, 60, 9));
     sim::Track track(script, 0);
     const sim::Scene scene = sim::sceneOf(script, script.values);
-    QCOMPARE(scene.start.points(), static_cast<int>(4 + tentacles * links));
+    QCOMPARE(scene.start.pointCount(), static_cast<int>(4 + tentacles * links));
     double worst = 0.0;
     for (int frame = 1; frame <= 1500; ++frame) {
         track.seek({frame, 0});
-        const sim::State &now = track.now();
-        for (int i = 4; i < now.points(); ++i) {
+        const sim::State &now = track.state();
+        for (int i = 4; i < now.pointCount(); ++i) {
             const bool isRoot = (i - 4) % static_cast<int>(links) == 0;
-            const double away = isRoot ? std::min(sim::length(now.at(i) - now.at(2)) - 7.0,
-                                                  std::abs(sim::length(now.at(i) - now.at(3)) - 7.0))
-                                       : sim::length(now.at(i) - now.at(i - 1)) - 7.0;
+            const double away =
+                isRoot ? std::min(sim::length(now.positionOf(i) - now.positionOf(2)) - 7.0,
+                                  std::abs(sim::length(now.positionOf(i) - now.positionOf(3)) - 7.0))
+                       : sim::length(now.positionOf(i) - now.positionOf(i - 1)) - 7.0;
             worst = std::max(worst, isRoot ? std::max(0.0, away) : std::abs(away));
         }
     }
@@ -142,13 +143,13 @@ void CodelingBody::allPointsInOnePlacePart()
     sim::Track track(script, 0);
     track.seek({200, 0});
     QVERIFY(!track.stop());
-    const sim::State &now = track.now();
-    for (int i = 1; i < std::min(4, now.points()); ++i) {
+    const sim::State &now = track.state();
+    for (int i = 1; i < std::min(4, now.pointCount()); ++i) {
         for (int j = 0; j < i; ++j)
-            QVERIFY(sim::length(now.at(i) - now.at(j)) > 1e-6);
+            QVERIFY(sim::length(now.positionOf(i) - now.positionOf(j)) > 1e-6);
     }
-    if (now.points() > 1)
-        QVERIFY(std::abs(sim::length(now.at(0) - now.at(1)) - 40.0) < 1.0);
+    if (now.pointCount() > 1)
+        QVERIFY(std::abs(sim::length(now.positionOf(0) - now.positionOf(1)) - 40.0) < 1.0);
 }
 
 QTEST_GUILESS_MAIN(CodelingBody)

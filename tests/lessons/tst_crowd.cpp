@@ -43,10 +43,10 @@ class CrowdStep : public QObject
         sim::Scene scene = scenes::springCreature(feet, values["k"], values["radius"]);
         for (int i = 0; i < feet; ++i) {
             const std::string foot = QString("creature%1.foot%2").arg(creature).arg(i).toStdString();
-            scene.start.place(i, crowd.start.at(crowd.find(foot)));
+            scene.start.place(i, crowd.start.positionOf(crowd.find(foot)));
         }
         const std::string body = QString("creature%1.body").arg(creature).toStdString();
-        scene.start.place(feet, crowd.start.at(crowd.find(body)));
+        scene.start.place(feet, crowd.start.positionOf(crowd.find(body)));
         scenes::add<sim::Gravity>(scene, values["gravity"]);
         scenes::add<sim::Damping>(scene, values["damp"]);
         scenes::add<sim::Walls>(scene, room, scenes::halfWidths(scene));
@@ -83,7 +83,7 @@ void CrowdStep::eachCreatureRunsAsItDoesAlone()
     constexpr int frames = 300;
     const sim::Script script = crowdOf(count, method.toStdString(), h, 0.8);
     const sim::Scene crowd = script.build(script.values);
-    const auto look = step().look(crowd, script.values);
+    const auto look = step().view(crowd, script.values);
     sim::Room room = look.room.value();
     room.bounce = 0.8;
     const sim::State end = stateAfter(script, frames);
@@ -91,13 +91,13 @@ void CrowdStep::eachCreatureRunsAsItDoesAlone()
         sim::Script one = script;
         one.build = [&](const sim::Values &values) { return alone(crowd, creature, room, values); };
         const sim::State own = stateAfter(one, frames);
-        QVERIFY(own.at(feet).y > 340.0); // it has come down
+        QVERIFY(own.positionOf(feet).y > 340.0); // it has come down
         const auto place = [&](const QString &part) {
-            return end.at(crowd.find(QString("creature%1.%2").arg(creature).arg(part).toStdString()));
+            return end.positionOf(crowd.find(QString("creature%1.%2").arg(creature).arg(part).toStdString()));
         };
-        QVERIFY(place("body") == own.at(feet));
+        QVERIFY(place("body") == own.positionOf(feet));
         for (int i = 0; i < feet; ++i)
-            QVERIFY(place(QString("foot%1").arg(i)) == own.at(i));
+            QVERIFY(place(QString("foot%1").arg(i)) == own.positionOf(i));
     }
 }
 
@@ -105,7 +105,7 @@ void CrowdStep::whatCreaturesHaveAlikeLiesSideBySide()
 {
     constexpr int count = 4;
     const sim::Scene scene = sceneOf(count);
-    QCOMPARE(scene.start.points(), count * (feet + 1));
+    QCOMPARE(scene.start.pointCount(), count * (feet + 1));
     for (int creature = 0; creature < count; ++creature) {
         const std::string name = "creature" + std::to_string(creature);
         QCOMPARE(scene.find(name + ".body"), creature);
@@ -114,7 +114,7 @@ void CrowdStep::whatCreaturesHaveAlikeLiesSideBySide()
     }
     QCOMPARE(scene.groups.size(), std::size_t(2)); // feet, then bodies
     QCOMPARE(scene.groups[0].points.first, count);
-    QCOMPARE(scene.groups[0].points.end(), scene.start.points());
+    QCOMPARE(scene.groups[0].points.end(), scene.start.pointCount());
     QCOMPARE(scene.groups[1].points.first, 0);
     QCOMPARE(scene.groups[1].points.end(), count);
 }
@@ -125,7 +125,7 @@ void CrowdStep::itsWorkGrowsAsItsCreatures()
         const sim::Scene scene = sceneOf(count);
         QCOMPARE(scene.effects.size(), std::size_t(4));
         const auto work = [&](std::size_t effect) {
-            return scene.effects[effect]->count(scene.start, {0, scene.start.points()});
+            return scene.effects[effect]->count(scene.start, {0, scene.start.pointCount()});
         };
         QCOMPARE(scene.effects[0]->id(), std::string("radial_spring"));
         QCOMPARE(work(0), 10 * count);
@@ -139,9 +139,9 @@ void CrowdStep::eachStartsElsewhereInItsOwnShape()
     constexpr int count = 100;
     const sim::Scene scene = sceneOf(count);
     for (int i = 1; i < count; ++i) {
-        QVERIFY(sim::length(scene.start.at(i) - scene.start.at(i - 1)) > 0.0);
+        QVERIFY(sim::length(scene.start.positionOf(i) - scene.start.positionOf(i - 1)) > 0.0);
         const auto shape = [&](int creature) {
-            return scene.start.at(count + creature) - scene.start.at(creature);
+            return scene.start.positionOf(count + creature) - scene.start.positionOf(creature);
         };
         QVERIFY(sim::length(shape(i) - shape(i - 1)) > 0.0);
     }
@@ -154,9 +154,9 @@ void CrowdStep::theRoomGrowsWithTheCrowd()
 {
     const auto placeOf = [&](int count) {
         const sim::Scene scene = sceneOf(count);
-        const lessons::Look look = step().look(scene, crowdOf(count).values);
-        for (int i = 0; i < scene.start.points(); ++i) {
-            const sim::Vec2 at = scene.start.at(i);
+        const lessons::View look = step().view(scene, crowdOf(count).values);
+        for (int i = 0; i < scene.start.pointCount(); ++i) {
+            const sim::Vec2 at = scene.start.positionOf(i);
             if (!look.stage.contains(at.x, at.y) || at.x < look.room->left || at.x > look.room->right ||
                 at.y > look.room->floor)
                 return 0.0;
@@ -177,9 +177,9 @@ void CrowdStep::aCreatureThatComesInDisturbsNobody()
     const sim::State before = stateAfter(script, 40);
     script.input = {{21, sim::Set{"creatures", 5.0}}};
     const sim::State after = stateAfter(script, 40);
-    QCOMPARE(after.points(), 30);
+    QCOMPARE(after.pointCount(), 30);
     for (int i = 0; i < 3; ++i)
-        QVERIFY(before.at(i) == after.at(i));
+        QVERIFY(before.positionOf(i) == after.positionOf(i));
 }
 
 void CrowdStep::whatWouldTakeTooLongDeclines()
@@ -190,9 +190,9 @@ void CrowdStep::whatWouldTakeTooLongDeclines()
         return sim::stabilityOf(scene, scene.start, *script.method, script.step.h).bound;
     };
     QVERIFY(boundOf(2) == sim::Bound::stiffness);
-    QVERIFY(boundOf(sim::mostSwinging / 6 + 1) == sim::Bound::tooLarge);
+    QVERIFY(boundOf(sim::maxAnalysedPoints / 6 + 1) == sim::Bound::tooLarge);
     try {
-        sim::studyAccuracy(crowdOf(sim::mostStudied / 6 + 1), {},
+        sim::studyAccuracy(crowdOf(sim::maxStudiedPoints / 6 + 1), {},
                            [](const sim::Accuracy &, double) { return false; });
         QFAIL("it was studied");
     } catch (const sim::Error &error) {

@@ -25,19 +25,19 @@ bool sameBitsIn(const std::vector<double> &a, const std::vector<double> &b)
 }
 
 /// What `effect` does where things are as in `before`.
-Done doneBy(const sim::Effect &effect, const sim::State &before, sim::Directions way)
+Done doneBy(const sim::Effect &effect, const sim::State &before, sim::DirectionRule way)
 {
     constexpr double h = 0.5; // frames
     sim::State state = before;
-    const sim::Points all = {0, state.points()};
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
+    const sim::PointRange all = {0, state.pointCount()};
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
     if (const auto *force = dynamic_cast<const sim::Force *>(&effect))
         force->add(before, all, 1.0, way, state.acceleration);
     else if (const auto *torque = dynamic_cast<const sim::Torque *>(&effect))
-        torque->add(before, all, 1.0, state.turning);
+        torque->add(before, all, 1.0, state.angularAcceleration);
     else if (const auto *drag = dynamic_cast<const sim::Drag *>(&effect))
-        drag->slow(state, all, h);
+        drag->apply(state, all, h);
     else if (const auto *driver = dynamic_cast<const sim::Driver *>(&effect))
         driver->drive(state, h);
     else if (const auto *constraint = dynamic_cast<const sim::Constraint *>(&effect))
@@ -45,10 +45,10 @@ Done doneBy(const sim::Effect &effect, const sim::State &before, sim::Directions
     else if (const auto *contact = dynamic_cast<const sim::Contact *>(&effect))
         contact->resolve(state, all);
     Done done;
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         done.points.push_back({state.position(i, 0), state.position(i, 1), state.velocity(i, 0),
                                state.velocity(i, 1), state.acceleration(i, 0), state.acceleration(i, 1)});
-        for (const Eigen::ArrayXd *numbers : {&state.angle, &state.spin, &state.turning}) {
+        for (const Eigen::ArrayXd *numbers : {&state.angle, &state.spin, &state.angularAcceleration}) {
             if (numbers->rows() > 0)
                 done.points.back().push_back((*numbers)[i]);
         }
@@ -57,8 +57,8 @@ Done doneBy(const sim::Effect &effect, const sim::State &before, sim::Directions
     for (Eigen::Index i = 0; i < state.gait.rows(); ++i)
         done.rest.insert(done.rest.end(),
                          {state.gait[i] - before.gait[i], state.gaitSpeed[i] - before.gaitSpeed[i]});
-    done.rest.insert(done.rest.end(),
-                     {state.gale.front - before.gale.front, state.gale.end - before.gale.end});
+    done.rest.insert(done.rest.end(), {state.gustExtent.front - before.gustExtent.front,
+                                       state.gustExtent.tail - before.gustExtent.tail});
     return done;
 }
 
@@ -77,22 +77,22 @@ std::vector<Change> changesOfTheRest()
         {"gait speed", false, [](sim::State &s) { s.gaitSpeed += 0.3; }},
         {"pointer", false,
          [](sim::State &s) {
-             s.outside.pointer = sim::Vec2{410.0, 90.0};
+             s.input.pointer = sim::Vec2{410.0, 90.0};
          }},
-        {"button", false, [](sim::State &s) { s.outside.pointerDown = !s.outside.pointerDown; }},
+        {"button", false, [](sim::State &s) { s.input.pointerDown = !s.input.pointerDown; }},
         {"target", false,
          [](sim::State &s) {
-             s.outside.target = {17.0, 23.0};
+             s.input.target = {17.0, 23.0};
          }},
         {"new target", false,
          [](sim::State &s) {
-             s.outside.newTargets.push_back({310.0, 20.0});
+             s.input.newTargets.push_back({310.0, 20.0});
          }},
-        {"gust", false, [](sim::State &s) { s.outside.gust = 13.0; }},
-        {"key", false, [](sim::State &s) { s.outside.keys.right = !s.outside.keys.right; }},
+        {"gust", false, [](sim::State &s) { s.input.gust = 13.0; }},
+        {"key", false, [](sim::State &s) { s.input.keys.right = !s.input.keys.right; }},
         {"gale", false,
          [](sim::State &s) {
-             s.gale = {700.0, 30.0};
+             s.gustExtent = {700.0, 30.0};
          }},
         {"frame", true, [](sim::State &s) { s.frame += 7; }},
     };
@@ -103,13 +103,13 @@ std::vector<Change> changesOf(int point)
     return {
         {"place", false,
          [=](sim::State &s) {
-             s.place(point, s.at(point) + sim::Vec2{37.0, -21.0});
+             s.place(point, s.positionOf(point) + sim::Vec2{37.0, -21.0});
          }},
         {"speed", false,
          [=](sim::State &s) {
-             s.push(point, s.speed(point) + sim::Vec2{-3.0, 5.0});
+             s.setVelocity(point, s.velocityOf(point) + sim::Vec2{-3.0, 5.0});
          }},
-        {"mass", false, [=](sim::State &s) { s.inverseMass[point] = s.feels(point) ? 0.0 : 1.0; }},
+        {"mass", false, [=](sim::State &s) { s.inverseMass[point] = s.isDynamic(point) ? 0.0 : 1.0; }},
         {"angle", false,
          [=](sim::State &s) {
              if (s.angle.rows() > 0)
@@ -131,8 +131,8 @@ std::vector<Change> changesOf(int point)
 /// For each point whether `effect` ties it to `point`, straight or by way of others.
 std::vector<bool> tiedTo(const sim::Effect &effect, int point, int points)
 {
-    std::vector<sim::Tie> ties;
-    effect.ties(ties);
+    std::vector<sim::Coupling> ties;
+    effect.addCouplings(ties);
     std::vector<bool> tied(static_cast<std::size_t>(points), false);
     tied[static_cast<std::size_t>(point)] = true;
     for (bool grows = true; grows;) {
@@ -153,15 +153,15 @@ std::vector<sim::State> statesOf(const sim::Script &script)
     if (state.previous.rows() == 0)
         state.previous = state.position;
     sim::State blown = state;
-    blown.outside.pointer = sim::Vec2{200.0, 150.0};
-    blown.outside.pointerDown = true;
-    blown.outside.newTargets.push_back({100.0, 300.0});
-    blown.outside.keys.left = true;
-    blown.gale = {900.0, 0.0};
+    blown.input.pointer = sim::Vec2{200.0, 150.0};
+    blown.input.pointerDown = true;
+    blown.input.newTargets.push_back({100.0, 300.0});
+    blown.input.keys.left = true;
+    blown.gustExtent = {900.0, 0.0};
     sim::State close = state; // some effects see those nearby only, or do nothing to what stands still
-    for (int i = 0; i < close.points(); ++i) {
-        close.place(i, close.at(0) + 0.05 * (close.at(i) - close.at(0)));
-        close.push(i, {3.0 + i, 2.0 - i});
+    for (int i = 0; i < close.pointCount(); ++i) {
+        close.place(i, close.positionOf(0) + 0.05 * (close.positionOf(i) - close.positionOf(0)));
+        close.setVelocity(i, {3.0 + i, 2.0 - i});
     }
     sim::State outside = state; // or at a wall
     outside.position.col(0) -= 1e4;
@@ -189,7 +189,7 @@ class WhatEffectsSee : public QObject
     /// was changed. Filled by the first test, over all lessons.
     struct Found
     {
-        sim::Sees sees = sim::Sees::tied;
+        sim::Dependence dependence = sim::Dependence::coupledPoints;
         bool ties = false;
         std::set<std::string> byOthers;
         std::set<std::string> byTheRest;
@@ -198,13 +198,14 @@ class WhatEffectsSee : public QObject
 
     static std::string nameOf(const sim::Effect &effect)
     {
-        const std::map<sim::Sees, std::string> words = {
-            {sim::Sees::tied, "tied"}, {sim::Sees::scene, "scene"}, {sim::Sees::time, "time"}};
-        return effect.id() + " (" + words.at(effect.sees()) + ")";
+        const std::map<sim::Dependence, std::string> words = {{sim::Dependence::coupledPoints, "tied"},
+                                                              {sim::Dependence::scene, "scene"},
+                                                              {sim::Dependence::time, "time"}};
+        return effect.id() + " (" + words.at(effect.dependence()) + ")";
     }
 
     /// What changes elsewhere when the rest of the state does: nothing that the effect has not said.
-    void checkRest(const sim::Effect &effect, const sim::State &state, sim::Directions way)
+    void checkRest(const sim::Effect &effect, const sim::State &state, sim::DirectionRule way)
     {
         const Done before = doneBy(effect, state, way);
         for (const Change &change : changesOfTheRest()) {
@@ -217,17 +218,17 @@ class WhatEffectsSee : public QObject
             if (same)
                 continue;
             m_found[nameOf(effect)].byTheRest.insert(change.what);
-            const bool said =
-                effect.sees() == sim::Sees::time || (effect.sees() == sim::Sees::scene && !change.isTime);
+            const bool said = effect.dependence() == sim::Dependence::time ||
+                              (effect.dependence() == sim::Dependence::scene && !change.isTime);
             QVERIFY2(said, (nameOf(effect) + " sees: " + change.what).c_str());
         }
     }
 
     /// The same for one point.
-    void checkPoint(const sim::Effect &effect, const sim::State &state, sim::Directions way, int point)
+    void checkPoint(const sim::Effect &effect, const sim::State &state, sim::DirectionRule way, int point)
     {
         const Done before = doneBy(effect, state, way);
-        const std::vector<bool> tied = tiedTo(effect, point, state.points());
+        const std::vector<bool> tied = tiedTo(effect, point, state.pointCount());
         for (const Change &change : changesOf(point)) {
             sim::State other = state;
             change.make(other);
@@ -236,7 +237,7 @@ class WhatEffectsSee : public QObject
                 if (static_cast<int>(i) == point || sameBitsIn(before.points[i], after.points[i]))
                     continue;
                 m_found[nameOf(effect)].byOthers.insert(change.what);
-                QVERIFY2(effect.sees() != sim::Sees::tied || tied[i],
+                QVERIFY2(effect.dependence() != sim::Dependence::coupledPoints || tied[i],
                          (nameOf(effect) + " sees the " + change.what + " of another point").c_str());
             }
         }
@@ -260,14 +261,15 @@ private slots:
         const sim::Scene scene = sim::sceneOf(script, script.values);
         for (const sim::State &state : statesOf(script)) {
             for (const sim::EffectPtr &effect : scene.effects) {
-                std::vector<sim::Tie> ties;
-                effect->ties(ties);
+                std::vector<sim::Coupling> ties;
+                effect->addCouplings(ties);
                 Found &found = m_found[nameOf(*effect)];
-                found.sees = effect->sees();
+                found.dependence = effect->dependence();
                 found.ties = found.ties || !ties.empty();
-                for (const sim::Directions way : {sim::Directions::apart, sim::Directions::published}) {
+                for (const sim::DirectionRule way :
+                     {sim::DirectionRule::regularised, sim::DirectionRule::published}) {
                     checkRest(*effect, state, way);
-                    for (const int point : somePoints(state.points()))
+                    for (const int point : somePoints(state.pointCount()))
                         checkPoint(*effect, state, way, point);
                 }
             }
@@ -278,11 +280,11 @@ private slots:
     {
         QVERIFY(m_found.size() > 10);
         for (const auto &[name, found] : m_found) {
-            if (found.sees != sim::Sees::tied)
+            if (found.dependence != sim::Dependence::coupledPoints)
                 QVERIFY2(!found.byTheRest.empty(), name.c_str());
-            if (found.sees == sim::Sees::time)
+            if (found.dependence == sim::Dependence::time)
                 QVERIFY2(found.byTheRest.contains("frame"), name.c_str());
-            if (found.sees == sim::Sees::tied && found.ties)
+            if (found.dependence == sim::Dependence::coupledPoints && found.ties)
                 QVERIFY2(!found.byOthers.empty(), name.c_str());
         }
     }

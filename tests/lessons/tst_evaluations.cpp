@@ -49,24 +49,24 @@ struct Counted
         const sim::Scene plain = sim::sceneOf(script, script.values);
         effects = plain.effects;
         for (const sim::EffectPtr &effect : effects)
-            tallies.push_back(std::make_unique<sim::Tally>(sim::moversOf(*effect, plain.start)));
+            tallies.push_back(std::make_unique<sim::CallCounter>(sim::affectedPoints(*effect, plain.start)));
         script.build = [this, build = script.build](const sim::Values &values) {
             sim::Scene scene = build(values);
             for (std::size_t i = 0; i < scene.effects.size(); ++i)
-                scene.effects[i] = sim::probeOf(scene.effects[i], *tallies[i]);
+                scene.effects[i] = sim::instrumented(scene.effects[i], *tallies[i]);
             return scene;
         };
     }
 
     sim::Script script;
     std::vector<sim::EffectPtr> effects;
-    std::vector<std::unique_ptr<sim::Tally>> tallies;
+    std::vector<std::unique_ptr<sim::CallCounter>> tallies;
 };
 
 bool anyMoves(const sim::Scene &scene)
 {
-    for (int i = 0; i < scene.start.points(); ++i) {
-        if (scene.start.feels(i) && scene.hasInertia(i))
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
+        if (scene.start.isDynamic(i) && scene.movesByVelocity(i))
             return true;
     }
     return false;
@@ -75,14 +75,14 @@ bool anyMoves(const sim::Scene &scene)
 /// How often a step of a fixed method computes `effect`.
 int expected(const sim::Effect &effect, const Stages &stages, const sim::Scene &scene)
 {
-    if (effect.idle() || effect.count(scene.start, {0, scene.start.points()}) == 0)
+    if (effect.isIdle() || effect.count(scene.start, {0, scene.start.pointCount()}) == 0)
         return 0;
     if (dynamic_cast<const sim::Force *>(&effect) || dynamic_cast<const sim::Torque *>(&effect))
         return stages.forces;
     if (const auto *drag = dynamic_cast<const sim::Drag *>(&effect))
-        return drag->rate(0) || !stages.hasDecay ? stages.drags : 1;
+        return drag->dampingRate(0) || !stages.hasDecay ? stages.drags : 1;
     const auto *driver = dynamic_cast<const sim::Driver *>(&effect);
-    if (!driver || driver->pace() == sim::Pace::once)
+    if (!driver || driver->timing() == sim::DriverTiming::impulsive)
         return 1;
     return stages.hasDecay && !anyMoves(scene) ? 1 : stages.flows;
 }
@@ -156,7 +156,7 @@ private slots:
     /// Those that choose how often: each force as often as the run has counted, since it counts all forces at once.
     void aMethodThatChoosesItsStagesComputesEveryForceInEach_data()
     {
-        addRows([](const sim::Method &method) { return method.evaluations() == 0; });
+        addRows([](const sim::Method &method) { return method.evaluationsPerStep() == 0; });
     }
     void aMethodThatChoosesItsStagesComputesEveryForceInEach()
     {
@@ -168,10 +168,11 @@ private slots:
             const sim::Effect &effect = *counted.effects[i];
             const bool isPull =
                 dynamic_cast<const sim::Force *>(&effect) || dynamic_cast<const sim::Torque *>(&effect);
-            const bool acts = !effect.idle() && effect.count(scene.start, {0, scene.start.points()}) > 0;
+            const bool acts =
+                !effect.isIdle() && effect.count(scene.start, {0, scene.start.pointCount()}) > 0;
             const double found = counted.tallies[i]->evaluations;
             if (isPull && acts)
-                QCOMPARE(found, track.now().turns());
+                QCOMPARE(found, track.state().forceEvaluations());
             else if (!acts)
                 QCOMPARE(found, 0.0);
             else if (dynamic_cast<const sim::Drag *>(&effect))
@@ -192,11 +193,11 @@ private slots:
         QVERIFY(meter.round());
         const sim::FrameCost cost = meter.result();
         QCOMPARE(cost.rounds, 1);
-        QCOMPARE(cost.effects.size() + meter.pipeline().leftOut.size(), scene.effects.size());
+        QCOMPARE(cost.effects.size() + meter.pipeline().idleEffects.size(), scene.effects.size());
         const auto stages = stagesByMethod().find(script.method->id());
         for (const sim::EffectCost &one : cost.effects) {
             QVERIFY(one.ns >= 0.0 || one.evaluations > 0.0);
-            QVERIFY(one.points >= 0 && one.points <= scene.start.points());
+            QVERIFY(one.points >= 0 && one.points <= scene.start.pointCount());
             if (stages != stagesByMethod().end())
                 QVERIFY2(std::abs(one.evaluations - expected(*one.effect, stages->second, scene)) < 1e-9,
                          qPrintable(QString("%1: %2").arg(one.effect->id().c_str()).arg(one.evaluations)));

@@ -59,11 +59,11 @@ class EveryLesson : public QObject
     /// that takes too long here.
     static bool takesLong(const lessons::Step &step, const sim::Method &method)
     {
-        const std::vector<std::string> needs = method.needs();
+        const std::vector<std::string> needs = method.requirements();
         const bool solves = std::find(needs.begin(), needs.end(), "slopes") != needs.end();
         const sim::Script script = scriptOf(step, "semi_implicit_euler", 1.0);
         return (solves || method.stepping() == sim::Stepping::adaptive) &&
-               sim::sceneOf(script, script.values).start.points() > 500;
+               sim::sceneOf(script, script.values).start.pointCount() > 500;
     }
 
     /// Each step with the methods that it is taught with and one other, in turn, so that each has its share of steps.
@@ -102,7 +102,7 @@ class EveryLesson : public QObject
     static std::vector<sim::Event> busyInput(const sim::Scene &scene, const lessons::Step &step)
     {
         const std::string body = scene.names.back(), other = scene.names.front();
-        const sim::Vec2 at = scene.start.at(scene.find(body));
+        const sim::Vec2 at = scene.start.positionOf(scene.find(body));
         std::vector<sim::Event> input = {{2, sim::Grab{other}},
                                          {2, sim::Move{{300, 300}}},
                                          {8, sim::Move{{250, 260}}},
@@ -113,13 +113,13 @@ class EveryLesson : public QObject
                                          {20, sim::Move{at + sim::Vec2{40, -30}}},
                                          {21, sim::Move{at + sim::Vec2{80, -40}}},
                                          {22, sim::Release{}}};
-        if (step.can(lessons::Does::pointer)) {
+        if (step.accepts(lessons::Interaction::pointer)) {
             input.push_back({30, sim::Pointer{{200, 200}, true}});
             input.push_back({60, sim::Pointer{{320, 120}, false}});
         }
-        if (step.can(lessons::Does::target))
+        if (step.accepts(lessons::Interaction::target))
             input.push_back({30, sim::Target{{400, 120}}});
-        if (step.can(lessons::Does::keys))
+        if (step.accepts(lessons::Interaction::keys))
             input.push_back({70, sim::Key{&sim::Keys::right, true}});
         return input;
     }
@@ -128,17 +128,17 @@ class EveryLesson : public QObject
     static double otherValue(const lessons::Parameter &parameter)
     {
         if (!parameter.choices.isEmpty())
-            return parameter.preset == 0.0 ? 1.0 : 0.0;
-        return parameter.preset == parameter.sliderMax ? parameter.sliderMin : parameter.sliderMax;
+            return parameter.defaultValue == 0.0 ? 1.0 : 0.0;
+        return parameter.defaultValue == parameter.sliderMax ? parameter.sliderMin : parameter.sliderMax;
     }
 
-    static bool sameLook(const lessons::Look &a, const lessons::Look &b)
+    static bool sameLook(const lessons::View &a, const lessons::View &b)
     {
-        const auto curves = [](const lessons::Look &look) {
+        const auto curves = [](const lessons::View &look) {
             std::vector<double> all{look.ground.value_or(0.0)};
-            for (const lessons::LegLook &leg : look.legs)
+            for (const lessons::LegView &leg : look.legs)
                 all.push_back(leg.curve);
-            for (const lessons::StickLook &stick : look.sticks)
+            for (const lessons::StickView &stick : look.sticks)
                 all.push_back(stick.length);
             if (look.tree)
                 all.insert(all.end(), look.tree->length.begin(), look.tree->length.end());
@@ -153,10 +153,10 @@ class EveryLesson : public QObject
     {
         sim::Timeline a(one), b(other);
         for (int frame = 0; frame < frames; ++frame) {
-            if (!sim::sameBits(a.now(), b.now()))
+            if (!sim::sameBits(a.state(), b.state()))
                 return true;
-            a.stepRow();
-            b.stepRow();
+            a.nextOutputStep();
+            b.nextOutputStep();
         }
         return false;
     }
@@ -170,7 +170,7 @@ class EveryLesson : public QObject
         for (const sim::Phase &phase : sim::compose(scene, *script.method, script.step).phases) {
             const sim::State before = state;
             phase.run(state);
-            for (const sim::Live &live : phase.explain(before, state, phase.points.first))
+            for (const sim::LiveValue &live : phase.explain(before, state, phase.points.first))
                 all.push_back(live.value);
         }
         return all;
@@ -184,7 +184,7 @@ class EveryLesson : public QObject
         const sim::Scene scene = sim::sceneOf(script, script.values);
         const sim::Scene changed = sim::sceneOf(other, other.values);
         if (scene.names != changed.names ||
-            !sameLook(step.look(scene, script.values), step.look(changed, other.values)))
+            !sameLook(step.view(scene, script.values), step.view(changed, other.values)))
             return true;
         if (differInTime(script, other, 600) || valuesInCode(script) != valuesInCode(other))
             return true;
@@ -195,11 +195,11 @@ class EveryLesson : public QObject
     /// What a hand can take, or a dozen of them where there are many.
     static std::vector<std::string> someBodies(const lessons::Step &step)
     {
-        const sim::Scene scene = step.scene(step.presets());
-        const lessons::Look look = step.look(scene, step.presets());
+        const sim::Scene scene = step.scene(step.defaultValues());
+        const lessons::View look = step.view(scene, step.defaultValues());
         std::vector<std::string> names;
         for (std::size_t i = 0; i < scene.names.size(); i += 1 + scene.names.size() / 12) {
-            if (look.bodies[i].shape != lessons::BodyLook::Shape::none)
+            if (look.bodies[i].shape != lessons::BodyView::Shape::none)
                 names.push_back(scene.names[i]);
         }
         return names;
@@ -214,7 +214,7 @@ private slots:
         for (const QString &lesson : lessonIds()) {
             for (const lessons::Step &step : loadLesson(lesson).steps) {
                 for (const sim::MethodPtr &method : sim::allMethods()) {
-                    const std::vector<std::string> needs = method->needs();
+                    const std::vector<std::string> needs = method->requirements();
                     const bool any = needs.empty() || needs == std::vector<std::string>{"groups"};
                     QVERIFY2(!any || fits(step, *method),
                              (method->id() + " " + step.id.toStdString()).c_str());
@@ -239,8 +239,10 @@ private slots:
             ids << parameter.id;
             QVERIFY2(!parameter.name.isEmpty() && !parameter.help.isEmpty(), qPrintable(parameter.id));
             QVERIFY(parameter.min <= parameter.sliderMin && parameter.sliderMax <= parameter.max);
-            QVERIFY(parameter.sliderMin <= parameter.preset && parameter.preset <= parameter.sliderMax);
-            QVERIFY(!parameter.isWhole() || parameter.preset == std::round(parameter.preset));
+            QVERIFY(parameter.sliderMin <= parameter.defaultValue &&
+                    parameter.defaultValue <= parameter.sliderMax);
+            QVERIFY(!parameter.hasWholeValues() ||
+                    parameter.defaultValue == std::round(parameter.defaultValue));
         }
     }
 
@@ -248,17 +250,17 @@ private slots:
     void theSceneIsDrawnWhole()
     {
         const lessons::Step step = stepOfRow();
-        const sim::Scene scene = step.scene(step.presets());
-        const int points = scene.start.points();
+        const sim::Scene scene = step.scene(step.defaultValues());
+        const int points = scene.start.pointCount();
         QCOMPARE(static_cast<int>(scene.names.size()), points);
-        const lessons::Look look = step.look(scene, step.presets());
+        const lessons::View look = step.view(scene, step.defaultValues());
         QCOMPARE(static_cast<int>(look.bodies.size()), points);
-        for (const lessons::LegLook &leg : look.legs)
+        for (const lessons::LegView &leg : look.legs)
             QVERIFY(leg.from >= 0 && leg.from < points && leg.to >= 0 && leg.to < points);
-        for (const lessons::SpringLook &spring : look.springs)
+        for (const lessons::SpringView &spring : look.springs)
             QVERIFY(spring.a >= 0 && spring.a < points && spring.b >= -1 && spring.b < points);
         for (int i = 0; i < points; ++i)
-            QVERIFY(look.stage.contains(scene.start.at(i).x, scene.start.at(i).y));
+            QVERIFY(look.stage.contains(scene.start.positionOf(i).x, scene.start.positionOf(i).y));
     }
 
     void aSpringIsDrawnToWhereItPulls_data() { addStepRows(); }
@@ -268,20 +270,20 @@ private slots:
         if (lesson == QStringLiteral("sandbox"))
             return; // there each spring has a stiffness of its own
         const lessons::Step step = stepOfRow();
-        const sim::Values values = step.presets();
+        const sim::Values values = step.defaultValues();
         const sim::Scene scene = step.scene(values);
         sim::State state = scene.start;
-        for (int i = 0; i < state.points(); ++i) // anywhere, so that nothing is at rest
-            state.place(i, state.at(i) + sim::Vec2{31.0 * (i % 3 - 1) + 7.0, 17.0 * (i % 5) - 40.0});
-        Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.points(), 2);
+        for (int i = 0; i < state.pointCount(); ++i) // anywhere, so that nothing is at rest
+            state.place(i, state.positionOf(i) + sim::Vec2{31.0 * (i % 3 - 1) + 7.0, 17.0 * (i % 5) - 40.0});
+        Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
         for (const sim::EffectPtr &effect : scene.effects) {
             const auto *force = dynamic_cast<const sim::Force *>(effect.get());
-            if (force && effect->kind() == sim::Kind::spring)
-                force->add(state, {0, state.points()}, 1.0, sim::Directions::published, pulls);
+            if (force && effect->kind() == sim::EffectKind::spring)
+                force->add(state, {0, state.pointCount()}, 1.0, sim::DirectionRule::published, pulls);
         }
-        for (const lessons::SpringLook &spring : step.look(scene, values).springs) {
-            const sim::Vec2 end = spring.b < 0 ? spring.at : state.at(spring.b) + spring.at;
-            const sim::Vec2 way = end - state.at(spring.a);
+        for (const lessons::SpringView &spring : step.view(scene, values).springs) {
+            const sim::Vec2 end = spring.b < 0 ? spring.at : state.positionOf(spring.b) + spring.at;
+            const sim::Vec2 way = end - state.positionOf(spring.a);
             const sim::Vec2 missing = (1.0 - spring.length / sim::length(way)) * way;
             const sim::Vec2 pull{pulls(spring.a, 0), pulls(spring.a, 1)};
             QVERIFY(sim::length(pull) > 0.0);
@@ -293,13 +295,13 @@ private slots:
     void guidesAreFiniteWhereverThePointsAre()
     {
         const lessons::Step step = stepOfRow();
-        if (!step.guides)
+        if (!step.overlays)
             return;
-        const sim::Values values = step.presets();
+        const sim::Values values = step.defaultValues();
         const sim::Scene scene = step.scene(values);
         sim::State state = scene.start;
         const auto finite = [&] {
-            for (const lessons::Guide &guide : step.guides(scene, state, values)) {
+            for (const lessons::Overlay &guide : step.overlays(scene, state, values)) {
                 if (!std::isfinite(guide.a.x + guide.a.y + guide.b.x + guide.b.y + guide.size))
                     return false;
             }
@@ -317,11 +319,11 @@ private slots:
         sim::Timeline run(step.script());
         for (int frame = 0; frame <= 600; ++frame) {
             for (const lessons::Try &one : step.tries) {
-                QVERIFY2(!one.done(run), qPrintable(u"frame %1: %2"_qs.arg(frame).arg(one.text)));
-                QVERIFY2(!one.conditions.begun(run),
+                QVERIFY2(!one.isDone(run), qPrintable(u"frame %1: %2"_qs.arg(frame).arg(one.text)));
+                QVERIFY2(!one.conditions.hasBegun(run),
                          qPrintable(one.text)); // and nothing is said to be missing
             }
-            run.stepRow();
+            run.nextOutputStep();
         }
     }
 
@@ -332,15 +334,15 @@ private slots:
         for (const std::string &body : someBodies(step)) {
             sim::Timeline run(step.script());
             run.seek({50, 0});
-            const sim::Vec2 at = run.now().at(run.track().shown().scene.find(body));
-            run.hand(sim::Grab{body});
-            run.hand(sim::Move{at});
-            run.stepRow();
-            run.hand(sim::Release{});
+            const sim::Vec2 at = run.state().positionOf(run.track().interval().scene.find(body));
+            run.applyInput(sim::Grab{body});
+            run.applyInput(sim::Move{at});
+            run.nextOutputStep();
+            run.applyInput(sim::Release{});
             for (int frame = 0; frame < 300; ++frame) {
                 for (const lessons::Try &one : step.tries)
-                    QVERIFY2(!one.done(run), qPrintable(one.text));
-                run.stepRow();
+                    QVERIFY2(!one.isDone(run), qPrintable(one.text));
+                run.nextOutputStep();
             }
         }
     }
@@ -383,7 +385,7 @@ private slots:
             const bool asks = one.text.contains('?');
             QVERIFY2(asks == !one.answer.isEmpty(), qPrintable(one.text));
             const bool stops = one.text.contains("and stop ") && !one.text.contains("stop inside a frame");
-            QVERIFY2(one.whileStopped == stops, qPrintable(one.text));
+            QVERIFY2(one.onlyWhilePaused == stops, qPrintable(one.text));
         }
     }
 
@@ -405,20 +407,20 @@ private slots:
                         {50, sim::Grab{body}},
                         {52, sim::Move{{9, 9}}}};
         for (const lessons::Parameter &parameter : stepOfRow().parameters) {
-            const bool isHuge = parameter.scale == lessons::Scale::decades;
-            const double half = 0.5 * (parameter.preset + (isHuge ? 0.0 : parameter.sliderMax));
-            const double other = parameter.isWhole() ? std::ceil(half) : half;
+            const bool isHuge = parameter.scale == lessons::Scale::logarithmic;
+            const double half = 0.5 * (parameter.defaultValue + (isHuge ? 0.0 : parameter.sliderMax));
+            const double other = parameter.hasWholeValues() ? std::ceil(half) : half;
             if (parameter.choices.isEmpty())
                 script.input.push_back({30, sim::Set{parameter.id.toStdString(), other}});
         }
         sim::sortByFrame(script.input);
         sim::Timeline straight(script);
-        std::map<sim::Cursor, sim::State> states = {{straight.at(), straight.now()}};
-        for (bool goesOn = true; goesOn && straight.at().frame < frames;) { // some runs end before
-            const sim::Cursor before = straight.at();
-            straight.stepPhase();
-            states[straight.at()] = straight.now();
-            goesOn = straight.at() != before;
+        std::map<sim::Cursor, sim::State> states = {{straight.cursor(), straight.state()}};
+        for (bool goesOn = true; goesOn && straight.cursor().frame < frames;) { // some runs end before
+            const sim::Cursor before = straight.cursor();
+            straight.nextPhase();
+            states[straight.cursor()] = straight.state();
+            goesOn = straight.cursor() != before;
         }
         sim::Timeline seeker(script, 40'000); // so small that most states are dropped
         std::mt19937 random(7);
@@ -426,8 +428,8 @@ private slots:
             const auto chosen = std::uniform_int_distribution<std::size_t>(0, states.size() - 1)(random);
             const auto &[cursor, state] = *std::next(states.begin(), static_cast<std::ptrdiff_t>(chosen));
             seeker.seek(cursor);
-            QVERIFY(seeker.at() == cursor);
-            QVERIFY(sim::sameBits(seeker.now(), state));
+            QVERIFY(seeker.cursor() == cursor);
+            QVERIFY(sim::sameBits(seeker.state(), state));
         }
     }
 
@@ -435,7 +437,7 @@ private slots:
     void everyPhaseHasSourceToShow()
     {
         const sim::Script script = scriptOfRow(1.0);
-        std::vector<sim::Region> regions = {stepOfRow().setUp, script.method->region()};
+        std::vector<sim::Region> regions = {stepOfRow().sceneSource, script.method->region()};
         const sim::Scene scene = sim::sceneOf(script, script.values);
         for (const sim::Phase &phase : sim::compose(scene, *script.method, script.step).phases) {
             QVERIFY2(!phase.regions.empty() && !phase.title.empty(), phase.id.c_str());
@@ -462,7 +464,7 @@ private slots:
                 phase.run(state);
                 const int stride = 1 + phase.points.count / 12;
                 for (int point = phase.points.first; point < phase.points.end(); point += stride) {
-                    for (const sim::Live &live : phase.explain(before, state, point))
+                    for (const sim::LiveValue &live : phase.explain(before, state, point))
                         named[i].insert(live.name);
                 }
             }

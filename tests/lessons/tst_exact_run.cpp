@@ -24,10 +24,11 @@ public:
     {
         double k = 0.2, damp = 0.97, radius = 50.0;
     };
-    Creature(const sim::State &start, Numbers numbers) : m_points(start.points()), m_numbers(numbers)
+    Creature(const sim::State &start, Numbers numbers) : m_points(start.pointCount()), m_numbers(numbers)
     {
         for (int i = 0; i < m_points; ++i) {
-            for (const double number : {start.at(i).x, start.at(i).y, start.speed(i).x, start.speed(i).y})
+            for (const double number :
+                 {start.positionOf(i).x, start.positionOf(i).y, start.velocityOf(i).x, start.velocityOf(i).y})
                 m_now.push_back(number);
         }
     }
@@ -50,8 +51,8 @@ public:
         double farthest = 0.0;
         for (int i = 0; i < m_points; ++i) {
             const auto at = static_cast<std::size_t>(4 * i);
-            farthest =
-                std::max(farthest, std::hypot(state.at(i).x - m_now[at], state.at(i).y - m_now[at + 1]));
+            farthest = std::max(farthest, std::hypot(state.positionOf(i).x - m_now[at],
+                                                     state.positionOf(i).y - m_now[at + 1]));
         }
         return farthest;
     }
@@ -110,7 +111,7 @@ class ExactRunTest : public QObject
         double farthest = 0.0;
         for (std::int64_t frame = 1; frame <= frames; ++frame) {
             track.seek({frame, 0});
-            farthest = std::max(farthest, m_exact.distance(script, track.now(), frame));
+            farthest = std::max(farthest, m_exact.distance(script, track.state(), frame));
         }
         return farthest;
     }
@@ -139,8 +140,8 @@ void ExactRunTest::theExactRunOfASpringIsTheCosine()
         for (int frame : {0, 1, 17, 100, 600}) {
             const sim::State *state = m_exact.at(script, frame);
             QVERIFY(state);
-            QVERIFY(std::abs(state->at(0).x - 270.0 - cosine(amplitude, k, frame)) < 1e-7);
-            QCOMPARE(state->at(0).y, 200.0);
+            QVERIFY(std::abs(state->positionOf(0).x - 270.0 - cosine(amplitude, k, frame)) < 1e-7);
+            QCOMPARE(state->positionOf(0).y, 200.0);
         }
     }
 }
@@ -152,9 +153,9 @@ void ExactRunTest::theExactRunFollowsWhatIsChangedOnTheWay()
     const double w = std::sqrt(0.2), other = std::sqrt(0.05);
     const double x = 130.0 * std::cos(30 * w), v = -130.0 * w * std::sin(30 * w);
     const double then = x * std::cos(25 * other) + v / other * std::sin(25 * other);
-    QVERIFY(std::abs(m_exact.at(script, 55)->at(0).x - 270.0 - then) < 1e-7);
+    QVERIFY(std::abs(m_exact.at(script, 55)->positionOf(0).x - 270.0 - then) < 1e-7);
     script.input.clear();
-    QVERIFY(std::abs(m_exact.at(script, 55)->at(0).x - 270.0 - cosine(130.0, 0.2, 55)) < 1e-7);
+    QVERIFY(std::abs(m_exact.at(script, 55)->positionOf(0).x - 270.0 - cosine(130.0, 0.2, 55)) < 1e-7);
 }
 
 void ExactRunTest::theExactRunOfACreatureAgreesWithAnotherSolution_data()
@@ -191,9 +192,9 @@ void ExactRunTest::theExactRunOfABallIsMadeOfParabolas()
     for (int frame = 0; frame <= 270; ++frame) { // the wall is met after 278
         const sim::State *state = m_exact.at(script, frame);
         QVERIFY(state);
-        QVERIFY(std::abs(state->at(0).x - 60.0 - 1.6 * frame) < 1e-8);
+        QVERIFY(std::abs(state->positionOf(0).x - 60.0 - 1.6 * frame) < 1e-8);
         const double height = bouncingHeight(235.0, 0.5, bounce, frame);
-        QVERIFY2(std::abs(365.0 - state->at(0).y - height) < (bounce < 0.6 ? 1e-3 : 1e-7),
+        QVERIFY2(std::abs(365.0 - state->positionOf(0).y - height) < (bounce < 0.6 ? 1e-3 : 1e-7),
                  qPrintable(QString::number(frame)));
     }
 }
@@ -201,8 +202,8 @@ void ExactRunTest::theExactRunOfABallIsMadeOfParabolas()
 void ExactRunTest::pastItsHorizonTheExactRunSaysNothing()
 {
     const sim::Script script = step("big_step").script();
-    QVERIFY(m_exact.at(script, lessons::ExactRun::longest));
-    QVERIFY(!m_exact.at(script, lessons::ExactRun::longest + 1));
+    QVERIFY(m_exact.at(script, lessons::ExactRun::maxFrames));
+    QVERIFY(!m_exact.at(script, lessons::ExactRun::maxFrames + 1));
     QVERIFY(!m_exact.at(script, -1));
 }
 
@@ -236,7 +237,7 @@ void ExactRunTest::theBudgetIsKeptByTheRightWaysAlone()
     const sim::Script script = scriptOf(step("budget"), method.toStdString(), h);
     QCOMPARE(worst(script, 200) <= 1.0, isNear);
     const auto free = [](const sim::Script &, std::int64_t) { return 0.0; };
-    QCOMPARE(lessons::keeps(*step("budget").tries[1].budget, script, free), isNear);
+    QCOMPARE(lessons::staysWithin(*step("budget").tries[1].budget, script, free), isNear);
     if (h == 1.0 && method == u"semi_implicit_euler") {
         QVERIFY(step("budget").narration.contains(u"15 px off"_qs));
         QCOMPARE(std::round(worst(script, 200)), 15.0);
@@ -256,16 +257,17 @@ void ExactRunTest::aBudgetAsksForTheTimeOfTheRunItself()
             return timed.method->id() == "velocity_verlet" && timed.step.h == 0.5 && frames == 200 ? ns : 1e9;
         };
     };
-    QVERIFY(lessons::keeps(budget, script, takes(499.0)));
-    QVERIFY(!lessons::keeps(budget, script, takes(501.0)));
+    QVERIFY(lessons::staysWithin(budget, script, takes(499.0)));
+    QVERIFY(!lessons::staysWithin(budget, script, takes(501.0)));
     QCOMPARE(asked, 2);
-    QVERIFY(!lessons::keeps(budget, step("budget").script(), takes(1.0))); // too far off: not even timed
+    QVERIFY(
+        !lessons::staysWithin(budget, step("budget").script(), takes(1.0))); // too far off: not even timed
     QCOMPARE(asked, 2);
 }
 
 void ExactRunTest::timingGivesATime()
 {
-    const double ns = lessons::measuredTime(step("budget").script(), 200);
+    const double ns = lessons::measureTime(step("budget").script(), 200);
     QVERIFY(std::isfinite(ns) && ns > 0.0);
 }
 
@@ -273,11 +275,11 @@ void ExactRunTest::theMarksShowWhereTheExactMotionIs()
 {
     const sim::Script script = step("big_step").script();
     const sim::State state = stateAfter(script, 100);
-    const std::vector<lessons::Guide> marks = step("big_step").guidesOfRun(script, state, 100);
+    const std::vector<lessons::Overlay> marks = step("big_step").runOverlays(script, state, 100);
     QCOMPARE(marks.size(), std::size_t{2});
-    QCOMPARE(marks[0].shape, lessons::Guide::Shape::ring);
+    QCOMPARE(marks[0].shape, lessons::Overlay::Shape::ring);
     QVERIFY(std::abs(marks[0].a.x - 270.0 - cosine(130.0, 0.2, 100)) < 1e-7);
-    QCOMPARE(marks[1].a, state.at(0));
+    QCOMPARE(marks[1].a, state.positionOf(0));
     QCOMPARE(marks[1].b, marks[0].a);
     QVERIFY(marks[0].label.startsWith(u"66."));
 }

@@ -114,7 +114,7 @@ void GravityWalls::theEdgeTouchesTheWallAndTheVelocityTurns()
         sim::Script script = freeBodies(bounce);
         script.bodies[body.toStdString()] = {x, v};
         const sim::State state = stateAfter(script, 1);
-        return std::pair{state.at(point), state.speed(point)};
+        return std::pair{state.positionOf(point), state.velocityOf(point)};
     };
     const auto right = after({520.0 - half - 3.0, 200}, {7, 1});
     QCOMPARE(right.first, (sim::Vec2{520.0 - half, 201}));
@@ -133,14 +133,14 @@ void GravityWalls::thereIsNoCeiling()
 {
     sim::Script script = freeBodies(1.0);
     script.bodies["body"] = {{270, 200}, sim::Vec2{0, -10}};
-    QCOMPARE(stateAfter(script, 100).at(1), (sim::Vec2{270, -800}));
+    QCOMPARE(stateAfter(script, 100).positionOf(1), (sim::Vec2{270, -800}));
 }
 
 void GravityWalls::aHeldBodyMeetsNoWall()
 {
     sim::Script script = step("gravity").script();
     script.input = {{1, sim::Grab{"body"}}, {1, sim::Move{{600, 450}}}};
-    QCOMPARE(stateAfter(script, 50).at(4), (sim::Vec2{600, 450}));
+    QCOMPARE(stateAfter(script, 50).positionOf(4), (sim::Vec2{600, 450}));
 }
 
 void GravityWalls::feetHangWhereSpringAndGravityCancelWhateverTheDamping_data()
@@ -162,7 +162,7 @@ void GravityWalls::feetHangWhereSpringAndGravityCancelWhateverTheDamping()
     QFETCH(double, damp);
     const sim::State rest = stateAfter(heldUp({{"k", k}, {"gravity", gravity}, {"damp", damp}}), 3000);
     for (int foot = 0; foot < 4; ++foot)
-        QVERIFY(sim::length(rest.at(foot) - sim::Vec2{270.0, 100.0 + 50.0 + gravity / k}) < 1e-6);
+        QVERIFY(sim::length(rest.positionOf(foot) - sim::Vec2{270.0, 100.0 + 50.0 + gravity / k}) < 1e-6);
 }
 
 void GravityWalls::aCreatureThatStandsHasPullsThatAddUpToGravity()
@@ -177,7 +177,7 @@ void GravityWalls::aCreatureThatStandsHasPullsThatAddUpToGravity()
     QVERIFY(rest.position(4, 1) < 350.0);
     sim::Vec2 pull;
     for (int foot = 0; foot < 4; ++foot) {
-        const sim::Vec2 way = rest.at(foot) - rest.at(4);
+        const sim::Vec2 way = rest.positionOf(foot) - rest.positionOf(4);
         const double apart = sim::length(way);
         pull = pull + (0.2 * (apart - 50.0) / apart) * way;
     }
@@ -205,19 +205,19 @@ void GravityWalls::itComesDownToTheFloorAtAnyGravity()
 void GravityWalls::onTheFloorTheVelocityIsNotZero()
 {
     const sim::State rest = stateAfter(scriptOf(step("gravity"), "published", 1.0, {{"k", 0.0}}), 3000);
-    for (int point = 0; point < rest.points(); ++point)
+    for (int point = 0; point < rest.pointCount(); ++point)
         QVERIFY(std::abs(rest.velocity(point, 1) + 0.5 * 0.85 / 1.85) < 1e-9);
 }
 
 void GravityWalls::theTwoMethodsConvergeWithOrderOneInTheAir()
 {
-    const Slope slope = slopeOf(
+    const Slope jacobian = slopeOf(
         [&](double h) {
             return farthestApart(stateAfter(scriptOf(step("gravity"), "published", h), 12),
                                  stateAfter(scriptOf(step("gravity"), "semi_implicit_euler", h), 12));
         },
         4, 9);
-    QVERIFY(slope.least > 0.9 && slope.greatest < 1.1);
+    QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
 }
 
 void GravityWalls::withoutGravityThereIsNoGravityPhase()
@@ -234,9 +234,9 @@ void GravityWalls::withoutGravityThereIsNoGravityPhase()
 
 void GravityWalls::theRoomIsDrawnWhereTheWallsAre()
 {
-    sim::Values values = step("walls").presets();
+    sim::Values values = step("walls").defaultValues();
     values.set("left", 33.0);
-    const lessons::Look look = step("walls").look(step("walls").scene(values), values);
+    const lessons::View look = step("walls").view(step("walls").scene(values), values);
     QVERIFY(look.room);
     QCOMPARE(look.room->left, 33.0);
     QCOMPARE(look.room->right, 520.0);

@@ -33,7 +33,7 @@ void HardCasesHold::stiffLegsAreGoneInOneStep()
     sim::Track track(step("stiff").script(), 0);
     track.seek({1000, 0});
     QVERIFY(track.stop());
-    QVERIFY(track.now().position.isFinite().all());
+    QVERIFY(track.state().position.isFinite().all());
     QVERIFY(!track.stop()->body.empty());
 }
 
@@ -57,7 +57,7 @@ void HardCasesHold::backwardEulerIsCalmAtAnyStiffness()
 void HardCasesHold::backwardEulerLosesWhatItsRuleSays()
 {
     const sim::State end = stateAfter(run("limit", "backward_euler", 1.0, {{"k", 0.2}}), 50);
-    const double swing = std::hypot(end.at(0).x - centre, end.speed(0).x / std::sqrt(0.2));
+    const double swing = std::hypot(end.positionOf(0).x - centre, end.velocityOf(0).x / std::sqrt(0.2));
     QVERIFY(std::abs(swing / (20.0 * std::pow(1.2, -25.0)) - 1.0) < 1e-6);
 }
 
@@ -99,7 +99,7 @@ void HardCasesHold::rungeKuttaLosesWhatItsRuleSays()
     QVERIFY(std::abs(100.0 * (1.0 - factor) - 0.08) < 0.005);
     for (int frames : {10, 851, 5000}) {
         const sim::State end = stateAfter(step("long_run").script(), frames);
-        const double swing = std::hypot(end.at(0).x - centre, end.speed(0).x / std::sqrt(0.5));
+        const double swing = std::hypot(end.positionOf(0).x - centre, end.velocityOf(0).x / std::sqrt(0.5));
         QVERIFY(std::abs(swing / (120.0 * std::pow(factor, frames)) - 1.0) < 1e-9);
         if (frames == 851)
             QVERIFY(std::abs(swing - 60.0) < 0.05);
@@ -114,13 +114,14 @@ void HardCasesHold::verletLosesNothing()
     double runge = 0.0, verlet = 0.0;
     for (int frame = 1; frame <= 10; ++frame) {
         const double exact = centre + 120.0 * std::cos(std::sqrt(0.5) * frame);
-        runge = std::max(runge, std::abs(stateAfter(step("long_run").script(), frame).at(0).x - exact));
-        verlet = std::max(verlet, std::abs(stateAfter(script, frame).at(0).x - exact));
+        runge =
+            std::max(runge, std::abs(stateAfter(step("long_run").script(), frame).positionOf(0).x - exact));
+        verlet = std::max(verlet, std::abs(stateAfter(script, frame).positionOf(0).x - exact));
     }
     QVERIFY(std::abs(runge - 1.3) < 0.05 && std::abs(verlet - 14.0) < 0.5);
     for (int frames : {1, 1000, 20'000})
-        QVERIFY(std::abs(stateAfter(script, frames).at(0).x - centre - 120.0 * std::cos(frames * angle)) <
-                1e-6);
+        QVERIFY(std::abs(stateAfter(script, frames).positionOf(0).x - centre -
+                         120.0 * std::cos(frames * angle)) < 1e-6);
 }
 
 QTEST_GUILESS_MAIN(HardCasesHold)

@@ -19,11 +19,11 @@ namespace {
 sim::Pipeline islandByIsland(const sim::Scene &scene, const sim::Script &script)
 {
     sim::Pipeline pipeline = sim::compose(scene, *script.method, script.step);
-    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, {1, 1});
+    pipeline.blocks = sim::cacheBlocksOf(scene, pipeline.phases, {1, 1});
     if (pipeline.blocks.empty()) {
-        pipeline.blocks.push_back({{{0, scene.start.points()}}, {}});
+        pipeline.blocks.push_back({{{0, scene.start.pointCount()}}, {}});
         for (const sim::StepKernel &one : pipeline.kernels)
-            pipeline.blocks[0].work.push_back(one.kernel.part({one.points}));
+            pipeline.blocks[0].work.push_back(one.kernel.prepareFor({one.points}));
     }
     return pipeline;
 }
@@ -62,7 +62,7 @@ private slots:
         const sim::Pipeline pipeline = islandByIsland(scene, script);
         sim::State plain = scene.start;
         sim::State inBlocks = plain;
-        sim::Crew crew(2);
+        sim::ThreadPool pool(2);
         for (std::int64_t frame = 1; frame <= 1000; ++frame) {
             for (sim::State *state : {&plain, &inBlocks}) {
                 state->frame = frame;
@@ -73,7 +73,7 @@ private slots:
             }
             for (const sim::Phase &phase : pipeline.phases)
                 phase.run(plain);
-            sim::runStep(pipeline, inBlocks, crew);
+            sim::runStep(pipeline, inBlocks, pool);
             if (frame % 100 == 0)
                 QVERIFY2(sim::sameBits(plain, inBlocks), qPrintable(QString::number(frame)));
         }
@@ -89,7 +89,7 @@ private:
             const sim::Pipeline pipeline = sim::compose(scene, method, script.step);
             return std::all_of(pipeline.phases.begin(), pipeline.phases.end(), [](const sim::Phase &phase) {
                 return std::all_of(phase.kernels.begin(), phase.kernels.end(),
-                                   [](const sim::Kernel &kernel) { return kernel.part != nullptr; });
+                                   [](const sim::Kernel &kernel) { return kernel.prepareFor != nullptr; });
             });
         } catch (const sim::Error &) {
             return false; // they do not fit

@@ -20,7 +20,7 @@ class MultiFoot : public QObject
 
     sim::Scene grown(double feet, std::uint64_t seed) const
     {
-        sim::Values values = step("grown_feet").presets();
+        sim::Values values = step("grown_feet").defaultValues();
         values.set("feet", feet);
         values.seed = seed;
         return step("grown_feet").scene(values);
@@ -105,27 +105,27 @@ void MultiFoot::theTwoMethodsConvergeWithOrderOne_data()
 void MultiFoot::theTwoMethodsConvergeWithOrderOne()
 {
     QFETCH(QString, id);
-    const Slope slope = slopeOf(
+    const Slope jacobian = slopeOf(
         [&](double h) {
             const lessons::Step &step = m_lesson.step(id);
             return farthestApart(stateAfter(scriptOf(step, "published", h), 20),
                                  stateAfter(scriptOf(step, "semi_implicit_euler", h), 20));
         },
         4, 9);
-    QVERIFY(slope.least > 0.9 && slope.greatest < 1.1);
+    QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
 }
 
 void MultiFoot::fewFeetComeToRestOneRadiusFromTheBody()
 {
     const sim::State rest = stateAfter(step("any_number").script(), 3000);
     for (int foot = 0; foot < 5; ++foot)
-        QVERIFY(std::abs(sim::length(rest.at(foot) - rest.at(5)) - 50.0) < 1e-9);
+        QVERIFY(std::abs(sim::length(rest.positionOf(foot) - rest.positionOf(5)) - 50.0) < 1e-9);
 }
 
 void MultiFoot::damping085KeepsTheCreatureInThePictureAnd09DoesNot()
 {
     const auto bodyLater = [&](double damp) {
-        return stateAfter(scriptOf(step("two_feet"), "published", 1.0, {{"damp", damp}}), 1000).at(2);
+        return stateAfter(scriptOf(step("two_feet"), "published", 1.0, {{"damp", damp}}), 1000).positionOf(2);
     };
     QVERIFY(sim::length(bodyLater(0.85) - sim::Vec2{270, 200}) < 10.0);
     QVERIFY(sim::length(bodyLater(0.9) - sim::Vec2{270, 200}) > 1000.0);
@@ -135,24 +135,24 @@ void MultiFoot::sixtyPublishedFeetExplodeAndHoldInHalfFrames()
 {
     sim::Track whole(scriptOf(step("grown_feet"), "published", 1.0, {{"feet", 60.0}}), 0);
     whole.seek({400, 0});
-    QVERIFY(whole.stop() || whole.now().position.abs().maxCoeff() > 1e20);
+    QVERIFY(whole.stop() || whole.state().position.abs().maxCoeff() > 1e20);
     const sim::State halves =
         stateAfter(scriptOf(step("grown_feet"), "published", 0.5, {{"feet", 60.0}}), 400);
     QVERIFY(halves.velocity.abs().maxCoeff() < 1e-6);
-    QVERIFY(sim::length(halves.at(60) - sim::Vec2{270, 200}) < 50.0);
+    QVERIFY(sim::length(halves.positionOf(60) - sim::Vec2{270, 200}) < 50.0);
 }
 
 void MultiFoot::grownFeetStartWithin50PxAndDependOnTheSeedAlone()
 {
     const sim::State hundred = grown(100, 1).start;
-    QCOMPARE(hundred.points(), 101);
+    QCOMPARE(hundred.pointCount(), 101);
     QVERIFY(((hundred.position.col(0) - 270.0).abs() <= 50.0).all());
     QVERIFY(((hundred.position.col(1) - 200.0).abs() <= 50.0).all());
     QVERIFY(sim::sameBits(hundred, grown(100, 1).start));
     QVERIFY(!sim::sameBits(hundred, grown(100, 2).start));
     std::set<std::pair<double, double>> places;
     for (int foot = 0; foot < 100; ++foot)
-        places.insert({hundred.at(foot).x, hundred.at(foot).y});
+        places.insert({hundred.positionOf(foot).x, hundred.positionOf(foot).y});
     QCOMPARE(places.size(), std::size_t{100});
 }
 
@@ -163,12 +163,12 @@ void MultiFoot::oneFootIsNumberedToo()
 
 void MultiFoot::feetBeyondTheFirstFiveStandOnACircle()
 {
-    sim::Values values = step("any_number").presets();
+    sim::Values values = step("any_number").defaultValues();
     values.set("feet", 9.0);
     const sim::State start = step("any_number").scene(values).start;
-    QCOMPARE(start.at(4), (sim::Vec2{310, 180}));
+    QCOMPARE(start.positionOf(4), (sim::Vec2{310, 180}));
     for (int foot = 5; foot < 9; ++foot)
-        QVERIFY(std::abs(sim::length(start.at(foot) - start.at(9)) - 60.0) < 1e-9);
+        QVERIFY(std::abs(sim::length(start.positionOf(foot) - start.positionOf(9)) - 60.0) < 1e-9);
 }
 
 QTEST_GUILESS_MAIN(MultiFoot)

@@ -30,7 +30,7 @@ class RealSway : public QObject
         sim::Script script = scriptOf(m_step, "semi_implicit_euler", h, changes);
         script.build = [build = script.build, bend](const sim::Values &values) {
             sim::Scene scene = build(values);
-            for (int i = 0; i < scene.start.points(); ++i)
+            for (int i = 0; i < scene.start.pointCount(); ++i)
                 scene.start.angle[i] += bend(i);
             return scene;
         };
@@ -54,8 +54,8 @@ class RealSway : public QObject
 
     static Eigen::ArrayXd accelerations(const sim::Torsion &springs, const sim::State &state)
     {
-        Eigen::ArrayXd into = Eigen::ArrayXd::Zero(state.points());
-        springs.add(state, {0, state.points()}, 1.0, into);
+        Eigen::ArrayXd into = Eigen::ArrayXd::Zero(state.pointCount());
+        springs.add(state, {0, state.pointCount()}, 1.0, into);
         return into;
     }
 
@@ -64,8 +64,8 @@ class RealSway : public QObject
     {
         const sim::Torsion &springs = springsOf(scene);
         sim::State state = scene.start;
-        Eigen::ArrayXd bends(state.points());
-        for (int i = 0; i < state.points(); ++i)
+        Eigen::ArrayXd bends(state.pointCount());
+        for (int i = 0; i < state.pointCount(); ++i)
             bends[i] = std::sin(1.0 + 3.7 * i);
         double value = 0.0;
         for (int turn = 0; turn < 3000; ++turn) {
@@ -121,7 +121,7 @@ void RealSway::aLoneTrunkSwingsAsItsClosedForm()
         std::vector<double> all;
         for (int frame = 1; frame <= frames; ++frame) {
             run.seek({frame, 0});
-            all.push_back(run.now().angle[0] + 90.0);
+            all.push_back(run.state().angle[0] + 90.0);
         }
         return all;
     };
@@ -132,9 +132,9 @@ void RealSway::aLoneTrunkSwingsAsItsClosedForm()
             largest = std::max(largest, std::abs(all[static_cast<std::size_t>(frame - 1)] - truth(frame)));
         return largest;
     };
-    const Slope slope = slopeOf(error, 5, 10);
-    QVERIFY2(slope.least > 0.9 && slope.greatest < 1.1,
-             qPrintable(QString::number(slope.least) + u' ' + QString::number(slope.greatest)));
+    const Slope jacobian = slopeOf(error, 5, 10);
+    QVERIFY2(jacobian.least > 0.9 && jacobian.greatest < 1.1,
+             qPrintable(QString::number(jacobian.least) + u' ' + QString::number(jacobian.greatest)));
     const auto coarse = bends(1.0 / 256), fine = bends(1.0 / 512), finest = bends(1.0 / 1024);
     for (int frame = 1; frame <= frames; ++frame) {
         const auto row = static_cast<std::size_t>(frame - 1);
@@ -152,19 +152,20 @@ void RealSway::aTwigWhoseParentIsHeldSwingsAsItsClosedForm()
     sim::Script script = bent([](int i) { return i == 254 ? 7.0 : 0.0; }, 1.0, {{"damp", 1.0}});
     script.input = {{1, sim::Grab{"branch126"}}};
     sim::Track run(script, 0);
-    const double rest = run.shown().scene.start.angle[254] - 7.0;
+    const double rest = run.interval().scene.start.angle[254] - 7.0;
     // From rest: b(n) = 7 (cos(w n) - tan(w / 2) sin(w n)), as the kick comes before the turn.
     for (int n = 1; n <= 200; ++n) {
         run.seek({n, 0});
         const double truth = 7.0 * (std::cos(w * n) - std::tan(0.5 * w) * std::sin(w * n));
-        QVERIFY(std::abs(run.now().angle[254] - rest - truth) < 1e-9);
+        QVERIFY(std::abs(run.state().angle[254] - rest - truth) < 1e-9);
     }
 }
 
 void RealSway::thinBranchesSwingFaster()
 {
     const sim::Scene scene = sceneOf();
-    const Eigen::ArrayXd square = springsOf(scene).limbs().stiffness / springsOf(scene).limbs().inertia;
+    const Eigen::ArrayXd square =
+        springsOf(scene).mechanics().stiffness / springsOf(scene).mechanics().inertia;
     for (int i = 1; i < square.rows(); ++i) {
         const int parent = (i - 1) / 2;
         QVERIFY(square[i] > 1.2 * square[parent]);
@@ -179,11 +180,11 @@ void RealSway::jointsOnlyPassTorqueOn()
     std::mt19937 random(5);
     for (int turn = 0; turn < 20; ++turn) {
         sim::State state = scene.start;
-        for (int i = 0; i < state.points(); ++i)
+        for (int i = 0; i < state.pointCount(); ++i)
             state.angle[i] += std::uniform_real_distribution<double>(-40, 40)(random);
-        const double torque = (springs.limbs().inertia * accelerations(springs, state)).sum();
-        const double ground = -springs.limbs().stiffness[0] * (state.angle[0] - scene.start.angle[0]);
-        const double size = springs.limbs().stiffness[0] * 40.0;
+        const double torque = (springs.mechanics().inertia * accelerations(springs, state)).sum();
+        const double ground = -springs.mechanics().stiffness[0] * (state.angle[0] - scene.start.angle[0]);
+        const double size = springs.mechanics().stiffness[0] * 40.0;
         QVERIFY(std::abs(torque - ground) < 1e-10 * size);
     }
 }
@@ -192,7 +193,7 @@ void RealSway::aBentTwigMovesTheTrunk()
 {
     sim::Track run(bent([](int i) { return i == 254 ? 30.0 : 0.0; }), 0);
     run.seek({20, 0});
-    QVERIFY(std::abs(run.now().angle[0] + 90.0) > 1e-6);
+    QVERIFY(std::abs(run.state().angle[0] + 90.0) > 1e-6);
 }
 
 /// Semi-implicit Euler keeps a neighbour of the energy, H + (h/2) sum(I w a), to rounding; so the energy itself stays
@@ -201,11 +202,13 @@ void RealSway::withoutDampingTheEnergyStaysOver100000Frames()
 {
     const sim::Script script = bent([](int i) { return 20.0 * std::sin(1.0 + i); }, 1.0, {{"damp", 1.0}});
     sim::Track run(script, 0);
-    const sim::Torsion &springs = springsOf(run.shown().scene);
-    const auto energy = [&] { return springs.motionEnergy(run.now()) + springs.springEnergy(run.now()); };
+    const sim::Torsion &springs = springsOf(run.interval().scene);
+    const auto energy = [&] {
+        return springs.kineticEnergy(run.state()) + springs.springEnergy(run.state());
+    };
     const auto neighbour = [&] {
-        const Eigen::ArrayXd a = accelerations(springs, run.now());
-        return energy() + 0.5 * (springs.limbs().inertia * run.now().spin * a).sum();
+        const Eigen::ArrayXd a = accelerations(springs, run.state());
+        return energy() + 0.5 * (springs.mechanics().inertia * run.state().spin * a).sum();
     };
     const double start = energy(), startNeighbour = neighbour();
     double least = start, most = start, early = 0.0, late = 0.0;
@@ -220,7 +223,7 @@ void RealSway::withoutDampingTheEnergyStaysOver100000Frames()
     }
     QVERIFY(std::abs(neighbour() / startNeighbour - 1.0) < 1e-9);
     // |H - neighbour| is at most h sqrt(largest eigenvalue) / 2 of H.
-    const double bound = 0.5 * std::sqrt(springs.stiffestPull());
+    const double bound = 0.5 * std::sqrt(springs.stiffnessBound());
     QVERIFY(least > start * (1.0 - bound) / (1.0 + bound) && most < start * (1.0 + bound) / (1.0 - bound));
     QVERIFY2(std::abs(late / early - 1.0) < 0.005, qPrintable(QString::number(late / early)));
 }
@@ -228,11 +231,11 @@ void RealSway::withoutDampingTheEnergyStaysOver100000Frames()
 void RealSway::dampingOnlyTakesEnergy()
 {
     sim::Track run(bent([](int i) { return 20.0 * std::sin(1.0 + i); }), 0);
-    const sim::Torsion &springs = springsOf(run.shown().scene);
+    const sim::Torsion &springs = springsOf(run.interval().scene);
     double last = 1e300;
     for (int frame = 0; frame <= 1000; frame += 100) { // longer than the longest period
         run.seek({frame, 0});
-        const double now = springs.motionEnergy(run.now()) + springs.springEnergy(run.now());
+        const double now = springs.kineticEnergy(run.state()) + springs.springEnergy(run.state());
         QVERIFY(now < 0.5 * last);
         last = now;
     }
@@ -245,7 +248,7 @@ void RealSway::theStepLimitIsWhereTheNarrationSays()
     const auto swings = [&](double h) {
         sim::Track run(bent([](int i) { return 0.1 * std::sin(1.0 + i); }, h, {{"damp", 1.0}}), 0);
         run.seek({1200, 0});
-        return (run.now().angle - sceneOf().start.angle).abs().maxCoeff();
+        return (run.state().angle - sceneOf().start.angle).abs().maxCoeff();
     };
     QVERIFY(swings(3.0) < 100.0);
     QVERIFY(!(swings(4.0) < 1e6));
@@ -266,7 +269,7 @@ void RealSway::theBoundOfTheStepLimitHolds()
     QFETCH(double, slope);
     QFETCH(double, minScale);
     const sim::Scene scene = sceneOf({{"slope", slope}, {"min_scale", minScale}});
-    const double truth = largestEigenvalue(scene), bound = springsOf(scene).stiffestPull();
+    const double truth = largestEigenvalue(scene), bound = springsOf(scene).stiffnessBound();
     QVERIFY(bound >= truth * (1.0 - 1e-9) && bound <= 2.0 * truth);
 }
 
@@ -285,7 +288,7 @@ void RealSway::theMeasuresAddUp()
     const auto measured = [&](const QString &name, const sim::State &state) {
         for (const lessons::Measure &one : m_step.measures) {
             if (one.name == name)
-                return one.of(sceneOf(), state, nullptr, m_step.presets());
+                return one.of(sceneOf(), state, nullptr, m_step.defaultValues());
         }
         return -1.0;
     };

@@ -152,7 +152,7 @@ void RigidConstraint::matchesThePrintedCode()
                        stick.length, stick.share);
         track.seek({static_cast<std::int64_t>(frame), 0});
         for (std::size_t i = 0; i < places.size(); ++i) {
-            const sim::Vec2 at = track.now().at(static_cast<int>(i));
+            const sim::Vec2 at = track.state().positionOf(static_cast<int>(i));
             QVERIFY(std::abs(at.x - places[i].x) <= 1e-9 && std::abs(at.y - places[i].y) <= 1e-9);
         }
     }
@@ -179,11 +179,12 @@ void RigidConstraint::theErrorIsSharedAsAsked()
     const sim::State state = stateAfter(script, 1);
     const sim::Vec2 wanted0 = sim::Vec2{230, 240} + (50 * share) * sim::Vec2{0.6, 0.8};
     const sim::Vec2 wanted1 = sim::Vec2{200, 200} - (50 * (1 - share)) * sim::Vec2{0.6, 0.8};
-    QVERIFY(sim::length(state.at(0) - wanted0) <= 1e-12 && sim::length(state.at(1) - wanted1) <= 1e-12);
+    QVERIFY(sim::length(state.positionOf(0) - wanted0) <= 1e-12 &&
+            sim::length(state.positionOf(1) - wanted1) <= 1e-12);
     if (share == 0.0)
-        QCOMPARE(state.at(0), (sim::Vec2{230, 240}));
+        QCOMPARE(state.positionOf(0), (sim::Vec2{230, 240}));
     if (share == 1.0)
-        QCOMPARE(state.at(1), (sim::Vec2{200, 200}));
+        QCOMPARE(state.positionOf(1), (sim::Vec2{200, 200}));
 }
 
 void RigidConstraint::eachFrameLeavesItsShareOfTheError_data()
@@ -201,7 +202,7 @@ void RigidConstraint::eachFrameLeavesItsShareOfTheError()
     script.bodies = {{"p0", {{100, 100}, {}}}, {"p1", {{100, 300}, {}}}};
     script.input = {{1, sim::Pointer{{400, 300}, false}}};
     for (int frame = 1; frame <= 20; ++frame) {
-        const double away = sim::length(stateAfter(script, frame).at(0) - sim::Vec2{400, 300});
+        const double away = sim::length(stateAfter(script, frame).positionOf(0) - sim::Vec2{400, 300});
         QVERIFY(std::abs(away - 200 * std::pow(share, frame)) <= 1e-10);
     }
 }
@@ -217,11 +218,11 @@ void RigidConstraint::twoPointsInOnePlacePart()
 {
     QFETCH(QString, method);
     const sim::State state = stateAfter(support::scriptOf(step("pair"), method.toStdString()), 1);
-    QVERIFY(std::abs(sim::length(state.at(0) - state.at(1)) - 100.0) <= 1e-12);
-    QVERIFY(sim::length(state.at(0) + state.at(1) - sim::Vec2{480, 330}) <= 1e-12);
+    QVERIFY(std::abs(sim::length(state.positionOf(0) - state.positionOf(1)) - 100.0) <= 1e-12);
+    QVERIFY(sim::length(state.positionOf(0) + state.positionOf(1) - sim::Vec2{480, 330}) <= 1e-12);
     if (method == u"published") { // straight up and down
-        QCOMPARE(state.at(0), (sim::Vec2{240, 215}));
-        QCOMPARE(state.at(1), (sim::Vec2{240, 115}));
+        QCOMPARE(state.positionOf(0), (sim::Vec2{240, 215}));
+        QCOMPARE(state.positionOf(1), (sim::Vec2{240, 115}));
     }
 }
 
@@ -232,8 +233,8 @@ void RigidConstraint::aHeldEndLeavesAllOfTheErrorToTheOther()
         script.input = {{1, sim::Grab{held}}, {1, sim::Move{{400, 300}}}};
         const sim::State state = stateAfter(script, 1);
         const int hand = state.hold.point;
-        QCOMPARE(state.at(hand), (sim::Vec2{400, 300}));
-        QVERIFY(std::abs(sim::length(state.at(1 - hand) - state.at(hand)) - 100.0) <= 1e-12);
+        QCOMPARE(state.positionOf(hand), (sim::Vec2{400, 300}));
+        QVERIFY(std::abs(sim::length(state.positionOf(1 - hand) - state.positionOf(hand)) - 100.0) <= 1e-12);
     }
 }
 
@@ -241,7 +242,7 @@ void RigidConstraint::withoutAPointerP0StaysWhereItStarts()
 {
     sim::Script script = step("pair").script();
     script.bodies = {{"p0", {{100, 100}, {}}}, {"p1", {{160, 180}, {}}}};
-    QCOMPARE(stateAfter(script, 10).at(0), (sim::Vec2{100, 100}));
+    QCOMPARE(stateAfter(script, 10).positionOf(0), (sim::Vec2{100, 100}));
 }
 
 void RigidConstraint::sticksWithoutAnEndAreRefused_data()

@@ -26,8 +26,9 @@ double stretchOf(const std::vector<sim::Stick> &sticks, const sim::State &state)
 {
     double largest = 0.0;
     for (const sim::Stick &stick : sticks)
-        largest = std::max(largest,
-                           std::abs(sim::length(state.at(stick.a) - state.at(stick.b)) / stick.length - 1));
+        largest = std::max(
+            largest,
+            std::abs(sim::length(state.positionOf(stick.a) - state.positionOf(stick.b)) / stick.length - 1));
     return largest;
 }
 
@@ -67,7 +68,7 @@ std::vector<double> crossingsOf(const sim::Script &script, int point, double fra
     double before = 1.0;
     for (int frame = 1; frame < frames; ++frame) {
         track.seek({frame, 0});
-        const double x = track.now().at(point).x - 270.0;
+        const double x = track.state().positionOf(point).x - 270.0;
         if (before > 0.0 && x <= 0.0)
             crossings.push_back(frame - x / (x - before));
         before = x;
@@ -144,7 +145,8 @@ void RigidFigures::fallsOnTheParabolaOfVerletsRule()
     script.bodies["p0"].v = sim::Vec2{3, -7};
     for (const int n : {1, 2, 10, 100}) {
         const sim::State state = stateAfter(script, n);
-        QVERIFY(sim::length(state.at(0) - sim::Vec2{100 + 3.0 * n, -7.0 * n + 0.25 * n * (n + 1)}) <= 1e-9);
+        QVERIFY(sim::length(state.positionOf(0) - sim::Vec2{100 + 3.0 * n, -7.0 * n + 0.25 * n * (n + 1)}) <=
+                1e-9);
     }
 }
 
@@ -161,22 +163,22 @@ void RigidFigures::aPendulumHasThePeriodOfItsClosedForm()
 
 void RigidFigures::aPendulumKeepsItsEnergyTheBetterTheSmallerTheStep()
 {
-    const Slope slope = slopeOf(
+    const Slope jacobian = slopeOf(
         [&](double h) {
             sim::Track track(pendulum(1, 1.0, h, 1), 0);
-            const double start = -0.05 * track.now().at(1).y;
+            const double start = -0.05 * track.state().positionOf(1).y;
             double worst = 0.0;
             for (int frame = 1; frame <= 600; ++frame) {
                 track.seek({frame, 0});
-                const sim::Vec2 v = track.now().speed(1);
-                const double energy = 0.5 * (v.x * v.x + v.y * v.y) - 0.05 * track.now().at(1).y;
+                const sim::Vec2 v = track.state().velocityOf(1);
+                const double energy = 0.5 * (v.x * v.x + v.y * v.y) - 0.05 * track.state().positionOf(1).y;
                 worst = std::max(worst, std::abs(energy - start));
             }
             return worst;
         },
         3, 7);
-    QVERIFY2(slope.least > 0.9 && slope.greatest < 1.1,
-             qPrintable(QStringLiteral("%1 %2").arg(slope.least).arg(slope.greatest)));
+    QVERIFY2(jacobian.least > 0.9 && jacobian.greatest < 1.1,
+             qPrintable(QStringLiteral("%1 %2").arg(jacobian.least).arg(jacobian.greatest)));
 }
 
 /// Daniel Bernoulli's hanging chain: T = 2 pi (2 / 2.404826) sqrt(L / g), for very many links. A chain of n equal
@@ -216,10 +218,10 @@ void RigidFigures::aFreeFigureKeepsItsMomentum()
     script.bodies["p0"] = {{270, 90}, sim::Vec2{30, -20}};
     script.bodies["p3"] = {{275, 195}, sim::Vec2{-25, 11}};
     sim::Track track(script, 0);
-    const Eigen::Array2d start = track.now().velocity.colwise().sum();
+    const Eigen::Array2d start = track.state().velocity.colwise().sum();
     for (int frame = 1; frame <= 500; ++frame) {
         track.seek({frame, 0});
-        const Eigen::Array2d now = track.now().velocity.colwise().sum();
+        const Eigen::Array2d now = track.state().velocity.colwise().sum();
         QVERIFY((now - start).abs().maxCoeff() <= 1e-9);
     }
 }
@@ -236,7 +238,8 @@ void RigidFigures::frictionBrakesByCoulombsLaw()
     for (const int n : {1, 10, 29})
         QVERIFY(std::abs(stateAfter(script, n).velocity(0, 0) - (6 - 0.2 * n)) <= 1e-9);
     QVERIFY(std::abs(stateAfter(script, 40).velocity(0, 0)) <= 1e-12);
-    QVERIFY(sim::length(stateAfter(script, 40).at(0) - stateAfter(script, 400).at(0)) <= 1e-9);
+    QVERIFY(sim::length(stateAfter(script, 40).positionOf(0) - stateAfter(script, 400).positionOf(0)) <=
+            1e-9);
 }
 
 /// Thrown 400 times in 100 000 frames: a hand takes any point, jerks it about with up to 60 px a frame in x and in y,
@@ -263,10 +266,10 @@ void RigidFigures::theRagdollHoldsWhateverIsDoneToIt()
     for (int frame = 1; frame <= throws * each; ++frame) {
         track.seek({frame, 0});
         QVERIFY(!track.stop());
-        const double fastest = track.now().velocity.matrix().rowwise().norm().maxCoeff();
-        calm = fastest < 3.0 && track.now().hold.point < 0 ? calm + 1 : 0;
+        const double fastest = track.state().velocity.matrix().rowwise().norm().maxCoeff();
+        calm = fastest < 3.0 && track.state().hold.point < 0 ? calm + 1 : 0;
         if (calm >= 10) {
-            worst = std::max(worst, stretchOf(sticks, track.now()));
+            worst = std::max(worst, stretchOf(sticks, track.state()));
             ++settled;
         }
     }
@@ -290,7 +293,7 @@ void RigidFigures::twiceTheIterationsLeaveLessError()
         double sum = 0.0;
         for (int frame = 1; frame <= 300; ++frame) {
             track.seek({frame, 0});
-            sum += stretchOf(sticks, track.now());
+            sum += stretchOf(sticks, track.state());
         }
         QVERIFY(sum < 0.9 * before);
         before = sum;
@@ -301,7 +304,8 @@ void RigidFigures::twiceTheIterationsLeaveLessError()
 void RigidFigures::jointsBendOnlyAsFarAsTheirLimits()
 {
     const auto elbow = [](const sim::State &state) {
-        const sim::Vec2 a = state.at(1) - state.at(4), b = state.at(5) - state.at(4);
+        const sim::Vec2 a = state.positionOf(1) - state.positionOf(4),
+                        b = state.positionOf(5) - state.positionOf(4);
         const double angle = std::atan2(b.y, b.x) - std::atan2(a.y, a.x);
         return std::remainder(angle, 2 * std::numbers::pi) * 180 / std::numbers::pi; // 0: folded
     };

@@ -51,12 +51,13 @@ class SameBits : public QObject
 private slots:
     void initTestCase()
     {
-        for (const Way &way : ways()) {
+        for (const Way &setup : ways()) {
             auto program = std::make_unique<QProcess>();
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-            environment.insert("SPRINGSTEP_INSTRUCTIONS", way.instructions);
+            environment.insert("SPRINGSTEP_INSTRUCTIONS", setup.instructions);
             program->setProcessEnvironment(environment);
-            const QStringList arguments = way.threads.isEmpty() ? QStringList() : QStringList{way.threads};
+            const QStringList arguments =
+                setup.threads.isEmpty() ? QStringList() : QStringList{setup.threads};
             program->start(LESSON_HASHES, arguments);
             m_programs.push_back(std::move(program));
         }
@@ -78,10 +79,10 @@ private slots:
     void everyWayComesToTheSameBits()
     {
         QFETCH(std::size_t, number);
-        const Way way = ways()[number];
+        const Way setup = ways()[number];
         const QStringList lines = printed(number);
         QCOMPARE(lines.size(), m_first.size());
-        if (way.instructions != "baseline" && lines.first() == "baseline")
+        if (setup.instructions != "baseline" && lines.first() == "baseline")
             QSKIP("this machine has no wider instructions");
         for (qsizetype i = 1; i < lines.size(); ++i)
             QCOMPARE(lines[i], m_first[i]);

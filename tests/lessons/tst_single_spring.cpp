@@ -126,7 +126,7 @@ void SingleSpring::theSpringSwingsAndDecaysAsItsEigenvaluesSay()
     QFETCH(double, h);
     sim::Script script = footAt("fixed_centre", 420.0, {{"k", k}, {"damp", damp}});
     script.method = scriptOf(step("fixed_centre"), method.toStdString(), h).method;
-    script.step = sim::StepSize::of(h);
+    script.step = sim::StepSize::ofLength(h);
     const double d = std::pow(damp, h);
     const double r = std::sqrt(d);
     const double turn = std::acos((1.0 + d - d * k * h * h) / (2.0 * r));
@@ -138,7 +138,7 @@ void SingleSpring::theSpringSwingsAndDecaysAsItsEigenvaluesSay()
         const double n = frame / h;
         const double x = std::pow(r, n) * (x0 * std::cos(n * turn) + b * std::sin(n * turn));
         track.seek({frame, 0});
-        QVERIFY(std::abs(track.now().position(0, 0) - (270.0 + x)) < 1e-9);
+        QVERIFY(std::abs(track.state().position(0, 0) - (270.0 + x)) < 1e-9);
     }
 }
 
@@ -150,7 +150,7 @@ void SingleSpring::thePeriodIsThatOfTheEigenvalues()
     constexpr int frames = 10'000;
     for (int frame = 1; frame <= frames; ++frame) {
         track.seek({frame, 0});
-        const double now = track.now().position(0, 0) - 270.0;
+        const double now = track.state().position(0, 0) - 270.0;
         crossings += now * before < 0.0;
         before = now;
     }
@@ -174,7 +174,7 @@ void SingleSpring::itConvergesToTheDampedOscillatorWithOrderOne()
     const auto exact = [&](double t) {
         return 150.0 * std::exp(-c * t / 2.0) * (std::cos(w * t) + c / (2.0 * w) * std::sin(w * t));
     };
-    const Slope slope = slopeOf(
+    const Slope jacobian = slopeOf(
         [&](double h) {
             sim::Script script = scriptOf(step("fixed_centre"), method.toStdString(), h);
             script.bodies["foot"] = {{420.0, 200.0}, sim::Vec2{}};
@@ -182,12 +182,12 @@ void SingleSpring::itConvergesToTheDampedOscillatorWithOrderOne()
             double worst = 0.0;
             for (int frame = 1; frame <= 20; ++frame) {
                 track.seek({frame, 0});
-                worst = std::max(worst, std::abs(track.now().position(0, 0) - 270.0 - exact(frame)));
+                worst = std::max(worst, std::abs(track.state().position(0, 0) - 270.0 - exact(frame)));
             }
             return worst;
         },
         3, 8);
-    QVERIFY(slope.least > 0.9 && slope.greatest < 1.1);
+    QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
 }
 
 void SingleSpring::itComesToRestAtItsTarget_data()
@@ -220,8 +220,8 @@ void SingleSpring::theHandleFeelsNothingAndHasNoVelocity()
         sim::Track track(script, 0);
         for (int frame = 0; frame < 30; ++frame) {
             track.seek({frame, 0});
-            QCOMPARE(track.now().speed(1), (sim::Vec2{0, 0}));
-            QCOMPARE(track.now().at(1), frame < 6 ? (sim::Vec2{270, 200}) : (sim::Vec2{300, 100}));
+            QCOMPARE(track.state().velocityOf(1), (sim::Vec2{0, 0}));
+            QCOMPARE(track.state().positionOf(1), frame < 6 ? (sim::Vec2{270, 200}) : (sim::Vec2{300, 100}));
         }
     }
 }
@@ -229,7 +229,7 @@ void SingleSpring::theHandleFeelsNothingAndHasNoVelocity()
 void SingleSpring::theFirstTwoStepsHaveNoBody()
 {
     for (const char *id : {"drag", "fixed_centre"})
-        QCOMPARE(step(id).scene(step(id).presets()).names, std::vector<std::string>{"foot"});
+        QCOMPARE(step(id).scene(step(id).defaultValues()).names, std::vector<std::string>{"foot"});
 }
 
 void SingleSpring::thePullToComeIsDrawnAndDoesNotAct()
@@ -237,8 +237,8 @@ void SingleSpring::thePullToComeIsDrawnAndDoesNotAct()
     const lessons::Step &drag = step("drag");
     const sim::Script script = drag.script();
     const sim::State start = script.build(script.values).start;
-    QCOMPARE(stateAfter(script, 50).at(0), start.at(0));
-    const auto guides = drag.guides(script.build(script.values), start, script.values);
+    QCOMPARE(stateAfter(script, 50).positionOf(0), start.positionOf(0));
+    const auto guides = drag.overlays(script.build(script.values), start, script.values);
     QCOMPARE(guides.size(), std::size_t{2});
     QCOMPARE(guides[0].a, (sim::Vec2{270, 200}));
     QCOMPARE(guides[1].b, (sim::Vec2{0.2 * (270.0 - 420.0), 0.2 * (200.0 - 120.0)}));
@@ -258,8 +258,8 @@ void SingleSpring::onlyASpringThatActsIsDrawn()
     const lessons::Step &one = step(QTest::currentDataTag());
     sim::Script script = scriptOf(one);
     const auto drawn = [&] {
-        const sim::Scene scene = sim::Track(script, 0).shown().scene;
-        return static_cast<int>(one.look(scene, script.values).springs.size());
+        const sim::Scene scene = sim::Track(script, 0).interval().scene;
+        return static_cast<int>(one.view(scene, script.values).springs.size());
     };
     QCOMPARE(drawn(), springs);
     script.values.set("k", 0.0);
@@ -273,8 +273,8 @@ void SingleSpring::onlyASpringThatActsIsDrawn()
 void SingleSpring::theAngleIsGivenInDegreesAndRadians()
 {
     const lessons::Step &radial = step("radial");
-    const sim::Scene scene = radial.scene(radial.presets());
-    const auto guides = radial.guides(scene, scene.start, radial.presets());
+    const sim::Scene scene = radial.scene(radial.defaultValues());
+    const auto guides = radial.overlays(scene, scene.start, radial.defaultValues());
     QCOMPARE(guides.back().label, QStringLiteral("45.0° = 0.785 rad"));
     QVERIFY(radial.narration.contains(QStringLiteral("57.2958")));
 }

@@ -19,7 +19,7 @@ constexpr int manyPoints = 500; ///< scenes with more are looked at for a shorte
 /// Source: RFC 9923 (draft-eastlake-fnv), the 64-bit variant.
 std::uint64_t hashed(const State &state, std::uint64_t hash)
 {
-    visitMemory(state, [&](const void *data, std::size_t bytes) {
+    visitBytes(state, [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
         for (std::size_t i = 0; i < bytes; ++i)
             hash = (hash ^ byte[i]) * 0x100000001b3u;
@@ -31,9 +31,9 @@ std::uint64_t hashOf(const Script &script, std::int64_t length, Sleeping sleepin
 {
     Track track(script, 0, sleeping);
     std::uint64_t hash = 0xcbf29ce484222325u;
-    for (std::int64_t frame = 0; frame <= length; frame += track.rowFrames()) {
+    for (std::int64_t frame = 0; frame <= length; frame += track.framesPerOutput()) {
         track.seek({frame, 0});
-        hash = hashed(track.now(), hash);
+        hash = hashed(track.state(), hash);
         slept = slept || track.sleep();
     }
     return hash;
@@ -72,10 +72,10 @@ private slots:
         const Scene scene = sceneOf(script, script.values);
         if (script.input.empty()) { // a hand comes, and lets go again
             const std::string &body = scene.names.back();
-            const Vec2 there = scene.start.at(scene.find(body)) + Vec2{60.0, -40.0};
+            const Vec2 there = scene.start.positionOf(scene.find(body)) + Vec2{60.0, -40.0};
             script.input = {{5, Grab{body}}, {6, Move{there}}, {25, Release{}}, {700, Grab{body}}};
         }
-        const std::int64_t length = scene.start.points() > manyPoints ? frames / 20 : frames;
+        const std::int64_t length = scene.start.pointCount() > manyPoints ? frames / 20 : frames;
         try {
             bool slept = false, wakerSlept = false;
             const std::uint64_t asleep = hashOf(script, length, Sleeping::allowed, slept);

@@ -113,7 +113,7 @@ void SwayingTree::matchesThePrintedCode()
                    real(2, 20),  real(1, 10), real(0, 60),    unsigned(dice)};
     if (id == u"branches")
         numbers.jitter = 0.0;
-    const sim::Values presets = step(qPrintable(id)).presets();
+    const sim::Values presets = step(qPrintable(id)).defaultValues();
     sim::Script script = scriptOf(step(qPrintable(id)));
     script.values.seed = numbers.seed;
     const std::pair<const char *, double> values[] = {
@@ -146,11 +146,11 @@ void SwayingTree::matchesThePrintedCode()
             printed.enterFrame(gusts[row].first ? &gusts[row].second : nullptr);
         }
         const std::vector<PrintedTree::Row> rows = printed.rows();
-        QCOMPARE(run.now().points(), static_cast<int>(rows.size()));
-        for (int i = 0; i < run.now().points(); ++i) {
+        QCOMPARE(run.state().pointCount(), static_cast<int>(rows.size()));
+        for (int i = 0; i < run.state().pointCount(); ++i) {
             const PrintedTree::Row &row = rows[static_cast<std::size_t>(i)];
-            QVERIFY(std::abs(run.now().angle[i] - row.angle) <= 1e-6);
-            QVERIFY(sim::length(run.now().at(i) - sim::Vec2{row.x, row.y}) <= 1e-6);
+            QVERIFY(std::abs(run.state().angle[i] - row.angle) <= 1e-6);
+            QVERIFY(sim::length(run.state().positionOf(i) - sim::Vec2{row.x, row.y}) <= 1e-6);
         }
     }
 }
@@ -159,8 +159,8 @@ void SwayingTree::correctedBranchesPointAtThePointerAfterOneFrame()
 {
     for (const sim::Vec2 pointer : {sim::Vec2{20, 30}, {500, 390}, {290, 330}, {275, 250}}) {
         const sim::State after = stateAfter(pressed("towards_pointer", pointer), 1);
-        for (int i = 0; i < after.points(); ++i) {
-            const sim::Vec2 way = pointer - after.at(i);
+        for (int i = 0; i < after.pointCount(); ++i) {
+            const sim::Vec2 way = pointer - after.positionOf(i);
             const double angle = std::atan2(way.y, way.x) * 180.0 / std::numbers::pi;
             QVERIFY(sim::length(way) < 1e-9 ||
                     std::abs(std::remainder(after.angle[i] - angle, 360.0)) < 1e-9);
@@ -189,11 +189,11 @@ void SwayingTree::correctedWindBlowsAwayFromThePointer()
         const sim::Script script = pressed("wind", pointer);
         const sim::State after = stateAfter(script, 400);
         const sim::Scene scene = sim::sceneOf(script, script.values);
-        const lessons::Look look = step("wind").look(scene, script.values);
-        for (int i = 0; i < after.points(); ++i) {
+        const lessons::View look = step("wind").view(scene, script.values);
+        for (int i = 0; i < after.pointCount(); ++i) {
             const double rad = after.angle[i] * std::numbers::pi / 180.0;
             const double length = look.tree->length[static_cast<std::size_t>(i)];
-            const sim::Vec2 end = after.at(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
+            const sim::Vec2 end = after.positionOf(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
             const sim::Vec2 away = end - pointer;
             const double wind = std::atan2(away.y, away.x) * 180.0 / std::numbers::pi;
             QVERIFY(std::abs(std::remainder(after.angle[i] - wind, 360.0)) <= 1.0);
@@ -236,11 +236,11 @@ void SwayingTree::aPointerOnABranchsEndIsNoTrouble()
     const Changes plain = {{"jitter", 0.0}};
     const sim::State start = stateAfter(scriptOf(step(qPrintable(id)), "published", 1.0, plain), 0);
     for (const int branch : {1, 2, 3, 6, 7, 200}) { // its origin is the end of its parent
-        sim::Script script = pressed(qPrintable(id), start.at(branch), plain);
+        sim::Script script = pressed(qPrintable(id), start.positionOf(branch), plain);
         sim::Timeline run(script);
         run.seek({200, 0});
         QVERIFY(!run.stop());
-        QVERIFY(run.now().angle.isFinite().all() && run.now().position.isFinite().all());
+        QVERIFY(run.state().angle.isFinite().all() && run.state().position.isFinite().all());
     }
 }
 
@@ -274,9 +274,9 @@ void SwayingTree::smallerStepsConverge()
         return stateAfter(pressed(qPrintable(id), {x, 120}, small, h), 4);
     };
     const auto error = [&](double h) { return (after(h).angle - after(0.5 * h).angle).abs().maxCoeff(); };
-    const Slope slope = slopeOf(error, 4, 9);
-    QVERIFY2(slope.least > 0.9 && slope.greatest < 1.1,
-             qPrintable(QString::number(slope.least) + u' ' + QString::number(slope.greatest)));
+    const Slope jacobian = slopeOf(error, 4, 9);
+    QVERIFY2(jacobian.least > 0.9 && jacobian.greatest < 1.1,
+             qPrintable(QString::number(jacobian.least) + u' ' + QString::number(jacobian.greatest)));
 }
 
 void SwayingTree::aHeldBranchKeepsItsAngleAndCarriesItsChildren_data()
@@ -298,39 +298,40 @@ void SwayingTree::aHeldBranchKeepsItsAngleAndCarriesItsChildren()
                     {40, sim::Release{}}};
     sim::Timeline run(script);
     run.seek({19, 0});
-    const double angle = run.now().angle[held];
+    const double angle = run.state().angle[held];
     run.seek({39, 0});
-    QCOMPARE(run.now().at(held), (sim::Vec2{200, 150}));
-    QCOMPARE(run.now().angle[held], angle);
-    const lessons::Look look = one.look(run.track().shown().scene, run.values());
+    QCOMPARE(run.state().positionOf(held), (sim::Vec2{200, 150}));
+    QCOMPARE(run.state().angle[held], angle);
+    const lessons::View look = one.view(run.track().interval().scene, run.values());
     const double rad = angle * std::numbers::pi / 180.0;
     const double length = look.tree->length[static_cast<std::size_t>(held)];
     const sim::Vec2 end = sim::Vec2{200, 150} + length * sim::Vec2{std::cos(rad), std::sin(rad)};
-    for (int child = 0; child < run.now().points(); ++child) {
+    for (int child = 0; child < run.state().pointCount(); ++child) {
         if (look.tree->parent[static_cast<std::size_t>(child)] == held)
-            QVERIFY(sim::length(run.now().at(child) - end) < 1e-9);
+            QVERIFY(sim::length(run.state().positionOf(child) - end) < 1e-9);
     }
     if (held == 0)
         return;
     run.seek({41, 0});
-    QVERIFY(sim::length(run.now().at(held) - sim::Vec2{200, 150}) > 10.0); // back at the trunk's end
+    QVERIFY(sim::length(run.state().positionOf(held) - sim::Vec2{200, 150}) >
+            10.0); // back at the trunk's end
 }
 
 void SwayingTree::theWindIsDrawnWhileTheButtonIsDown()
 {
     for (const lessons::Step &one : m_lesson.steps) {
-        if (!one.guides || one.id == u"trunk")
+        if (!one.overlays || one.id == u"trunk")
             continue;
-        const sim::Values values = one.presets();
+        const sim::Values values = one.defaultValues();
         const sim::Scene scene = one.scene(values);
         sim::State state = scene.start;
-        state.outside.pointer = {{60, 200}};
-        QVERIFY(one.guides(scene, state, values).empty());
-        state.outside.pointerDown = true;
-        const std::vector<lessons::Guide> guides = one.guides(scene, state, values);
+        state.input.pointer = {{60, 200}};
+        QVERIFY(one.overlays(scene, state, values).empty());
+        state.input.pointerDown = true;
+        const std::vector<lessons::Overlay> guides = one.overlays(scene, state, values);
         QVERIFY(!guides.empty());
         QCOMPARE(guides.front().a, (sim::Vec2{60, 200}));
-        const bool isWind = guides.front().shape == lessons::Guide::Shape::wind;
+        const bool isWind = guides.front().shape == lessons::Overlay::Shape::wind;
         QCOMPARE(isWind, one.id != u"towards_pointer");
     }
 }

@@ -36,7 +36,7 @@ private:
     }
     sim::Script caseScript(const QString &id, const char *method) const
     {
-        sim::Values values = m_step.presets();
+        sim::Values values = m_step.defaultValues();
         const auto position = m_step.parameter(QStringLiteral("case"))->choices.indexOf(id);
         values.set("case", static_cast<double>(position));
         return m_step.scriptWith(values, sim::findMethod(method));
@@ -53,7 +53,7 @@ void Torture::everyCaseOpensAsTheCatalogueHasIt()
 {
     QFETCH(int, number);
     const lessons::Parameter &parameter = *m_step.parameter(QStringLiteral("case"));
-    QVERIFY(parameter.opens);
+    QVERIFY(parameter.restartsRun);
     const std::string id = parameter.choices[number].toStdString();
     const std::optional<sim::HardCase> hard = sim::findHardCase(id);
     QVERIFY(hard);
@@ -64,7 +64,7 @@ void Torture::everyCaseOpensAsTheCatalogueHasIt()
     const sim::Script told = sim::scriptOf(*hard, script.method, hard->brief);
     QVERIFY(script.input == told.input);
     QVERIFY(script.step == told.step);
-    const std::int64_t frames = std::min<std::int64_t>(hard->brief.frames, 5 * told.step.rowFrames);
+    const std::int64_t frames = std::min<std::int64_t>(hard->brief.frames, 5 * told.step.framesPerOutput);
     QVERIFY(sim::sameBits(stateAfter(script, frames), stateAfter(told, frames)));
 }
 
@@ -74,16 +74,16 @@ void Torture::everyCaseIsDrawnWhole()
     const sim::Script script =
         caseScript(m_step.parameter(QStringLiteral("case"))->choices[number], "published");
     const sim::Scene scene = script.build(script.values);
-    const lessons::Look look = m_step.look(scene, script.values);
-    QCOMPARE(static_cast<int>(look.bodies.size()), scene.start.points());
-    for (const lessons::LegLook &leg : look.legs)
-        QVERIFY(std::max(leg.from, leg.to) < scene.start.points());
-    for (const lessons::StickLook &stick : look.sticks)
-        QVERIFY(std::max(stick.a, stick.b) < scene.start.points());
+    const lessons::View look = m_step.view(scene, script.values);
+    QCOMPARE(static_cast<int>(look.bodies.size()), scene.start.pointCount());
+    for (const lessons::LegView &leg : look.legs)
+        QVERIFY(std::max(leg.from, leg.to) < scene.start.pointCount());
+    for (const lessons::StickView &stick : look.sticks)
+        QVERIFY(std::max(stick.a, stick.b) < scene.start.pointCount());
     if (scene.start.angle.rows() > 0)
-        QVERIFY(look.tree && static_cast<int>(look.tree->length.size()) == scene.start.points());
+        QVERIFY(look.tree && static_cast<int>(look.tree->length.size()) == scene.start.pointCount());
     const auto actsFromAfar = [](const sim::EffectPtr &effect) { return effect->id() == "charges"; };
-    if (scene.start.angle.rows() == 0 && scene.start.points() > 1 &&
+    if (scene.start.angle.rows() == 0 && scene.start.pointCount() > 1 &&
         std::none_of(scene.effects.begin(), scene.effects.end(), actsFromAfar))
         QVERIFY(!look.legs.empty() || !look.sticks.empty());
 }

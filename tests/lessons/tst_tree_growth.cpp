@@ -54,8 +54,8 @@ void TreeGrowth::aTreeHasSoManyBranches()
         script.values.set("slope", slope);
         script.values.set("min_scale", minScale);
         const sim::State after = stateAfter(script, 2);
-        QCOMPARE(after.points(), branches);
-        QCOMPARE(sim::firstNotFinite(after), -1);
+        QCOMPARE(after.pointCount(), branches);
+        QCOMPARE(sim::firstNonFinitePoint(after), -1);
     }
 }
 
@@ -80,15 +80,15 @@ void TreeGrowth::aTreeWithoutEndIsRefused()
         sim::Timeline run(one.script());
         run.seek({3, 0});
         try {
-            run.set("min_scale", minScale);
-            run.set("slope", slope);
+            run.setParameter("min_scale", minScale);
+            run.setParameter("slope", slope);
             QFAIL("not refused");
         } catch (const sim::Error &error) {
             QCOMPARE(error.id(), std::string("tree-too-big"));
             QCOMPARE(error.values().at("most"), std::string("131071"));
         }
         run.seek({5, 0}); // goes on
-        QCOMPARE(run.at().frame, 5);
+        QCOMPARE(run.cursor().frame, 5);
     }
 }
 
@@ -96,15 +96,15 @@ void TreeGrowth::aChangedTreeKeepsItsBends()
 {
     sim::Timeline run(pressed("wind", {60, 200}));
     run.seek({30, 0});
-    run.hand(sim::Pointer{{60, 200}, false});
+    run.applyInput(sim::Pointer{{60, 200}, false});
     run.seek({31, 0});
-    const sim::State before = run.now();
-    const Eigen::ArrayXd bends = before.angle - run.track().shown().scene.start.angle;
-    run.set("spread", 50.0);
+    const sim::State before = run.state();
+    const Eigen::ArrayXd bends = before.angle - run.track().interval().scene.start.angle;
+    run.setParameter("spread", 50.0);
     run.seek({40, 0});
-    const Eigen::ArrayXd after = run.now().angle - run.track().shown().scene.start.angle;
+    const Eigen::ArrayXd after = run.state().angle - run.track().interval().scene.start.angle;
     QVERIFY(((bends - after).abs() < 1e-9).all());
-    QVERIFY(farthestApart(before, run.now()) > 20.0);
+    QVERIFY(farthestApart(before, run.state()) > 20.0);
 }
 
 void TreeGrowth::theSeedGrowsTheTreeAndTheGusts()
@@ -123,13 +123,13 @@ void TreeGrowth::galleriesOfferTreesThatGrowAndDiffer()
 {
     for (const char *id : {"randomness", "turbulence", "real_sway"}) {
         const lessons::Step &one = step(id);
-        QVERIFY(one.presetGallery.size() >= 5);
+        QVERIFY(one.presets.size() >= 5);
         QStringList titles;
-        std::vector<sim::State> trees = {one.scene(one.presets()).start};
-        for (const lessons::Preset &preset : one.presetGallery) {
+        std::vector<sim::State> trees = {one.scene(one.defaultValues()).start};
+        for (const lessons::Preset &preset : one.presets) {
             QVERIFY(!preset.title.isEmpty() && preset.help.endsWith(u'.'));
             titles << preset.title;
-            sim::Values values = one.presets();
+            sim::Values values = one.defaultValues();
             for (const auto &[name, value] : preset.values) {
                 const lessons::Parameter *parameter = one.parameter(name);
                 QVERIFY(parameter && value >= parameter->min && value <= parameter->max);
@@ -137,11 +137,11 @@ void TreeGrowth::galleriesOfferTreesThatGrowAndDiffer()
             }
             trees.push_back(one.scene(values).start);
             for (std::size_t i = 0; i + 1 < trees.size(); ++i)
-                QVERIFY(trees[i].points() != trees.back().points() ||
+                QVERIFY(trees[i].pointCount() != trees.back().pointCount() ||
                         farthestApart(trees[i], trees.back()) > 20.0);
         }
         titles.removeDuplicates();
-        QCOMPARE(titles.size(), static_cast<qsizetype>(one.presetGallery.size()));
+        QCOMPARE(titles.size(), static_cast<qsizetype>(one.presets.size()));
     }
 }
 

@@ -58,16 +58,16 @@ void TreeGusts::aGustReachesFarBranchesLater()
     script.effectsOff = {"torsion"};
     script.input = {{1, sim::Pointer{pointer, true}}};
     const sim::Scene scene = sim::sceneOf(script, script.values);
-    const lessons::Look look = m_step.look(scene, script.values);
+    const lessons::View look = m_step.view(scene, script.values);
     sim::Track run(script, 0);
     std::vector<int> steps(scene.names.size(), 0);
     const int frames = static_cast<int>(1500.0 / speed);
-    const int phases = run.next()->pipeline.phasesPerStep();
+    const int phases = run.nextInterval()->pipeline.phasesPerStep();
     for (int step = 1; step <= frames / h; ++step) {
-        const int perRow = run.next()->pipeline.step.perRow;
+        const int perRow = run.nextInterval()->pipeline.step.stepsPerOutput;
         run.seek({(step) / perRow, step % perRow * phases});
         for (std::size_t i = 0; i < steps.size(); ++i) {
-            if (steps[i] == 0 && run.now().spin[static_cast<int>(i)] != 0.0)
+            if (steps[i] == 0 && run.state().spin[static_cast<int>(i)] != 0.0)
                 steps[i] = step;
         }
     }
@@ -75,7 +75,7 @@ void TreeGusts::aGustReachesFarBranchesLater()
     for (const int i : {0, 1, 2}) {
         const double rad = scene.start.angle[i] * std::numbers::pi / 180.0;
         const double length = look.tree->length[static_cast<std::size_t>(i)];
-        const sim::Vec2 end = scene.start.at(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
+        const sim::Vec2 end = scene.start.positionOf(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
         const double distance = sim::length(end - pointer);
         if (i == 0 || i == 1)
             QVERIFY(std::abs(steps[static_cast<std::size_t>(i)] - std::ceil(distance / (speed * h))) <= 1.0);
@@ -88,20 +88,20 @@ void TreeGusts::aGustReachesFarBranchesLater()
 
 void TreeGusts::theEndOfAGustRunsAfterItsFront()
 {
-    sim::Gale gale;
-    gale = sim::runOn(gale, false, 10.0, 1.0);
-    QCOMPARE(gale.front, 0.0);
+    sim::GustExtent gust;
+    gust = sim::advanceGust(gust, false, 10.0, 1.0);
+    QCOMPARE(gust.front, 0.0);
     for (int frame = 0; frame < 5; ++frame)
-        gale = sim::runOn(gale, true, 10.0, 1.0);
+        gust = sim::advanceGust(gust, true, 10.0, 1.0);
     for (int frame = 0; frame < 3; ++frame)
-        gale = sim::runOn(gale, false, 10.0, 1.0);
-    QCOMPARE(gale.front, 80.0);
-    QCOMPARE(gale.end, 30.0);
+        gust = sim::advanceGust(gust, false, 10.0, 1.0);
+    QCOMPARE(gust.front, 80.0);
+    QCOMPARE(gust.tail, 30.0);
     for (const auto &[distance, blows] : {std::pair{20.0, false}, {50.0, true}, {79.0, true}, {90.0, false}})
-        QCOMPARE(sim::gustAt(distance, gale, 0.5) > 0.0, blows);
-    gale = sim::runOn(gale, true, 10.0, 1.0); // a new one
-    QCOMPARE(gale.front, 10.0);
-    QCOMPARE(gale.end, 0.0);
+        QCOMPARE(sim::gustAt(distance, gust, 0.5) > 0.0, blows);
+    gust = sim::advanceGust(gust, true, 10.0, 1.0); // a new one
+    QCOMPARE(gust.front, 10.0);
+    QCOMPARE(gust.tail, 0.0);
 }
 
 void TreeGusts::windPushesAcrossAndAway_data()

@@ -93,7 +93,7 @@ void TwoBody::allAtOnceDampsMomentumByDampToThePowerOfFrames()
     for (int frame = 1; frame <= 60; ++frame) {
         track.seek({frame, 0});
         const double share = std::pow(0.9, frame);
-        QVERIFY(sim::length(momentum(track.now()) - share * sim::Vec2{4, 2}) < 1e-12);
+        QVERIFY(sim::length(momentum(track.state()) - share * sim::Vec2{4, 2}) < 1e-12);
     }
 }
 
@@ -133,30 +133,30 @@ void TwoBody::itRestsOneRadiusApart()
 {
     for (const char *method : {"published", "semi_implicit_euler"}) {
         const sim::State rest = stateAfter(scriptOf(step("mutual"), method, 1.0, {{"radius", 80.0}}), 2000);
-        QVERIFY(std::abs(sim::length(rest.at(0) - rest.at(1)) - 80.0) < 1e-9);
+        QVERIFY(std::abs(sim::length(rest.positionOf(0) - rest.positionOf(1)) - 80.0) < 1e-9);
     }
 }
 
 void TwoBody::theTwoMethodsConvergeWithOrderOne()
 {
-    const Slope slope = slopeOf(
+    const Slope jacobian = slopeOf(
         [&](double h) {
             sim::Script published = thrownPair("published", {});
             sim::Script atOnce = thrownPair("semi_implicit_euler", {});
-            published.step = atOnce.step = sim::StepSize::of(h);
+            published.step = atOnce.step = sim::StepSize::ofLength(h);
             return farthestApart(stateAfter(published, 20), stateAfter(atOnce, 20));
         },
         4, 9);
-    QVERIFY(slope.least > 0.9 && slope.greatest < 1.1);
+    QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
 }
 
 void TwoBody::theLegChangesThePictureOnly()
 {
     const lessons::Step &without = step("mutual"), &with = step("leg_line");
     QVERIFY(sim::sameBits(stateAfter(without.script(), 100), stateAfter(with.script(), 100)));
-    const sim::Values values = with.presets();
-    QVERIFY(without.look(without.scene(values), values).legs.empty());
-    QCOMPARE(with.look(with.scene(values), values).legs.size(), std::size_t{1});
+    const sim::Values values = with.defaultValues();
+    QVERIFY(without.view(without.scene(values), values).legs.empty());
+    QCOMPARE(with.view(with.scene(values), values).legs.size(), std::size_t{1});
 }
 
 QTEST_GUILESS_MAIN(TwoBody)

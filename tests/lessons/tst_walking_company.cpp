@@ -81,9 +81,9 @@ double WalkingCompany::slipOf(const sim::Script &script, int from, int to) const
     double sum = 0.0;
     int count = 0;
     for (int frame = from + 1; frame <= to; ++frame) {
-        const sim::State before = track.now();
+        const sim::State before = track.state();
         track.seek({frame, 0});
-        const double now = slip.of(track.shown().scene, track.now(), &before, track.shown().values);
+        const double now = slip.of(track.interval().scene, track.state(), &before, track.interval().values);
         sum += std::isfinite(now) ? now : 0.0;
         count += std::isfinite(now);
     }
@@ -96,11 +96,11 @@ void WalkingCompany::nothingPassesAWall()
     for (double keepOn : {0.0, 1.0}) {
         sim::Script script = scriptOf(step("walls"), method.toStdString(), 1.0, {{"at_wall", keepOn}});
         script.bodies["body"] = {{300, 280}, sim::Vec2{40, -5}};
-        Course course = courseOf(script, "body", 0, 1500);
-        QVERIFY(course.left >= 35.0 && course.right <= 505.0);
+        Course integrator = courseOf(script, "body", 0, 1500);
+        QVERIFY(integrator.left >= 35.0 && integrator.right <= 505.0);
         for (const char *foot : {"foot0", "foot1"}) {
-            course = courseOf(script, foot, 0, 1500);
-            QVERIFY(course.left >= 25.0 && course.right <= 515.0);
+            integrator = courseOf(script, foot, 0, 1500);
+            QVERIFY(integrator.left >= 25.0 && integrator.right <= 515.0);
         }
     }
 }
@@ -156,11 +156,11 @@ void WalkingCompany::allPushesAddUpToNothingUnlessOneFeelsThem()
 void WalkingCompany::aDraggedCreaturePushesTheOtherAway()
 {
     sim::Script script = scriptOf(step("company"), "published", 1.0, {{"speed", 0.0}});
-    const double before = stateAfter(script, 200).at(5).x;
+    const double before = stateAfter(script, 200).positionOf(5).x;
     script.input = {{50, sim::Grab{"creature0.body"}}};
     for (int i = 0; i <= 100; ++i)
         script.input.push_back({60 + i, sim::Move{{170.0 + 2.0 * i, 320.0}}});
-    QVERIFY(stateAfter(script, 200).at(5).x > before + 20.0);
+    QVERIFY(stateAfter(script, 200).positionOf(5).x > before + 20.0);
 }
 
 /// The step's defaults: bodies of 30 px never overlap, and neither stays where they met.
@@ -170,10 +170,10 @@ void WalkingCompany::creaturesThatMeetStayApartAndGoOn()
     double least = INFINITY;
     int passed = 0;
     for (int frame = 1; frame <= 2000; ++frame) {
-        const bool firstIsLeft = track.now().at(2).x < track.now().at(5).x;
+        const bool firstIsLeft = track.state().positionOf(2).x < track.state().positionOf(5).x;
         track.seek({frame, 0});
-        least = std::min(least, sim::length(track.now().at(2) - track.now().at(5)));
-        passed += (track.now().at(2).x < track.now().at(5).x) != firstIsLeft;
+        least = std::min(least, sim::length(track.state().positionOf(2) - track.state().positionOf(5)));
+        passed += (track.state().positionOf(2).x < track.state().positionOf(5).x) != firstIsLeft;
     }
     QVERIFY2(least > 30.0 && least < 60.0, qPrintable(QString::number(least)));
     QVERIFY(passed >= 2);
@@ -181,7 +181,7 @@ void WalkingCompany::creaturesThatMeetStayApartAndGoOn()
 
 void WalkingCompany::companyIsNamedAndOrderedCreatureByCreature()
 {
-    sim::Values values = step("company").presets();
+    sim::Values values = step("company").defaultValues();
     const sim::Scene two = step("company").scene(values);
     QCOMPARE(two.names, (std::vector<std::string>{"creature0.foot0", "creature0.foot1", "creature0.body",
                                                   "creature1.foot0", "creature1.foot1", "creature1.body"}));
@@ -189,9 +189,9 @@ void WalkingCompany::companyIsNamedAndOrderedCreatureByCreature()
     const sim::Scene five = step("company").scene(values);
     QCOMPARE(five.names.size(), std::size_t{15});
     QCOMPARE(five.start.gait.rows(), Eigen::Index{5});
-    const lessons::Look look = step("company").look(five, values);
+    const lessons::View look = step("company").view(five, values);
     QCOMPARE(look.legs.size(), std::size_t{10});
-    for (const lessons::LegLook &leg : look.legs)
+    for (const lessons::LegView &leg : look.legs)
         QVERIFY(leg.from / 3 == leg.to / 3 && leg.from % 3 == 2);
 }
 
@@ -201,7 +201,7 @@ void WalkingCompany::fiveCreaturesStayInTheRoom()
     sim::Track track(script, 0);
     for (int frame = 0; frame <= 3000; frame += 10) {
         track.seek({frame, 0});
-        const auto x = track.now().position.col(0), y = track.now().position.col(1);
+        const auto x = track.state().position.col(0), y = track.state().position.col(1);
         QVERIFY(x.minCoeff() >= 20.0 && x.maxCoeff() <= 520.0);
         QVERIFY(y.minCoeff() > 150.0 && y.maxCoeff() <= 400.0);
     }

@@ -133,25 +133,25 @@ void WalkingGait::matchesTheTutorialsCode()
 void WalkingGait::footZeroBelongsOnTheLeft()
 {
     const sim::State rest = stateAfter(step("bones").script(), 1000);
-    QVERIFY(sim::length(rest.at(0) - sim::Vec2{220, 200}) < 1e-9);
-    QVERIFY(sim::length(rest.at(1) - sim::Vec2{320, 200}) < 1e-9);
+    QVERIFY(sim::length(rest.positionOf(0) - sim::Vec2{220, 200}) < 1e-9);
+    QVERIFY(sim::length(rest.positionOf(1) - sim::Vec2{320, 200}) < 1e-9);
     const sim::State below = stateAfter(step("feet_below").script(), 1000);
-    QVERIFY(sim::length(below.at(0) - sim::Vec2{220, 350}) < 1e-9);
-    QVERIFY(std::abs(sim::length(below.at(0) - below.at(2)) - 70.7) < 0.05);
+    QVERIFY(sim::length(below.positionOf(0) - sim::Vec2{220, 350}) < 1e-9);
+    QVERIFY(std::abs(sim::length(below.positionOf(0) - below.positionOf(2)) - 70.7) < 0.05);
 }
 
 void WalkingGait::aFootFollowsItsPlaceAsTheExactSolutionDoes()
 {
     const double damping = -std::log(0.9);
-    const Slope slope = slopeOf(
+    const Slope jacobian = slopeOf(
         [&](double h) {
             const sim::State state = stateAfter(scriptOfRow("swing", h, {{"speed", 0.3}}), 40);
             const Complex place = driven(0.2, damping, {270, 350}, 50.0, pi, 0.3, Complex(220, 350), 40.0);
-            return std::abs(complex(state.at(0)) - place);
+            return std::abs(complex(state.positionOf(0)) - place);
         },
         4, 9);
-    QVERIFY2(slope.least > orderOfRow() - 0.1 && slope.greatest < orderOfRow() + 0.1,
-             qPrintable(u"%1 to %2"_qs.arg(slope.least).arg(slope.greatest)));
+    QVERIFY2(jacobian.least > orderOfRow() - 0.1 && jacobian.greatest < orderOfRow() + 0.1,
+             qPrintable(u"%1 to %2"_qs.arg(jacobian.least).arg(jacobian.greatest)));
 }
 
 /// What both feet do alike (their sum) is pulled with k (1 + 2), what they do against each other with k; the body
@@ -165,17 +165,17 @@ void WalkingGait::aPulledCreatureConvergesToItsExactSolution()
         const Complex body = Complex(290, 300) - (sum - Complex(30, 80)) / 3.0;
         return body + 0.5 * sum + against;
     };
-    const Slope slope = slopeOf(
+    const Slope jacobian = slopeOf(
         [&](double h) {
             sim::Script script = scriptOfRow("body_pulled", h, {{"speed", 0.1}});
             // As seen from the body: (-50, 50) and (80, 30).
             script.bodies = {
                 {"body", {{290, 300}, {}}}, {"foot0", {{240, 350}, {}}}, {"foot1", {{370, 330}, {}}}};
-            return std::abs(complex(stateAfter(script, 40).at(0)) - exact(40.0));
+            return std::abs(complex(stateAfter(script, 40).positionOf(0)) - exact(40.0));
         },
         7, 10);
-    QVERIFY2(slope.least > orderOfRow() - 0.1 && slope.greatest < orderOfRow() + 0.1,
-             qPrintable(u"%1 to %2"_qs.arg(slope.least).arg(slope.greatest)));
+    QVERIFY2(jacobian.least > orderOfRow() - 0.1 && jacobian.greatest < orderOfRow() + 0.1,
+             qPrintable(u"%1 to %2"_qs.arg(jacobian.least).arg(jacobian.greatest)));
 }
 
 /// The narration's 50.6 px, and that a foot goes much farther near the speed at which it swings by itself.
@@ -184,7 +184,7 @@ void WalkingGait::theSwingIsAsWideAsTheStepSays()
     const auto width = [&](double speed) {
         const sim::State state =
             stateAfter(scriptOf(step("swing"), "published", 1.0, {{"speed", speed}}), 500);
-        return sim::length(state.at(0) - sim::Vec2{270, 350});
+        return sim::length(state.positionOf(0) - sim::Vec2{270, 350});
     };
     QVERIFY(std::abs(width(0.05) - 50.6) < 0.05);
     QVERIFY(width(0.45) > 150.0);
@@ -212,7 +212,7 @@ void WalkingGait::noLegChangesTheMomentum()
         const sim::State state = stateAfter(script, frames);
         QVERIFY(sim::length(momentumOf(state) - sim::Vec2{4, 5}) < 1e-10);
     }
-    const double moved = sim::length(stateAfter(script, 10).speed(2) - sim::Vec2{-2, 3});
+    const double moved = sim::length(stateAfter(script, 10).velocityOf(2) - sim::Vec2{-2, 3});
     QVERIFY2(moved > 1.0, "the legs must have something to give");
 }
 
@@ -222,12 +222,12 @@ void WalkingGait::aHeldEndFeelsNothingTheOtherFeelsItsLeg()
     script.bodies = {{"foot0", {{200, 350}, {}}}}; // 20 px left of its place
     script.input = {{1, sim::Grab{"foot0"}}};
     const sim::State footHeld = stateAfter(script, 1);
-    QCOMPARE(footHeld.at(0), (sim::Vec2{200, 350}));
-    QVERIFY(sim::length(footHeld.speed(2) - sim::Vec2{-4, 0}) < 1e-12); // k 0.2 times 20 px
+    QCOMPARE(footHeld.positionOf(0), (sim::Vec2{200, 350}));
+    QVERIFY(sim::length(footHeld.velocityOf(2) - sim::Vec2{-4, 0}) < 1e-12); // k 0.2 times 20 px
     script.input = {{1, sim::Grab{"body"}}};
     const sim::State bodyHeld = stateAfter(script, 1);
-    QCOMPARE(bodyHeld.at(2), (sim::Vec2{270, 300}));
-    QVERIFY(sim::length(bodyHeld.speed(0) - sim::Vec2{4, 0}) < 1e-12);
+    QCOMPARE(bodyHeld.positionOf(2), (sim::Vec2{270, 300}));
+    QVERIFY(sim::length(bodyHeld.velocityOf(0) - sim::Vec2{4, 0}) < 1e-12);
 }
 
 void WalkingGait::theCurveChangesOnlyThePicture()
@@ -239,11 +239,11 @@ void WalkingGait::theCurveChangesOnlyThePicture()
         return stateAfter(script, 50);
     };
     QVERIFY(sim::sameBits(run(50.0), run(-20.0)));
-    sim::Values values = curved.presets();
+    sim::Values values = curved.defaultValues();
     values.set("curve", 33.0);
-    const lessons::Look look = curved.look(curved.scene(values), values);
+    const lessons::View look = curved.view(curved.scene(values), values);
     QCOMPARE(look.legs.size(), std::size_t{2});
-    for (const lessons::LegLook &leg : look.legs) {
+    for (const lessons::LegView &leg : look.legs) {
         QCOMPARE(leg.curve, 33.0);
         QVERIFY(leg.from == 2 && leg.to < 2);
     }

@@ -50,9 +50,9 @@ class WalkingGround : public QObject
         const auto from = std::llround(10.0 * turn), to = std::llround(20.0 * turn);
         sim::Track track(script, 0);
         track.seek({from, 0});
-        const double before = track.now().at(2).x;
+        const double before = track.state().positionOf(2).x;
         track.seek({to, 0});
-        return (track.now().at(2).x - before) / double(to - from);
+        return (track.state().positionOf(2).x - before) / double(to - from);
     }
 
     /// What a measure of step `ground` says on the average over frames 600 to 1200, where it says anything.
@@ -81,9 +81,10 @@ double WalkingGround::averageOf(const char *name, const sim::Script &script) con
         double sum = 0.0;
         int count = 0;
         for (int frame = 601; frame <= 1200; ++frame) {
-            const sim::State before = track.now();
+            const sim::State before = track.state();
             track.seek({frame, 0});
-            const double now = measure.of(track.shown().scene, track.now(), &before, track.shown().values);
+            const double now =
+                measure.of(track.interval().scene, track.state(), &before, track.interval().values);
             sum += std::isfinite(now) ? now : 0.0;
             count += std::isfinite(now);
         }
@@ -124,7 +125,8 @@ void WalkingGround::leftAndRightAreMirrorImages()
     const sim::State right = after(0.05), left = after(-0.05);
     const std::array<int, 3> mirrored = {1, 0, 2};
     for (int i = 0; i < 3; ++i) {
-        const sim::Vec2 one = right.at(i), other = left.at(mirrored[static_cast<std::size_t>(i)]);
+        const sim::Vec2 one = right.positionOf(i),
+                        other = left.positionOf(mirrored[static_cast<std::size_t>(i)]);
         QVERIFY(std::abs(one.x - 270.0 + other.x - 270.0) < 1e-8 && std::abs(one.y - other.y) < 1e-8);
     }
 }
@@ -134,8 +136,8 @@ void WalkingGround::withoutTractionItDoesNotAdvance()
 {
     const sim::State state = stateAfter(scriptOfRow("ground", 1.0, {{"traction", 1.0}}), 3000);
     QVERIFY(std::abs(state.position.col(0).mean() - 270.0) < 1e-8);
-    QVERIFY(std::abs(state.at(2).x - 270.0) < 1.0);
-    const double walked = stateAfter(scriptOfRow("ground", 1.0), 3000).at(2).x - 270.0;
+    QVERIFY(std::abs(state.positionOf(2).x - 270.0) < 1.0);
+    const double walked = stateAfter(scriptOfRow("ground", 1.0), 3000).positionOf(2).x - 270.0;
     QVERIFY(walked > 3000.0);
 }
 
@@ -149,9 +151,9 @@ void WalkingGround::slipShrinksWithTheStep()
         QVERIFY(std::abs(pace(scriptOfRow("ground", 1.0)) - 1.2) < 0.05);
         QVERIFY(std::abs(pace(scriptOfRow("ground", 0.5)) - 1.4) < 0.05);
     }
-    const Slope slope = slopeOf(slip, 0, 4);
-    QVERIFY2(slope.least > 0.8 && slope.greatest < 1.2,
-             qPrintable(u"%1 to %2"_qs.arg(slope.least).arg(slope.greatest)));
+    const Slope jacobian = slopeOf(slip, 0, 4);
+    QVERIFY2(jacobian.least > 0.8 && jacobian.greatest < 1.2,
+             qPrintable(u"%1 to %2"_qs.arg(jacobian.least).arg(jacobian.greatest)));
 }
 
 void WalkingGround::theGroundStopsAFootAndABounceTurnsItRound_data()
@@ -176,20 +178,21 @@ void WalkingGround::theGroundStopsAFootAndABounceTurnsItRound()
                  {{"bounce", bounce}, {"traction", traction}, {"k", 0.0}, {"gravity", 0.0}, {"damp", 1.0}});
     script.bodies = {{"foot0", {{220, 395}, sim::Vec2{3, 8}}}, {"foot1", {{320, 392}, sim::Vec2{3, 8}}}};
     const sim::State state = stateAfter(script, 1);
-    QCOMPARE(state.at(0), (sim::Vec2{223, 400}));
-    QCOMPARE(state.speed(0), after);
-    QVERIFY(!std::signbit(state.speed(0).x) && (after.y != 0.0 || !std::signbit(state.speed(0).y)));
-    QCOMPARE(state.at(1), (sim::Vec2{323, 400})); // touches, and is not below
-    QCOMPARE(state.speed(1), (sim::Vec2{3, 8}));
+    QCOMPARE(state.positionOf(0), (sim::Vec2{223, 400}));
+    QCOMPARE(state.velocityOf(0), after);
+    QVERIFY(!std::signbit(state.velocityOf(0).x) && (after.y != 0.0 || !std::signbit(state.velocityOf(0).y)));
+    QCOMPARE(state.positionOf(1), (sim::Vec2{323, 400})); // touches, and is not below
+    QCOMPARE(state.velocityOf(1), (sim::Vec2{3, 8}));
 }
 
 void WalkingGround::onlyFeetMeetTheGround()
 {
     sim::Script script = scriptOf(step("ground"), "published", 1.0, {{"k", 0.0}});
     const sim::State fallen = stateAfter(script, 200);
-    QVERIFY(fallen.at(0).y == 400.0 && fallen.at(1).y == 400.0 && fallen.at(2).y > 600.0);
+    QVERIFY(fallen.positionOf(0).y == 400.0 && fallen.positionOf(1).y == 400.0 &&
+            fallen.positionOf(2).y > 600.0);
     script.input = {{5, sim::Grab{"foot0"}}, {5, sim::Move{{200, 450}}}};
-    QCOMPARE(stateAfter(script, 50).at(0), (sim::Vec2{200, 450}));
+    QCOMPARE(stateAfter(script, 50).positionOf(0), (sim::Vec2{200, 450}));
 }
 
 QTEST_GUILESS_MAIN(WalkingGround)

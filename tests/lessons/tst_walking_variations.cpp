@@ -71,11 +71,11 @@ void WalkingFurther::anyNumberOfFeetWalks()
     QFETCH(QString, method);
     const sim::Script script =
         scriptOf(step("more_feet"), method.toStdString(), 1.0, {{"feet", double(feet)}});
-    const Course course = courseOf(script, "body", 1000, 1000 + int(10.0 * turn));
+    const Course integrator = courseOf(script, "body", 1000, 1000 + int(10.0 * turn));
     // The coarse rules slip; none walks faster than its feet swing: legs of 50 px, 0.05 rad a frame.
     const double most = sim::findMethod(method.toStdString())->order() == 1 ? 1.6 : 50.0 * 0.05;
-    QVERIFY2(course.pace > 1.15 && course.pace < most, qPrintable(QString::number(course.pace)));
-    QVERIFY(course.top > 250.0 && course.bottom < 400.0);
+    QVERIFY2(integrator.pace > 1.15 && integrator.pace < most, qPrintable(QString::number(integrator.pace)));
+    QVERIFY(integrator.top > 250.0 && integrator.bottom < 400.0);
     QVERIFY(stateAfter(script, 10'000).position.isFinite().all());
 }
 
@@ -89,7 +89,7 @@ void WalkingFurther::feetAreSpreadEvenlyOverATurn()
     for (int i = 0; i < 7; ++i) {
         const double angle = 2.0 * pi * i / 7.0;
         const sim::Vec2 place = {270.0 - 50.0 * std::cos(angle), 350.0 - 50.0 * std::sin(angle)};
-        QVERIFY(sim::length(rest.at(i) - place) < 1e-9);
+        QVERIFY(sim::length(rest.positionOf(i) - place) < 1e-9);
     }
 }
 
@@ -112,23 +112,24 @@ void WalkingFurther::moreFeetCarryTheBodyMoreEvenly()
 void WalkingFurther::allFeetInStepGetNowhere()
 {
     for (double feet : {2.0, 5.0, 12.0}) {
-        const Course course =
+        const Course integrator =
             courseOf(scriptOf(step("more_feet"), "published", 1.0, {{"feet", feet}, {"spread", 0.0}}), "body",
                      1000, 1000 + int(20.0 * turn));
-        QVERIFY2(std::abs(course.pace) < 0.05, qPrintable(QString::number(course.pace)));
-        QVERIFY2(course.bottom - course.top > 60.0, qPrintable(QString::number(course.bottom - course.top)));
+        QVERIFY2(std::abs(integrator.pace) < 0.05, qPrintable(QString::number(integrator.pace)));
+        QVERIFY2(integrator.bottom - integrator.top > 60.0,
+                 qPrintable(QString::number(integrator.bottom - integrator.top)));
     }
 }
 
 void WalkingFurther::everyGaitOfTheGalleryWalks()
 {
-    QVERIFY(step("more_feet").presetGallery.size() >= 3);
-    for (const lessons::Preset &preset : step("more_feet").presetGallery) {
+    QVERIFY(step("more_feet").presets.size() >= 3);
+    for (const lessons::Preset &preset : step("more_feet").presets) {
         sim::Script script = step("more_feet").script();
         for (const auto &[id, value] : preset.values)
             script.values.set(id.toStdString(), value);
-        const Course course = courseOf(script, "body", 1000, 3000);
-        QVERIFY2(course.pace > 0.8, qPrintable(preset.title));
+        const Course integrator = courseOf(script, "body", 1000, 3000);
+        QVERIFY2(integrator.pace > 0.8, qPrintable(preset.title));
     }
 }
 
@@ -169,8 +170,10 @@ void WalkingFurther::steeringTurnsTheCreatureRound()
     script.input = {key(200, &sim::Keys::left, true), key(240, &sim::Keys::left, false)};
     QVERIFY(courseOf(script, "body", 50, 199).pace > 0.8);
     QVERIFY(courseOf(script, "body", 400, 400 + int(turn)).pace < -0.8);
-    QVERIFY(step("steering").can(lessons::Does::keys) && step("steering").can(lessons::Does::pointer));
-    QVERIFY(step("walls").can(lessons::Does::keys) && !step("ground").can(lessons::Does::keys));
+    QVERIFY(step("steering").accepts(lessons::Interaction::keys) &&
+            step("steering").accepts(lessons::Interaction::pointer));
+    QVERIFY(step("walls").accepts(lessons::Interaction::keys) &&
+            !step("ground").accepts(lessons::Interaction::keys));
 }
 
 void WalkingFurther::aSpeedThatIsSetReplacesTheSteeredOne()
@@ -194,21 +197,21 @@ void WalkingFurther::theFeetDiagramTellsWhichFeetStand()
 {
     QFETCH(QString, id);
     const lessons::Step &step = m_lesson.step(id);
-    const sim::Scene scene = step.scene(step.presets());
-    const lessons::Look look = step.look(scene, step.presets());
+    const sim::Scene scene = step.scene(step.defaultValues());
+    const lessons::View look = step.view(scene, step.defaultValues());
     const auto feet = std::count_if(scene.names.begin(), scene.names.end(), [](const std::string &name) {
         return name.find("foot") != std::string::npos;
     });
     QCOMPARE(static_cast<std::ptrdiff_t>(look.feet.size()), feet);
     QVERIFY(look.ground.has_value() != look.room.has_value());
-    QCOMPARE(look.follow >= 0, look.ground.has_value());
+    QCOMPARE(look.followedPoint >= 0, look.ground.has_value());
     int stood = 0, lifted = 0;
     sim::Track track(step.script(), 0);
     for (int frame = 0; frame <= 300; ++frame) {
         track.seek({frame, 0});
         for (int foot : look.feet) {
-            const bool stands = step.stands(scene, track.now(), step.presets(), foot);
-            QCOMPARE(stands, track.now().at(foot).y == 400.0);
+            const bool stands = step.isFootDown(scene, track.state(), step.defaultValues(), foot);
+            QCOMPARE(stands, track.state().positionOf(foot).y == 400.0);
             (stands ? stood : lifted) += 1;
         }
     }
@@ -216,7 +219,7 @@ void WalkingFurther::theFeetDiagramTellsWhichFeetStand()
     sim::Script held = step.script();
     const std::string name = scene.names[static_cast<std::size_t>(look.feet.front())];
     held.input = {{1, sim::Grab{name}}, {1, sim::Move{{200, 400}}}};
-    QVERIFY(!step.stands(scene, stateAfter(held, 5), step.presets(), look.feet.front()));
+    QVERIFY(!step.isFootDown(scene, stateAfter(held, 5), step.defaultValues(), look.feet.front()));
 }
 
 QTEST_GUILESS_MAIN(WalkingFurther)

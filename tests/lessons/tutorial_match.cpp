@@ -94,12 +94,12 @@ sim::Script scriptFor(const lessons::Step &step, const Tutorial &tutorial)
 
 double difference(const sim::State &state, const std::vector<Clip> &clips)
 {
-    if (state.points() != static_cast<int>(clips.size()))
+    if (state.pointCount() != static_cast<int>(clips.size()))
         return INFINITY;
     double largest = 0.0;
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         const Clip &clip = clips[static_cast<std::size_t>(i)];
-        const sim::Vec2 x = state.at(i), v = state.speed(i);
+        const sim::Vec2 x = state.positionOf(i), v = state.velocityOf(i);
         largest = std::max({largest, std::abs(x.x - clip.x), std::abs(x.y - clip.y), std::abs(v.x - clip.vx),
                             std::abs(v.y - clip.vy)});
     }
@@ -131,11 +131,11 @@ double largestDifference(const lessons::Step &step, const Tutorial &tutorial, in
 {
     sim::Track track(scriptFor(step, tutorial), 0);
     Tutorial other = tutorial;
-    double largest = difference(track.now(), other.clips());
+    double largest = difference(track.state(), other.clips());
     for (int frame = 1; frame <= frames; ++frame) {
         track.seek({frame, 0});
         other.enterFrame();
-        largest = std::max(largest, difference(track.now(), other.clips()));
+        largest = std::max(largest, difference(track.state(), other.clips()));
     }
     return largest;
 }

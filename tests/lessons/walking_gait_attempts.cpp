@@ -129,7 +129,7 @@ std::vector<Attempt> standing()
         {"steering", 2, "only passing through",
          [](Player &p) {
              p.key(&sim::Keys::left, true);
-             for (int i = 0; i < 25 && p.run().now().gaitSpeed[0] > 0.004; ++i)
+             for (int i = 0; i < 25 && p.run().state().gaitSpeed[0] > 0.004; ++i)
                  p.play(1);
          },
          "let it stand for ten frames."},
@@ -207,7 +207,7 @@ std::vector<Attempt> further()
         {"steering", 2, "by key",
          [](Player &p) {
              p.key(&sim::Keys::left, true);
-             for (int i = 0; i < 25 && p.run().now().gaitSpeed[0] > 0.004; ++i)
+             for (int i = 0; i < 25 && p.run().state().gaitSpeed[0] > 0.004; ++i)
                  p.play(1);
              p.key(&sim::Keys::left, false);
              p.playUntilDone(15);

@@ -181,11 +181,11 @@ double largestDifference(const lessons::Step &step, const WalkingTutorial &tutor
             other.enterFrame();
         track.seek({frame, 0});
         const std::vector<Clip> clips = other.clips();
-        if (track.at().frame != frame || track.now().points() != static_cast<int>(clips.size()))
+        if (track.cursor().frame != frame || track.state().pointCount() != static_cast<int>(clips.size()))
             return INFINITY;
-        for (int i = 0; i < track.now().points(); ++i) {
+        for (int i = 0; i < track.state().pointCount(); ++i) {
             const Clip &clip = clips[static_cast<std::size_t>(i)];
-            const sim::Vec2 x = track.now().at(i), v = track.now().speed(i);
+            const sim::Vec2 x = track.state().positionOf(i), v = track.state().velocityOf(i);
             largest = std::max({largest, std::abs(x.x - clip.x), std::abs(x.y - clip.y),
                                 std::abs(v.x - clip.vx), std::abs(v.y - clip.vy)});
         }

@@ -11,26 +11,30 @@ namespace support {
 class Counting : public sim::Force
 {
 public:
-    explicit Counting(std::shared_ptr<std::int64_t> count, sim::Sees sees = sim::Sees::tied)
-        : m_count(std::move(count)), m_sees(sees)
+    explicit Counting(std::shared_ptr<std::int64_t> count,
+                      sim::Dependence dependence = sim::Dependence::coupledPoints)
+        : m_count(std::move(count)), m_dependence(dependence)
     {
     }
     std::string id() const override { return "counting"; }
     std::string title() const override { return "counting"; }
-    sim::Kind kind() const override { return sim::Kind::spring; }
-    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
-    int count(const sim::State &, sim::Points points) const override { return points.count; }
-    sim::Sees sees() const override { return m_sees; }
-    void add(const sim::State &, sim::Points movers, double, sim::Directions,
+    sim::EffectKind kind() const override { return sim::EffectKind::spring; }
+    std::vector<sim::Region> regions(sim::DirectionRule) const override { return {}; }
+    int count(const sim::State &, sim::PointRange points) const override { return points.count; }
+    sim::Dependence dependence() const override { return m_dependence; }
+    void add(const sim::State &, sim::PointRange movers, double, sim::DirectionRule,
              Eigen::ArrayX2d &) const override
     {
         *m_count += movers.count;
     }
-    std::vector<sim::Live> explain(const sim::State &, int, sim::Directions) const override { return {}; }
+    std::vector<sim::LiveValue> explain(const sim::State &, int, sim::DirectionRule) const override
+    {
+        return {};
+    }
 
 private:
     std::shared_ptr<std::int64_t> m_count;
-    sim::Sees m_sees;
+    sim::Dependence m_dependence;
 };
 
 }

@@ -21,7 +21,7 @@ inline Scene pairOf(double k)
     Scene scene = scenes::springCreature(1, k, 50.0);
     scene.start.place(0, {240.0, 200.0});
     scene.start.place(1, {300.0, 210.0});
-    scene.start.push(0, {1.0, -2.0});
+    scene.start.setVelocity(0, {1.0, -2.0});
     return scene;
 }
 

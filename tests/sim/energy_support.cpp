@@ -17,9 +17,9 @@ Run accounted(const Script &script, int frames)
     track.seek({frames, 0});
     Ledger ledger;
     Run run;
-    for (std::int64_t frame = track.rowFrames(); frame <= frames; frame += track.rowFrames()) {
+    for (std::int64_t frame = track.framesPerOutput(); frame <= frames; frame += track.framesPerOutput()) {
         const Balance row = ledger.row(track, frame).value();
-        if (frame == track.rowFrames())
+        if (frame == track.framesPerOutput())
             run.sum.before = row.before;
         run.sum.append(row);
         run.drifted += std::abs(row.energy[Account::drift]);

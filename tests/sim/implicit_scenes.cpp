@@ -28,10 +28,10 @@ constexpr double radius = 50.0;
 
 /// x'' = a(t, x) - c x' by the classical Runge-Kutta method, in steps of 1/400 frame: the test's own, so that it
 /// shares nothing with what is tested.
-Ends integrate(const Pulls &pulls, double damp, Ends at, int frames)
+Ends integrate(const Pulls &accelerations, double damp, Ends at, int frames)
 {
     const double c = -std::log(damp);
-    const auto rate = [&](double t, const Ends &e) { return Ends{e.v, pulls(t, e.x) - c * e.v}; };
+    const auto rate = [&](double t, const Ends &e) { return Ends{e.v, accelerations(t, e.x) - c * e.v}; };
     const auto ahead = [](const Ends &e, const Ends &by, double h) {
         return Ends{e.x + h * by.x, e.v + h * by.v};
     };
@@ -104,10 +104,10 @@ Ends swing(const Ends &start, double stiffness, double damp, double t)
 sim::TreePtr smallTree()
 {
     sim::Tree tree = sim::Tree::ofTrunk(100.0);
-    tree.sprout(0, -120.0, 0.8);
-    tree.sprout(0, -65.0, 0.7);
-    tree.sprout(1, -150.0, 0.6);
-    tree.sprout(1, -95.0, 0.5);
+    tree.addBranch(0, -120.0, 0.8);
+    tree.addBranch(0, -65.0, 0.7);
+    tree.addBranch(1, -150.0, 0.6);
+    tree.addBranch(1, -95.0, 0.5);
     return make_shared<const sim::Tree>(tree);
 }
 
@@ -117,7 +117,7 @@ sim::Scene bentBranches()
     sim::Scene scene = scenes::branchesOf(*smallTree());
     scenes::letSwing(scene);
     scene.start.place(0, {270, 380});
-    for (int i = 0; i < scene.start.points(); ++i)
+    for (int i = 0; i < scene.start.pointCount(); ++i)
         scene.start.angle[i] += 5.0 + 3.0 * i;
     return scene;
 }
@@ -127,7 +127,7 @@ sim::Scene bentTree(double damp)
 {
     const sim::TreePtr tree = smallTree();
     sim::Scene scene = bentBranches();
-    scenes::add<sim::Torsion>(scene, tree, sim::limbsOf(*tree, k));
+    scenes::add<sim::Torsion>(scene, tree, sim::branchMechanicsOf(*tree, k));
     scenes::add<sim::SpinDamping>(scene, damp);
     scenes::add<sim::Joints>(scene, tree, sim::degreesPerRadian);
     return scene;
@@ -137,9 +137,9 @@ sim::Scene bentTree(double damp)
 Numbers treePulls(const Numbers &angles)
 {
     const sim::TreePtr tree = smallTree();
-    const sim::Limbs limbs = sim::limbsOf(*tree, k);
+    const sim::BranchMechanics limbs = sim::branchMechanicsOf(*tree, k);
     Numbers torque = Numbers::Zero(angles.size());
-    for (int i = 0; i < tree->branches(); ++i) {
+    for (int i = 0; i < tree->branchCount(); ++i) {
         const auto bend = [&](int branch) { return angles[branch] - tree->rest[std::size_t(branch)]; };
         const int parent = tree->parent[std::size_t(i)];
         const double back = limbs.stiffness[i] * (bend(i) - (parent < 0 ? 0.0 : bend(parent)));
@@ -150,10 +150,11 @@ Numbers treePulls(const Numbers &angles)
     return torque / limbs.inertia;
 }
 
-SmoothScene smooth(std::string name, const sim::Scene &scene, double damp, const Pulls &pulls)
+SmoothScene smooth(std::string name, const sim::Scene &scene, double damp, const Pulls &accelerations)
 {
     const Ends start = endsOf(scene.start);
-    return {std::move(name), scene, [=](int frames) { return integrate(pulls, damp, start, frames); }};
+    return {std::move(name), scene,
+            [=](int frames) { return integrate(accelerations, damp, start, frames); }};
 }
 
 SmoothScene spring(std::string name, double stiffness, double damp)
@@ -198,7 +199,7 @@ const std::vector<SmoothScene> &smoothScenes()
 sim::Scene oscillator(double stiffness, double damp)
 {
     sim::Scene scene = scenes::oscillator({100.0, -40.0}, {}, stiffness, damp);
-    scene.start.push(0, {3.0, 8.0});
+    scene.start.setVelocity(0, {3.0, 8.0});
     return scene;
 }
 
@@ -208,7 +209,7 @@ sim::Scene creature(int feet, double damp)
     for (int i = 0; i < feet; ++i) { // so spread that none comes near the body soon
         const double angle = 0.4 + 2.0 * i, far = 70.0 + 5.0 * (i % 8);
         scene.start.place(i, {270.0 + far * std::cos(angle), 200.0 + far * std::sin(angle)});
-        scene.start.push(i, {2.0 - i % 4, 1.0 - i % 3});
+        scene.start.setVelocity(i, {2.0 - i % 4, 1.0 - i % 3});
     }
     scenes::add<sim::Gravity>(scene, gravity);
     scenes::add<sim::Damping>(scene, damp);
@@ -245,9 +246,9 @@ sim::Scene hanging(double stiffness, double damp)
 sim::Scene windyTree()
 {
     sim::Scene scene = bentBranches();
-    scene.start.outside.pointer = Vec2{150.0, 250.0};
-    scene.start.outside.pointerDown = true;
-    scene.start.gale = {500.0, 0.0};
+    scene.start.input.pointer = Vec2{150.0, 250.0};
+    scene.start.input.pointerDown = true;
+    scene.start.gustExtent = {500.0, 0.0};
     scenes::addSway(scene, smallTree(), {.k = k, .damp = 0.95, .front = 12.0, .wind = 8.0, .gusts = 0.4});
     return scene;
 }

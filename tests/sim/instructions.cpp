@@ -110,7 +110,7 @@ class Idle : public sim::Gravity
 {
 public:
     Idle() : sim::Gravity(0.0) {}
-    bool idle() const override { return true; }
+    bool isIdle() const override { return true; }
 };
 
 void countIdle(const sim::Script &script, sim::Scene scene, const Met &met)
@@ -123,11 +123,11 @@ void countIdle(const sim::Script &script, sim::Scene scene, const Met &met)
 /// or of all; and all calls of an effect by themselves.
 void countWithin(const sim::Script &script, const sim::Scene &scene, const Met &met)
 {
-    std::vector<std::unique_ptr<sim::Tally>> tallies;
+    std::vector<std::unique_ptr<sim::CallCounter>> tallies;
     sim::Scene probed = scene;
     for (sim::EffectPtr &effect : probed.effects) {
-        tallies.push_back(std::make_unique<sim::Tally>(sim::moversOf(*effect, scene.start)));
-        effect = sim::probeOf(effect, *tallies.back());
+        tallies.push_back(std::make_unique<sim::CallCounter>(sim::affectedPoints(*effect, scene.start)));
+        effect = sim::instrumented(effect, *tallies.back());
     }
     const sim::Pipeline pipeline = sim::compose(probed, *script.method, script.step);
     const Work frame = frameOf(pipeline);
@@ -137,13 +137,13 @@ void countWithin(const sim::Script &script, const sim::Scene &scene, const Met &
         countAs("twice " + scene.effects[i]->id(), met.begins, frame);
         tallies[i]->repeats = 0;
     }
-    for (const auto &tally : tallies)
-        tally->repeats = 1;
+    for (const auto &counter : tallies)
+        counter->repeats = 1;
     countAs("twice", met.begins, frame);
-    for (const auto &tally : tallies) {
-        tally->repeats = 0;
-        tally->restart();
-        tally->acts.every = tally->slopes.every = 1;
+    for (const auto &counter : tallies) {
+        counter->repeats = 0;
+        counter->restart();
+        counter->acts.every = counter->slopes.every = 1;
     }
     for (sim::State state : met.begins)
         frame(state);
@@ -173,7 +173,7 @@ int main(int argc, char **argv)
     countAs("nothing", met.begins, [](sim::State &) {});
     countAs("frame", met.begins, frameOf(all));
     countIdle(script, scene, met);
-    if (script.method->evaluations() == 0) {
+    if (script.method->evaluationsPerStep() == 0) {
         countWithin(script, scene, met);
     } else {
         countPhases(all, met);

@@ -44,10 +44,10 @@ inline Scene waiting(const Values &)
     Scene scene = scenes::creature(3);
     scene.start.gait.setConstant(1, 0.3);
     scene.start.gaitSpeed.setConstant(1, 0.0);
-    scene.start.outside.target = {100.0, 100.0};
+    scene.start.input.target = {100.0, 100.0};
     const LegRule rule{0.2, 50.0, 50.0, Aim::swing, Reaction::none};
     scene.effects = {make_shared<CarriedByPointer>(2),
-                     make_shared<Steering>(0, 3, Reins{}),
+                     make_shared<Steering>(0, 3, SteeringLimits{}),
                      make_shared<LegSpring>(std::vector<Leg>{{0, 3, 0.3, 0}}, rule),
                      make_shared<Motor>(1, 0.9, 0.25),
                      make_shared<PointSpring>(3, Vec2{200.0, 200.0}, 0.2),
@@ -76,7 +76,7 @@ inline Script scriptOf(Scene (*build)(const Values &), const std::string &method
 /// The first frame at which `track` is asleep.
 inline std::int64_t sleepsFrom(Track &track, std::int64_t latest = 20'000)
 {
-    for (std::int64_t frame = 0; frame < latest; frame += track.rowFrames()) {
+    for (std::int64_t frame = 0; frame < latest; frame += track.framesPerOutput()) {
         track.seek({frame, 0});
         if (track.sleep())
             return frame;
@@ -88,13 +88,13 @@ inline std::int64_t sleepsFrom(Track &track, std::int64_t latest = 20'000)
 inline std::string sleepDiffers(const Script &script, std::int64_t frames)
 {
     Track sleeper(script, budget), waker(script, budget, Sleeping::never);
-    for (std::int64_t frame = 0; frame <= frames; frame += sleeper.rowFrames()) {
+    for (std::int64_t frame = 0; frame <= frames; frame += sleeper.framesPerOutput()) {
         sleeper.seek({frame, 0});
         waker.seek({frame, 0});
         if (waker.sleep())
             return "the waker sleeps";
-        const std::string what = support::difference(sleeper.now(), waker.now());
-        if (!what.empty() || !sameBits(sleeper.now(), waker.now()))
+        const std::string what = support::difference(sleeper.state(), waker.state());
+        if (!what.empty() || !sameBits(sleeper.state(), waker.state()))
             return "frame " + std::to_string(frame) + ": " + what;
     }
     return {};

@@ -30,13 +30,13 @@ double moving(const State &state)
 
 double stretched(const State &state, int a, int b, double rest)
 {
-    const double off = length(state.at(a) - state.at(b)) - rest;
+    const double off = length(state.positionOf(a) - state.positionOf(b)) - rest;
     return 0.5 * off * off;
 }
 
 double awayFrom(const State &state, int point, Vec2 place)
 {
-    const double off = length(state.at(point) - place);
+    const double off = length(state.positionOf(point) - place);
     return 0.5 * off * off;
 }
 
@@ -93,7 +93,7 @@ Swinging uneven()
 {
     Swinging found = chain(4, 0.3, 0.95);
     found.scene.start.inverseMass << 1.0, 0.25, 2.0, 1.0;
-    found.scene.effects.push_back(make_shared<Damping>(0.8, Points{1, 1}));
+    found.scene.effects.push_back(make_shared<Damping>(0.8, PointRange{1, 1}));
     return found;
 }
 
@@ -109,13 +109,14 @@ Swinging manyFeet()
 Swinging tree(double k, double damp)
 {
     Tree grown = Tree::ofTrunk(100.0);
-    grown.sprout(0, -120.0, 0.7);
-    grown.sprout(0, -55.0, 0.8);
-    grown.sprout(1, -150.0, 0.5);
+    grown.addBranch(0, -120.0, 0.7);
+    grown.addBranch(0, -55.0, 0.8);
+    grown.addBranch(1, -150.0, 0.5);
     const auto shared = make_shared<const Tree>(grown);
     Scene scene = scenes::branchesOf(grown);
     scenes::letSwing(scene);
-    scene.effects = {make_shared<Torsion>(shared, limbsOf(grown, k)), make_shared<SpinDamping>(damp)};
+    scene.effects = {make_shared<Torsion>(shared, branchMechanicsOf(grown, k)),
+                     make_shared<SpinDamping>(damp)};
     const Eigen::ArrayXd rest = scene.start.angle;
     return {scene, [rest](const State &state) {
                 return state.spin.square().sum() + (state.angle - rest).square().sum();
@@ -140,10 +141,10 @@ bool grows(const Swinging &one, const std::string &method, double h, int steps)
     const MethodPtr with = findMethod(method);
     const Pipeline pipeline = compose(one.scene, *with, {h, 1, 1, 0.0});
     State state = one.scene.start;
-    with->prepare(state);
+    with->prepareState(state);
     support::Dice dice(7);
-    for (int i = 0; i < state.points(); ++i) {
-        state.place(i, state.at(i) + disturbance * Vec2{dice.real(-1, 1), dice.real(-1, 1)});
+    for (int i = 0; i < state.pointCount(); ++i) {
+        state.place(i, state.positionOf(i) + disturbance * Vec2{dice.real(-1, 1), dice.real(-1, 1)});
         if (state.spin.rows() > 0)
             state.angle[i] += disturbance * dice.real(-1, 1);
     }

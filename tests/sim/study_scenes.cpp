@@ -27,10 +27,10 @@ StudyPlan quickPlan(std::int64_t frames)
     return plan;
 }
 
-Script scriptOf(const Scene &scene, const Way &way)
+Script scriptOf(const Scene &scene, const MethodSetup &setup)
 {
-    Script script = support::script(scene, way.method->id());
-    script.step = way.step;
+    Script script = support::script(scene, setup.method->id());
+    script.step = setup.step;
     return script;
 }
 
@@ -41,14 +41,14 @@ Script scriptOf(const Scene &scene)
 
 std::string nameOf(const AccuracyRow &row)
 {
-    const StepSize step = row.way.step;
-    return row.way.method->id() + " " + std::to_string(step.adaptive() ? step.tolerance : step.h);
+    const StepSize step = row.setup.step;
+    return row.setup.method->id() + " " + std::to_string(step.isAdaptive() ? step.tolerance : step.h);
 }
 
 Scene dampedSpring()
 {
     Scene scene = scenes::oscillator(ballX, spot, stiffness, keep);
-    scene.start.push(0, ballV);
+    scene.start.setVelocity(0, ballV);
     return scene;
 }
 

@@ -12,7 +12,7 @@ extern const sim::StudyProgress goOn;
 /// Errors only: times are asked for by few tests.
 sim::StudyPlan quickPlan(std::int64_t frames);
 
-sim::Script scriptOf(const sim::Scene &scene, const sim::Way &way);
+sim::Script scriptOf(const sim::Scene &scene, const sim::MethodSetup &setup);
 /// With the method `published`.
 sim::Script scriptOf(const sim::Scene &scene);
 

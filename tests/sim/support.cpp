@@ -50,7 +50,7 @@ sim::Scene beside(const Values &v)
 
 sim::Scene creature(const Values &v)
 {
-    sim::Scene scene = scenes::springCreature(v.whole("feet"), v["k"], v["radius"]);
+    sim::Scene scene = scenes::springCreature(v.integer("feet"), v["k"], v["radius"]);
     if (v["spread"] > 0.0)
         scatter(scene.start, v.seed, v["spread"]);
     scenes::add<sim::Gravity>(scene, v["gravity"]);
@@ -72,7 +72,7 @@ sim::Scene heavyPair(const Values &v)
 sim::Scene onRamp(const Values &v)
 {
     sim::Scene scene = creature(v);
-    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.points(), 5.0);
+    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.pointCount(), 5.0);
     scene.effects.push_back(make_shared<sim::Ramp>(sim::inclineOf({270.0, 300.0}, 25.0, 0.5), half));
     return scene;
 }
@@ -91,16 +91,16 @@ sim::Scene walkers(const Values &v)
     const sim::Room room{220.0, 320.0, 1e9, 0.5};
     const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(6, 5.0);
     const std::vector<int> clockOf = {0, 0, 0, 1, 1, 1};
-    scene.effects = {
-        make_shared<sim::Steering>(0, 2, sim::Reins{}),
-        make_shared<sim::LegSpring>(legs, rule),
-        make_shared<sim::Push>(std::vector<int>{2, 5}, v["k"], 60.0, sim::Reaction::equal),
-        make_shared<sim::Gravity>(0.5),
-        make_shared<sim::Damping>(v["damp"]),
-        make_shared<sim::Ground>(std::vector<int>{0, 1, 3, 4}, sim::Soil{280.0, 0.3, sim::Traction::full}),
-        make_shared<sim::Walls>(room, half),
-        make_shared<sim::TurnRound>(room, half, clockOf),
-        make_shared<sim::GaitClock>(clockOf)};
+    scene.effects = {make_shared<sim::Steering>(0, 2, sim::SteeringLimits{}),
+                     make_shared<sim::LegSpring>(legs, rule),
+                     make_shared<sim::Push>(std::vector<int>{2, 5}, v["k"], 60.0, sim::Reaction::equal),
+                     make_shared<sim::Gravity>(0.5),
+                     make_shared<sim::Damping>(v["damp"]),
+                     make_shared<sim::Ground>(std::vector<int>{0, 1, 3, 4},
+                                              sim::GroundPlane{280.0, 0.3, sim::Traction::full}),
+                     make_shared<sim::Walls>(room, half),
+                     make_shared<sim::TurnRound>(room, half, clockOf),
+                     make_shared<sim::GaitClock>(clockOf)};
     return scene;
 }
 
@@ -145,8 +145,8 @@ const Sample &sample(const std::string &name)
 
 sim::StepSize stepFor(const sim::Method &method, double h)
 {
-    return method.stepping() == sim::Stepping::adaptive ? sim::StepSize::within(1e-2 * h)
-                                                        : sim::StepSize::of(h);
+    return method.stepping() == sim::Stepping::adaptive ? sim::StepSize::withTolerance(1e-2 * h)
+                                                        : sim::StepSize::ofLength(h);
 }
 
 std::vector<sim::MethodPtr> fixedMethods()
@@ -184,7 +184,7 @@ sim::Script script(const sim::Scene &scene, const std::string &method, double h)
 void scatter(sim::State &state, std::uint64_t seed, double side)
 {
     Dice dice(seed);
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         const double x = 270.0 + dice.real(-0.5, 0.5) * side;
         const double y = 200.0 + dice.real(-0.5, 0.5) * side;
         state.place(i, {x, y});
@@ -196,11 +196,11 @@ sim::State plainRun(const sim::Scene &scene, const std::string &method, double h
     const sim::MethodPtr rule = sim::findMethod(method);
     const sim::Pipeline pipeline = sim::compose(scene, *rule, stepFor(*rule, h));
     sim::State state = scene.start;
-    rule->prepare(state);
-    const sim::FlushTiny flush;
-    for (int frame = 0; frame < frames; frame += pipeline.step.rowFrames) {
-        state.frame = frame + pipeline.step.rowFrames;
-        for (int i = 0; i < pipeline.phasesPerRow(); ++i)
+    rule->prepareState(state);
+    const sim::FlushDenormals flush;
+    for (int frame = 0; frame < frames; frame += pipeline.step.framesPerOutput) {
+        state.frame = frame + pipeline.step.framesPerOutput;
+        for (int i = 0; i < pipeline.phasesPerOutput(); ++i)
             pipeline.phaseAt(i).run(state);
     }
     return state;
@@ -222,9 +222,9 @@ std::string seekMismatch(const sim::Script &script, std::size_t budget, int fram
 {
     std::vector<std::pair<sim::Cursor, sim::State>> straight;
     sim::Track plain(script, 0);
-    while (plain.at().frame < frames) {
-        straight.emplace_back(plain.at(), plain.now());
-        plain.seek({plain.at().frame, plain.at().phase + 1});
+    while (plain.cursor().frame < frames) {
+        straight.emplace_back(plain.cursor(), plain.state());
+        plain.seek({plain.cursor().frame, plain.cursor().phase + 1});
     }
     sim::Track track(script, budget);
     Dice dice(seed);
@@ -232,8 +232,8 @@ std::string seekMismatch(const sim::Script &script, std::size_t budget, int fram
         const auto &[cursor, state] =
             straight[static_cast<std::size_t>(dice.whole(0, static_cast<int>(straight.size()) - 1))];
         track.seek(cursor);
-        const std::string found = difference(track.now(), state);
-        if (track.at() != cursor || !found.empty()) {
+        const std::string found = difference(track.state(), state);
+        if (track.cursor() != cursor || !found.empty()) {
             return "seek " + std::to_string(i) + " to frame " + std::to_string(cursor.frame) + " phase " +
                    std::to_string(cursor.phase) + ": " + found;
         }
@@ -245,13 +245,13 @@ std::string difference(const sim::State &a, const sim::State &b)
 {
     if (sim::sameBits(a, b))
         return {};
-    if (a.points() != b.points())
-        return std::to_string(a.points()) + " points, not " + std::to_string(b.points());
-    for (int i = 0; i < a.points(); ++i) {
-        if (a.at(i) != b.at(i) || a.speed(i) != b.speed(i))
-            return "point " + std::to_string(i) + " at (" + std::to_string(a.at(i).x) + ", " +
-                   std::to_string(a.at(i).y) + "), not (" + std::to_string(b.at(i).x) + ", " +
-                   std::to_string(b.at(i).y) + ")";
+    if (a.pointCount() != b.pointCount())
+        return std::to_string(a.pointCount()) + " points, not " + std::to_string(b.pointCount());
+    for (int i = 0; i < a.pointCount(); ++i) {
+        if (a.positionOf(i) != b.positionOf(i) || a.velocityOf(i) != b.velocityOf(i))
+            return "point " + std::to_string(i) + " at (" + std::to_string(a.positionOf(i).x) + ", " +
+                   std::to_string(a.positionOf(i).y) + "), not (" + std::to_string(b.positionOf(i).x) + ", " +
+                   std::to_string(b.positionOf(i).y) + ")";
     }
     return "mass, hold, frame, scratch or what comes from outside";
 }

@@ -49,8 +49,8 @@ std::vector<State> run(const Scene &scene, const std::string &method, double tol
 {
     const MethodPtr rule = findMethod(method);
     Scene prepared = scene;
-    rule->prepare(prepared.start);
-    const Pipeline pipeline = compose(prepared, *rule, StepSize::within(tolerance));
+    rule->prepareState(prepared.start);
+    const Pipeline pipeline = compose(prepared, *rule, StepSize::withTolerance(tolerance));
     std::vector<State> all = {prepared.start};
     for (int frame = 1; frame <= frames; ++frame) {
         all.push_back(all.back());
@@ -124,10 +124,10 @@ private slots:
             const double t = double(frame);
             // The errors of some hundred steps add up at most; rounding adds its share.
             const double bound = 300 * tolerance + 1e-10;
-            QVERIFY(std::abs(all[frame].at(0).x - closedForm(100, 3, 0.2, damp, t)) < bound);
-            QVERIFY(std::abs(all[frame].at(0).y - closedForm(-40, 8, 0.2, damp, t)) < bound);
+            QVERIFY(std::abs(all[frame].positionOf(0).x - closedForm(100, 3, 0.2, damp, t)) < bound);
+            QVERIFY(std::abs(all[frame].positionOf(0).y - closedForm(-40, 8, 0.2, damp, t)) < bound);
         }
-        QVERIFY(all.back().evaluations > 0);
+        QVERIFY(all.back().pointEvaluations > 0);
     }
 
     void theErrorFallsWithTheOrderOfTheMethod_data()
@@ -151,8 +151,9 @@ private slots:
             double error = 0.0, length = 0.0;
             for (int frame = frames - 40; frame <= frames; ++frame) {
                 const State &state = all[std::size_t(frame)];
-                error = std::max(error, std::abs(state.at(0).x - closedForm(100, 3, 0.2, 1.0, frame)));
-                length += state.ahead.front().length / 41;
+                error =
+                    std::max(error, std::abs(state.positionOf(0).x - closedForm(100, 3, 0.2, 1.0, frame)));
+                length += state.adaptiveSteps.front().length / 41;
             }
             return std::pair(error, length);
         };
@@ -174,11 +175,11 @@ private slots:
                 const double kept = std::pow(damp, double(frame));
                 // Steps are exact. The velocity of a frame between their ends is the slope of a polynomial, which is
                 // off by one power of the step more than its places are.
-                QVERIFY(std::abs(all[frame].speed(0).y - 8 * kept) <= 1e-11 * 8 * kept + 3e-8);
+                QVERIFY(std::abs(all[frame].velocityOf(0).y - 8 * kept) <= 1e-11 * 8 * kept + 3e-8);
                 // The way so far: the integral of v.
                 const double c = -std::log(damp);
                 const double way = damp == 1.0 ? double(frame) : damp == 0.0 ? 0.0 : (1 - kept) / c;
-                QVERIFY(std::abs(all[frame].at(0).x - (5 + 3 * way)) < 1e-6);
+                QVERIFY(std::abs(all[frame].positionOf(0).x - (5 + 3 * way)) < 1e-6);
             }
         }
     }
@@ -186,25 +187,25 @@ private slots:
     void nystromTakesOneDampingForAllThatMoves()
     {
         Scene scene = scenes::pointsAt({{}, {}, {}}); // the last one is a handle
-        scene.start.push(0, {3, 8});
-        scene.start.push(1, {-2, 5});
+        scene.start.setVelocity(0, {3, 8});
+        scene.start.setVelocity(1, {-2, 5});
         scene.groups.front().points = {0, 2};
-        const EffectPtr first = std::make_shared<Damping>(0.9, Points{0, 1});
-        scene.effects = {first, std::make_shared<Damping>(0.5, Points{1, 1})};
+        const EffectPtr first = std::make_shared<Damping>(0.9, PointRange{0, 1});
+        scene.effects = {first, std::make_shared<Damping>(0.5, PointRange{1, 1})};
         const MethodPtr rule = findMethod("rkn86");
-        rule->prepare(scene.start);
+        rule->prepareState(scene.start);
         try {
-            compose(scene, *rule, StepSize::within(1e-3));
+            compose(scene, *rule, StepSize::withTolerance(1e-3));
             QFAIL("two dampings were taken for one");
         } catch (const Error &error) {
             QCOMPARE(error.id(), std::string("method-does-not-fit"));
             QCOMPARE(error.values().at("effect"), std::string("damping"));
         }
         // A handle is not slowed, and does not count.
-        scene.effects = {std::make_shared<Damping>(0.9, Points{0, 2})};
+        scene.effects = {std::make_shared<Damping>(0.9, PointRange{0, 2})};
         const std::vector<State> all = run(scene, "rkn86", 1e-9, 7);
         const double way = (1 - std::pow(0.9, 7)) / -std::log(0.9);
-        QVERIFY(std::abs(all.back().at(1).x - -2 * way) < 1e-12);
+        QVERIFY(std::abs(all.back().positionOf(1).x - -2 * way) < 1e-12);
     }
 
     void bouncesAreLocatedInTime_data()
@@ -232,13 +233,13 @@ private slots:
                       std::make_shared<Walls>(Room{-1e6, 1e6, 380, bounce}, Eigen::ArrayXd::Zero(1))});
         const std::vector<State> all = run(scene, method.toStdString(), tolerance, 300);
         for (std::size_t frame = 0; frame < all.size(); ++frame) {
-            const double off = (380 - all[frame].at(0).y) - exact.at(double(frame));
+            const double off = (380 - all[frame].positionOf(0).y) - exact.at(double(frame));
             // A rest in place of the last small bounces is worth the tolerance, and a millionth of a pixel.
             QVERIFY2(std::abs(off) < 10 * tolerance + 1e-5, qPrintable(QString("frame %1").arg(frame)));
-            QVERIFY(std::abs(all[frame].at(0).x - 2 * double(frame)) < 1e-6);
+            QVERIFY(std::abs(all[frame].positionOf(0).x - 2 * double(frame)) < 1e-6);
         }
         if (bounce < 0.9)
-            QCOMPARE(all.back().speed(0).y, 0.0); // it lies, and no longer trembles
+            QCOMPARE(all.back().velocityOf(0).y, 0.0); // it lies, and no longer trembles
     }
 
     void aFootSticksWhereItLandsAndLiftsWhenItIsPulledUp_data() { addAdaptiveRows(); }
@@ -251,22 +252,23 @@ private slots:
         scene.start.place(1, {0, 0});
         scene.start.gait.setZero(1);
         scene.start.gaitSpeed.setConstant(1, 0.05);
-        scene.effects = {std::make_shared<LegSpring>(std::vector<Leg>{{0, 1, 0.0, 0}},
-                                                     LegRule{0.1, 50.0, 0.0, Aim::swing, Reaction::none}),
-                         std::make_shared<Damping>(0.9),
-                         std::make_shared<Ground>(std::vector<int>{0}, Soil{20.0, 0.0, Traction::full}),
-                         std::make_shared<GaitClock>()};
+        scene.effects = {
+            std::make_shared<LegSpring>(std::vector<Leg>{{0, 1, 0.0, 0}},
+                                        LegRule{0.1, 50.0, 0.0, Aim::swing, Reaction::none}),
+            std::make_shared<Damping>(0.9),
+            std::make_shared<Ground>(std::vector<int>{0}, GroundPlane{20.0, 0.0, Traction::full}),
+            std::make_shared<GaitClock>()};
         const std::vector<State> all = run(scene, method.toStdString(), 1e-9, 300);
         // Standing, it lifts when its place comes above the ground: -50 sin(gait) = 20.
         int stands = 0, landings = 0;
         for (std::size_t frame = 1; frame < all.size(); ++frame) {
             const State &state = all[frame];
-            QVERIFY(state.at(0).y <= 20.0);
-            const bool on = state.at(0).y == 20.0, was = all[frame - 1].at(0).y == 20.0;
+            QVERIFY(state.positionOf(0).y <= 20.0);
+            const bool on = state.positionOf(0).y == 20.0, was = all[frame - 1].positionOf(0).y == 20.0;
             stands += on;
             landings += on && !was;
             if (on && was) {
-                QCOMPARE(state.at(0).x, all[frame - 1].at(0).x);
+                QCOMPARE(state.positionOf(0).x, all[frame - 1].positionOf(0).x);
                 QVERIFY(-50 * std::sin(0.05 * double(frame)) > 20.0 - 1e-9);
             }
             if (was && !on)
@@ -277,7 +279,7 @@ private slots:
         const std::vector<State> other =
             run(scene, method == "dormand_prince" ? "dop853" : "dormand_prince", 1e-10, 300);
         for (std::size_t frame = 0; frame < all.size(); ++frame)
-            QVERIFY(length(all[frame].at(0) - other[frame].at(0)) < 1e-6);
+            QVERIFY(length(all[frame].positionOf(0) - other[frame].positionOf(0)) < 1e-6);
     }
 
     void methodsOfFixedStepLoseTheirOrderAtABounce()
@@ -291,7 +293,7 @@ private slots:
             double most = 0.0;
             for (int frame = 1; frame <= 60; ++frame) {
                 const State state = support::plainRun(scene, "rk4", h, frame);
-                most = std::max(most, std::abs(380 - state.at(0).y - exact.at(frame)));
+                most = std::max(most, std::abs(380 - state.positionOf(0).y - exact.at(frame)));
             }
             return most;
         };
@@ -306,15 +308,15 @@ private slots:
         QFETCH(QString, method);
         const Scene scene = onePoint({100, -40}, {3, 8}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, 0.2)});
         Script script = support::script(scene, method.toStdString());
-        script.step = StepSize::within(1e-9);
+        script.step = StepSize::withTolerance(1e-9);
         script.input = {{10, Grab{"ball"}}, {10, Move{{50, 60}}}, {12, Release{}}};
         Track track(script, 0);
         track.seek({9, 0});
-        QVERIFY(track.now().ahead.front().to > 0.0);
+        QVERIFY(track.state().adaptiveSteps.front().end > 0.0);
         track.seek({11, 0});
-        QVERIFY(track.now().at(0) == (Vec2{50, 60}));
+        QVERIFY(track.state().positionOf(0) == (Vec2{50, 60}));
         track.seek({30, 0}); // free from frame 11 on, at rest
-        QVERIFY(std::abs(track.now().at(0).x - closedForm(50, 0, 0.2, 1.0, 19)) < 1e-6);
+        QVERIFY(std::abs(track.state().positionOf(0).x - closedForm(50, 0, 0.2, 1.0, 19)) < 1e-6);
     }
 
     void aFrameThatNeedsTooManyStepsEndsTheRun_data() { addAdaptiveRows(); }
@@ -324,19 +326,19 @@ private slots:
         // 4000 rad a frame: some 600 swings, each in as many steps as the tolerance asks for.
         const Scene scene = onePoint({100, 0}, {}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, 1.6e7)});
         Script script = support::script(scene, method.toStdString());
-        script.step = StepSize::within(1e-13);
+        script.step = StepSize::withTolerance(1e-13);
         Track track(script, 0);
         track.seek({10, 0});
         QVERIFY(track.stop());
         QVERIFY(track.stop()->reason == StopReason::tooManySteps);
         QCOMPARE(track.stop()->frame, std::int64_t(0));
         QCOMPARE(track.stop()->body, std::string("ball"));
-        QVERIFY(sameBits(track.now(), Track(script, 0).now())); // as it was before the frame
-        script.step = StepSize::within(1.0);                    // what the sentence offers
+        QVERIFY(sameBits(track.state(), Track(script, 0).state())); // as it was before the frame
+        script.step = StepSize::withTolerance(1.0);                 // what the sentence offers
         Track rough(script, 0);
         rough.seek({10, 0});
         QVERIFY(!rough.stop());
-        QCOMPARE(rough.at().frame, std::int64_t(10));
+        QCOMPARE(rough.cursor().frame, std::int64_t(10));
     }
 
     void aRunThatCannotGoOnKeepsWhatItHas()
@@ -348,18 +350,18 @@ private slots:
             return onePoint({100, 0}, {0, 3}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, values["k"])});
         };
         Script script = support::script(sample, "dormand_prince");
-        script.step = StepSize::within(1e-9);
+        script.step = StepSize::withTolerance(1e-9);
         const Script calm = script;
         script.input = {{21, Set{"k", 1e14}}};
         Track track(script, 0);
         track.seek({20, 1});
         track.seek({40, 0});
         QVERIFY(track.stop() && track.stop()->reason == StopReason::tooManySteps);
-        QVERIFY(track.at() == (Cursor{20, 0}));
+        QVERIFY(track.cursor() == (Cursor{20, 0}));
         Track plain(calm, 0);
         plain.seek({20, 0});
-        QVERIFY(sameBits(track.now(), plain.now()));
-        track.replaceInput(track.prepared({}, 21)); // and goes on when that is mended
+        QVERIFY(sameBits(track.state(), plain.state()));
+        track.replaceInput(track.prepareInput({}, 21)); // and goes on when that is mended
         track.seek({40, 0});
         QVERIFY(!track.stop());
     }

@@ -50,7 +50,7 @@ Scene roomOf(const std::vector<Creature> &creatures, double bounce)
             const Creature &one = creatures[static_cast<std::size_t>(i)];
             const int point = part * count + i;
             scene.start.place(point, one.at + part * Vec2{31.0, 17.0 * one.number - 12.0});
-            scene.start.push(point, one.speed);
+            scene.start.setVelocity(point, one.speed);
             scene.start.inverseMass[point] = 1.0 / (1.0 + part);
             scene.names[static_cast<std::size_t>(point)] =
                 (part == 0 ? "body" : "foot" + std::to_string(part)) + std::to_string(one.number);
@@ -67,7 +67,7 @@ Scene roomOf(const std::vector<Creature> &creatures, double bounce)
 Script scriptOf(const Scene &scene, const QString &method)
 {
     Script script = support::script(scene, method.toStdString());
-    script.step = StepSize::within(1e-6);
+    script.step = StepSize::withTolerance(1e-6);
     return script;
 }
 
@@ -79,7 +79,7 @@ bool sameNumber(double a, double b)
 /// Whether a point has the same bits in two states.
 bool samePoint(const State &a, int inA, const State &b, int inB)
 {
-    bool same = a.resting[inA] == b.resting[inB];
+    bool same = a.restingContacts[inA] == b.restingContacts[inB];
     for (int axis = 0; axis < 2; ++axis)
         same = same && sameNumber(a.position(inA, axis), b.position(inB, axis)) &&
                sameNumber(a.velocity(inA, axis), b.velocity(inB, axis));
@@ -90,7 +90,7 @@ bool samePoint(const State &a, int inA, const State &b, int inB)
 Scene swings(const std::vector<double> &k)
 {
     Scene scene = scenes::pointsAt(std::vector<Vec2>(k.size()));
-    for (int i = 0; i < scene.start.points(); ++i) {
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
         const Vec2 centre = {1000.0 * i, 0.0};
         scene.start.place(i, centre + Vec2{100.0, -40.0});
         scenes::add<PointSpring>(scene, i, centre, k[static_cast<std::size_t>(i)]);
@@ -140,16 +140,17 @@ private slots:
             for (int i = 0; i < count; ++i) {
                 Track &one = alone[static_cast<std::size_t>(i)];
                 one.seek({frame, 0});
-                evaluations += one.now().evaluations;
+                evaluations += one.state().pointEvaluations;
                 for (int part = 0; part < each; ++part) {
                     QVERIFY2(
-                        samePoint(together.now(), part * count + i, one.now(), part),
+                        samePoint(together.state(), part * count + i, one.state(), part),
                         qPrintable(QString("creature %1, part %2, frame %3").arg(i).arg(part).arg(frame)));
-                    rests += one.now().resting[part] != 0;
+                    rests += one.state().restingContacts[part] != 0;
                 }
-                QVERIFY(together.now().ahead[static_cast<std::size_t>(i)] == one.now().ahead.front());
+                QVERIFY(together.state().adaptiveSteps[static_cast<std::size_t>(i)] ==
+                        one.state().adaptiveSteps.front());
             }
-            QCOMPARE(together.now().evaluations, evaluations);
+            QCOMPARE(together.state().pointEvaluations, evaluations);
         }
         QVERIFY(evaluations > 0);
         QVERIFY(bounce > 0.5 || rests > 0);
@@ -165,7 +166,7 @@ private slots:
                 creatures.push_back({1, company[1].at, company[1].speed});
             Track track(scriptOf(roomOf(creatures, 0.7), method), 0);
             track.seek({60, 0});
-            return track.now().evaluations;
+            return track.state().pointEvaluations;
         };
         const std::int64_t one = workOf(1);
         QVERIFY(one > 60 * each);
@@ -188,15 +189,15 @@ private slots:
         for (int frame = 1; frame <= 40; ++frame) {
             free.seek({frame, 0});
             held.seek({frame, 0});
-            for (int point = 0; point < held.now().points(); ++point) {
-                const double off = length(held.now().at(point) - free.now().at(point));
+            for (int point = 0; point < held.state().pointCount(); ++point) {
+                const double off = length(held.state().positionOf(point) - free.state().positionOf(point));
                 const bool isOfHeld = scene.names[static_cast<std::size_t>(point)].back() == '1';
                 parted = parted || (isOfHeld && off > 1.0);
                 QVERIFY2(isOfHeld || off < 1e-3,
                          qPrintable(QString("point %1, frame %2: %3 px").arg(point).arg(frame).arg(off)));
             }
             if (frame >= 10 && frame < 25)
-                QVERIFY(held.now().at(scene.find("foot11")) == (Vec2{650.0, 60.0}));
+                QVERIFY(held.state().positionOf(scene.find("foot11")) == (Vec2{650.0, 60.0}));
         }
         QVERIFY(parted);
     }
@@ -216,7 +217,7 @@ private slots:
     {
         QFETCH(QString, method);
         Script script = scriptOf(roomOf(company, 0.0), method);
-        script.step = StepSize::within(0.1);
+        script.step = StepSize::withTolerance(0.1);
         script.input = {{3000, Grab{"body1"}}, {3001, Move{{500.0, 100.0}}}, {3004, Release{}}};
         Track track(script, Timeline::defaultBudget);
         track.seek({2990, 0});
@@ -224,10 +225,11 @@ private slots:
         for (const int frame : {2990, 2995, 3010, 3050}) {
             track.seek({frame, 0});
             waker.seek({frame, 0});
-            const std::string what = support::difference(track.now(), waker.now());
+            const std::string what = support::difference(track.state(), waker.state());
             QVERIFY2(what.empty(), what.c_str());
-            QCOMPARE(track.now().evaluations, waker.now().evaluations);
-            QVERIFY(frame != 3010 || track.now().at(1).y < 350.0); // the hand has lifted it off the floor
+            QCOMPARE(track.state().pointEvaluations, waker.state().pointEvaluations);
+            QVERIFY(frame != 3010 ||
+                    track.state().positionOf(1).y < 350.0); // the hand has lifted it off the floor
         }
     }
 
@@ -265,13 +267,13 @@ private slots:
         QFETCH(QString, method);
         // The third swings 600 times a frame.
         Script script = scriptOf(swings({0.2, 0.3, 1.6e7, 0.2}), method);
-        script.step = StepSize::within(1e-13);
+        script.step = StepSize::withTolerance(1e-13);
         Track track(script, 0);
         track.seek({5, 0});
         QVERIFY(track.stop());
         QVERIFY(track.stop()->reason == StopReason::tooManySteps);
         QCOMPARE(track.stop()->body, std::string("p2"));
-        QVERIFY(sameBits(track.now(), Track(script, 0).now())); // as it was before the frame
+        QVERIFY(sameBits(track.state(), Track(script, 0).state())); // as it was before the frame
     }
 
     /// Each gets the steps that it needs: a stiff one does not shorten those of the others.
@@ -281,10 +283,10 @@ private slots:
         QFETCH(QString, method);
         Track track(scriptOf(swings({0.01, 50.0}), method), 0);
         track.seek({40, 0});
-        const std::vector<Ahead> &ahead = track.now().ahead;
-        QCOMPARE(ahead.size(), std::size_t{2});
+        const std::vector<AdaptiveStep> &lastStep = track.state().adaptiveSteps;
+        QCOMPARE(lastStep.size(), std::size_t{2});
         // Steps go with the time of a swing: the square root of the ratio of stiffness, 70.
-        const double ratio = ahead[0].length / ahead[1].length;
+        const double ratio = lastStep[0].length / lastStep[1].length;
         QVERIFY2(ratio > 20.0 && ratio < 200.0, qPrintable(QString::number(ratio)));
     }
 
@@ -295,17 +297,17 @@ private slots:
         QFETCH(QString, method);
         const MethodPtr rule = findMethod(method.toStdString());
         Scene scene = swings(std::vector<double>(400, 0.2));
-        rule->prepare(scene.start);
-        const Pipeline pipeline = compose(scene, *rule, StepSize::within(1e-6));
+        rule->prepareState(scene.start);
+        const Pipeline pipeline = compose(scene, *rule, StepSize::withTolerance(1e-6));
         State state = scene.start;
         int asked = 0;
-        QVERIFY(!pipeline.phases.front().runWhile(state, [&] { return ++asked < 3; }));
+        QVERIFY(!pipeline.phases.front().runInterruptible(state, [&] { return ++asked < 3; }));
         QCOMPARE(asked, 3);
-        QVERIFY(state.evaluations > 0 &&
-                state.evaluations <= 60 * 16 + 400); // 60 tries, and a look at each start
+        QVERIFY(state.pointEvaluations > 0 &&
+                state.pointEvaluations <= 60 * 16 + 400); // 60 tries, and a look at each start
         asked = 0;
         state = scene.start;
-        QVERIFY(pipeline.phases.front().runWhile(state, [&] { return ++asked > 0; }));
+        QVERIFY(pipeline.phases.front().runInterruptible(state, [&] { return ++asked > 0; }));
         QVERIFY(asked >= 400 / 20);
     }
 
@@ -322,8 +324,8 @@ private slots:
                          make_shared<Damping>(0.9), make_shared<GaitClock>()};
         Track track(scriptOf(scene, "dop853"), 0);
         track.seek({10, 0});
-        QCOMPARE(track.now().ahead.size(), std::size_t{1});
-        QVERIFY(std::abs(track.now().gait[0] - 0.5) < 1e-12);
+        QCOMPARE(track.state().adaptiveSteps.size(), std::size_t{1});
+        QVERIFY(std::abs(track.state().gait[0] - 0.5) < 1e-12);
     }
 };
 

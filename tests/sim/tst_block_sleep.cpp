@@ -69,32 +69,32 @@ private slots:
         }
         script.input.push_back({1200, Release{}});
         Track track(script, budget), awake(script, budget, Sleeping::never);
-        QVERIFY(track.next()->pipeline.blocks.size() > 2);
-        const std::int64_t points = track.now().points();
+        QVERIFY(track.nextInterval()->pipeline.blocks.size() > 2);
+        const std::int64_t points = track.state().pointCount();
         std::int64_t least = points;
-        for (std::int64_t frame = 0; frame < 1300; frame += track.rowFrames()) {
+        for (std::int64_t frame = 0; frame < 1300; frame += track.framesPerOutput()) {
             const std::int64_t before = *count;
             track.seek({frame, 0});
             if (frame > 1060 && frame < 1100)
                 least = std::min(least, *count - before);
             awake.seek({frame, 0});
-            const std::string what = support::difference(track.now(), awake.now());
-            QVERIFY2(sameBits(track.now(), awake.now()), (std::to_string(frame) + ": " + what).c_str());
+            const std::string what = support::difference(track.state(), awake.state());
+            QVERIFY2(sameBits(track.state(), awake.state()), (std::to_string(frame) + ": " + what).c_str());
             if (frame % 250 == 0) { // into a frame, and out again
                 for (Track *one : {&track, &awake}) {
                     one->seek({frame, 1});
                     one->seek({frame, 2});
                 }
-                QVERIFY(sameBits(track.now(), awake.now()));
+                QVERIFY(sameBits(track.state(), awake.state()));
             }
         }
-        const auto steps = std::int64_t(track.script().step.perRow);
+        const auto steps = std::int64_t(track.script().step.stepsPerOutput);
         QVERIFY2(least <= steps * points / 2, std::to_string(least).c_str());
         QVERIFY(least > 0);
         track.seek({20, 0});
         awake.seek({1400, 0});
         track.seek({1400, 0});
-        QVERIFY(sameBits(track.now(), awake.now()));
+        QVERIFY(sameBits(track.state(), awake.state()));
     }
 };
 

@@ -58,8 +58,8 @@ sim::Scene mixed(int each)
     scene.effects.insert(scene.effects.end(),
                          {make_shared<sim::BodySpring>(links, 0.2), make_shared<sim::LegSpring>(legs, rule),
                           make_shared<sim::Gravity>(0.5),
-                          make_shared<sim::Damping>(0.9, sim::Points{3, 6 * each}),
-                          make_shared<sim::Ground>(feet, sim::Soil{320.0, 0.2, sim::Traction::full})});
+                          make_shared<sim::Damping>(0.9, sim::PointRange{3, 6 * each}),
+                          make_shared<sim::Ground>(feet, sim::GroundPlane{320.0, 0.2, sim::Traction::full})});
     return scene;
 }
 
@@ -109,8 +109,8 @@ sim::Scene sceneCalled(const QString &name)
 
 sim::Pipeline inBlocks(const sim::Scene &scene, const std::string &method, sim::BlockSize size)
 {
-    sim::Pipeline pipeline = sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(0.5));
-    pipeline.blocks = sim::blocksOf(scene, pipeline.phases, size);
+    sim::Pipeline pipeline = sim::compose(scene, *sim::findMethod(method), sim::StepSize::ofLength(0.5));
+    pipeline.blocks = sim::cacheBlocksOf(scene, pipeline.phases, size);
     return pipeline;
 }
 
@@ -149,9 +149,9 @@ private slots:
         const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
         QVERIFY(pipeline.blocks.size() >= 2);
         sim::State plain = what.start;
-        sim::findMethod(method.toStdString())->prepare(plain);
+        sim::findMethod(method.toStdString())->prepareState(plain);
         std::vector<sim::State> states(3, plain);
-        std::vector<sim::Crew> crews = {sim::Crew(1), sim::Crew(2), sim::Crew(3)};
+        std::vector<sim::ThreadPool> crews = {sim::ThreadPool(1), sim::ThreadPool(2), sim::ThreadPool(3)};
         for (plain.frame = 1; plain.frame <= 200; ++plain.frame) {
             for (const sim::Phase &phase : pipeline.phases)
                 phase.run(plain);
@@ -175,13 +175,13 @@ private slots:
         QFETCH(int, points);
         const sim::Scene what = sceneCalled(scene);
         const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
-        std::vector<int> blockOf(static_cast<std::size_t>(what.start.points()), -1);
+        std::vector<int> blockOf(static_cast<std::size_t>(what.start.pointCount()), -1);
         for (std::size_t block = 0; block < pipeline.blocks.size(); ++block) {
             int end = -1;
-            for (const sim::Points &run : pipeline.blocks[block].runs) {
-                QVERIFY(run.first > end); // neighbours are one run
-                end = run.end();
-                for (int i = run.first; i < run.end(); ++i) {
+            for (const sim::PointRange &range : pipeline.blocks[block].ranges) {
+                QVERIFY(range.first > end); // neighbours are one run
+                end = range.end();
+                for (int i = range.first; i < range.end(); ++i) {
                     int &owner = blockOf[static_cast<std::size_t>(i)];
                     QCOMPARE(owner, -1);
                     owner = static_cast<int>(block);
@@ -191,8 +191,8 @@ private slots:
         QVERIFY(std::find(blockOf.begin(), blockOf.end(), -1) == blockOf.end());
         for (const auto &island : sim::islandsOf(what)) { // and no island is in two
             const int block = blockOf[static_cast<std::size_t>(island.front().first)];
-            for (const sim::Points &run : island) {
-                for (int i = run.first; i < run.end(); ++i)
+            for (const sim::PointRange &range : island) {
+                for (int i = range.first; i < range.end(); ++i)
                     QCOMPARE(blockOf[static_cast<std::size_t>(i)], block);
             }
         }
@@ -230,13 +230,13 @@ private slots:
         const sim::Scene scene = triangles(30);
         sim::Pipeline pipeline = inBlocks(scene, method.toStdString(), {30, 1});
         for (int triangle = 29; triangle >= 0; --triangle) { // in any order
-            const std::vector<sim::Points> runs = {{3 * triangle, 3}};
-            pipeline.blocks.push_back({runs, {}});
+            const std::vector<sim::PointRange> ranges = {{3 * triangle, 3}};
+            pipeline.blocks.push_back({ranges, {}});
             for (const sim::StepKernel &one : pipeline.kernels)
-                pipeline.blocks.back().work.push_back(one.kernel.part(runs));
+                pipeline.blocks.back().work.push_back(one.kernel.prepareFor(ranges));
         }
         sim::State plain = scene.start;
-        sim::findMethod(method.toStdString())->prepare(plain);
+        sim::findMethod(method.toStdString())->prepareState(plain);
         sim::State state = plain;
         for (int frame = 0; frame < 200; ++frame) {
             for (const sim::Phase &phase : pipeline.phases)
@@ -258,10 +258,10 @@ private slots:
         const sim::Scene crowd = bench::crowd::inTheRoom(3000);
         const sim::Script script = support::script(crowd, method.toStdString(), 0.5);
         sim::Track track(script, 0);
-        QVERIFY(track.shown().pipeline.blocks.size() > 1);
+        QVERIFY(track.interval().pipeline.blocks.size() > 1);
         const sim::State plain = support::plainRun(crowd, method.toStdString(), 0.5, 6);
         track.seek({6, 0});
-        QVERIFY(sim::sameBits(track.now(), plain));
+        QVERIFY(sim::sameBits(track.state(), plain));
         QVERIFY(sim::sameBits(track.stateAt(6), plain));
         QCOMPARE(support::seekMismatch(script, std::size_t{1} << 24, 2, 12, 3), std::string());
     }
@@ -271,13 +271,13 @@ private slots:
         const sim::Script script =
             support::script(bench::crowd::inTheRoom(1000), "semi_implicit_euler", 0.25);
         sim::Track track(script, std::size_t{1} << 24);
-        QVERIFY(!track.shown().pipeline.blocks.empty());
+        QVERIFY(!track.interval().pipeline.blocks.empty());
         int asked = 0;
         QVERIFY(!track.seek({10, 0}, [&] { return ++asked < 7; })); // four steps a frame
         QCOMPARE(asked, 7);
-        QVERIFY((track.at() == sim::Cursor{1, 0}));
+        QVERIFY((track.cursor() == sim::Cursor{1, 0}));
         QVERIFY(track.seek({10, 0}, [] { return true; }));
-        QVERIFY((track.at() == sim::Cursor{10, 0}));
+        QVERIFY((track.cursor() == sim::Cursor{10, 0}));
     }
 };
 

@@ -41,10 +41,10 @@ const Charges &chargesIn(const Scene &scene)
     return dynamic_cast<const Charges &>(*scene.effects.front());
 }
 
-Eigen::ArrayX2d pullsIn(const Scene &scene, Directions directions = Directions::apart)
+Eigen::ArrayX2d pullsIn(const Scene &scene, DirectionRule directionRule = DirectionRule::regularised)
 {
-    Eigen::ArrayX2d sum = Eigen::ArrayX2d::Zero(scene.start.points(), 2);
-    chargesIn(scene).add(scene.start, {0, scene.start.points()}, 1.0, directions, sum);
+    Eigen::ArrayX2d sum = Eigen::ArrayX2d::Zero(scene.start.pointCount(), 2);
+    chargesIn(scene).add(scene.start, {0, scene.start.pointCount()}, 1.0, directionRule, sum);
     return sum;
 }
 
@@ -52,7 +52,7 @@ Eigen::ArrayX2d pullsIn(const Scene &scene, Directions directions = Directions::
 double energyOf(const Scene &scene, const State &state)
 {
     const Eigen::ArrayXd square = state.velocity.square().rowwise().sum();
-    return chargesIn(scene).energy(state).value() + 0.5 * (square / state.inverseMass).sum();
+    return chargesIn(scene).potentialEnergy(state).value() + 0.5 * (square / state.inverseMass).sum();
 }
 
 State after(const Scene &scene, const char *method, StepSize step, int frames)
@@ -61,7 +61,7 @@ State after(const Scene &scene, const char *method, StepSize step, int frames)
     script.step = step;
     Timeline run(script);
     run.seek({frames, 0});
-    return run.now();
+    return run.state();
 }
 
 /// Points with charges of both signs, masses, nails and two points in one place.
@@ -109,8 +109,8 @@ private slots:
         Scene scene = sceneOf({{0.6 * distance, 0.8 * distance}, {}}, chargesOf({q1, q2}));
         scene.start.inverseMass[0] = 1.0 / mass;
         const double force = strength * q1 * q2 / (distance * distance + soft * soft);
-        for (const Directions directions : {Directions::apart, Directions::published}) {
-            const Eigen::ArrayX2d pulls = pullsIn(scene, directions);
+        for (const DirectionRule directionRule : {DirectionRule::regularised, DirectionRule::published}) {
+            const Eigen::ArrayX2d pulls = pullsIn(scene, directionRule);
             QVERIFY(std::abs(pulls(0, 0) - 0.6 * force / mass) <= 1e-12 * std::abs(force));
             QVERIFY(std::abs(pulls(0, 1) - 0.8 * force / mass) <= 1e-12 * std::abs(force));
             QVERIFY((pulls.row(0) * mass == -pulls.row(1)).all());
@@ -135,13 +135,15 @@ private slots:
             scene.start.inverseMass << 1.0, dice.real(0.1, 3.0), dice.chance(0.3) ? 0.0 : 1.0;
             double nearest = 1e9;
             for (int i = 0; i < 3; ++i)
-                nearest = std::min(nearest, length(scene.start.at(i) - scene.start.at((i + 1) % 3)));
+                nearest = std::min(nearest,
+                                   length(scene.start.positionOf(i) - scene.start.positionOf((i + 1) % 3)));
             if (nearest < 5.0)
                 continue; // there pulls turn too fast for differences
-            Slopes slopes(3);
-            QVERIFY(chargesIn(scene).addSlopes(scene.start, {0, 3}, 1.0, Directions::apart, slopes));
+            Jacobian jacobian(3);
+            QVERIFY(
+                chargesIn(scene).addJacobian(scene.start, {0, 3}, 1.0, DirectionRule::regularised, jacobian));
             Eigen::MatrixXd told = Eigen::MatrixXd::Zero(6, 6);
-            for (const Slopes::Entry &entry : slopes.entries())
+            for (const Jacobian::Entry &entry : jacobian.entries())
                 told(entry.row, entry.column) += entry.value;
             for (int column = 0; column < 6; ++column) {
                 const auto pullsAt = [&](double by) -> Eigen::VectorXd {
@@ -161,9 +163,9 @@ private slots:
     void slopesAreFiniteWhereAllIsInOnePlace()
     {
         const Scene scene = sceneOf({{1, 2}, {1, 2}}, chargesOf({1, -1}));
-        Slopes slopes(2);
-        QVERIFY(chargesIn(scene).addSlopes(scene.start, {0, 2}, 1.0, Directions::apart, slopes));
-        for (const Slopes::Entry &entry : slopes.entries())
+        Jacobian jacobian(2);
+        QVERIFY(chargesIn(scene).addJacobian(scene.start, {0, 2}, 1.0, DirectionRule::regularised, jacobian));
+        for (const Jacobian::Entry &entry : jacobian.entries())
             QVERIFY(std::isfinite(entry.value));
     }
 
@@ -182,7 +184,7 @@ private slots:
         const auto sceneAt = [](double x) { return sceneOf({{x, 0}, {}}, chargesOf({1.5, 2.0})); };
         const auto energyAt = [&](double x) {
             const Scene scene = sceneAt(x);
-            return chargesIn(scene).energy(scene.start).value();
+            return chargesIn(scene).potentialEnergy(scene.start).value();
         };
         const auto forceAt = [&](double x) { return pullsIn(sceneAt(std::max(x, 1e-9)))(0, 0); };
         const int parts = 2000;
@@ -197,7 +199,7 @@ private slots:
     void farApartTheyStoreNothing()
     {
         const Scene scene = sceneOf({{1e12, 0}, {}}, chargesOf({1, 1}));
-        QVERIFY(std::abs(chargesIn(scene).energy(scene.start).value() - strength / 1e12) < 1e-18);
+        QVERIFY(std::abs(chargesIn(scene).potentialEnergy(scene.start).value() - strength / 1e12) < 1e-18);
     }
 
     /// Verlet's error of the energy does not grow, and goes with the square of the step.
@@ -205,14 +207,14 @@ private slots:
     {
         Scene scene = sceneOf({{200, 200}, {330, 200}, {260, 300}}, chargesOf({2, -1, 1.5}));
         scene.start.inverseMass << 1.0, 0.5, 2.0;
-        scene.start.push(0, {0.5, -0.3});
+        scene.start.setVelocity(0, {0.5, -0.3});
         const double start = energyOf(scene, scene.start);
         const auto worst = [&](double h) {
             double most = 0.0;
             for (int frames = 20; frames <= 200; frames += 20)
-                most = std::max(
-                    most, std::abs(energyOf(scene, after(scene, "velocity_verlet", StepSize::of(h), frames)) -
-                                   start));
+                most = std::max(most, std::abs(energyOf(scene, after(scene, "velocity_verlet",
+                                                                     StepSize::ofLength(h), frames)) -
+                                               start));
             return most;
         };
         const double coarse = worst(0.125), fine = worst(0.0625);
@@ -224,7 +226,7 @@ private slots:
     {
         for (const double q : {1.0, -1.0}) {
             const Scene scene = sceneOf({{200, 200}, {300, 230}}, chargesOf({2, q}));
-            const State end = after(scene, "semi_implicit_euler", StepSize::of(1.0), 200);
+            const State end = after(scene, "semi_implicit_euler", StepSize::ofLength(1.0), 200);
             QVERIFY((end.velocity.row(0) != 0.0).any());
             QVERIFY((end.velocity.row(0) == -end.velocity.row(1)).all());
         }
@@ -250,13 +252,13 @@ private slots:
         const double x1 = distance * m2 / (m1 + m2), x2 = distance * m1 / (m1 + m2);
         Scene scene = sceneOf({{x1, 0}, {-x2, 0}}, chargesOf({attraction / strength, -1.0}), softening);
         scene.start.inverseMass << 1.0 / m1, 1.0 / m2;
-        scene.start.push(0, {0, turn * x1});
-        scene.start.push(1, {0, -turn * x2});
-        const State half = after(scene, "dop853", StepSize::within(1e-10), 100);
-        QVERIFY(length(half.at(0) - Vec2{-x1, 0}) < 1e-6);
-        const State whole = after(scene, "dop853", StepSize::within(1e-10), 200);
-        QVERIFY(length(whole.at(0) - Vec2{x1, 0}) < 1e-6);
-        QVERIFY(length(whole.at(1) - Vec2{-x2, 0}) < 1e-6);
+        scene.start.setVelocity(0, {0, turn * x1});
+        scene.start.setVelocity(1, {0, -turn * x2});
+        const State half = after(scene, "dop853", StepSize::withTolerance(1e-10), 100);
+        QVERIFY(length(half.positionOf(0) - Vec2{-x1, 0}) < 1e-6);
+        const State whole = after(scene, "dop853", StepSize::withTolerance(1e-10), 200);
+        QVERIFY(length(whole.positionOf(0) - Vec2{x1, 0}) < 1e-6);
+        QVERIFY(length(whole.positionOf(1) - Vec2{-x2, 0}) < 1e-6);
     }
 
     void withoutTwoChargesThereIsNoPhase_data()
@@ -277,10 +279,10 @@ private slots:
         Scene scene = sceneOf({{0, 0}, {50, 0}, {0, 80}}, chargesOf({0, 0, 0}));
         scene.effects = {
             std::make_shared<Charges>(Eigen::Map<const Eigen::ArrayXd>(charges.data(), 3), given, soft)};
-        const Pipeline pipeline = compose(scene, *findMethod("semi_implicit_euler"), StepSize::of(1.0));
+        const Pipeline pipeline = compose(scene, *findMethod("semi_implicit_euler"), StepSize::ofLength(1.0));
         const auto isTheirs = [&](const Phase &phase) { return phase.effect == scene.effects.front(); };
         QCOMPARE(std::any_of(pipeline.phases.begin(), pipeline.phases.end(), isTheirs), acts);
-        QCOMPARE(pipeline.leftOut.empty(), acts);
+        QCOMPARE(pipeline.idleEffects.empty(), acts);
     }
 
     void whatCarriesNoChargeFeelsNothing()
@@ -288,20 +290,20 @@ private slots:
         const Scene scene = sceneOf({{0, 0}, {50, 0}, {0, 80}}, chargesOf({1, 0, -1}));
         QVERIFY((pullsIn(scene).row(1) == 0.0).all());
         QCOMPARE(chargesIn(scene).count(scene.start, {1, 1}), 0);
-        std::vector<Tie> ties;
-        chargesIn(scene).ties(ties);
-        QVERIFY(ties == (std::vector<Tie>{{0, 2}}));
+        std::vector<Coupling> ties;
+        chargesIn(scene).addCouplings(ties);
+        QVERIFY(ties == (std::vector<Coupling>{{0, 2}}));
     }
 
     void inOnePlaceTheyPartAsAllPairsDo()
     {
         const Scene scene = sceneOf({{7, 8}, {7, 8}}, chargesOf({2, 3}));
-        const Vec2 pull = strength * 6.0 / (soft * soft) * partingDirection(1, 0);
+        const Vec2 pull = strength * 6.0 / (soft * soft) * fallbackDirection(1, 0);
         const Eigen::ArrayX2d pulls = pullsIn(scene);
         QCOMPARE(pulls(0, 0), pull.x);
         QCOMPARE(pulls(0, 1), pull.y);
         QVERIFY((pulls.row(0) == -pulls.row(1)).all());
-        const Eigen::ArrayX2d published = pullsIn(scene, Directions::published);
+        const Eigen::ArrayX2d published = pullsIn(scene, DirectionRule::published);
         QCOMPARE(published(0, 0), strength * 6.0 / (soft * soft)); // to the right, as atan2(0, 0) has it
         QCOMPARE(published(0, 1), 0.0);
     }
@@ -322,7 +324,7 @@ private slots:
             const Eigen::ArrayX2d whole = pullsIn(scene);
             Eigen::ArrayX2d single = Eigen::ArrayX2d::Zero(points, 2);
             for (int i = 0; i < points; ++i)
-                chargesIn(scene).add(scene.start, {i, 1}, 1.0, Directions::apart, single);
+                chargesIn(scene).add(scene.start, {i, 1}, 1.0, DirectionRule::regularised, single);
             QVERIFY(whole.isFinite().all());
             QCOMPARE(std::memcmp(whole.data(), single.data(),
                                  static_cast<std::size_t>(whole.size()) * sizeof(double)),
@@ -333,9 +335,10 @@ private slots:
     void theLiveValuesAreThoseOfThePull()
     {
         const Scene pair = sceneOf({{30, 40}, {}}, chargesOf({2, -1}));
-        const std::vector<Live> live = chargesIn(pair).explain(pair.start, 0, Directions::apart);
+        const std::vector<LiveValue> live =
+            chargesIn(pair).explain(pair.start, 0, DirectionRule::regularised);
         QStringList names;
-        for (const Live &one : live)
+        for (const LiveValue &one : live)
             names << QString::fromStdString(one.name);
         QCOMPARE(names, QStringList({"from", "length", "force", "pull"}));
         QCOMPARE(std::get<double>(live[1].value), 50.0);
@@ -343,7 +346,8 @@ private slots:
         const Scene many = anyScene(9, 4);
         const Eigen::ArrayX2d pulls = pullsIn(many);
         for (int i = 0; i < 9; ++i) {
-            const std::vector<Live> told = chargesIn(many).explain(many.start, i, Directions::apart);
+            const std::vector<LiveValue> told =
+                chargesIn(many).explain(many.start, i, DirectionRule::regularised);
             const Vec2 pull = told.empty() ? Vec2() : std::get<Vec2>(told.back().value);
             QVERIFY(length(pull - Vec2{pulls(i, 0), pulls(i, 1)}) < 1e-12);
         }
@@ -353,21 +357,21 @@ private slots:
     {
         Blueprint plan;
         plan.points = {{"a", {0, 0}, {}}, {"b", {50, 0}, {}}, {"c", {0, 50}, {}}};
-        plan.points[0].more["charge"] = 2.5;
-        plan.points[2].more["charge"] = -1.0;
+        plan.points[0].properties["charge"] = 2.5;
+        plan.points[2].properties["charge"] = -1.0;
         plan.effects = {"charges"};
         Values values;
         values.set("charge_strength", 700.0);
         values.set("softening", 12.0);
         const ChosenEffects chosen = chosenEffects(allEffects(), plan, values);
-        QCOMPARE(chosen.pulls.size(), std::size_t(1));
-        Taken taken;
-        taken.now = State::ofPoints(3);
-        taken.blueprint.points = {{"a", {0, 0}, {}}, {"b", {50, 0}, {}}, {"c", {0, 50}, {}}};
-        QVERIFY(chosen.pulls.front()->takeInto(taken));
-        QVERIFY(taken.blueprint == plan);
-        QCOMPARE(taken.numbers.at("charge_strength"), 700.0);
-        QCOMPARE(taken.numbers.at("softening"), 12.0);
+        QCOMPARE(chosen.beforeMove.size(), std::size_t(1));
+        BlueprintDraft draft;
+        draft.state = State::ofPoints(3);
+        draft.blueprint.points = {{"a", {0, 0}, {}}, {"b", {50, 0}, {}}, {"c", {0, 50}, {}}};
+        QVERIFY(chosen.beforeMove.front()->addToDraft(draft));
+        QVERIFY(draft.blueprint == plan);
+        QCOMPARE(draft.parameters.at("charge_strength"), 700.0);
+        QCOMPARE(draft.parameters.at("softening"), 12.0);
     }
 };
 

@@ -27,9 +27,9 @@ State randomState(Dice &dice, int points)
     return state;
 }
 
-Points all(const State &state)
+PointRange all(const State &state)
 {
-    return {0, state.points()};
+    return {0, state.pointCount()};
 }
 
 /// A scene of moving points with sticks under gravity. What is `pinned` feels nothing.
@@ -54,7 +54,8 @@ Scene longChain()
 
 double angleAt(const State &state, const AngleLimit &limit)
 {
-    const Vec2 a = state.at(limit.a) - state.at(limit.joint), b = state.at(limit.b) - state.at(limit.joint);
+    const Vec2 a = state.positionOf(limit.a) - state.positionOf(limit.joint),
+               b = state.positionOf(limit.b) - state.positionOf(limit.joint);
     const double angle = (std::atan2(b.y, b.x) - std::atan2(a.y, a.x)) * 180 / 3.14159265358979;
     return angle < 0 ? angle + 360 : angle;
 }
@@ -62,7 +63,7 @@ double angleAt(const State &state, const AngleLimit &limit)
 }
 
 Q_DECLARE_METATYPE(Scene)
-Q_DECLARE_METATYPE(Directions)
+Q_DECLARE_METATYPE(DirectionRule)
 
 class TestConstraints : public QObject
 {
@@ -71,24 +72,26 @@ class TestConstraints : public QObject
 private slots:
     void stickIsRightAfterIt_data()
     {
-        QTest::addColumn<Directions>("directions");
-        QTest::newRow("apart") << Directions::apart;
-        QTest::newRow("as published") << Directions::published;
+        QTest::addColumn<DirectionRule>("directionRule");
+        QTest::newRow("apart") << DirectionRule::regularised;
+        QTest::newRow("as published") << DirectionRule::published;
     }
     /// And the middle, weighed by the shares, stays where it was.
     void stickIsRightAfterIt()
     {
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         Dice dice(1);
         for (int run = 0; run < 5000; ++run) {
             State state = randomState(dice, 2);
             if (dice.chance(0.1))
-                state.place(1, state.at(0));
+                state.place(1, state.positionOf(0));
             const Stick stick = {0, 1, dice.real(0, 300), dice.chance(0.2) ? 1.0 : dice.real(0, 1)};
-            const auto middle = [&] { return (1 - stick.share) * state.at(0) + stick.share * state.at(1); };
+            const auto middle = [&] {
+                return (1 - stick.share) * state.positionOf(0) + stick.share * state.positionOf(1);
+            };
             const Vec2 before = middle();
-            Sticks({stick}, 2).enforce(state, all(state), directions, 1.0);
-            QVERIFY(std::abs(length(state.at(0) - state.at(1)) - stick.length) <= 1e-11);
+            Sticks({stick}, 2).enforce(state, all(state), directionRule, 1.0);
+            QVERIFY(std::abs(length(state.positionOf(0) - state.positionOf(1)) - stick.length) <= 1e-11);
             QVERIFY(length(middle() - before) <= 1e-11);
         }
     }
@@ -100,7 +103,7 @@ private slots:
         state.inverseMass.setZero();
         const Sticks sticks({{0, 1, 5, 0.5}}, 2);
         const State before = state;
-        sticks.enforce(state, all(state), Directions::apart, 1.0);
+        sticks.enforce(state, all(state), DirectionRule::regularised, 1.0);
         QVERIFY(sameBits(state, before));
         QCOMPARE(sticks.count(state, all(state)), 0);
     }
@@ -127,7 +130,7 @@ private slots:
         QFETCH(Scene, scene);
         for (const char *method : {"published", "semi_implicit_euler"}) {
             for (const double h : {1.0, 0.25})
-                QCOMPARE(firstNotFinite(support::plainRun(scene, method, h, 100)), -1);
+                QCOMPARE(firstNonFinitePoint(support::plainRun(scene, method, h, 100)), -1);
         }
     }
 
@@ -139,24 +142,25 @@ private slots:
         scene.effects.erase(scene.effects.begin()); // no gravity
         const State a = support::plainRun(scene, "semi_implicit_euler", 1.0, 2000);
         const State b = support::plainRun(scene, "semi_implicit_euler", 1.0, 2100);
-        const double whole = length(a.at(0) - a.at(2));
+        const double whole = length(a.positionOf(0) - a.positionOf(2));
         QVERIFY(std::abs(whole - 10.0) <= 1e-9);
-        QVERIFY(std::abs(length(a.at(0) - a.at(1)) + length(a.at(1) - a.at(2)) - whole) <= 1e-6);
-        QVERIFY(std::abs(length(b.at(0) - b.at(2)) - whole) <= 1e-6);
+        QVERIFY(std::abs(length(a.positionOf(0) - a.positionOf(1)) +
+                         length(a.positionOf(1) - a.positionOf(2)) - whole) <= 1e-6);
+        QVERIFY(std::abs(length(b.positionOf(0) - b.positionOf(2)) - whole) <= 1e-6);
     }
 
     void explainedStickIsTheLastOneThatMovedThePoint()
     {
         Dice dice(3);
-        for (const Directions directions : {Directions::apart, Directions::published}) {
+        for (const DirectionRule directionRule : {DirectionRule::regularised, DirectionRule::published}) {
             State state = randomState(dice, 4);
             const Sticks sticks({{0, 1, 50, 0.3}, {1, 2, 60, 0.5}, {3, 1, 70, 0.5}}, 4, 2);
             const State before = state;
-            sticks.enforce(state, all(state), directions, 1.0);
+            sticks.enforce(state, all(state), directionRule, 1.0);
             for (int point = 0; point < 4; ++point) {
-                const std::vector<Live> live = sticks.explain(before, state, point);
+                const std::vector<LiveValue> live = sticks.explain(before, state, point);
                 QCOMPARE(live.size(), std::size_t{3});
-                QVERIFY(std::get<Vec2>(live.back().value) == state.at(point));
+                QVERIFY(std::get<Vec2>(live.back().value) == state.positionOf(point));
             }
         }
     }
@@ -180,9 +184,10 @@ private slots:
         State state = State::ofPoints(2);
         state.place(0, {100, 50});
         state.place(1, Vec2{100, 50} + length * Vec2{0.6, -0.8});
-        SoftSticks({{0, 1, 20, 40, 60}}, {0.1, 0.8}).enforce(state, all(state), Directions::apart, 1.0);
-        QCOMPARE(state.at(0), (Vec2{100, 50}));
-        const Vec2 way = state.at(1) - state.at(0);
+        SoftSticks({{0, 1, 20, 40, 60}}, {0.1, 0.8})
+            .enforce(state, all(state), DirectionRule::regularised, 1.0);
+        QCOMPARE(state.positionOf(0), (Vec2{100, 50}));
+        const Vec2 way = state.positionOf(1) - state.positionOf(0);
         QVERIFY(std::abs(sim::length(way) - wanted) <= 1e-12 * (1 + wanted));
         if (length > 0.0)
             QVERIFY(std::abs(way.x * 0.8 + way.y * 0.6) <= 1e-12);
@@ -196,7 +201,7 @@ private slots:
             State state = randomState(dice, 3);
             const AngleLimit limit = {0, 1, 2, dice.real(10, 120), dice.real(130, 350)};
             const State before = state;
-            AngleLimits({limit}).enforce(state, all(state), Directions::apart, 1.0);
+            AngleLimits({limit}).enforce(state, all(state), DirectionRule::regularised, 1.0);
             const double was = angleAt(before, limit), is = angleAt(state, limit);
             if (was >= limit.least && was <= limit.most) {
                 QVERIFY(sameBits(state, before));
@@ -206,8 +211,8 @@ private slots:
             const double under = std::fmod(limit.least - was + 360, 360);
             QVERIFY(std::abs(is - (over < under ? limit.most : limit.least)) <= 1e-9);
             for (const int end : {0, 2})
-                QVERIFY(std::abs(length(state.at(end) - state.at(1)) -
-                                 length(before.at(end) - before.at(1))) <= 1e-10);
+                QVERIFY(std::abs(length(state.positionOf(end) - state.positionOf(1)) -
+                                 length(before.positionOf(end) - before.positionOf(1))) <= 1e-10);
             const Eigen::Array2d moved = (state.position - before.position).colwise().sum();
             QVERIFY(moved.abs().maxCoeff() <= 1e-10);
         }
@@ -236,12 +241,14 @@ private slots:
                                         {"gravity", gravity},
                                         {"passes", double(sweeps)}});
         script.method = findMethod("semi_implicit_euler");
-        script.step = StepSize::of(1.0 / steps);
+        script.step = StepSize::ofLength(1.0 / steps);
         Track track(script, 0);
         track.seek({300, 0});
         double worst = 0.0;
         for (int i = 0; i < links; ++i)
-            worst = std::max(worst, std::abs(length(track.now().at(i + 1) - track.now().at(i)) - each));
+            worst = std::max(
+                worst,
+                std::abs(length(track.state().positionOf(i + 1) - track.state().positionOf(i)) - each));
         const double weight = links * gravity / (steps * steps);
         const double told = each * std::pow(weight / (4 * std::sqrt(3.0 / 8.0) * sweeps * each), 2.0 / 3.0);
         QVERIFY2(worst < told && worst > 0.6 * told, qPrintable(QString::number(worst / told)));
@@ -253,8 +260,8 @@ private slots:
         const Quad quad = {0, 1, 2, 3};
         for (int run = 0; run < 2000; ++run) {
             State state = randomState(dice, 4);
-            const double spine = length(state.at(0) - state.at(1));
-            AreaStick(quad, 600, 10).enforce(state, all(state), Directions::apart, 1.0);
+            const double spine = length(state.positionOf(0) - state.positionOf(1));
+            AreaStick(quad, 600, 10).enforce(state, all(state), DirectionRule::regularised, 1.0);
             QVERIFY(std::abs(areaOf(state, quad) - 600 * std::min(1.0, spine / 10)) <= 1e-7);
         }
     }
@@ -279,8 +286,8 @@ private slots:
         state.place(0, {100, 295});
         state.previous = state.position;
         state.place(0, {100 + slide, 297});
-        limits.enforce(state, {0, 1}, Directions::apart, 1.0);
-        QCOMPARE(state.at(0), (Vec2{100 + left, 295}));
+        limits.enforce(state, {0, 1}, DirectionRule::regularised, 1.0);
+        QCOMPARE(state.positionOf(0), (Vec2{100 + left, 295}));
     }
 };
 

@@ -33,19 +33,24 @@ public:
     SlowForce(std::string id, double takes, Time &time) : m_id(std::move(id)), m_takes(takes), m_time(time) {}
     std::string id() const override { return m_id; }
     std::string title() const override { return m_id; }
-    sim::Kind kind() const override { return sim::Kind::gravity; }
-    std::vector<sim::Region> regions(sim::Directions) const override { return {}; }
-    int count(const sim::State &, sim::Points points) const override { return points.count; }
-    void add(const sim::State &, sim::Points, double, sim::Directions, Eigen::ArrayX2d &) const override
+    sim::EffectKind kind() const override { return sim::EffectKind::gravity; }
+    std::vector<sim::Region> regions(sim::DirectionRule) const override { return {}; }
+    int count(const sim::State &, sim::PointRange points) const override { return points.count; }
+    void add(const sim::State &, sim::PointRange, double, sim::DirectionRule,
+             Eigen::ArrayX2d &) const override
     {
         m_time.pass(m_takes);
     }
-    bool addSlopes(const sim::State &, sim::Points, double, sim::Directions, sim::Slopes &) const override
+    bool addJacobian(const sim::State &, sim::PointRange, double, sim::DirectionRule,
+                     sim::Jacobian &) const override
     {
         m_time.pass(2 * m_takes);
         return true;
     }
-    std::vector<sim::Live> explain(const sim::State &, int, sim::Directions) const override { return {}; }
+    std::vector<sim::LiveValue> explain(const sim::State &, int, sim::DirectionRule) const override
+    {
+        return {};
+    }
 
 private:
     std::string m_id;
@@ -58,7 +63,7 @@ class Idle : public sim::Gravity
 {
 public:
     Idle() : sim::Gravity(0.0) {}
-    bool idle() const override { return true; }
+    bool isIdle() const override { return true; }
 };
 
 /// Computes the scene's first force in a phase of its own, whose beginning is the method's, and the second one three
@@ -70,10 +75,10 @@ public:
     std::string id() const override { return "rule"; }
     std::string title() const override { return "rule"; }
     int order() const override { return 1; }
-    std::vector<std::string> needs() const override { return {}; }
-    sim::Directions directions() const override { return sim::Directions::apart; }
+    std::vector<std::string> requirements() const override { return {}; }
+    sim::DirectionRule directionRule() const override { return sim::DirectionRule::regularised; }
     sim::Region region() const override { return {}; }
-    void prepare(sim::State &state) const override { state.acceleration.setZero(state.points(), 2); }
+    void prepareState(sim::State &state) const override { state.acceleration.setZero(state.pointCount(), 2); }
     std::vector<sim::Phase> phases(const sim::Scene &scene, sim::StepSize) const override
     {
         const auto passing = [&time = m_time](double takes) {
@@ -82,7 +87,8 @@ public:
         const auto force = [&](std::size_t which) {
             const auto one = std::dynamic_pointer_cast<const sim::Force>(scene.effects[which]);
             return [one](sim::State &state) {
-                one->add(state, {0, state.points()}, 1.0, sim::Directions::apart, state.acceleration);
+                one->add(state, {0, state.pointCount()}, 1.0, sim::DirectionRule::regularised,
+                         state.acceleration);
             };
         };
         sim::Phase own, first, within;
@@ -92,14 +98,14 @@ public:
         first.effect = scene.effects[0];
         first.kernels = {{passing(20), {}}, {force(0), {}}};
         within.id = "within";
-        within.within = {scene.effects[1]};
+        within.innerEffects = {scene.effects[1]};
         const auto computed = [&time = m_time, add = force(1), second = scene.effects[1]](sim::State &state) {
             time.pass(100);
             for (int i = 0; i < 3; ++i)
                 add(state);
-            sim::Slopes slopes(state.points());
-            dynamic_cast<const sim::Force &>(*second).addSlopes(state, {0, state.points()}, 1.0,
-                                                                sim::Directions::apart, slopes);
+            sim::Jacobian jacobian(state.pointCount());
+            dynamic_cast<const sim::Force &>(*second).addJacobian(state, {0, state.pointCount()}, 1.0,
+                                                                  sim::DirectionRule::regularised, jacobian);
         };
         within.kernels = {{computed, {}}};
         return {own, first, within};
@@ -152,7 +158,7 @@ private slots:
         QFETCH(int, frames);
         Time time;
         const sim::Scene scene = slowScene(time);
-        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::of(h), scene.start,
+        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::ofLength(h), scene.start,
                              time.clock());
         for (int i = 0; i < 3; ++i)
             QVERIFY(meter.round());
@@ -228,14 +234,14 @@ private slots:
         const sim::CostMeter meter = meterOf(script);
         QCOMPARE(meter.result().effects.size(), std::size_t{1});
         QCOMPARE(meter.result().effects[0].effect, sim::EffectPtr(acting));
-        QCOMPARE(meter.pipeline().leftOut.size(), std::size_t{1});
+        QCOMPARE(meter.pipeline().idleEffects.size(), std::size_t{1});
     }
 
     void aRoundThatIsLeftOffIsForgotten()
     {
         Time time;
         const sim::Scene scene = slowScene(time);
-        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::of(1), scene.start,
+        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::ofLength(1), scene.start,
                              time.clock());
         int most = 0;
         QVERIFY(meter.round([&] {
@@ -253,7 +259,7 @@ private slots:
             QVERIFY(near(meter.result().effects[1].ns, 1500));
             QVERIFY(near(meter.result().restNs, 125));
         }
-        sim::CostMeter fresh(scene, std::make_shared<Rule>(time), sim::StepSize::of(1), scene.start,
+        sim::CostMeter fresh(scene, std::make_shared<Rule>(time), sim::StepSize::ofLength(1), scene.start,
                              time.clock());
         QVERIFY(!fresh.round([] { return false; }));
         QCOMPARE(fresh.result().rounds, 0);
@@ -265,8 +271,8 @@ private slots:
     {
         const sim::Script script = support::script(support::sample("walkers"), "backward_euler");
         const sim::Scene scene = sim::sceneOf(script, script.values);
-        QVERIFY_THROWS_EXCEPTION(
-            sim::Error, sim::CostMeter(scene, sim::findMethod("dop853"), sim::StepSize::of(1), scene.start));
+        QVERIFY_THROWS_EXCEPTION(sim::Error, sim::CostMeter(scene, sim::findMethod("dop853"),
+                                                            sim::StepSize::ofLength(1), scene.start));
     }
 
     /// A run that stops being finite is measured as far as it goes.

@@ -15,9 +15,9 @@ namespace {
 double nearestTwo(const State &state)
 {
     double nearest = 1e300;
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         for (int j = 0; j < i; ++j)
-            nearest = std::min(nearest, length(state.at(i) - state.at(j)));
+            nearest = std::min(nearest, length(state.positionOf(i) - state.positionOf(j)));
     }
     return nearest;
 }
@@ -43,7 +43,7 @@ private slots:
         for (int run = 0; run < 20'000; ++run) {
             const double scale = std::pow(10.0, dice.real(-200.0, 150.0));
             const Vec2 d = {scale * dice.real(-1, 1), scale * dice.real(-1, 1)};
-            const Heading heading = direction(d, dice.whole(0, 99), dice.whole(0, 99));
+            const Direction heading = direction(d, dice.whole(0, 99), dice.whole(0, 99));
             QVERIFY2(std::abs(length(heading.out) - 1.0) < 1e-15 * 4,
                      qPrintable(QString("(%1, %2)").arg(d.x).arg(d.y)));
         }
@@ -54,8 +54,8 @@ private slots:
         Dice dice(2);
         for (int run = 0; run < 5000; ++run) {
             const Vec2 d = {dice.real(-1e3, 1e3), dice.real(-1e3, 1e3)};
-            const Heading found = direction(d, 0, 1);
-            const PublishedHeading published = publishedDirection(d);
+            const Direction found = direction(d, 0, 1);
+            const PublishedDirection published = publishedDirection(d);
             QVERIFY(length(found.out - published.out) < 1e-15 * 4);
             QVERIFY(std::abs(found.length - std::hypot(d.x, d.y)) <= 1e-12);
         }
@@ -80,7 +80,7 @@ private slots:
     {
         std::vector<Vec2> seen;
         for (int foot = 0; foot < 100; ++foot) {
-            const Vec2 out = partingDirection(100, foot);
+            const Vec2 out = fallbackDirection(100, foot);
             QVERIFY(std::abs(length(out) - 1.0) < 1e-15 * 4);
             for (const Vec2 other : seen)
                 QVERIFY(length(out - other) > 0.01);
@@ -93,9 +93,9 @@ private slots:
         QCOMPARE(publishedDirection({0, 0}).out.x, 1.0);
         QCOMPARE(publishedDirection({0, 0}).out.y, 0.0);
         const State end = support::plainRun(crowd(2), "published", 1.0, 60);
-        QCOMPARE(end.at(0).y, 200.0); // along x and nowhere else
-        QCOMPARE(end.at(1).y, 200.0);
-        QVERIFY(end.at(0).x > end.at(1).x + 40);
+        QCOMPARE(end.positionOf(0).y, 200.0); // along x and nowhere else
+        QCOMPARE(end.positionOf(1).y, 200.0);
+        QVERIFY(end.positionOf(0).x > end.positionOf(1).x + 40);
     }
 
     void pointsInOnePlacePart_data()
@@ -112,12 +112,12 @@ private slots:
         QFETCH(int, points);
         QFETCH(double, h);
         const State end = support::plainRun(crowd(points), "semi_implicit_euler", h, 300);
-        QCOMPARE(firstNotFinite(end), -1);
+        QCOMPARE(firstNonFinitePoint(end), -1);
         // The feet do not push each other and the body recoils among them, so two of sixty may end up close.
         QVERIFY2(nearestTwo(end) > 1e-6, qPrintable(QString::number(nearestTwo(end))));
         const int body = points - 1;
         for (int foot = 0; foot < body; ++foot)
-            QVERIFY(std::abs(length(end.at(foot) - end.at(body)) - 50.0) < 1e-3);
+            QVERIFY(std::abs(length(end.positionOf(foot) - end.positionOf(body)) - 50.0) < 1e-3);
     }
 
     void aCrowdAroundAHandleSpreadsEvenly()
@@ -143,14 +143,14 @@ private slots:
         Scene scene = crowd(2);
         scene.start.place(0, {260, 200});
         scene.start.place(1, {280, 200});
-        scene.start.push(0,
-                         {10 / 0.9 + 6, 0}); // with the first kick of -6 and damping they meet in one frame
-        scene.start.push(1, {-10 / 0.9 - 6, 0});
+        scene.start.setVelocity(
+            0, {10 / 0.9 + 6, 0}); // with the first kick of -6 and damping they meet in one frame
+        scene.start.setVelocity(1, {-10 / 0.9 - 6, 0});
         const State met = support::plainRun(scene, "semi_implicit_euler", 1.0, 1);
-        QVERIFY(length(met.at(0) - met.at(1)) < 1e-9);
+        QVERIFY(length(met.positionOf(0) - met.positionOf(1)) < 1e-9);
         // What is left of the swing shrinks as damp^(t/2): 1e-9 after 400 frames.
         const State end = support::plainRun(scene, "semi_implicit_euler", 1.0, 400);
-        QVERIFY(std::abs(length(end.at(0) - end.at(1)) - 50.0) < 1e-6);
+        QVERIFY(std::abs(length(end.positionOf(0) - end.positionOf(1)) - 50.0) < 1e-6);
     }
 };
 

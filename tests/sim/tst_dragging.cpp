@@ -19,7 +19,7 @@ Scene drifting()
 {
     Scene scene = scenes::creature(1);
     scene.start.place(0, {100, 100});
-    scene.start.push(0, {3, 1});
+    scene.start.setVelocity(0, {3, 1});
     return scene;
 }
 
@@ -46,10 +46,10 @@ private:
 
     static void compare(const Track &track, Vec2 x, Vec2 v, int point = 0)
     {
-        QCOMPARE(track.now().at(point).x, x.x);
-        QCOMPARE(track.now().at(point).y, x.y);
-        QCOMPARE(track.now().speed(point).x, v.x);
-        QCOMPARE(track.now().speed(point).y, v.y);
+        QCOMPARE(track.state().positionOf(point).x, x.x);
+        QCOMPARE(track.state().positionOf(point).y, x.y);
+        QCOMPARE(track.state().velocityOf(point).x, v.x);
+        QCOMPARE(track.state().velocityOf(point).y, v.y);
     }
 
 private slots:
@@ -103,7 +103,7 @@ private slots:
         for (int frame = 1; frame < 5; ++frame) {
             track.seek({frame, 0});
             free.seek({frame, 0});
-            QVERIFY(sameBits(track.now(), free.now()));
+            QVERIFY(sameBits(track.state(), free.state()));
         }
     }
 
@@ -119,7 +119,7 @@ private slots:
         compare(track, {10, 20}, {0, 0}, 1);
         track.seek({9, 0});
         compare(track, {10, 20}, {0, 0}, 1);
-        QVERIFY(!track.now().feels(1));
+        QVERIFY(!track.state().isDynamic(1));
     }
 
     void whatIsHeldFeelsNothingAndMeetsNoWall_data()
@@ -143,7 +143,7 @@ private slots:
         // All of a step's damping after the pull: (0 + 5) 0.5. Methods of higher orders have only some of it after, and
         // so more is left. Then the floor turns it round.
         const bool first = findMethod(method.toStdString())->order() == 1;
-        const double turned = track.now().speed(0).y;
+        const double turned = track.state().velocityOf(0).y;
         compare(track, {515, 375}, {0, first ? -2.5 : turned});
         QVERIFY(turned <= -2.5 && turned > -5.0);
     }
@@ -156,7 +156,7 @@ private slots:
         track.seek({3, 0});
         compare(track, {109, 100}, {3, 0});
         compare(track, {0, 0}, {-270, -200}, 1);
-        QVERIFY(track.now().feels(0) && !track.now().feels(1));
+        QVERIFY(track.state().isDynamic(0) && !track.state().isDynamic(1));
     }
 
     void eventsThatMeanNothingDoNothing()
@@ -196,7 +196,7 @@ private slots:
         script.input = {{1, Grab{"foot0"}}, {1, Move{{5000, 200}}}};
         Track track(script, 0);
         track.seek({1, 0});
-        QVERIFY(track.now().speed(1).x > 50.0);
+        QVERIFY(track.state().velocityOf(1).x > 50.0);
     }
 };
 

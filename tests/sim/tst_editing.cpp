@@ -35,17 +35,18 @@ private slots:
             timeline.seek({dice.whole(20, 60), 0});
             const Script old = timeline.script();
             timeline.seek({dice.whole(1, 15), dice.whole(0, 5)});
-            const std::int64_t frame = timeline.at().frame;
-            dice.chance(0.5) ? timeline.set("k", 0.1) : timeline.hand(Grab{"foot0"});
-            QVERIFY(timeline.ghost());
-            QCOMPARE(timeline.fork(), frame + 1);
+            const std::int64_t frame = timeline.cursor().frame;
+            dice.chance(0.5) ? timeline.setParameter("k", 0.1) : timeline.applyInput(Grab{"foot0"});
+            QVERIFY(timeline.comparison());
+            QCOMPARE(timeline.forkFrame(), frame + 1);
             Track straight(old, 0);
             for (int i = 0; i < 30; ++i) {
                 timeline.seek({dice.whole(0, 100), 0}); // it goes on past what was computed of it
-                straight.seek(timeline.at());
-                QCOMPARE(support::difference(timeline.ghost()->now(), straight.now()), std::string());
-                if (timeline.at().frame < timeline.fork())
-                    QVERIFY(sameBits(timeline.ghost()->now(), timeline.now()));
+                straight.seek(timeline.cursor());
+                QCOMPARE(support::difference(timeline.comparison()->state(), straight.state()),
+                         std::string());
+                if (timeline.cursor().frame < timeline.forkFrame())
+                    QVERIFY(sameBits(timeline.comparison()->state(), timeline.state()));
             }
         }
     }
@@ -54,9 +55,9 @@ private slots:
     {
         Timeline timeline(creature());
         timeline.seek({30, 0});
-        timeline.hand(Grab{"foot0"});
-        timeline.set("k", 0.1);
-        QVERIFY(!timeline.ghost());
+        timeline.applyInput(Grab{"foot0"});
+        timeline.setParameter("k", 0.1);
+        QVERIFY(!timeline.comparison());
     }
 
     void aDragIsOneForkNotOneAFrame()
@@ -64,33 +65,33 @@ private slots:
         Timeline timeline(creature());
         timeline.seek({100, 0});
         timeline.seek({30, 0});
-        timeline.hand(Grab{"foot0"});
+        timeline.applyInput(Grab{"foot0"});
         for (int i = 0; i < 10; ++i) {
-            timeline.hand(Move{{100.0 + i, 100.0}});
-            timeline.hand(Move{{100.0 + 2 * i, 100.0}}); // takes the place of the one before
-            timeline.stepRow();
+            timeline.applyInput(Move{{100.0 + i, 100.0}});
+            timeline.applyInput(Move{{100.0 + 2 * i, 100.0}}); // takes the place of the one before
+            timeline.nextOutputStep();
         }
-        QCOMPARE(timeline.fork(), std::int64_t(31));
+        QCOMPARE(timeline.forkFrame(), std::int64_t(31));
         QCOMPARE(timeline.script().input.size(), std::size_t(11));
-        timeline.forgetGhost();
-        QVERIFY(!timeline.ghost());
+        timeline.dropComparison();
+        QVERIFY(!timeline.comparison());
     }
 
     void handsForgetLaterInputAndParametersKeepIt()
     {
         Timeline timeline(creature());
         timeline.seek({50, 0});
-        timeline.hand(Grab{"foot0"});
+        timeline.applyInput(Grab{"foot0"});
         timeline.seek({60, 0});
-        timeline.hand(Release{});
+        timeline.applyInput(Release{});
         timeline.seek({20, 0});
-        timeline.set("k", 0.1);
+        timeline.setParameter("k", 0.1);
         QCOMPARE(timeline.script().input.size(), std::size_t(3));
         QVERIFY(std::holds_alternative<Set>(timeline.script().input.front().what));
         timeline.seek({55, 0});
-        QCOMPARE(timeline.now().hold.point, 0);
+        QCOMPARE(timeline.state().hold.point, 0);
         timeline.seek({30, 0});
-        timeline.hand(Grab{"body"});
+        timeline.applyInput(Grab{"body"});
         QCOMPARE(timeline.script().input.size(), std::size_t(2));
     }
 
@@ -101,21 +102,21 @@ private slots:
             Timeline timeline(creature(), 30'000);
             timeline.seek({60, 0});
             timeline.seek({dice.whole(1, 30), dice.whole(0, 5)});
-            dice.chance(0.5) ? timeline.set("k", 0.1) : timeline.hand(Grab{"foot0"});
+            dice.chance(0.5) ? timeline.setParameter("k", 0.1) : timeline.applyInput(Grab{"foot0"});
             for (int round = 0; round < 4; ++round) {
                 const std::vector<Event> run = timeline.script().input,
-                                         ghost = timeline.ghost()->script().input;
-                const std::int64_t computed = timeline.ghost()->computed(), fork = timeline.fork();
-                timeline.swapWithGhost();
-                QVERIFY(timeline.script().input == ghost && timeline.ghost()->script().input == run);
+                                         ghost = timeline.comparison()->script().input;
+                const std::int64_t computed = timeline.comparison()->computed(), fork = timeline.forkFrame();
+                timeline.swapWithComparison();
+                QVERIFY(timeline.script().input == ghost && timeline.comparison()->script().input == run);
                 QVERIFY(timeline.computed() >= computed);
-                QCOMPARE(timeline.fork(), fork);
+                QCOMPARE(timeline.forkFrame(), fork);
                 timeline.seek({dice.whole(0, 80), dice.whole(0, 3)});
-                Track one(timeline.script(), 0), other(timeline.ghost()->script(), 0);
-                one.seek(timeline.at());
-                other.seek({timeline.at().frame, 0});
-                QVERIFY(sameBits(one.now(), timeline.now()) &&
-                        sameBits(other.now(), timeline.ghost()->now()));
+                Track one(timeline.script(), 0), other(timeline.comparison()->script(), 0);
+                one.seek(timeline.cursor());
+                other.seek({timeline.cursor().frame, 0});
+                QVERIFY(sameBits(one.state(), timeline.state()) &&
+                        sameBits(other.state(), timeline.comparison()->state()));
             }
         }
     }
@@ -128,18 +129,18 @@ private slots:
         std::vector<Event> input = {{21, Set{"k", 0.1}}};
         QVERIFY(!timeline.replaceInput(none)); // the same
         QVERIFY(timeline.replaceInput(input));
-        QCOMPARE(timeline.at().frame, std::int64_t(50));
-        QCOMPARE(timeline.fork(), std::int64_t(21));
-        QCOMPARE(timeline.ghost()->computed(), std::int64_t(50));
+        QCOMPARE(timeline.cursor().frame, std::int64_t(50));
+        QCOMPARE(timeline.forkFrame(), std::int64_t(21));
+        QCOMPARE(timeline.comparison()->computed(), std::int64_t(50));
         Track straight(timeline.script(), 0);
         straight.seek({50, 0});
-        QVERIFY(sameBits(straight.now(), timeline.now()));
+        QVERIFY(sameBits(straight.state(), timeline.state()));
         input.push_back({80, Set{"damp", std::nan("")}});
         QVERIFY_EXCEPTION_THROWN(timeline.replaceInput(input), Error);
         QCOMPARE(timeline.script().input.size(), std::size_t(1));
         input.back() = {80, Set{"damp", 0.5}}; // after all that was computed: nothing is left behind
         QVERIFY(!timeline.replaceInput(input));
-        QVERIFY(sameBits(straight.now(), timeline.now()));
+        QVERIFY(sameBits(straight.state(), timeline.state()));
     }
 
     void inputOfFrameNoughtCanBeReplacedToo()
@@ -151,12 +152,12 @@ private slots:
         for (const std::vector<Event> &input :
              {std::vector<Event>{}, std::vector<Event>{{0, Grab{"foot0"}}, {3, Release{}}}, script.input}) {
             QVERIFY(timeline.replaceInput(input));
-            QCOMPARE(timeline.at().frame, std::int64_t(20));
+            QCOMPARE(timeline.cursor().frame, std::int64_t(20));
             Track straight(timeline.script(), 0);
             straight.seek({20, 0});
-            QVERIFY(sameBits(straight.now(), timeline.now()));
+            QVERIFY(sameBits(straight.state(), timeline.state()));
             timeline.seek({0, 0});
-            QVERIFY(sameBits(timeline.now(), Track(timeline.script(), 0).now()));
+            QVERIFY(sameBits(timeline.state(), Track(timeline.script(), 0).state()));
             timeline.seek({20, 0});
         }
     }
@@ -176,11 +177,11 @@ private slots:
         Timeline timeline(creature());
         timeline.seek({20, 0});
         for (const double k : {0.1, 0.11, 0.12})
-            timeline.set("k", k);
+            timeline.setParameter("k", k);
         QCOMPARE(timeline.script().input.size(), std::size_t(1));
         QCOMPARE(timeline.values()["k"], 0.12);
         timeline.seek({0, 0});
-        timeline.set("k", 0.3); // at the start it is no event
+        timeline.setParameter("k", 0.3); // at the start it is no event
         QCOMPARE(timeline.script().input.size(), std::size_t(1));
         QCOMPARE(timeline.values()["k"], 0.3);
     }
@@ -189,61 +190,63 @@ private slots:
     {
         Timeline timeline(creature());
         timeline.seek({20, 0});
-        timeline.set("gravity", 0.0);
-        const State before = timeline.now();
-        timeline.set("feet", 3);
-        timeline.set("radius", 0.0);
-        std::shared_ptr<const Segment> segment;
-        const State fewer = timeline.track().preview(segment);
-        QCOMPARE(fewer.points(), 4);
+        timeline.setParameter("gravity", 0.0);
+        const State before = timeline.state();
+        timeline.setParameter("feet", 3);
+        timeline.setParameter("radius", 0.0);
+        std::shared_ptr<const ComposedInterval> interval;
+        const State fewer = timeline.track().preview(interval);
+        QCOMPARE(fewer.pointCount(), 4);
         const int body = 3;
         for (int i = 0; i < 3; ++i)
-            QVERIFY(fewer.at(i) == before.at(i) && fewer.speed(i) == before.speed(i));
-        QVERIFY(fewer.at(body) == before.at(5) && fewer.speed(body) == before.speed(5));
-        timeline.set("feet", 5);
+            QVERIFY(fewer.positionOf(i) == before.positionOf(i) &&
+                    fewer.velocityOf(i) == before.velocityOf(i));
+        QVERIFY(fewer.positionOf(body) == before.positionOf(5) &&
+                fewer.velocityOf(body) == before.velocityOf(5));
+        timeline.setParameter("feet", 5);
         timeline.seek({21, 0});
-        timeline.set("feet", 4);
+        timeline.setParameter("feet", 4);
         timeline.seek({22, 0});
-        QCOMPARE(timeline.now().points(), 5);
+        QCOMPARE(timeline.state().pointCount(), 5);
     }
 
     void aHeldBodyStaysInTheHandWhenBodiesCome()
     {
         Timeline timeline(creature());
         timeline.seek({10, 0});
-        timeline.hand(Grab{"body"});
-        timeline.hand(Move{{111, 122}});
+        timeline.applyInput(Grab{"body"});
+        timeline.applyInput(Move{{111, 122}});
         timeline.seek({12, 0});
-        timeline.set("feet", 2);
+        timeline.setParameter("feet", 2);
         timeline.seek({14, 0});
-        QCOMPARE(timeline.now().hold.point, 2);
-        QVERIFY(timeline.now().at(2) == (Vec2{111, 122}));
-        timeline.set("feet", 5);
+        QCOMPARE(timeline.state().hold.point, 2);
+        QVERIFY(timeline.state().positionOf(2) == (Vec2{111, 122}));
+        timeline.setParameter("feet", 5);
         timeline.seek({16, 0});
-        QVERIFY(timeline.now().at(5) == (Vec2{111, 122}));
-        QVERIFY(!timeline.now().feels(5) && timeline.now().feels(2));
+        QVERIFY(timeline.state().positionOf(5) == (Vec2{111, 122}));
+        QVERIFY(!timeline.state().isDynamic(5) && timeline.state().isDynamic(2));
     }
 
     void aHeldBodyThatGoesIsLetGo()
     {
         Timeline timeline(creature());
-        timeline.hand(Grab{"foot4"});
+        timeline.applyInput(Grab{"foot4"});
         timeline.seek({5, 0});
-        timeline.set("feet", 2);
+        timeline.setParameter("feet", 2);
         timeline.seek({8, 0});
-        QCOMPARE(timeline.now().hold.point, -1);
+        QCOMPARE(timeline.state().hold.point, -1);
     }
 
     void inputWaitsUntilItsRowIsComputed()
     {
         Timeline timeline(creature());
-        QVERIFY(!timeline.hasPending());
-        timeline.hand(Grab{"foot0"});
-        QVERIFY(timeline.hasPending());
-        timeline.stepRow();
-        QVERIFY(!timeline.hasPending());
+        QVERIFY(!timeline.hasPendingInput());
+        timeline.applyInput(Grab{"foot0"});
+        QVERIFY(timeline.hasPendingInput());
+        timeline.nextOutputStep();
+        QVERIFY(!timeline.hasPendingInput());
         timeline.seek({0, 0});
-        QVERIFY(!timeline.hasPending());
+        QVERIFY(!timeline.hasPendingInput());
     }
 
     void whatDoesNotComposeChangesNothing()
@@ -259,13 +262,13 @@ private slots:
         Timeline timeline(script);
         timeline.seek({20, 0});
         timeline.seek({10, 2});
-        const State before = timeline.now();
-        QVERIFY_EXCEPTION_THROWN(timeline.set("k", 2.0), Error);
+        const State before = timeline.state();
+        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("k", 2.0), Error);
         timeline.seek({0, 0});
-        QVERIFY_EXCEPTION_THROWN(timeline.set("k", 2.0), Error);
+        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("k", 2.0), Error);
         timeline.seek({10, 2});
-        QVERIFY(sameBits(timeline.now(), before));
-        QVERIFY(timeline.script().input.empty() && !timeline.ghost());
+        QVERIFY(sameBits(timeline.state(), before));
+        QVERIFY(timeline.script().input.empty() && !timeline.comparison());
     }
 
     void inputThatDoesNotComposeIsRefusedBeforeTheRun()
@@ -281,7 +284,8 @@ private slots:
         script.input = {{30, Set{"k", 2.0}}};
         Timeline timeline(script); // fine as it is
         timeline.seek({10, 0});
-        QVERIFY_EXCEPTION_THROWN(timeline.set("damp", 0.95), Error); // not together with what comes later
+        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("damp", 0.95),
+                                 Error); // not together with what comes later
         timeline.seek({40, 0});
         script.input.push_back({40, Set{"damp", 0.95}});
         QVERIFY_EXCEPTION_THROWN(Timeline(script, 1000), Error); // stepping never throws

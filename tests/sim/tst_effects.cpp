@@ -34,16 +34,16 @@ State randomState(Dice &dice)
     State state = State::ofPoints(feet + 1);
     for (int i = 0; i <= feet; ++i) {
         state.place(i, {dice.real(-1000, 1000), dice.real(-1000, 1000)});
-        state.push(i, {dice.real(-20, 20), dice.real(-20, 20)});
+        state.setVelocity(i, {dice.real(-20, 20), dice.real(-20, 20)});
         state.inverseMass[i] = dice.chance(0.3) ? 0.0 : dice.chance(0.5) ? 1.0 : dice.real(0.1, 3.0);
     }
     return state;
 }
 
-Eigen::ArrayX2d added(const Force &force, const State &state, double scale, Directions directions)
+Eigen::ArrayX2d added(const Force &force, const State &state, double scale, DirectionRule directionRule)
 {
-    Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.points(), 2);
-    force.add(state, {0, state.points()}, scale, directions, into);
+    Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+    force.add(state, {0, state.pointCount()}, scale, directionRule, into);
     return into;
 }
 
@@ -55,7 +55,7 @@ bool near(Vec2 a, Vec2 b, double tolerance)
 }
 
 Q_DECLARE_METATYPE(ForcePtr)
-Q_DECLARE_METATYPE(Directions)
+Q_DECLARE_METATYPE(DirectionRule)
 
 class TestEffects : public QObject
 {
@@ -65,7 +65,7 @@ private:
     static void addForceRows()
     {
         QTest::addColumn<ForcePtr>("force");
-        QTest::addColumn<Directions>("directions");
+        QTest::addColumn<DirectionRule>("directionRule");
         const std::vector<std::pair<const char *, ForcePtr>> forces = {
             {"spring to a point", std::make_shared<PointSpring>(1, Vec2{270, 200}, k)},
             {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, feet}}, k)},
@@ -79,8 +79,8 @@ private:
              std::make_shared<Springs>(std::vector<Spring>{{0, 1, k, 50}, {2, 1, 0.4 * k, 20}}, feet + 1)},
         };
         for (const auto &[name, force] : forces) {
-            QTest::addRow("%s, apart", name) << force << Directions::apart;
-            QTest::addRow("%s, as published", name) << force << Directions::published;
+            QTest::addRow("%s, apart", name) << force << DirectionRule::regularised;
+            QTest::addRow("%s, as published", name) << force << DirectionRule::published;
         }
     }
 
@@ -96,10 +96,10 @@ private slots:
                                            return Vec2{270, 200};
                                        });
         QTest::newRow("to a body") << ForcePtr(std::make_shared<BodySpring>(link, k))
-                                   << Target([](const State &s) { return s.at(2); });
+                                   << Target([](const State &s) { return s.positionOf(2); });
         QTest::newRow("beside a body")
             << ForcePtr(std::make_shared<OffsetSpring>(link, k, -35.5)) << Target([](const State &s) {
-                   return s.at(2) + Vec2{-35.5, 0};
+                   return s.positionOf(2) + Vec2{-35.5, 0};
                });
     }
     void pullsAreHookesLaw()
@@ -109,8 +109,8 @@ private slots:
         Dice dice(1);
         for (int run = 0; run < 2000; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d into = added(*force, state, 1.0, Directions::apart);
-            const std::complex<double> from(state.at(1).x, state.at(1).y);
+            const Eigen::ArrayX2d into = added(*force, state, 1.0, DirectionRule::regularised);
+            const std::complex<double> from(state.positionOf(1).x, state.positionOf(1).y);
             const std::complex<double> to(target(state).x, target(state).y);
             const std::complex<double> expected = (to - from) * (k * state.inverseMass[1]);
             QVERIFY(near({into(1, 0), into(1, 1)}, {expected.real(), expected.imag()}, 1e-12 * 1000));
@@ -120,21 +120,21 @@ private slots:
 
     void radialPullHasTheLengthOfTheStretch_data()
     {
-        QTest::addColumn<Directions>("directions");
-        QTest::newRow("apart") << Directions::apart;
-        QTest::newRow("as published") << Directions::published;
+        QTest::addColumn<DirectionRule>("directionRule");
+        QTest::newRow("apart") << DirectionRule::regularised;
+        QTest::newRow("as published") << DirectionRule::published;
     }
     void radialPullHasTheLengthOfTheStretch()
     {
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         Dice dice(2);
         for (int run = 0; run < 5000; ++run) {
             const double radius = dice.real(0, 200);
             const RadialSpring force({{0, 1}}, k, radius);
             State state = randomState(dice);
             state.inverseMass[0] = 1.0;
-            const Eigen::ArrayX2d into = added(force, state, 1.0, directions);
-            const Vec2 d = state.at(1) - state.at(0);
+            const Eigen::ArrayX2d into = added(force, state, 1.0, directionRule);
+            const Vec2 d = state.positionOf(1) - state.positionOf(0);
             const double pull = k * (1.0 - radius / std::hypot(d.x, d.y));
             QVERIFY(near({into(0, 0), into(0, 1)}, pull * d, 1e-10));
         }
@@ -145,8 +145,8 @@ private slots:
         const RadialSpring force(scenes::legs(feet), k, 50);
         for (int run = 0; run < 5000; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d a = added(force, state, 1.0, Directions::apart);
-            const Eigen::ArrayX2d b = added(force, state, 1.0, Directions::published);
+            const Eigen::ArrayX2d a = added(force, state, 1.0, DirectionRule::regularised);
+            const Eigen::ArrayX2d b = added(force, state, 1.0, DirectionRule::published);
             QVERIFY(((a - b).abs() < 1e-10).all());
         }
     }
@@ -160,10 +160,11 @@ private slots:
             const RadialSpring first({{0, 1}, {1, 0}}, k, one);
             const RadialSpring second({{1, 2}, {2, 1}}, 0.4 * k, other);
             const State state = randomState(dice);
-            const Eigen::ArrayX2d sum =
-                added(first, state, 1.0, Directions::apart) + added(second, state, 1.0, Directions::apart);
-            QVERIFY(((added(springs, state, 1.0, Directions::apart) - sum).abs() < 1e-10).all());
-            QCOMPARE(*springs.energy(state) > 0.0, state.feels(0) || state.feels(1) || state.feels(2));
+            const Eigen::ArrayX2d sum = added(first, state, 1.0, DirectionRule::regularised) +
+                                        added(second, state, 1.0, DirectionRule::regularised);
+            QVERIFY(((added(springs, state, 1.0, DirectionRule::regularised) - sum).abs() < 1e-10).all());
+            QCOMPARE(*springs.potentialEnergy(state) > 0.0,
+                     state.isDynamic(0) || state.isDynamic(1) || state.isDynamic(2));
         }
     }
 
@@ -182,16 +183,16 @@ private slots:
         for (int run = 0; run < 200; ++run) {
             State state = randomState(dice);
             state.gait.setConstant(1, dice.real(0, 7));
-            const Eigen::ArrayX2d here = added(breeze, state, 1.0, Directions::apart);
+            const Eigen::ArrayX2d here = added(breeze, state, 1.0, DirectionRule::regularised);
             const Eigen::ArrayXd steady = wind * width / 10.0 * state.inverseMass;
             // A quarter of a wave farther on, the crest is there a quarter of a turn later.
             State later = state;
             later.position.col(0) += wave / 4.0;
             later.gait[0] += std::numbers::pi / 2.0;
-            const Eigen::ArrayX2d there = added(breeze, later, 1.0, Directions::apart);
+            const Eigen::ArrayX2d there = added(breeze, later, 1.0, DirectionRule::regularised);
             QVERIFY(((here - there).abs() < 1e-12).all());
             later.position.col(0) -= wave / 2.0; // half a wave behind: the trough
-            const Eigen::ArrayX2d behind = added(breeze, later, 1.0, Directions::apart);
+            const Eigen::ArrayX2d behind = added(breeze, later, 1.0, DirectionRule::regularised);
             QVERIFY(((0.5 * (there + behind).col(0) - steady).abs() < 1e-12).all());
             QVERIFY((here.col(1) == 0.0).all());
             QVERIFY(((here.col(0) - steady).abs() <= gusts * steady + 1e-12).all());
@@ -204,7 +205,8 @@ private slots:
         state.gait.setZero(1);
         state.inverseMass << 1.0, 0.5;
         const Eigen::ArrayXd width = Eigen::ArrayXd::LinSpaced(2, 10.0, 40.0);
-        const Eigen::ArrayX2d pull = added(Breeze({0.2, 0.0}, width, 0), state, 1.0, Directions::apart);
+        const Eigen::ArrayX2d pull =
+            added(Breeze({0.2, 0.0}, width, 0), state, 1.0, DirectionRule::regularised);
         QCOMPARE(pull(0, 0), 0.2);
         QCOMPARE(pull(1, 0), 0.4); // four times as wide, twice as heavy
     }
@@ -213,10 +215,10 @@ private slots:
     {
         Dice dice(4);
         const State state = randomState(dice);
-        const Eigen::ArrayX2d into = added(Gravity(0.7), state, 2.0, Directions::apart);
-        for (int i = 0; i < state.points(); ++i) {
+        const Eigen::ArrayX2d into = added(Gravity(0.7), state, 2.0, DirectionRule::regularised);
+        for (int i = 0; i < state.pointCount(); ++i) {
             QCOMPARE(into(i, 0), 0.0);
-            QCOMPARE(into(i, 1), state.feels(i) ? 2.0 * 0.7 : 0.0);
+            QCOMPARE(into(i, 1), state.isDynamic(i) ? 2.0 * 0.7 : 0.0);
         }
     }
 
@@ -230,11 +232,12 @@ private slots:
     {
         QFETCH(double, damp);
         const Damping drag(damp);
-        QCOMPARE(drag.keep(1.0), damp); // bit for bit: the published rule depends on it
+        QCOMPARE(drag.velocityFactor(1.0), damp); // bit for bit: the published rule depends on it
         for (const double h : {0.001, 0.25, 1.0 / 3, 2.0, 10.0}) {
             const double closed = damp == 0.0 ? 0.0 : std::exp(h * std::log(damp));
-            QVERIFY(std::abs(drag.keep(h) - closed) <= 1e-15);
-            QVERIFY(std::abs(drag.keep(h) * drag.keep(h) - drag.keep(2 * h)) <= 1e-15);
+            QVERIFY(std::abs(drag.velocityFactor(h) - closed) <= 1e-15);
+            QVERIFY(std::abs(drag.velocityFactor(h) * drag.velocityFactor(h) - drag.velocityFactor(2 * h)) <=
+                    1e-15);
         }
     }
 
@@ -242,13 +245,13 @@ private slots:
     void explainedPullIsWhatIsAdded()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         Dice dice(5);
         for (int run = 0; run < 500; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d into = added(*force, state, 1.0, directions);
-            for (int i = 0; i < state.points(); ++i) {
-                const std::vector<Live> live = force->explain(state, i, directions);
+            const Eigen::ArrayX2d into = added(*force, state, 1.0, directionRule);
+            for (int i = 0; i < state.pointCount(); ++i) {
+                const std::vector<LiveValue> live = force->explain(state, i, directionRule);
                 if (live.empty()) {
                     QVERIFY((into.row(i) == 0.0).all());
                     continue;
@@ -265,29 +268,29 @@ private slots:
     void whatFeelsNothingGetsNothing()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         Dice dice(6);
         State state = randomState(dice);
         state.inverseMass.setZero();
-        QVERIFY((added(*force, state, 1.0, directions) == 0.0).all());
-        QCOMPARE(force->count(state, {0, state.points()}), 0);
-        for (int i = 0; i < state.points(); ++i)
-            QVERIFY(force->explain(state, i, directions).empty());
+        QVERIFY((added(*force, state, 1.0, directionRule) == 0.0).all());
+        QCOMPARE(force->count(state, {0, state.pointCount()}), 0);
+        for (int i = 0; i < state.pointCount(); ++i)
+            QVERIFY(force->explain(state, i, directionRule).empty());
     }
 
     void onlyMoversAreMovedAndScaleIsAFactor_data() { addForceRows(); }
     void onlyMoversAreMovedAndScaleIsAFactor()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         Dice dice(7);
         const State state = randomState(dice);
-        Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.points(), 2);
-        force->add(state, {1, 2}, 0.5, directions, into);
-        const Eigen::ArrayX2d all = added(*force, state, 0.5, directions);
+        Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+        force->add(state, {1, 2}, 0.5, directionRule, into);
+        const Eigen::ArrayX2d all = added(*force, state, 0.5, directionRule);
         QVERIFY((into.row(0) == 0.0).all() && (into.row(3) == 0.0).all());
         QVERIFY((into.middleRows(1, 2) == all.middleRows(1, 2)).all());
-        const Eigen::ArrayX2d whole = added(*force, state, 1.0, directions);
+        const Eigen::ArrayX2d whole = added(*force, state, 1.0, directionRule);
         QVERIFY((0.5 * whole - all).abs().maxCoeff() <= 1e-12); // halving is exact, but not sums of pulls
     }
 
@@ -295,14 +298,14 @@ private slots:
     void pullsCountWhatTheyCompute()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         State state = State::ofPoints(feet + 1);
         int parts = 0;
         for (int i = 0; i <= feet; ++i)
             parts += force->count(state, {i, 1});
         QCOMPARE(parts, force->count(state, {0, feet + 1}));
         QVERIFY(parts > 0);
-        QVERIFY(!force->regions(directions).empty());
+        QVERIFY(!force->regions(directionRule).empty());
     }
 };
 

@@ -89,8 +89,8 @@ private slots:
     {
         constexpr double k = 0.2, damp = 0.8;
         const Scene scene = oscillator(k, damp);
-        const Meter meter(scene);
-        const Integrals integrals(scene, meter, Directions::apart);
+        const StoredEnergyReader reader(scene);
+        const PowerIntegrals integrals(scene, reader, DirectionRule::regularised);
         const auto exactAt = [&](double t) { // of x'' = -k x - c x', by its complex root
             using Complex = std::complex<double>;
             const double c = -std::log(damp);
@@ -105,7 +105,7 @@ private slots:
             return state;
         };
         constexpr double span = 8.0;
-        const double lost = meter.read(exactAt(span)).total() - meter.read(exactAt(0.0)).total();
+        const double lost = reader.read(exactAt(span)).total() - reader.read(exactAt(0.0)).total();
         std::vector<double> errors;
         for (const double h : {2.0, 1.0, 0.5}) {
             Balance balance;

@@ -115,7 +115,7 @@ private slots:
         constexpr double g = 0.5, bounce = 0.5;
         Scene scene = lone(1.0);
         scene.start.place(0, {100.0, 364.0});
-        scene.start.push(0, {2.0, 8.0});
+        scene.start.setVelocity(0, {2.0, 8.0});
         scene.effects = {make_shared<Gravity>(g), make_shared<Walls>(Room{0.0, 540.0, 380.0, bounce},
                                                                      Eigen::ArrayXd::Constant(1, 15.0))};
         const Script script = scriptOf(scene, method.toStdString(), 1.0);
@@ -124,7 +124,7 @@ private slots:
         airy.effects.pop_back();
         Track free(scriptOf(airy, method.toStdString(), 1.0), 0);
         free.seek({1, 0});
-        const Vec2 x = free.now().at(0), v = free.now().speed(0);
+        const Vec2 x = free.state().positionOf(0), v = free.state().velocityOf(0);
         QVERIFY(x.y > 365.0);
         const double impact = 0.5 * (bounce * bounce - 1.0) * v.y * v.y + g * (x.y - 365.0);
         QVERIFY(std::abs(balance.energy[Account::impact] - impact) < 1e-10);
@@ -138,7 +138,7 @@ private slots:
         for (const support::Sample &sample : support::samples()) {
             const Scene scene = sample.build(sample.values);
             for (const MethodPtr &method : allMethods()) {
-                if (!Meter::whyNot(scene) && support::fits(scene, *method))
+                if (!StoredEnergyReader::whyNot(scene) && support::fits(scene, *method))
                     QTest::addRow("%s, %s", sample.name.c_str(), method->id().c_str())
                         << QString::fromStdString(sample.name) << QString::fromStdString(method->id());
             }
@@ -158,10 +158,11 @@ private slots:
         if (track.stop())
             return;
         Ledger ledger;
-        const Meter meter(track.shown().scene);
+        const StoredEnergyReader reader(track.interval().scene);
         for (std::int64_t frame = 1; frame <= 10; ++frame) {
             const Balance row = ledger.row(track, frame).value();
-            const Stock is = meter.read(track.stateAt(frame)), was = meter.read(track.stateAt(frame - 1));
+            const StoredEnergy is = reader.read(track.stateAt(frame)),
+                               was = reader.read(track.stateAt(frame - 1));
             const double scale = 1.0 + std::abs(is.moving) + std::abs(is.springs) + std::abs(is.gravity);
             QVERIFY(std::abs(row.before.total() - was.total()) <= 1e-12 * scale);
             QVERIFY(std::abs(row.after.total() - is.total()) <= 1e-9 * scale);
@@ -179,13 +180,13 @@ private slots:
         script.build = [](const Values &values) { return oscillator(values["k"], 1.0); };
         script.values.set("k", 0.1);
         script.method = findMethod("velocity_verlet");
-        script.step = StepSize::of(1.0);
+        script.step = StepSize::ofLength(1.0);
         script.input = {{5, Set{"k", 0.3}}};
         Track track(script, Timeline::defaultBudget);
         track.seek({5, 0});
         Ledger ledger;
         const Balance row = ledger.row(track, 5).value();
-        const Vec2 x = track.stateAt(4).at(0);
+        const Vec2 x = track.stateAt(4).positionOf(0);
         const double changed = 0.5 * 0.2 * (x.x * x.x + x.y * x.y);
         QVERIFY(std::abs(row.energy[Account::changes] - changed) < 1e-9);
         QCOMPARE(row.energy[Account::hand], 0.0);
@@ -194,14 +195,15 @@ private slots:
 
     void sticksThatPutThingsStraightAreAnAccountOfTheirOwn_data()
     {
-        addMethods([](const Method &m) { return m.stepping() == Stepping::fixed && m.needs().empty(); });
+        addMethods(
+            [](const Method &m) { return m.stepping() == Stepping::fixed && m.requirements().empty(); });
     }
     void sticksThatPutThingsStraightAreAnAccountOfTheirOwn()
     {
         QFETCH(QString, method);
         Scene scene = scenes::creature(1);
         scene.start.place(0, {250.0, 200.0});
-        scene.start.push(0, {1.0, 4.0});
+        scene.start.setVelocity(0, {1.0, 4.0});
         scene.effects = {make_shared<Sticks>(std::vector<Stick>{{0, 1, 20.0, 0.5}}, 2)};
         const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), 1.0), 20);
         const double gained = balance.after.moving - balance.before.moving;
@@ -213,12 +215,12 @@ private slots:
     void whatHasNoInertiaHasNoLedger()
     {
         Scene scene = pairOf(0.2);
-        QVERIFY(!Meter::whyNot(scene));
-        scene.groups[0].inertia = Inertia::none;
-        QVERIFY(Meter::whyNot(scene) == NoEnergy::noInertia);
+        QVERIFY(!StoredEnergyReader::whyNot(scene));
+        scene.groups[0].motion = Motion::prescribed;
+        QVERIFY(StoredEnergyReader::whyNot(scene) == NoEnergy::noInertia);
         Scene fast = lone(1.0);
         fast.start.inverseMass.setZero();
-        QVERIFY(Meter::whyNot(fast) == NoEnergy::nothingMoves);
+        QVERIFY(StoredEnergyReader::whyNot(fast) == NoEnergy::nothingMoves);
         Track track(scriptOf(scene, "semi_implicit_euler", 1.0), 0);
         track.seek({1, 0});
         QVERIFY(!Ledger().row(track, 1));
@@ -240,16 +242,16 @@ private slots:
         support::scatter(state, 11, 150.0);
         for (const EffectPtr &effect : made.effects) {
             const auto *force = dynamic_cast<const Force *>(effect.get());
-            if (!force || !force->energy(state))
+            if (!force || !force->potentialEnergy(state))
                 continue;
-            Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(state.points(), 2);
-            force->add(state, {0, state.points()}, 1.0, Directions::apart, pull);
-            for (int i = 0; i < state.points(); ++i) {
-                for (int axis = 0; axis < 2 && state.feels(i); ++axis) {
+            Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+            force->add(state, {0, state.pointCount()}, 1.0, DirectionRule::regularised, pull);
+            for (int i = 0; i < state.pointCount(); ++i) {
+                for (int axis = 0; axis < 2 && state.isDynamic(i); ++axis) {
                     State to = state, fro = state;
                     to.position(i, axis) += 1e-4;
                     fro.position(i, axis) -= 1e-4;
-                    const double slope = (*force->energy(to) - *force->energy(fro)) / 2e-4;
+                    const double slope = (*force->potentialEnergy(to) - *force->potentialEnergy(fro)) / 2e-4;
                     const double felt = pull(i, axis) / state.inverseMass[i];
                     QVERIFY2(
                         std::abs(slope + felt) < 1e-5 * (1.0 + std::abs(felt)),

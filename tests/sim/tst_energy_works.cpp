@@ -94,7 +94,7 @@ private slots:
         const Balance balance = balanceOf(script, 30);
         Track track(script, 0);
         track.seek({30, 0});
-        const Vec2 made = track.now().speed(0) + track.now().speed(1) - Vec2{1.0, -2.0};
+        const Vec2 made = track.state().velocityOf(0) + track.state().velocityOf(1) - Vec2{1.0, -2.0};
         QVERIFY(lengthOf(made) > 1.0);
         QVERIFY(lengthOf(balance.momentum[Account::drift] - made) < 1e-10);
     }
@@ -137,7 +137,8 @@ private slots:
         constexpr int frames = 12;
         Scene scene = lone(mass);
         scene.start.gait.setZero(1);
-        scene.effects = {make_shared<Breeze>(Air{wind, 0.0}, Eigen::ArrayXd::Constant(1, width), 0)};
+        scene.effects = {
+            make_shared<Breeze>(BreezeStrength{wind, 0.0}, Eigen::ArrayXd::Constant(1, width), 0)};
         const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), h), frames);
         const double push = wind * width / 10.0, speed = push * frames / mass;
         // Backward Euler books along its way, and moves by a velocity that is a h / 2 too much: see above.

@@ -24,9 +24,9 @@ sim::Scene inTheRoom(int creatures)
 {
     sim::Scene scene = bench::crowd::inTheRoom(creatures);
     scene.start.inverseMass[0] = 0.0;
-    scene.start.push(0, {1.0, -2.0});
-    scene.start.push(1, {-0.0, -0.0});
-    scene.start.push(2, {1e-300, -1e-307});
+    scene.start.setVelocity(0, {1.0, -2.0});
+    scene.start.setVelocity(1, {-0.0, -0.0});
+    scene.start.setVelocity(2, {1e-300, -1e-307});
     scene.start.place(3, {-0.0, bench::crowd::floor});
     return scene;
 }
@@ -49,7 +49,7 @@ sim::Scene onGround(int creatures, int feet)
     sim::Scene scene = bench::crowd::inTheAir(creatures);
     scene.effects.push_back(make_shared<sim::Gravity>(0.5));
     scene.effects.push_back(make_shared<sim::Ground>(numbers(0, (feet + 1) * creatures),
-                                                     sim::Soil{300.0, 0.2, sim::Traction::full}));
+                                                     sim::GroundPlane{300.0, 0.2, sim::Traction::full}));
     return scene;
 }
 
@@ -62,15 +62,15 @@ sim::Scene allOnGround(int creatures)
 sim::Scene rubbing(int creatures)
 {
     sim::Scene scene = onGround(creatures, 2);
-    scene.effects[1] = make_shared<sim::Damping>(0.9, sim::Points{0, 2});
-    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.points(), 5.0);
+    scene.effects[1] = make_shared<sim::Damping>(0.9, sim::PointRange{0, 2});
+    const Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.pointCount(), 5.0);
     scene.effects.push_back(make_shared<sim::RoomLimits>(sim::Room{50.0, 500.0, 290.0, 0.0}, half, 0.4));
     return scene;
 }
 
 sim::Pipeline composed(const sim::Scene &scene, const char *method, double h = 1.0)
 {
-    return sim::compose(scene, *sim::findMethod(method), sim::StepSize::of(h));
+    return sim::compose(scene, *sim::findMethod(method), sim::StepSize::ofLength(h));
 }
 
 /// How many kernels the phases of a step have, and how many it has when they are fused.
@@ -126,10 +126,10 @@ private slots:
     void whatIsNotTheSameForAllPointsStaysAlone()
     {
         sim::Scene scene = bench::crowd::inTheRoom(3);
-        scene.effects[2] = make_shared<sim::Damping>(0.9, sim::Points{0, 17});
+        scene.effects[2] = make_shared<sim::Damping>(0.9, sim::PointRange{0, 17});
         QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("7 to 7"));
         scene = bench::crowd::inTheRoom(3);
-        scene.groups[1].inertia = sim::Inertia::none; // bodies are handles
+        scene.groups[1].motion = sim::Motion::prescribed; // bodies are handles
         QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("7 to 7"));
         scene = bench::crowd::inTheRoom(3);
         scene.effects.push_back(make_shared<sim::Gravity>(-0.2)); // of two that fall the second
@@ -157,12 +157,12 @@ private slots:
         QFETCH(QString, method);
         QFETCH(int, creatures);
         QFETCH(double, h);
-        const sim::FlushTiny flush;
+        const sim::FlushDenormals flush;
         for (const auto &scene : {inTheRoom, inTheAir, allOnGround, rubbing}) {
             const sim::Scene what = scene(creatures);
             const sim::Pipeline pipeline = composed(what, method.toUtf8(), h);
             sim::State plain = what.start;
-            sim::findMethod(method.toStdString())->prepare(plain);
+            sim::findMethod(method.toStdString())->prepareState(plain);
             sim::State state = plain;
             for (int step = 0; step < 300; ++step) {
                 if (step == 100 || step == 150) { // a hand takes a foot, and lets it go

@@ -40,7 +40,7 @@ bool claims(const char *id, const char *method)
 }
 
 /// A foot on a spring of stiffness `k`, 100 px out of its length.
-Stiffest spring(double k, double damp)
+StiffestSpring spring(double k, double damp)
 {
     return {100.0, k, 1.0, 0.0, damp};
 }
@@ -123,18 +123,18 @@ void TestHardCases::aCaseSaysWhatItIsAbout()
     for (const HardCase &one : hardCases()) {
         const QByteArray id = one.id.c_str();
         QVERIFY2(!one.title.empty() && one.story.ends_with('.'), id);
-        QVERIFY2(!one.asks.empty(), id);
+        QVERIFY2(!one.requirements.empty(), id);
         QVERIFY2(one.brief.frames > 0 && one.brief.frames <= one.full.frames, id);
-        QVERIFY2(one.asksFor(Ask::refused) == !one.refusal.empty(), id);
-        if (one.asksFor(Ask::refused))
+        QVERIFY2(one.hasRequirement(Requirement::refused) == !one.refusal.empty(), id);
+        if (one.hasRequirement(Requirement::refused))
             continue;
         QVERIFY2(one.bound.reach > 0.0, id);
-        QVERIFY2(one.stiffest.has_value() || !one.asksFor(Ask::swings), id);
-        QVERIFY2(one.bound.drift.has_value() == one.asksFor(Ask::middleStays), id);
+        QVERIFY2(one.stiffest.has_value() || !one.hasRequirement(Requirement::oscillates), id);
+        QVERIFY2(one.bound.drift.has_value() == one.hasRequirement(Requirement::centreStays), id);
         const Scene scene = one.script.build(one.script.values);
         if (!one.rest)
             continue;
-        for (const RestPlace &place : one.rest->places)
+        for (const RestPosition &place : one.rest->places)
             QVERIFY2(scene.find(place.body) >= 0, id);
         for (const RestDistance &distance : one.rest->distances)
             QVERIFY2(scene.find(distance.a) >= 0 && scene.find(distance.b) >= 0, id);
@@ -164,7 +164,8 @@ void TestHardCases::everyClaimHolds()
     const Verdict verdict = judge(one, findMethod(method.toStdString()), one.brief);
     QVERIFY2(verdict.holds, whyOf(verdict.why));
     QVERIFY(!verdict.isBroken());
-    const bool isWhole = one.asksFor(Ask::refused) || one.asksFor(Ask::ends);
+    const bool isWhole =
+        one.hasRequirement(Requirement::refused) || one.hasRequirement(Requirement::overflows);
     QVERIFY(isWhole || verdict.frames == one.brief.frames);
 }
 
@@ -199,8 +200,8 @@ void TestHardCases::theLimitOfAStepIsForetold()
     const MethodPtr rule = findMethod(method.toStdString());
     for (const double h : {1.0, 0.25}) {
         const double k = limit / (h * h);
-        QVERIFY(foretell(spring(0.99 * k, 1.0), rule, h, 10'000, 1e9).most < 2000.0);
-        QVERIFY(foretell(spring(1.01 * k, 1.0), rule, h, 10'000, 1e9).most > 1e9);
+        QVERIFY(predictOscillation(spring(0.99 * k, 1.0), rule, h, 10'000, 1e9).most < 2000.0);
+        QVERIFY(predictOscillation(spring(1.01 * k, 1.0), rule, h, 10'000, 1e9).most > 1e9);
     }
 }
 
@@ -208,13 +209,16 @@ void TestHardCases::oneStepIsForetoldToTheDigit()
 {
     const double k = 3.0, damp = 0.5, x = 100.0;
     // v = damp (v - k x), x = x + v
-    const Foretold plain = foretell(spring(k, damp), findMethod("semi_implicit_euler"), 1.0, 1, 1e9);
+    const Prediction plain =
+        predictOscillation(spring(k, damp), findMethod("semi_implicit_euler"), 1.0, 1, 1e9);
     QCOMPARE(plain.left, std::abs(x - damp * k * x));
     // v = damp (v - k (x + v))
-    const Foretold implicit = foretell(spring(k, damp), findMethod("backward_euler"), 1.0, 1, 1e9);
+    const Prediction implicit =
+        predictOscillation(spring(k, damp), findMethod("backward_euler"), 1.0, 1, 1e9);
     QCOMPARE(implicit.left, x - damp * k * x / (1.0 + damp * k));
     // Two free ends: their distance swings as if the one were twice as light.
-    const Foretold pair = foretell({x, k, 1.0, 1.0, damp}, findMethod("semi_implicit_euler"), 1.0, 1, 1e9);
+    const Prediction pair =
+        predictOscillation({x, k, 1.0, 1.0, damp}, findMethod("semi_implicit_euler"), 1.0, 1, 1e9);
     QCOMPARE(pair.left, std::abs(x - damp * 2.0 * k * x));
 }
 
@@ -251,7 +255,8 @@ void TestHardCases::whatOnlyTurnsRoundDoesNotClaimRest()
     QVERIFY(claims("stiffness_1e9_undamped", "implicit_midpoint"));
     QVERIFY(!claims("stiffness_1e9", "implicit_midpoint"));
     QVERIFY(!judged(hard("stiffness_1e9"), "implicit_midpoint").holds);
-    const Foretold told = foretell(spring(1e9, 0.9), findMethod("implicit_midpoint"), 1.0, 1001, 1e9);
+    const Prediction told =
+        predictOscillation(spring(1e9, 0.9), findMethod("implicit_midpoint"), 1.0, 1001, 1e9);
     QVERIFY(told.left > 99.0 && told.most < 101.0);
 }
 

@@ -43,7 +43,7 @@ class Busy : public Type
 {
 public:
     using Type::Type;
-    bool idle() const override { return false; }
+    bool isIdle() const override { return false; }
 };
 
 struct Case
@@ -75,7 +75,7 @@ std::vector<Case> cases()
     const std::vector<Leg> legs = {{0, feet, 0.3, 0}, {1, feet, 3.0, 0}};
     const std::vector<int> clocks(feet + 1, 0);
     const TreePtr tree = smallTree();
-    const Limbs limbs = limbsOf(*tree, 0.1);
+    const BranchMechanics limbs = branchMechanicsOf(*tree, 0.1);
     const auto legRule = [](double k) { return LegRule{k, 50.0, 50.0, Aim::swing, Reaction::equal}; };
     const Room endless = {-never, never, never, 0.5}, sides = {20, 520, never, 0.5};
     std::vector<Case> all;
@@ -85,14 +85,15 @@ std::vector<Case> cases()
     };
     add("gravity", both<Gravity>(0.0), make_shared<Gravity>(1e-300));
     add("damping", both<Damping>(1.0), make_shared<Damping>(std::nextafter(1.0, 0.0)));
-    add("damping of some", both<Damping>(1.0, Points{0, 2}), make_shared<Damping>(0.0, Points{0, 2}));
+    add("damping of some", both<Damping>(1.0, PointRange{0, 2}), make_shared<Damping>(0.0, PointRange{0, 2}));
     add("body_spring", both<BodySpring>(links, 0.0), make_shared<BodySpring>(links, 1e-9));
     add("offset_spring", both<OffsetSpring>(oneWay, 0.0, 50.0),
         make_shared<OffsetSpring>(oneWay, 1e-9, 50.0));
     add("radial_spring", both<RadialSpring>(links, 0.0, 50.0), make_shared<RadialSpring>(links, 1e-9, 50.0));
     add("springs", both<Springs>(std::vector<Spring>{{0, feet, 0.0, 9.0}}, feet + 1),
         make_shared<Springs>(std::vector<Spring>{{0, feet, 1e-9, 9.0}}, feet + 1));
-    add("breeze", both<Breeze>(Air{0.0, 0.5}, half, 0), make_shared<Breeze>(Air{1e-9, 0.5}, half, 0));
+    add("breeze", both<Breeze>(BreezeStrength{0.0, 0.5}, half, 0),
+        make_shared<Breeze>(BreezeStrength{1e-9, 0.5}, half, 0));
     add("point_spring", both<PointSpring>(1, Vec2{90, 90}, 0.0),
         make_shared<PointSpring>(1, Vec2{90, 90}, 1e-9));
     add("leg_spring", both<LegSpring>(legs, legRule(0.0)), make_shared<LegSpring>(legs, legRule(1e-9)));
@@ -102,11 +103,12 @@ std::vector<Case> cases()
         make_shared<Push>(std::vector<int>{0, 1, 2}, 0.1, 1e-9, Reaction::equal));
     add("motor", both<Motor>(0, 0.0, 0.25), make_shared<Motor>(0, 0.9, 0.25));
     add("motor without time", both<Motor>(0, 0.9, 0.0), make_shared<Motor>(0, 0.9, 1e-3));
-    add("ground", both<Ground>(std::vector<int>{0, 1}, Soil{never, 0.3, Traction::full}),
-        make_shared<Ground>(std::vector<int>{0, 1}, Soil{-never, 0.3, Traction::full}));
+    add("ground", both<Ground>(std::vector<int>{0, 1}, GroundPlane{never, 0.3, Traction::full}),
+        make_shared<Ground>(std::vector<int>{0, 1}, GroundPlane{-never, 0.3, Traction::full}));
     add("walls", both<Walls>(endless, half), make_shared<Walls>(sides, half));
     add("turn_round", both<TurnRound>(endless, half, clocks), make_shared<TurnRound>(sides, half, clocks));
-    add("torsion", both<Torsion>(tree, limbsOf(*tree, 0.0)), make_shared<Torsion>(tree, limbs), true);
+    add("torsion", both<Torsion>(tree, branchMechanicsOf(*tree, 0.0)), make_shared<Torsion>(tree, limbs),
+        true);
     add("wind", both<WindTorque>(tree, limbs.inertia, 0.0, 0.5),
         make_shared<WindTorque>(tree, limbs.inertia, 1e-9, 0.5), true);
     add("return_to_rest", both<ReturnToRest>(tree, never), make_shared<ReturnToRest>(tree, 1e9), true);
@@ -121,8 +123,8 @@ Scene sceneOf(const Case &one)
         scene = scenes::branchesOf(*smallTree());
         scenes::letSwing(scene);
         scene.start.spin.setLinSpaced(-1.0, 2.0);
-        scene.start.outside.pointer = Vec2{100.0, 50.0};
-        scene.start.gale.front = 500.0;
+        scene.start.input.pointer = Vec2{100.0, 50.0};
+        scene.start.gustExtent.front = 500.0;
         scenes::add<SpinDamping>(scene, 0.95);
     } else {
         scene = scenes::springCreature(feet, 0.2, 40.0);
@@ -145,8 +147,8 @@ Scene with(Scene scene, const EffectPtr &effect)
 
 bool computes(const Phase &phase, const EffectPtr &effect)
 {
-    return phase.effect == effect ||
-           std::find(phase.within.begin(), phase.within.end(), effect) != phase.within.end();
+    return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
+                                               effect) != phase.innerEffects.end();
 }
 
 Pipeline pipelineOf(const Scene &scene, const std::string &method)
@@ -172,8 +174,8 @@ private slots:
     void whatCanChangeNothingIsIdle()
     {
         const Case one = current();
-        QVERIFY(one.idle->idle());
-        QVERIFY(!one.almost->idle());
+        QVERIFY(one.idle->isIdle());
+        QVERIFY(!one.almost->isIdle());
     }
 
     void whatIsIdleMakesNoPhaseAndIsTold_data() { addCases(); }
@@ -187,12 +189,12 @@ private slots:
                 continue;
             ++fitting;
             const Pipeline pipeline = pipelineOf(scene, method->id());
-            QCOMPARE(pipeline.leftOut, std::vector<EffectPtr>{one.idle});
+            QCOMPARE(pipeline.idleEffects, std::vector<EffectPtr>{one.idle});
             for (const Phase &phase : pipeline.phases)
                 QVERIFY2(!computes(phase, one.idle), phase.id.c_str());
         }
         QVERIFY(fitting > 3);
-        QVERIFY(pipelineOf(with(sceneOf(one), one.almost), "semi_implicit_euler").leftOut.empty());
+        QVERIFY(pipelineOf(with(sceneOf(one), one.almost), "semi_implicit_euler").idleEffects.empty());
     }
 
     void leavingItOutChangesNoBit_data()
@@ -258,14 +260,14 @@ private slots:
         script.input = {{11, Set{"gravity", 0.5}}, {21, Set{"gravity", 0.0}}};
         Track track(script, 1 << 20);
         track.seek({10, 0});
-        QCOMPARE(track.now().at(1).y, 200.0);
-        QCOMPARE(track.shown().pipeline.leftOut.size(), std::size_t(1));
+        QCOMPARE(track.state().positionOf(1).y, 200.0);
+        QCOMPARE(track.interval().pipeline.idleEffects.size(), std::size_t(1));
         track.seek({20, 0});
-        QCOMPARE(track.now().at(1).y, 200.0 + 0.5 * 55);
-        QVERIFY(track.shown().pipeline.leftOut.empty());
+        QCOMPARE(track.state().positionOf(1).y, 200.0 + 0.5 * 55);
+        QVERIFY(track.interval().pipeline.idleEffects.empty());
         track.seek({30, 0});
-        QCOMPARE(track.now().at(1).y, 200.0 + 0.5 * 55 + 10 * 5.0);
-        QCOMPARE(track.shown().pipeline.leftOut.size(), std::size_t(1));
+        QCOMPARE(track.state().positionOf(1).y, 200.0 + 0.5 * 55 + 10 * 5.0);
+        QCOMPARE(track.interval().pipeline.idleEffects.size(), std::size_t(1));
     }
 
 private:

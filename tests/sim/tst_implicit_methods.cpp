@@ -26,11 +26,11 @@ template <class Visit>
 State runOf(const Scene &scene, const std::string &method, double h, int frames, Visit &&visit)
 {
     const MethodPtr rule = findMethod(method);
-    const Pipeline pipeline = compose(scene, *rule, StepSize::of(h));
+    const Pipeline pipeline = compose(scene, *rule, StepSize::ofLength(h));
     State state = scene.start;
-    rule->prepare(state);
-    for (int frame = 0; frame < frames; frame += pipeline.step.rowFrames) {
-        for (int i = 0; i < pipeline.phasesPerRow(); ++i)
+    rule->prepareState(state);
+    for (int frame = 0; frame < frames; frame += pipeline.step.framesPerOutput) {
+        for (int i = 0; i < pipeline.phasesPerOutput(); ++i)
             pipeline.phaseAt(i).run(state);
         visit(state);
     }
@@ -40,7 +40,7 @@ State runOf(const Scene &scene, const std::string &method, double h, int frames,
 std::string refusal(const Scene &scene, const std::string &method)
 {
     try {
-        compose(scene, *findMethod(method), StepSize::of(1.0));
+        compose(scene, *findMethod(method), StepSize::ofLength(1.0));
     } catch (const Error &error) {
         return error.id() + (error.values().contains("effect") ? " " + error.values().at("effect") : "");
     }
@@ -99,22 +99,22 @@ private slots:
         const double keep = std::pow(damp, h), x = 100.0, v = 3.0;
         const auto step = [&](const char *method) {
             State state = scene.start;
-            findMethod(method)->prepare(state);
-            for (const Phase &phase : compose(scene, *findMethod(method), StepSize::of(h)).phases)
+            findMethod(method)->prepareState(state);
+            for (const Phase &phase : compose(scene, *findMethod(method), StepSize::ofLength(h)).phases)
                 phase.run(state);
             return state;
         };
         // x1 = x + h keep (v - h k x1), solved by hand
         const double x1 = (x + h * keep * v) / (1 + h * h * k * keep);
         const State euler = step("backward_euler");
-        QVERIFY(std::abs(euler.at(0).x - x1) < 1e-12);
-        QVERIFY(std::abs(euler.speed(0).x - (x1 - x) / h) < 1e-12);
+        QVERIFY(std::abs(euler.positionOf(0).x - x1) < 1e-12);
+        QVERIFY(std::abs(euler.velocityOf(0).x - (x1 - x) / h) < 1e-12);
         // Cayley's form of the rotation: the middle m = (v - h/2 k x) / (1 + h^2/4 k)
         const double slowed = std::sqrt(keep) * v;
         const double middle = (slowed - h / 2 * k * x) / (1 + h * h / 4 * k);
         const State midpoint = step("implicit_midpoint");
-        QVERIFY(std::abs(midpoint.at(0).x - (x + h * middle)) < 1e-12);
-        QVERIFY(std::abs(midpoint.speed(0).x - std::sqrt(keep) * (2 * middle - slowed)) < 1e-12);
+        QVERIFY(std::abs(midpoint.positionOf(0).x - (x + h * middle)) < 1e-12);
+        QVERIFY(std::abs(midpoint.velocityOf(0).x - std::sqrt(keep) * (2 * middle - slowed)) < 1e-12);
     }
 
     void dampingAloneIsExactAtAnyStep_data() { addMethodRows(); }
@@ -128,9 +128,9 @@ private slots:
             const double kept = std::pow(0.9, 30);
             // Two factors a step, each wrong by a bit and rounded once more; and c itself is rounded.
             const double tolerance = 2.3e-16 * (3 * (30 / h) + 30 * 0.11);
-            QVERIFY2(std::abs(end.speed(0).x / (3.0 * kept) - 1.0) < tolerance,
+            QVERIFY2(std::abs(end.velocityOf(0).x / (3.0 * kept) - 1.0) < tolerance,
                      qPrintable(QString::number(h)));
-            QVERIFY(std::abs(end.speed(0).y / (8.0 * kept) - 1.0) < tolerance);
+            QVERIFY(std::abs(end.velocityOf(0).y / (8.0 * kept) - 1.0) < tolerance);
         }
     }
 
@@ -141,8 +141,8 @@ private slots:
         const Scene scene = oscillator(0.2, 0.0);
         for (const double h : {0.25, 1.0, 3.0}) {
             const State end = support::plainRun(scene, method.toStdString(), h, 12);
-            QCOMPARE(end.at(0), scene.start.at(0));
-            QCOMPARE(end.speed(0), Vec2());
+            QCOMPARE(end.positionOf(0), scene.start.positionOf(0));
+            QCOMPARE(end.velocityOf(0), Vec2());
         }
     }
 
@@ -168,7 +168,7 @@ private slots:
         QFETCH(double, k);
         Scene scene = oscillator(k, 1.0);
         const auto energy = [&](const State &state) {
-            const Vec2 x = state.at(0), v = state.speed(0);
+            const Vec2 x = state.positionOf(0), v = state.velocityOf(0);
             return v.x * v.x + v.y * v.y + k * (x.x * x.x + x.y * x.y);
         };
         const double start = energy(scene.start);
@@ -223,7 +223,7 @@ private slots:
         QVERIFY2(farthest < 400.0, qPrintable(QString::number(farthest)));
         // A pull is rounded to k times a bit of 256 px; sideways only weight pulls back, 0.5 / 50 a px.
         const double even = 1e-6, sideways = 1e-6 + k * 2.9e-14 / 0.01 * 4;
-        const Vec2 hung[] = {end.at(0) - Vec2{200.0, 200.0}, end.at(3) - end.at(1)};
+        const Vec2 hung[] = {end.positionOf(0) - Vec2{200.0, 200.0}, end.positionOf(3) - end.positionOf(1)};
         for (const Vec2 below : hung) {
             QVERIFY2(std::abs(below.x) < sideways, qPrintable(QString::number(below.x)));
             QVERIFY2(std::abs(length(below) - (50.0 + gravity / k)) < even,
@@ -231,8 +231,8 @@ private slots:
             QVERIFY(below.y > 0.0);
         }
         // the one in between carries both
-        QVERIFY(std::abs(length(end.at(1) - end.at(5)) - (50.0 + 2 * gravity / k)) < even);
-        QVERIFY(length(end.at(2) - Vec2{120.0, 150.0 + gravity / k}) < 1e-9);
+        QVERIFY(std::abs(length(end.positionOf(1) - end.positionOf(5)) - (50.0 + 2 * gravity / k)) < even);
+        QVERIFY(length(end.positionOf(2) - Vec2{120.0, 150.0 + gravity / k}) < 1e-9);
         QVERIFY2(end.velocity.abs().maxCoeff() < sideways,
                  qPrintable(QString::number(end.velocity.abs().maxCoeff())));
     }
@@ -261,8 +261,8 @@ private slots:
             const State one = support::plainRun(scene, method.toStdString(), 1.0, 100);
             const State two = support::plainRun(scene, method.toStdString(), 1.0, 100);
             QVERIFY(sameBits(one, two));
-            QCOMPARE(firstNotFinite(one), -1);
-            QVERIFY(one.turns() >= 200 && one.turns() < 100 * 50);
+            QCOMPARE(firstNonFinitePoint(one), -1);
+            QVERIFY(one.forceEvaluations() >= 200 && one.forceEvaluations() < 100 * 50);
         }
     }
 
@@ -276,8 +276,8 @@ private slots:
         script.input = {{0, Grab{"foot0"}}, {0, Move{{100.0, 100.0}}}};
         Track track(script, 100'000);
         track.seek({400, 0});
-        QCOMPARE(track.now().at(0), (Vec2{100.0, 100.0}));
-        const double far = length(track.now().at(2) - track.now().at(0));
+        QCOMPARE(track.state().positionOf(0), (Vec2{100.0, 100.0}));
+        const double far = length(track.state().positionOf(2) - track.state().positionOf(0));
         QVERIFY2(std::abs(far - 50.0) < 1e-6, qPrintable(QString::number(far)));
     }
 
@@ -292,7 +292,7 @@ private slots:
         QVERIFY((one.angle - plain.angle).abs().maxCoeff() < 0.02);
         QVERIFY((one.position - plain.position).abs().maxCoeff() < 0.02);
         for (const char *method : implicitMethods)
-            QCOMPARE(firstNotFinite(support::plainRun(scene, method, 2.0, 600)), -1);
+            QCOMPARE(firstNonFinitePoint(support::plainRun(scene, method, 2.0, 600)), -1);
     }
 
     void everythingThatGoesWithTimeIsInOnePhase()
@@ -301,9 +301,9 @@ private slots:
         const Scene scene = walkers.build(walkers.values);
         std::string ids;
         std::string within;
-        for (const Phase &phase : compose(scene, *findMethod("tr_bdf2"), StepSize::of(1.0)).phases) {
+        for (const Phase &phase : compose(scene, *findMethod("tr_bdf2"), StepSize::ofLength(1.0)).phases) {
             ids += phase.id + " ";
-            for (const EffectPtr &effect : phase.within)
+            for (const EffectPtr &effect : phase.innerEffects)
                 within += effect->id() + " ";
         }
         QCOMPARE(ids, std::string("steering solve ground walls turn_round "));
@@ -322,7 +322,7 @@ private slots:
         scene.effects.back() = std::make_shared<Sticks>(std::vector<Stick>{{}}, 3);
         QCOMPARE(refusal(scene, id), std::string("method-does-not-fit sticks"));
         scene.effects.pop_back();
-        scene.groups.front().inertia = Inertia::none;
+        scene.groups.front().motion = Motion::prescribed;
         QCOMPARE(refusal(scene, id), std::string("needs-inertia"));
     }
 };

@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Instructions by what they were counted as.
+/// InstructionSet by what they were counted as.
 using Counts = QMap<QString, double>;
 
 /// What `text`, a profile, was counted as, and how many instructions.

@@ -12,7 +12,7 @@
 
 namespace {
 
-using Runs = std::vector<sim::Points>;
+using Runs = std::vector<sim::PointRange>;
 
 /// `points` points with springs between some, and nothing else.
 sim::Scene sprung(int points, const std::vector<sim::Link> &links)
@@ -59,9 +59,9 @@ private slots:
             const Runs &runs = islands[static_cast<std::size_t>(creature)];
             QCOMPARE(runs.size(), std::size_t{6});
             for (int foot = -1; foot < 5; ++foot) {
-                const sim::Points run = runs[static_cast<std::size_t>(foot + 1)];
-                QCOMPARE(run.first, bench::crowd::pointOf(7, creature, foot));
-                QCOMPARE(run.count, 1);
+                const sim::PointRange range = runs[static_cast<std::size_t>(foot + 1)];
+                QCOMPARE(range.first, bench::crowd::pointOf(7, creature, foot));
+                QCOMPARE(range.count, 1);
             }
         }
     }
@@ -87,10 +87,10 @@ private slots:
             QVERIFY(islands[island].front().first > before); // in order of their lowest points
             before = islands[island].front().first;
             int end = -1;
-            for (const sim::Points &run : islands[island]) {
-                QVERIFY(run.count > 0 && run.first > end); // apart: neighbours are one run
-                end = run.end();
-                for (int i = run.first; i < run.end(); ++i) {
+            for (const sim::PointRange &range : islands[island]) {
+                QVERIFY(range.count > 0 && range.first > end); // apart: neighbours are one run
+                end = range.end();
+                for (int i = range.first; i < range.end(); ++i) {
                     QCOMPARE(islandOf[static_cast<std::size_t>(i)], -1);
                     islandOf[static_cast<std::size_t>(i)] = static_cast<int>(island);
                 }

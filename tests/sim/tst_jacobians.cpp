@@ -39,7 +39,7 @@ State randomState(Dice &dice)
     State state = State::ofPoints(feet + 1);
     state.gait.setConstant(1, dice.real(0, 6));
     state.gaitSpeed.setZero(1);
-    state.outside.target = {dice.real(-100, 100), dice.real(-100, 100)};
+    state.input.target = {dice.real(-100, 100), dice.real(-100, 100)};
     for (int i = 0; i <= feet; ++i) {
         state.place(i, {dice.real(-60, 60), dice.real(-60, 60)});
         state.inverseMass[i] = dice.chance(0.2) ? 0.0 : dice.chance(0.5) ? 1.0 : dice.real(0.1, 3.0);
@@ -51,9 +51,9 @@ State randomState(Dice &dice)
 /// begin or end touching.
 bool isSmooth(const State &state)
 {
-    for (int i = 0; i < state.points(); ++i) {
+    for (int i = 0; i < state.pointCount(); ++i) {
         for (int j = 0; j < i; ++j) {
-            const double far = length(state.at(i) - state.at(j));
+            const double far = length(state.positionOf(i) - state.positionOf(j));
             if (far < 5.0 || std::abs(far - reach) < 0.1)
                 return false;
         }
@@ -61,33 +61,33 @@ bool isSmooth(const State &state)
     return true;
 }
 
-Eigen::MatrixXd matrixOf(const Slopes &slopes, int size)
+Eigen::MatrixXd matrixOf(const Jacobian &jacobian, int size)
 {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
-    for (const Slopes::Entry &entry : slopes.entries())
+    for (const Jacobian::Entry &entry : jacobian.entries())
         matrix(entry.row, entry.column) += entry.value;
     return matrix;
 }
 
 /// The derivative of `pulls(s)` at s = 0, to fourth order.
 template <class Pulls>
-Eigen::VectorXd difference(double delta, Pulls &&pulls)
+Eigen::VectorXd difference(double delta, Pulls &&accelerations)
 {
-    const Eigen::VectorXd near = pulls(delta) - pulls(-delta);
-    const Eigen::VectorXd far = pulls(2 * delta) - pulls(-2 * delta);
+    const Eigen::VectorXd near = accelerations(delta) - accelerations(-delta);
+    const Eigen::VectorXd far = accelerations(2 * delta) - accelerations(-2 * delta);
     return (8.0 * near - far) / (12.0 * delta);
 }
 
-Eigen::MatrixXd differences(const Force &force, const State &state, Points movers, double scale,
-                            Directions way)
+Eigen::MatrixXd differences(const Force &force, const State &state, PointRange movers, double scale,
+                            DirectionRule way)
 {
-    const int size = 2 * state.points();
+    const int size = 2 * state.pointCount();
     Eigen::MatrixXd matrix(size, size);
     for (int column = 0; column < size; ++column) {
         matrix.col(column) = difference(1e-2, [&](double by) -> Eigen::VectorXd {
             State moved = state;
             moved.position.data()[column] += by;
-            Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.points(), 2);
+            Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
             force.add(moved, movers, scale, way, into);
             return into.reshaped().matrix();
         });
@@ -99,27 +99,27 @@ Eigen::MatrixXd differences(const Force &force, const State &state, Points mover
 Tree oddTree()
 {
     Tree tree = Tree::ofTrunk(100.0);
-    tree.sprout(0, -120.0, 0.7);
-    tree.sprout(0, -55.0, 0.8);
-    tree.sprout(1, -150.0, 0.5);
-    tree.sprout(2, -80.0, 0.6);
-    tree.sprout(2, -20.0, 0.55);
+    tree.addBranch(0, -120.0, 0.7);
+    tree.addBranch(0, -55.0, 0.8);
+    tree.addBranch(1, -150.0, 0.5);
+    tree.addBranch(2, -80.0, 0.6);
+    tree.addBranch(2, -20.0, 0.55);
     return tree;
 }
 
 State bentTree(const Tree &tree, Dice &dice)
 {
-    State state = State::ofPoints(tree.branches());
+    State state = State::ofPoints(tree.branchCount());
     state.place(0, {270, 380});
-    state.spin.setZero(tree.branches());
-    state.angle.resize(tree.branches());
-    for (int i = 0; i < tree.branches(); ++i) {
+    state.spin.setZero(tree.branchCount());
+    state.angle.resize(tree.branchCount());
+    for (int i = 0; i < tree.branchCount(); ++i) {
         state.angle[i] = tree.rest[std::size_t(i)] + dice.real(-40, 40);
         state.place(i, {dice.real(100, 400), dice.real(100, 400)}); // where a hand may hold it
         state.inverseMass[i] = dice.chance(0.2) ? 0.0 : 1.0;
     }
-    state.outside.pointer = Vec2{dice.real(100, 500), dice.real(0, 100)};
-    state.gale = {1e4, 1.0};
+    state.input.pointer = Vec2{dice.real(100, 500), dice.real(0, 100)};
+    state.gustExtent = {1e4, 1.0};
     return state;
 }
 
@@ -129,21 +129,22 @@ class Steady : public Force
 public:
     std::string id() const override { return "steady"; }
     std::string title() const override { return "steady"; }
-    Kind kind() const override { return Kind::wind; }
-    std::vector<Region> regions(Directions) const override { return {{"file", "marker"}}; }
-    int count(const State &, Points points) const override { return points.count; }
-    void add(const State &, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const override
+    EffectKind kind() const override { return EffectKind::wind; }
+    std::vector<Region> regions(DirectionRule) const override { return {{"file", "marker"}}; }
+    int count(const State &, PointRange points) const override { return points.count; }
+    void add(const State &, PointRange movers, double scale, DirectionRule,
+             Eigen::ArrayX2d &into) const override
     {
         into.middleRows(movers.first, movers.count) += scale;
     }
-    std::vector<Live> explain(const State &, int, Directions) const override { return {}; }
+    std::vector<LiveValue> explain(const State &, int, DirectionRule) const override { return {}; }
 };
 
 }
 
 Q_DECLARE_METATYPE(ForcePtr)
 Q_DECLARE_METATYPE(TorquePtr)
-Q_DECLARE_METATYPE(Directions)
+Q_DECLARE_METATYPE(DirectionRule)
 
 class TestSlopes : public QObject
 {
@@ -153,7 +154,7 @@ private:
     static void addForceRows()
     {
         QTest::addColumn<ForcePtr>("force");
-        QTest::addColumn<Directions>("directions");
+        QTest::addColumn<DirectionRule>("directionRule");
         const std::vector<Leg> legs = {{0, feet, 0.3, 0}, {1, feet, 2.5, 0}, {2, 1, 4.0, 0}};
         const auto legSpring = [&](Aim aim, Reaction reaction) {
             return std::make_shared<LegSpring>(legs, LegRule{k, 50.0, 30.0, aim, reaction});
@@ -174,11 +175,12 @@ private:
             {"motor", std::make_shared<Motor>(2, k, 0.25)},
             {"springs of their own",
              std::make_shared<Springs>(std::vector<Spring>{{0, feet, k, 50}, {1, 2, 0.4 * k, 20}}, feet + 1)},
-            {"wind", std::make_shared<Breeze>(Air{0.4, 0.7}, Eigen::ArrayXd::LinSpaced(feet + 1, 5, 30), 0)},
+            {"wind", std::make_shared<Breeze>(BreezeStrength{0.4, 0.7},
+                                              Eigen::ArrayXd::LinSpaced(feet + 1, 5, 30), 0)},
         };
         for (const auto &[name, force] : forces) {
-            QTest::addRow("%s, apart", name) << force << Directions::apart;
-            QTest::addRow("%s, as published", name) << force << Directions::published;
+            QTest::addRow("%s, apart", name) << force << DirectionRule::regularised;
+            QTest::addRow("%s, as published", name) << force << DirectionRule::published;
         }
     }
 
@@ -187,7 +189,7 @@ private slots:
     void aForceChangesByItsSlopes()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         Dice dice(5);
         int compared = 0;
         while (compared < 300) {
@@ -196,11 +198,11 @@ private slots:
                 continue;
             ++compared;
             const int first = dice.whole(0, 1);
-            const Points movers = {first, state.points() - 2 * first};
-            Slopes slopes(state.points());
-            QVERIFY(force->addSlopes(state, movers, 0.7, directions, slopes));
-            const Eigen::MatrixXd told = matrixOf(slopes, 2 * state.points());
-            const Eigen::MatrixXd found = differences(*force, state, movers, 0.7, directions);
+            const PointRange movers = {first, state.pointCount() - 2 * first};
+            Jacobian jacobian(state.pointCount());
+            QVERIFY(force->addJacobian(state, movers, 0.7, directionRule, jacobian));
+            const Eigen::MatrixXd told = matrixOf(jacobian, 2 * state.pointCount());
+            const Eigen::MatrixXd found = differences(*force, state, movers, 0.7, directionRule);
             // Pulls of 100 px k to 1e-16 over 1e-2 px; at 5 px the fifth derivative is 1e-1.
             QVERIFY2((told - found).cwiseAbs().maxCoeff() < 1e-7,
                      qPrintable(QString::number((told - found).cwiseAbs().maxCoeff())));
@@ -211,12 +213,12 @@ private slots:
     void slopesAreFiniteWhereAllIsInOnePlace()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         State state = State::ofPoints(feet + 1);
         state.gait.setZero(1);
-        Slopes slopes(state.points());
-        QVERIFY(force->addSlopes(state, {0, state.points()}, 1.0, directions, slopes));
-        for (const Slopes::Entry &entry : slopes.entries())
+        Jacobian jacobian(state.pointCount());
+        QVERIFY(force->addJacobian(state, {0, state.pointCount()}, 1.0, directionRule, jacobian));
+        for (const Jacobian::Entry &entry : jacobian.entries())
             QVERIFY(std::abs(entry.value) <= 2 * k); // none is stiffer than its spring
     }
 
@@ -224,20 +226,20 @@ private slots:
     void whatFeelsNothingHasNoSlope()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(Directions, directions);
+        QFETCH(DirectionRule, directionRule);
         Dice dice(8);
         State state = randomState(dice);
         state.inverseMass.setZero();
-        Slopes slopes(state.points());
-        QVERIFY(force->addSlopes(state, {0, state.points()}, 1.0, directions, slopes));
-        QVERIFY(slopes.entries().empty());
+        Jacobian jacobian(state.pointCount());
+        QVERIFY(force->addJacobian(state, {0, state.pointCount()}, 1.0, directionRule, jacobian));
+        QVERIFY(jacobian.entries().empty());
     }
 
     void aTorqueChangesByItsSlopes_data()
     {
         QTest::addColumn<TorquePtr>("torque");
         const auto tree = std::make_shared<const Tree>(oddTree());
-        const Limbs limbs = limbsOf(*tree, k);
+        const BranchMechanics limbs = branchMechanicsOf(*tree, k);
         QTest::newRow("joints that spring back") << TorquePtr(std::make_shared<Torsion>(tree, limbs));
         QTest::newRow("steady wind") << TorquePtr(
             std::make_shared<WindTorque>(tree, limbs.inertia, 8.0, 0.0));
@@ -255,19 +257,19 @@ private slots:
             State state = bentTree(*tree, dice);
             joints.drive(state, 0.0);
             bool smooth = true;
-            for (int i = 0; i < state.points(); ++i) {
+            for (int i = 0; i < state.pointCount(); ++i) {
                 const Vec2 end = endOf(*tree, state, i, degreesPerRadian);
-                const double far = length(end - *state.outside.pointer);
+                const double far = length(end - *state.input.pointer);
                 // nearer than 100 px the wind grows no more; very near it turns fast
                 smooth = smooth && far > 10.0 && std::abs(far - 100.0) > 0.5;
             }
             if (!smooth)
                 continue;
             ++compared;
-            const int points = state.points();
-            Slopes slopes(points);
-            QVERIFY(torque->addSlopes(state, {0, points}, 0.7, slopes));
-            const Eigen::MatrixXd told = matrixOf(slopes, 3 * points);
+            const int points = state.pointCount();
+            Jacobian jacobian(points);
+            QVERIFY(torque->addJacobian(state, {0, points}, 0.7, jacobian));
+            const Eigen::MatrixXd told = matrixOf(jacobian, 3 * points);
             QVERIFY(told.topRows(2 * points).isZero(0.0) && told.leftCols(2 * points).isZero(0.0));
             for (int branch = 0; branch < points; ++branch) {
                 const Eigen::VectorXd found = difference(1e-2, [&](double by) -> Eigen::VectorXd {
@@ -289,13 +291,13 @@ private slots:
     void windThatDoesNotBlowHasNoSlope()
     {
         const auto tree = std::make_shared<const Tree>(oddTree());
-        const WindTorque wind(tree, limbsOf(*tree, k).inertia, 8.0, 0.5);
+        const WindTorque wind(tree, branchMechanicsOf(*tree, k).inertia, 8.0, 0.5);
         Dice dice(10);
         State state = bentTree(*tree, dice);
-        state.gale = {};
-        Slopes slopes(state.points());
-        QVERIFY(wind.addSlopes(state, {0, state.points()}, 1.0, slopes));
-        QVERIFY(slopes.entries().empty());
+        state.gustExtent = {};
+        Jacobian jacobian(state.pointCount());
+        QVERIFY(wind.addJacobian(state, {0, state.pointCount()}, 1.0, jacobian));
+        QVERIFY(jacobian.entries().empty());
     }
 
     void aForceWithoutSlopesIsRefusedByMethodsThatNeedThem()
@@ -304,11 +306,11 @@ private slots:
         scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Steady>()};
         int refused = 0;
         for (const MethodPtr &method : allMethods()) {
-            const std::vector<std::string> needs = method->needs();
+            const std::vector<std::string> needs = method->requirements();
             if (std::find(needs.begin(), needs.end(), "slopes") == needs.end())
                 continue;
             try {
-                compose(scene, *method, StepSize::of(1.0));
+                compose(scene, *method, StepSize::ofLength(1.0));
                 QFAIL(method->id().c_str());
             } catch (const Error &error) {
                 QCOMPARE(error.id(), std::string("method-does-not-fit"));

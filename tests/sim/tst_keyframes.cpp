@@ -17,7 +17,7 @@ Script creature(double h = 1.0)
 
 std::size_t startBytes()
 {
-    return Track(creature(), 0).keptBytes();
+    return Track(creature(), 0).keyframeBytes();
 }
 
 }
@@ -43,13 +43,13 @@ private slots:
         const auto limit = std::size_t(budget);
         Track track(creature(h), limit);
         for (int row = 0; row < 2000; ++row) {
-            track.seek({track.at().frame + track.rowFrames(), 0});
-            QVERIFY(track.keptBytes() <= limit);
+            track.seek({track.cursor().frame + track.framesPerOutput(), 0});
+            QVERIFY(track.keyframeBytes() <= limit);
         }
         support::Dice dice(1);
         for (int i = 0; i < 200; ++i) {
             track.seek({dice.whole(0, 2000), dice.whole(0, 20)});
-            QVERIFY(track.keptBytes() <= limit);
+            QVERIFY(track.keyframeBytes() <= limit);
         }
     }
 
@@ -64,8 +64,8 @@ private slots:
             int spacing = 1;
             while (rows / spacing + 1 > 8)
                 spacing *= 2;
-            QCOMPARE(track.keptStates(), std::size_t(rows / spacing + 1));
-            QCOMPARE(track.keptBytes(), track.keptStates() * one);
+            QCOMPARE(track.keyframeCount(), std::size_t(rows / spacing + 1));
+            QCOMPARE(track.keyframeBytes(), track.keyframeCount() * one);
         }
     }
 
@@ -74,8 +74,8 @@ private slots:
         // Awake all the time: what rests keeps fewer.
         Track track(creature(), Timeline::defaultBudget / 2, Sleeping::never);
         track.seek({18'000, 0});
-        QCOMPARE(track.keptStates(), std::size_t(18'001));
-        QVERIFY(track.keptBytes() < Timeline::defaultBudget / 8);
+        QCOMPARE(track.keyframeCount(), std::size_t(18'001));
+        QVERIFY(track.keyframeBytes() < Timeline::defaultBudget / 8);
     }
 
     void withoutABudgetOnlyTheStartIsKept()
@@ -83,7 +83,7 @@ private slots:
         Track track(creature(), 0);
         track.seek({500, 0});
         track.seek({20, 3});
-        QCOMPARE(track.keptStates(), std::size_t(1));
+        QCOMPARE(track.keyframeCount(), std::size_t(1));
     }
 
     void aSmallerBudgetDropsStates()
@@ -91,10 +91,10 @@ private slots:
         Track track(creature(), 1'000'000);
         track.seek({1000, 0});
         track.setBudget(10'000);
-        QVERIFY(track.keptBytes() <= 10'000);
-        QVERIFY(track.keptStates() > 1);
+        QVERIFY(track.keyframeBytes() <= 10'000);
+        QVERIFY(track.keyframeCount() > 1);
         track.seek({2000, 0});
-        QVERIFY(track.keptBytes() <= 10'000);
+        QVERIFY(track.keyframeBytes() <= 10'000);
     }
 
     void runAndGhostShareTheBudget()
@@ -103,27 +103,27 @@ private slots:
         Timeline timeline(creature(), budget);
         support::Dice dice(2);
         for (int round = 0; round < 20; ++round) {
-            timeline.seek({timeline.at().frame + dice.whole(1, 300), 0});
-            timeline.seek({dice.whole(1, int(timeline.at().frame)), 0});
-            timeline.set("k", dice.real(0.05, 0.3));
-            QVERIFY(timeline.keptBytes() <= budget);
-            QVERIFY(timeline.ghost());
+            timeline.seek({timeline.cursor().frame + dice.whole(1, 300), 0});
+            timeline.seek({dice.whole(1, int(timeline.cursor().frame)), 0});
+            timeline.setParameter("k", dice.real(0.05, 0.3));
+            QVERIFY(timeline.keyframeBytes() <= budget);
+            QVERIFY(timeline.comparison());
         }
-        timeline.forgetGhost();
-        QVERIFY(timeline.keptBytes() <= budget / 2);
+        timeline.dropComparison();
+        QVERIFY(timeline.keyframeBytes() <= budget / 2);
     }
 
     void whatAnEditInvalidatesIsForgotten()
     {
         Timeline timeline(creature());
         timeline.seek({100, 0});
-        timeline.forgetGhost();
+        timeline.dropComparison();
         timeline.seek({40, 0});
-        timeline.set("k", 0.1);
-        timeline.forgetGhost();
-        QCOMPARE(timeline.track().keptStates(), std::size_t(41)); // 0 to 40
+        timeline.setParameter("k", 0.1);
+        timeline.dropComparison();
+        QCOMPARE(timeline.track().keyframeCount(), std::size_t(41)); // 0 to 40
         QCOMPARE(timeline.computed(), std::int64_t(40));
-        QCOMPARE(timeline.keptBytes(), 41 * startBytes());
+        QCOMPARE(timeline.keyframeBytes(), 41 * startBytes());
     }
 };
 

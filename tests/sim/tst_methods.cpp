@@ -41,7 +41,7 @@ Scene smoothScene()
 Scene oscillator(double k, double damp)
 {
     Scene scene = scenes::oscillator({100.0, -40.0}, {}, k, damp);
-    scene.start.push(0, {3.0, 8.0});
+    scene.start.setVelocity(0, {3.0, 8.0});
     return scene;
 }
 
@@ -110,7 +110,7 @@ private slots:
         std::vector<double> errors;
         for (int n = finest - 3; n <= finest; ++n) {
             const State end = support::plainRun(scene, method.toStdString(), std::ldexp(1.0, -n), 10);
-            errors.push_back(std::abs(end.at(0).x - exact));
+            errors.push_back(std::abs(end.positionOf(0).x - exact));
         }
         QVERIFY2(errors.back() < 0.1, qPrintable(QString::number(errors.back())));
         QVERIFY2(std::abs(slope(errors) - order) < 0.15, qPrintable(QString::number(slope(errors))));
@@ -127,9 +127,9 @@ private slots:
             const double kept = std::pow(0.9, 30);
             // Each of the 30/h products rounds once, and keep itself is wrong by half a bit in each.
             const double tolerance = 1.2e-16 * 2 * (30 / h);
-            QVERIFY2(std::abs(end.speed(0).x / (3.0 * kept) - 1.0) < tolerance,
+            QVERIFY2(std::abs(end.velocityOf(0).x / (3.0 * kept) - 1.0) < tolerance,
                      qPrintable(QString::number(h)));
-            QVERIFY(std::abs(end.speed(0).y / (8.0 * kept) - 1.0) < tolerance);
+            QVERIFY(std::abs(end.velocityOf(0).y / (8.0 * kept) - 1.0) < tolerance);
         }
     }
 
@@ -146,13 +146,13 @@ private slots:
         QFETCH(double, k);
         Scene scene = oscillator(k, 1.0);
         scene.effects.pop_back();
-        const Pipeline frame = compose(scene, *findMethod("semi_implicit_euler"), StepSize::of(1.0));
+        const Pipeline frame = compose(scene, *findMethod("semi_implicit_euler"), StepSize::ofLength(1.0));
         State state = scene.start;
-        findMethod("semi_implicit_euler")->prepare(state);
+        findMethod("semi_implicit_euler")->prepareState(state);
         // Semi-implicit Euler keeps v^2 + k x^2 - h k x v to rounding, and the energy within a factor that this
         // form sets: Hairer, Lubich and Wanner, "Geometric numerical integration", section IX.3.
         const auto kept = [&] {
-            const Vec2 x = state.at(0), v = state.speed(0);
+            const Vec2 x = state.positionOf(0), v = state.velocityOf(0);
             return v.x * v.x + k * x.x * x.x - k * x.x * v.x;
         };
         const double start = kept();
@@ -160,7 +160,7 @@ private slots:
         for (int i = 0; i < 100'000; ++i) {
             for (const Phase &phase : frame.phases)
                 phase.run(state);
-            const Vec2 x = state.at(0), v = state.speed(0);
+            const Vec2 x = state.positionOf(0), v = state.velocityOf(0);
             const double energy = v.x * v.x + k * x.x * x.x;
             QVERIFY(energy >= start / (1 + root / 2) * (1 - 1e-10));
             QVERIFY(energy <= start / (1 - root / 2) * (1 + 1e-10));
@@ -189,8 +189,8 @@ private slots:
         scene.effects.pop_back();
         const MethodPtr rule = findMethod(method.toStdString());
         QVERIFY(rule->symplectic() == Symplectic::yes);
-        rule->prepare(scene.start);
-        const Pipeline frame = compose(scene, *rule, StepSize::of(1.0));
+        rule->prepareState(scene.start);
+        const Pipeline frame = compose(scene, *rule, StepSize::ofLength(1.0));
         State state = scene.start;
         struct Swing
         {
@@ -201,8 +201,8 @@ private slots:
             for (int i = 0; i < frames; ++i) {
                 for (const Phase &phase : frame.phases)
                     phase.run(state);
-                const double energy =
-                    state.speed(0).x * state.speed(0).x + 0.2 * state.at(0).x * state.at(0).x;
+                const double energy = state.velocityOf(0).x * state.velocityOf(0).x +
+                                      0.2 * state.positionOf(0).x * state.positionOf(0).x;
                 swing.least = std::min(swing.least, energy);
                 swing.greatest = std::max(swing.greatest, energy);
                 swing.mean += energy / frames;
@@ -228,7 +228,8 @@ private slots:
         for (const double h : {1.0, 0.25}) {
             const State end = support::plainRun(scene, "explicit_euler", h, 50);
             const double start = 3.0 * 3.0 + 0.2 * 100.0 * 100.0;
-            const double energy = end.speed(0).x * end.speed(0).x + 0.2 * end.at(0).x * end.at(0).x;
+            const double energy =
+                end.velocityOf(0).x * end.velocityOf(0).x + 0.2 * end.positionOf(0).x * end.positionOf(0).x;
             const double gain = std::pow(1.0 + 0.2 * h * h, 50 / h);
             QVERIFY2(std::abs(energy / (start * gain) - 1.0) < 1e-10, qPrintable(QString::number(energy)));
         }
@@ -238,8 +239,8 @@ private slots:
     {
         Scene scene = smoothScene();
         scene.effects.resize(1); // the springs
-        for (int i = 0; i < scene.start.points(); ++i)
-            scene.start.push(i, {1.0 + i, -0.5 * i});
+        for (int i = 0; i < scene.start.pointCount(); ++i)
+            scene.start.setVelocity(i, {1.0 + i, -0.5 * i});
         const State end = support::plainRun(scene, "semi_implicit_euler", 1.0, 10'000);
         const double largest = end.velocity.abs().maxCoeff();
         for (int axis = 0; axis < 2; ++axis) {
@@ -255,19 +256,19 @@ private slots:
         // Two points on a stick that turns as it falls: its middle falls freely, whatever constraints do to its ends.
         QFETCH(QString, method);
         Scene scene = scenes::pointsAt({{240, 200}, {300, 200}});
-        scene.start.push(0, {0, 1});
-        scene.start.push(1, {0, -1});
+        scene.start.setVelocity(0, {0, 1});
+        scene.start.setVelocity(1, {0, -1});
         scene.effects = {std::make_shared<Gravity>(0.5),
                          std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0, 0.5}}, 2)};
         if (!support::fits(scene, *findMethod(method.toStdString())))
             return; // methods that solve refuse sticks
         const double h = 1.0 / 8, time = 40.0, way = 0.5 * 0.5 * time * time;
         const State end = support::plainRun(scene, method.toStdString(), h, int(time));
-        const double fallen = 0.5 * (end.at(0).y + end.at(1).y) - 200.0;
+        const double fallen = 0.5 * (end.positionOf(0).y + end.positionOf(1).y) - 200.0;
         // Euler's methods take the pull at one end of each step: half a step's worth more or less.
         const double off = findMethod(method.toStdString())->order() == 1 ? 0.25 * time * h : 0.0;
         QVERIFY2(std::abs(std::abs(fallen - way) - off) < 1e-9, qPrintable(QString::number(fallen - way)));
-        QVERIFY(std::abs(length(end.at(0) - end.at(1)) - 60.0) < 1e-9);
+        QVERIFY(std::abs(length(end.positionOf(0) - end.positionOf(1)) - 60.0) < 1e-9);
     }
 
     void publishedPairPropelsItself()

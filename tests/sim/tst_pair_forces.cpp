@@ -66,7 +66,7 @@ State stateOf(int points, std::uint64_t seed)
     for (int i = 0; i < points; ++i) {
         const int other = dice.whole(0, points - 1);
         if (dice.chance(0.05))
-            state.place(i, state.at(other));
+            state.place(i, state.positionOf(other));
         else if (dice.chance(0.05))
             state.place(i, {0.0, dice.chance(0.5) ? -0.0 : 80.0});
         else
@@ -83,7 +83,7 @@ Vec2 radialPull(Vec2 mover, Vec2 anchor, Link link)
     const Vec2 from = {mover.x - anchor.x, mover.y - anchor.y};
     const double length = std::sqrt(from.x * from.x + from.y * from.y);
     if (length < 1e-150) {
-        const Vec2 out = partingDirection(link.anchor, link.mover);
+        const Vec2 out = fallbackDirection(link.anchor, link.mover);
         return {k * rest * out.x, k * rest * out.y};
     }
     const double share = k * (rest / length - 1.0);
@@ -126,7 +126,7 @@ std::vector<TestPair> pairsOf(const std::vector<Link> &links, bool areMutual)
     return pairs;
 }
 
-Eigen::ArrayX2d pairByPair(const std::vector<TestPair> &pairs, const State &state, Points movers,
+Eigen::ArrayX2d pairByPair(const std::vector<TestPair> &pairs, const State &state, PointRange movers,
                            double scale, PullOf pullOf)
 {
     Eigen::ArrayX2d sum = state.acceleration;
@@ -137,7 +137,7 @@ Eigen::ArrayX2d pairByPair(const std::vector<TestPair> &pairs, const State &stat
         sum(point, 1) += scale * (state.inverseMass[point] * pull.y);
     };
     for (const auto &[link, bothWays] : pairs) {
-        const Vec2 pull = pullOf(state.at(link.mover), state.at(link.anchor), link);
+        const Vec2 pull = pullOf(state.positionOf(link.mover), state.positionOf(link.anchor), link);
         add(link.mover, pull);
         if (bothWays)
             add(link.anchor, {-pull.x, -pull.y});
@@ -150,7 +150,7 @@ bool sameBits(const Eigen::ArrayX2d &a, const Eigen::ArrayX2d &b)
     return std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
 }
 
-std::vector<Points> someOf(int points)
+std::vector<PointRange> someOf(int points)
 {
     return {{0, points}, {0, points / 2}, {points / 3, points / 3}, {points - 1, 1}, {1, points - 1}, {2, 0}};
 }
@@ -161,13 +161,13 @@ Links linksOf(const std::vector<Link> &links)
 }
 
 /// What a point has pulls to, in order.
-std::vector<int> othersOf(const std::vector<Pair> &pairs, int point)
+std::vector<int> othersOf(const std::vector<PointPair> &pairs, int point)
 {
     std::vector<int> others;
-    for (const Pair &pair : pairs) {
+    for (const PointPair &pair : pairs) {
         if (pair.mover == point)
             others.push_back(pair.anchor);
-        else if (pair.anchor == point && pair.bothWays)
+        else if (pair.anchor == point && pair.isReciprocal)
             others.push_back(pair.mover);
     }
     return others;
@@ -223,11 +223,11 @@ private slots:
             State state = stateOf(given.points, seed);
             if (seed % 2 == 0)
                 state.inverseMass.setOnes(); // all loops have a form for this
-            for (const Points movers : someOf(given.points)) {
+            for (const PointRange movers : someOf(given.points)) {
                 for (const double scale : {1.0, 0.7}) {
                     for (const Row &row : rows) {
                         Eigen::ArrayX2d sum = state.acceleration;
-                        row.force->add(state, movers, scale, Directions::apart, sum);
+                        row.force->add(state, movers, scale, DirectionRule::regularised, sum);
                         QVERIFY2(sameBits(sum, pairByPair(row.pairs, state, movers, scale, row.pullOf)),
                                  row.force->id().c_str());
                     }
@@ -243,12 +243,12 @@ private slots:
         const RadialSpring radial(links, k, rest);
         const State state = stateOf(6 * creatures, 3);
         Eigen::ArrayX2d whole = state.acceleration, parts = state.acceleration;
-        radial.part({{0, 6 * creatures}})(state, whole);
+        radial.adderFor({{0, 6 * creatures}})(state, whole);
         for (int first = 0; first < creatures; first += 8) {
-            std::vector<Points> runs;
+            std::vector<PointRange> ranges;
             for (int foot = 0; foot < 6; ++foot)
-                runs.push_back({foot * creatures + first, 8});
-            radial.part(runs)(state, parts);
+                ranges.push_back({foot * creatures + first, 8});
+            radial.adderFor(ranges)(state, parts);
         }
         QVERIFY(sameBits(whole, parts));
     }
@@ -260,11 +260,11 @@ private slots:
             State state = State::ofPoints(2);
             const double size = std::pow(10.0, dice.real(-160.0, 150.0));
             state.place(0, {size * dice.real(-1, 1), size * dice.real(-1, 1)});
-            state.place(1, dice.chance(0.1) ? state.at(0)
+            state.place(1, dice.chance(0.1) ? state.positionOf(0)
                                             : Vec2{size * dice.real(-1, 1), size * dice.real(-1, 1)});
             const RadialSpring spring({{0, 1}, {1, 0}}, dice.real(0.0, 10.0), dice.real(0.0, 90.0));
             Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(2, 2);
-            spring.add(state, {0, 2}, 1.0, Directions::apart, pull);
+            spring.add(state, {0, 2}, 1.0, DirectionRule::regularised, pull);
             QVERIFY(pull.isFinite().all());
             QVERIFY((pull.row(0) == -pull.row(1)).all()); // or a pair makes momentum
         }

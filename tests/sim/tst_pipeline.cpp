@@ -46,19 +46,19 @@ public:
     Role role() const override { return {}; }
     std::string id() const override { return "foreign"; }
     std::string title() const override { return "foreign"; }
-    Kind kind() const override { return Kind::wind; }
-    std::vector<Region> regions(Directions) const override { return {}; }
-    int count(const State &, Points points) const override { return points.count; }
+    EffectKind kind() const override { return EffectKind::wind; }
+    std::vector<Region> regions(DirectionRule) const override { return {}; }
+    int count(const State &, PointRange points) const override { return points.count; }
 };
 
 /// The phases, and in brackets the effects that a phase computes on its way.
 std::string ids(const Scene &scene, const std::string &method)
 {
     std::string all;
-    for (const Phase &phase : compose(scene, *findMethod(method), StepSize::of(1.0)).phases) {
+    for (const Phase &phase : compose(scene, *findMethod(method), StepSize::ofLength(1.0)).phases) {
         all += all.empty() ? "" : " ";
         all += phase.id + (phase.group < 0 ? "" : ":" + scene.groups[std::size_t(phase.group)].title);
-        for (const EffectPtr &effect : phase.within)
+        for (const EffectPtr &effect : phase.innerEffects)
             all += " (" + effect->id() + ")";
     }
     return all;
@@ -70,7 +70,7 @@ std::vector<EffectPtr> computed(const Scene &scene, const Method &method)
     std::vector<EffectPtr> all;
     for (const Phase &phase : compose(scene, method, support::stepFor(method, 1.0)).phases) {
         all.push_back(phase.effect);
-        all.insert(all.end(), phase.within.begin(), phase.within.end());
+        all.insert(all.end(), phase.innerEffects.begin(), phase.innerEffects.end());
     }
     return all;
 }
@@ -162,10 +162,11 @@ private slots:
     {
         Scene scene = roomScene();
         scene.groups.clear();
-        QCOMPARE(errorOf([&] { compose(scene, *findMethod("published"), StepSize::of(1.0)); }),
+        QCOMPARE(errorOf([&] { compose(scene, *findMethod("published"), StepSize::ofLength(1.0)); }),
                  std::string("method-does-not-fit radial_spring"));
-        QVERIFY(
-            errorOf([&] { compose(scene, *findMethod("semi_implicit_euler"), StepSize::of(1.0)); }).empty());
+        QVERIFY(errorOf([&] {
+                    compose(scene, *findMethod("semi_implicit_euler"), StepSize::ofLength(1.0));
+                }).empty());
     }
 
     void everyPhaseSaysWhatItIs()
@@ -176,7 +177,7 @@ private slots:
             for (const Phase &phase : compose(scene, *method, support::stepFor(*method, 1.0)).phases) {
                 QVERIFY(!phase.id.empty() && !phase.title.empty() && !phase.regions.empty());
                 QVERIFY(phase.points.count > 0 && !phase.kernels.empty() && phase.explain);
-                QCOMPARE(phase.effect == nullptr, phase.kind == Kind::motion);
+                QCOMPARE(phase.effect == nullptr, phase.kind == EffectKind::motion);
             }
         }
     }
@@ -185,7 +186,7 @@ private slots:
     {
         QTest::addColumn<double>("h");
         QTest::addColumn<int>("perRow");
-        QTest::addColumn<int>("rowFrames");
+        QTest::addColumn<int>("framesPerOutput");
         QTest::newRow("one frame") << 1.0 << 1 << 1;
         QTest::newRow("a quarter") << 0.25 << 4 << 1;
         QTest::newRow("a third") << 1.0 / 3 << 3 << 1;
@@ -199,17 +200,17 @@ private slots:
     {
         QFETCH(double, h);
         QFETCH(int, perRow);
-        QFETCH(int, rowFrames);
-        const StepSize step = StepSize::of(h);
-        QCOMPARE(step.perRow, perRow);
-        QCOMPARE(step.rowFrames, rowFrames);
-        QCOMPARE(step.h, perRow > 1 ? 1.0 / perRow : double(rowFrames)); // exactly
+        QFETCH(int, framesPerOutput);
+        const StepSize step = StepSize::ofLength(h);
+        QCOMPARE(step.stepsPerOutput, perRow);
+        QCOMPARE(step.framesPerOutput, framesPerOutput);
+        QCOMPARE(step.h, perRow > 1 ? 1.0 / perRow : double(framesPerOutput)); // exactly
     }
 
     void everyPartOfAFrameIsAccepted()
     {
         for (int n = 1; n <= 1'000'000; n += n < 1000 ? 1 : 997)
-            QCOMPARE(StepSize::of(1.0 / n).perRow, n);
+            QCOMPARE(StepSize::ofLength(1.0 / n).stepsPerOutput, n);
     }
 
     void otherStepsAreRefused_data()
@@ -223,13 +224,13 @@ private slots:
     void otherStepsAreRefused()
     {
         QFETCH(double, h);
-        QCOMPARE(errorOf([&] { StepSize::of(h); }), std::string("step-size "));
+        QCOMPARE(errorOf([&] { StepSize::ofLength(h); }), std::string("step-size "));
     }
 
     void aRefusedStepIsNamedAsItWasGiven()
     {
         try {
-            StepSize::of(5e-7);
+            StepSize::ofLength(5e-7);
             QFAIL("accepted");
         } catch (const Error &error) {
             QCOMPARE(error.values().at("h"), std::string("5e-07"));
@@ -263,7 +264,7 @@ private slots:
             for (std::size_t i = 0; i < effects.size(); ++i)
                 QCOMPARE(std::count(found.begin(), found.end(), effects[i]) > 0, bool(subset >> i & 1u));
             const State end = support::plainRun(scene, method.toStdString(), h, 100);
-            QCOMPARE(firstNotFinite(end), -1);
+            QCOMPARE(firstNonFinitePoint(end), -1);
         }
     }
 };

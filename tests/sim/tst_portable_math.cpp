@@ -47,9 +47,9 @@ private slots:
         QFETCH(double, most);
         for (int i = 0; i < 20'000; ++i) {
             const double rad = between(-most, most);
-            QVERIFY2(off(alike::sin(rad), std::sin(static_cast<long double>(rad))) < 0.61,
+            QVERIFY2(off(portable::sin(rad), std::sin(static_cast<long double>(rad))) < 0.61,
                      qPrintable(QString::number(rad, 'g', 17)));
-            QVERIFY2(off(alike::cos(rad), std::cos(static_cast<long double>(rad))) < 0.61,
+            QVERIFY2(off(portable::cos(rad), std::cos(static_cast<long double>(rad))) < 0.61,
                      qPrintable(QString::number(rad, 'g', 17)));
         }
     }
@@ -62,18 +62,18 @@ private slots:
             for (int i = 0; i < 4; ++i, rad = std::nextafter(rad, 1e9)) {
                 const long double sine = std::sin(static_cast<long double>(rad));
                 const long double cosine = std::cos(static_cast<long double>(rad));
-                QVERIFY(alike::sin(rad) == 0.0 ? sine == 0.0L : off(alike::sin(rad), sine) < 0.61);
-                QVERIFY(off(alike::cos(rad), cosine) < 0.61);
+                QVERIFY(portable::sin(rad) == 0.0 ? sine == 0.0L : off(portable::sin(rad), sine) < 0.61);
+                QVERIFY(off(portable::cos(rad), cosine) < 0.61);
             }
         }
     }
 
     void whatIsNoAngleStaysNone()
     {
-        QVERIFY(std::isnan(alike::sin(std::numeric_limits<double>::quiet_NaN())));
-        QVERIFY(std::isnan(alike::cos(std::numeric_limits<double>::quiet_NaN())));
+        QVERIFY(std::isnan(portable::sin(std::numeric_limits<double>::quiet_NaN())));
+        QVERIFY(std::isnan(portable::cos(std::numeric_limits<double>::quiet_NaN())));
         for (const double large : {1e7, 1e100, std::numeric_limits<double>::max()})
-            QVERIFY(std::abs(alike::sin(large)) <= 1.0 && std::abs(alike::cos(-large)) <= 1.0);
+            QVERIFY(std::abs(portable::sin(large)) <= 1.0 && std::abs(portable::cos(-large)) <= 1.0);
     }
 
     void arcTangentIsRightToTheLastDigit_data()
@@ -89,7 +89,7 @@ private slots:
             const double x = between(-1, 1) * std::exp(between(-range, range));
             const double y = between(-1, 1) * std::exp(between(-range, range));
             const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
-            QVERIFY2(off(alike::atan2(y, x), exact) < 0.56,
+            QVERIFY2(off(portable::atan2(y, x), exact) < 0.56,
                      qPrintable(QString("%1, %2").arg(y, 0, 'g', 17).arg(x, 0, 'g', 17)));
         }
     }
@@ -99,8 +99,10 @@ private slots:
         for (const double most : {0.8, 3.2, 100.0, 1e4, 9e5}) {
             for (int i = 0; i < 20'000; ++i) {
                 const double rad = between(-most, most);
-                QVERIFY(std::abs(alike::fast::sin(rad) - std::sin(static_cast<long double>(rad))) < 1.5e-16L);
-                QVERIFY(std::abs(alike::fast::cos(rad) - std::cos(static_cast<long double>(rad))) < 1.5e-16L);
+                QVERIFY(std::abs(portable::fast::sin(rad) - std::sin(static_cast<long double>(rad))) <
+                        1.5e-16L);
+                QVERIFY(std::abs(portable::fast::cos(rad) - std::cos(static_cast<long double>(rad))) <
+                        1.5e-16L);
             }
         }
         for (const double range : {0.0, 1.0, 20.0, 200.0}) {
@@ -109,30 +111,30 @@ private slots:
                 const double y = between(-1, 1) * std::exp(between(-range, range));
                 const long double exact =
                     std::atan2(static_cast<long double>(y), static_cast<long double>(x));
-                QVERIFY(std::abs(alike::fast::atan2(y, x) - exact) < 5e-16L);
-                QVERIFY(off(alike::fast::atan2(y, x), exact) < 3.0); // small angles, too
+                QVERIFY(std::abs(portable::fast::atan2(y, x) - exact) < 5e-16L);
+                QVERIFY(off(portable::fast::atan2(y, x), exact) < 3.0); // small angles, too
             }
         }
-        QCOMPARE(alike::fast::sin(0.0), 0.0);
-        QCOMPARE(alike::fast::atan2(-0.0, -2.0), -std::numbers::pi);
+        QCOMPARE(portable::fast::sin(0.0), 0.0);
+        QCOMPARE(portable::fast::atan2(-0.0, -2.0), -std::numbers::pi);
         const double none = std::numeric_limits<double>::quiet_NaN();
-        QVERIFY(std::isnan(alike::fast::sin(none)) && std::isnan(alike::fast::cos(none)));
-        QVERIFY(std::isnan(alike::fast::atan2(none, 1.0)) && std::isnan(alike::fast::atan2(1.0, none)));
-        QVERIFY(std::isnan(alike::fast::atan2(0.0, 0.0)));
+        QVERIFY(std::isnan(portable::fast::sin(none)) && std::isnan(portable::fast::cos(none)));
+        QVERIFY(std::isnan(portable::fast::atan2(none, 1.0)) && std::isnan(portable::fast::atan2(1.0, none)));
+        QVERIFY(std::isnan(portable::fast::atan2(0.0, 0.0)));
     }
 
     void alongTheAxesItIsTheLibrarys()
     {
         for (const double x : {-3.0, -0.0, 0.0, 3.0}) {
             for (const double y : {-2.0, -0.0, 0.0, 2.0}) {
-                QCOMPARE(alike::atan2(y, x), std::atan2(y, x));
-                QCOMPARE(std::signbit(alike::atan2(y, x)), std::signbit(std::atan2(y, x)));
+                QCOMPARE(portable::atan2(y, x), std::atan2(y, x));
+                QCOMPARE(std::signbit(portable::atan2(y, x)), std::signbit(std::atan2(y, x)));
             }
         }
         for (const double none :
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-            QVERIFY(std::isnan(alike::atan2(none, 1.0)));
-            QVERIFY(std::isnan(alike::atan2(1.0, none)));
+            QVERIFY(std::isnan(portable::atan2(none, 1.0)));
+            QVERIFY(std::isnan(portable::atan2(1.0, none)));
         }
     }
 
@@ -140,12 +142,12 @@ private slots:
     {
         for (int i = 0; i < 200'000; ++i) {
             const double x = between(-1, 1) * std::exp(between(-20, 30));
-            QCOMPARE(alike::remainder(x, 360.0), std::remainder(x, 360.0));
+            QCOMPARE(portable::remainder(x, 360.0), std::remainder(x, 360.0));
         }
         for (int half = -3001; half <= 3001; ++half) { // at and beside where it jumps
             const double x = 180.0 * half;
             for (const double at : {std::nextafter(x, -1e9), x, std::nextafter(x, 1e9)})
-                QCOMPARE(alike::remainder(at, 360.0), std::remainder(at, 360.0));
+                QCOMPARE(portable::remainder(at, 360.0), std::remainder(at, 360.0));
         }
     }
 };

@@ -111,7 +111,8 @@ private slots:
         const Scene scene = sceneWith(n, std::uint64_t(seed), seed % 10 == 0);
         std::vector<Body> bodies;
         for (int i = 0; i <= n.feet; ++i)
-            bodies.push_back({scene.start.at(i).x, scene.start.at(i).y, 0, 0, i == n.feet ? 15.0 : 5.0});
+            bodies.push_back(
+                {scene.start.positionOf(i).x, scene.start.positionOf(i).y, 0, 0, i == n.feet ? 15.0 : 5.0});
         Track track(support::script(scene, "published"), 0);
         for (int frame = 1; frame <= 400; ++frame) {
             frameByHand(bodies, n);
@@ -119,8 +120,9 @@ private slots:
             QVERIFY(!track.stop());
             for (int i = 0; i <= n.feet; ++i) {
                 const Body &b = bodies[std::size_t(i)];
-                QVERIFY2(track.now().at(i) == (Vec2{b.x, b.y}), qPrintable(QString("frame %1").arg(frame)));
-                QVERIFY(track.now().speed(i) == (Vec2{b.vx, b.vy}));
+                QVERIFY2(track.state().positionOf(i) == (Vec2{b.x, b.y}),
+                         qPrintable(QString("frame %1").arg(frame)));
+                QVERIFY(track.state().velocityOf(i) == (Vec2{b.vx, b.vy}));
             }
         }
     }

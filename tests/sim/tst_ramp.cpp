@@ -12,7 +12,7 @@
 
 using namespace sim;
 
-Q_DECLARE_METATYPE(sim::Motion)
+Q_DECLARE_METATYPE(sim::PointMotion)
 
 namespace {
 
@@ -34,7 +34,7 @@ State stateAfter(const Scene &scene, const Method &method, double h, int frames)
     script.step = support::stepFor(method, h);
     Timeline run(script);
     run.seek({frames, 0});
-    return run.now();
+    return run.state();
 }
 
 }
@@ -47,9 +47,9 @@ private slots:
     void bodiesAreKeptOnItsFreeSide_data()
     {
         QTest::addColumn<double>("angle");
-        QTest::addColumn<Motion>("before");
-        QTest::addColumn<Motion>("after");
-        const auto row = [](const char *name, double angle, Motion before, Motion after) {
+        QTest::addColumn<PointMotion>("before");
+        QTest::addColumn<PointMotion>("after");
+        const auto row = [](const char *name, double angle, PointMotion before, PointMotion after) {
             QTest::newRow(name) << angle << before << after;
         };
         row("above what is level", 0, {{70, 90}, {3, 4}}, {{70, 90}, {3, 4}});
@@ -67,20 +67,20 @@ private slots:
     void bodiesAreKeptOnItsFreeSide()
     {
         QFETCH(double, angle);
-        QFETCH(Motion, before);
-        QFETCH(Motion, after);
+        QFETCH(PointMotion, before);
+        QFETCH(PointMotion, after);
         State state = State::ofPoints(2);
         for (const int point : {0, 1}) {
             state.place(point, before.x);
-            state.push(point, before.v);
+            state.setVelocity(point, before.v);
         }
         state.inverseMass[1] = 0.0;
         const Ramp ramp(inclineOf({50, 100}, angle, 0.5), Eigen::ArrayXd::Constant(2, 5.0));
         QCOMPARE(ramp.count(state, {0, 2}), 1);
         ramp.resolve(state, {0, 2});
-        QVERIFY(length(state.at(0) - after.x) < 1e-12);
-        QVERIFY(length(state.speed(0) - after.v) < 1e-12);
-        QVERIFY(state.at(1) == before.x); // what is held meets nothing
+        QVERIFY(length(state.positionOf(0) - after.x) < 1e-12);
+        QVERIFY(length(state.velocityOf(0) - after.v) < 1e-12);
+        QVERIFY(state.positionOf(1) == before.x); // what is held meets nothing
     }
 
     /// Along it there is nothing but gravity: g sin(angle).
@@ -105,7 +105,7 @@ private slots:
             const bool isAdaptive = method->stepping() == Stepping::adaptive;
             constexpr double h = 0.25;
             const State end = stateAfter(scene, *method, h, frames);
-            const Vec2 way = end.at(0) - scene.start.at(0);
+            const Vec2 way = end.positionOf(0) - scene.start.positionOf(0);
             const double slid = way.x * down.x + way.y * down.y;
             const double off = way.x * down.y - way.y * down.x;
             // A step of h adds at most g h / 2 to a way that is g t / 2: methods differ by which end of it counts.
@@ -128,8 +128,8 @@ private slots:
         QFETCH(double, angle);
         const Scene scene = ballOn(angle, 1.0, 40.0, {0.7, -1.0});
         const auto energy = [](const State &state) {
-            const Vec2 v = state.speed(0);
-            return 0.5 * (v.x * v.x + v.y * v.y) - gravity * state.at(0).y;
+            const Vec2 v = state.velocityOf(0);
+            return 0.5 * (v.x * v.x + v.y * v.y) - gravity * state.positionOf(0).y;
         };
         for (const char *id : {"dormand_prince", "dop853"}) {
             const MethodPtr method = findMethod(id);
@@ -138,7 +138,7 @@ private slots:
                 const State end = stateAfter(scene, *method, 0.01, frames);
                 QVERIFY2(std::abs(energy(end) - energy(scene.start)) < 0.01, id);
                 const Vec2 normal = inclineOf({0, 0}, angle, 1.0).normal;
-                least = std::min(least, end.at(0).x * normal.x + end.at(0).y * normal.y);
+                least = std::min(least, end.positionOf(0).x * normal.x + end.positionOf(0).y * normal.y);
             }
             QVERIFY(least > 5.0 - 1e-3);
         }

@@ -26,7 +26,7 @@ Script rounds()
     sample.values.set("k", 1.0);
     sample.values.set("points", 2.0);
     sample.build = [](const Values &values) {
-        const int points = values.whole("points");
+        const int points = values.integer("points");
         Scene scene = scenes::creature(points - 1);
         for (int i = 0; i < points; ++i) {
             scene.start.place(i, {100.0 + 16.0 * i, 200.0});
@@ -43,8 +43,8 @@ constexpr int histories = tests::sized(200, 70);
 State freshState(const Timeline &timeline)
 {
     Track fresh(timeline.script(), 0, Sleeping::never);
-    fresh.seek(timeline.at());
-    return fresh.at() == timeline.at() ? fresh.now() : State{};
+    fresh.seek(timeline.cursor());
+    return fresh.cursor() == timeline.cursor() ? fresh.state() : State{};
 }
 
 std::string bodyName(Dice &dice)
@@ -56,11 +56,11 @@ void useHand(Timeline &timeline, Dice &dice)
 {
     const double what = dice.real(0, 1);
     if (what < 0.35)
-        timeline.hand(Grab{bodyName(dice)});
+        timeline.applyInput(Grab{bodyName(dice)});
     else if (what < 0.8)
-        timeline.hand(Move{{dice.real(0, 540), dice.real(0, 400)}});
+        timeline.applyInput(Move{{dice.real(0, 540), dice.real(0, 400)}});
     else
-        timeline.hand(Release{});
+        timeline.applyInput(Release{});
 }
 
 void setSomething(Timeline &timeline, Dice &dice)
@@ -76,7 +76,7 @@ void setSomething(Timeline &timeline, Dice &dice)
                                        {"radius", 10.0, 80.0},
                                        {"feet", 1.0, 5.0}};
     const Range &range = ranges[dice.whole(0, 4)];
-    timeline.set(range.parameter, dice.real(range.low, range.high));
+    timeline.setParameter(range.parameter, dice.real(range.low, range.high));
 }
 
 void replaceSomething(Timeline &timeline, Dice &dice)
@@ -85,16 +85,16 @@ void replaceSomething(Timeline &timeline, Dice &dice)
     if (dice.chance(0.4))
         script.method = allMethods()[std::size_t(dice.whole(0, int(allMethods().size()) - 1))];
     const bool adaptive = script.method->stepping() == Stepping::adaptive;
-    if (adaptive != script.step.adaptive() || (adaptive && dice.chance(0.4)))
+    if (adaptive != script.step.isAdaptive() || (adaptive && dice.chance(0.4)))
         script.step = support::stepFor(*script.method, 1.0);
     else if (!adaptive && dice.chance(0.4))
         script.step =
-            StepSize::of(std::vector<double>{1.0, 0.5, 1.0 / 3, 2.0}[std::size_t(dice.whole(0, 3))]);
+            StepSize::ofLength(std::vector<double>{1.0, 0.5, 1.0 / 3, 2.0}[std::size_t(dice.whole(0, 3))]);
     if (dice.chance(0.3))
         script.effectsOff = {dice.chance(0.5) ? "gravity" : "walls"};
     if (dice.chance(0.3))
         script.bodies["foot0"] = {{dice.real(100, 400), 150}, Vec2{dice.real(-5, 5), 0}};
-    timeline.replace(std::move(script));
+    timeline.replaceScript(std::move(script));
 }
 
 void doSomething(Timeline &timeline, Dice &dice)
@@ -103,9 +103,9 @@ void doSomething(Timeline &timeline, Dice &dice)
     if (what < 0.35)
         timeline.seek({dice.whole(0, 60), dice.chance(0.6) ? 0 : dice.whole(0, 25)});
     else if (what < 0.45)
-        dice.chance(0.5) ? timeline.stepPhase() : timeline.stepPhaseBack();
+        dice.chance(0.5) ? timeline.nextPhase() : timeline.previousPhase();
     else if (what < 0.55)
-        dice.chance(0.7) ? timeline.stepRow() : timeline.stepRowBack();
+        dice.chance(0.7) ? timeline.nextOutputStep() : timeline.previousOutputStep();
     else if (what < 0.8)
         useHand(timeline, dice);
     else if (what < 0.92)
@@ -126,7 +126,7 @@ void startElsewhere(Timeline &timeline, Vec2 place)
 {
     Script script = timeline.script();
     script.bodies["body"] = {place, {}};
-    timeline.replace(std::move(script));
+    timeline.replaceScript(std::move(script));
 }
 
 /// The same for rounds().
@@ -137,15 +137,16 @@ void disturbRounds(Timeline &timeline, Dice &dice)
     if (what < 0.45)
         timeline.seek({dice.whole(0, dice.chance(0.7) ? 20 : 200), dice.chance(0.8) ? 0 : dice.whole(0, 6)});
     else if (what < 0.55)
-        dice.chance(0.5) ? timeline.stepRow() : timeline.stepRowBack();
+        dice.chance(0.5) ? timeline.nextOutputStep() : timeline.previousOutputStep();
     else if (what < 0.65)
-        timeline.hand(Grab{dice.chance(0.5) ? "body" : "foot0"});
+        timeline.applyInput(Grab{dice.chance(0.5) ? "body" : "foot0"});
     else if (what < 0.75)
-        timeline.hand(Move{place});
+        timeline.applyInput(Move{place});
     else if (what < 0.85)
-        timeline.hand(Release{});
+        timeline.applyInput(Release{});
     else if (what < 0.92)
-        dice.chance(0.5) ? timeline.set("k", dice.whole(1, 3)) : timeline.set("points", dice.whole(1, 4));
+        dice.chance(0.5) ? timeline.setParameter("k", dice.whole(1, 3))
+                         : timeline.setParameter("points", dice.whole(1, 4));
     else if (what < 0.97)
         takeBackSomething(timeline, dice);
     else
@@ -190,8 +191,8 @@ private:
             Timeline timeline(script, std::size_t(budget));
             for (int i = 0; i < 25; ++i) {
                 act(timeline, dice);
-                std::string found = support::difference(timeline.now(), freshState(timeline));
-                if (timeline.keptBytes() > std::size_t(budget))
+                std::string found = support::difference(timeline.state(), freshState(timeline));
+                if (timeline.keyframeBytes() > std::size_t(budget))
                     found += " more is kept than may be";
                 if (!found.empty()) {
                     const QString where = QString("seed %1, act %2: ").arg(seed).arg(i);

@@ -25,7 +25,7 @@ Script creatureScript(int feet, const char *method, double k, double damp, doubl
     script.values.set("k", k);
     script.values.set("damp", damp);
     script.method = findMethod(method);
-    script.step = StepSize::of(h);
+    script.step = StepSize::ofLength(h);
     return script;
 }
 
@@ -94,13 +94,13 @@ void TestRemedies::eachRemedyMendsARunThatGrows()
     QVERIFY(grows(creature(feet, k, damp), method.toStdString(), 1.0));
     const std::vector<Remedy> remedies = asked.remedies(&damping);
     QVERIFY(find(remedies, Remedy::Kind::smallerStep));
-    QVERIFY(find(remedies, Remedy::Kind::boundlessMethod));
+    QVERIFY(find(remedies, Remedy::Kind::unlimitedMethod));
     for (const Remedy &one : remedies) {
         const bool damps = one.kind == Remedy::Kind::moreDamping;
         const Swinging mended = creature(feet, k, damps ? one.value : damp);
         QVERIFY2(!grows(mended, one.method->id(), one.step.h, 4000),
                  qPrintable(QString::fromStdString(one.method->id())));
-        QVERIFY(one.share <= (damps ? justHeld : wellHeld));
+        QVERIFY(one.share <= (damps ? marginalShare : safeShare));
     }
 }
 
@@ -110,8 +110,8 @@ void TestRemedies::theStepIsTheLargestThatHoldsWell()
     const std::vector<Remedy> remedies = asked.remedies(&damping);
     const Remedy *step = find(remedies, Remedy::Kind::smallerStep);
     QVERIFY(step);
-    QVERIFY(step->step.h <= wellHeld * asked.now.limit);
-    QVERIFY(2.0 * step->step.h > wellHeld * asked.now.limit);
+    QVERIFY(step->step.h <= safeShare * asked.now.limit);
+    QVERIFY(2.0 * step->step.h > safeShare * asked.now.limit);
 }
 
 void TestRemedies::theDampingIsTheLeastThatHolds()
@@ -124,14 +124,14 @@ void TestRemedies::theDampingIsTheLeastThatHolds()
         return predicted(creature(3, 0.3, value).scene, "published").share();
     };
     QVERIFY(damp->value < 0.9);
-    QVERIFY(shareAt(damp->value) <= justHeld);
-    QVERIFY(shareAt(damp->value + 0.01) > justHeld);
+    QVERIFY(shareAt(damp->value) <= marginalShare);
+    QVERIFY(shareAt(damp->value + 0.01) > marginalShare);
 }
 
 void TestRemedies::aStepThatHoldsWellNeedsNothing()
 {
     const Asked asked(creatureScript(5, "semi_implicit_euler", 0.2, 0.85, 1.0));
-    QVERIFY(asked.now.share() < wellHeld);
+    QVERIFY(asked.now.share() < safeShare);
     QVERIFY(asked.remedies(&damping).empty());
 }
 
@@ -140,10 +140,10 @@ void TestRemedies::whereNoStepHoldsNoneIsOffered()
     const Asked asked(creatureScript(3, "explicit_euler", 0.2, 1.0, 1.0));
     const std::vector<Remedy> remedies = asked.remedies(&damping);
     QVERIFY(!find(remedies, Remedy::Kind::smallerStep));
-    const Remedy *other = find(remedies, Remedy::Kind::holdingMethod);
+    const Remedy *other = find(remedies, Remedy::Kind::stableMethod);
     QVERIFY(other);
-    QCOMPARE(other->method->evaluations(), 1);
-    QVERIFY(other->method->needs().empty());
+    QCOMPARE(other->method->evaluationsPerStep(), 1);
+    QVERIFY(other->method->requirements().empty());
 }
 
 void TestRemedies::withoutSuchAParameterNoDampingIsOffered()

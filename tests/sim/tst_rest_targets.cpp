@@ -81,12 +81,12 @@ private slots:
         for (int i = 0; i < 50; ++i) {
             const EffectPtr effect = make(dice);
             const State state = scattered(dice);
-            std::vector<RestEnd> rests;
-            effect->rests(state, rests);
+            std::vector<RestTarget> rests;
+            effect->addRestTargets(state, rests);
             QVERIFY(!rests.empty());
-            for (const RestEnd &rest : rests) {
+            for (const RestTarget &rest : rests) {
                 State there = state;
-                there.place(rest.mover, rest.place);
+                there.place(rest.mover, rest.position);
                 QVERIFY2(changeOf(*effect, state, rest.mover) > 1e-6, "it would be at rest anywhere");
                 const double change = changeOf(*effect, there, rest.mover);
                 QVERIFY2(change < 1e-9, qPrintable(QString::number(change)));
@@ -100,12 +100,12 @@ private:
     {
         if (const auto *force = dynamic_cast<const Force *>(&effect)) {
             Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(points, 2);
-            force->add(state, {0, points}, 1.0, Directions::apart, into);
+            force->add(state, {0, points}, 1.0, DirectionRule::regularised, into);
             return length(Vec2{into(point, 0), into(point, 1)});
         }
-        const Vec2 before = state.at(point);
-        dynamic_cast<const Constraint &>(effect).enforce(state, {0, points}, Directions::apart, 1.0);
-        return length(state.at(point) - before);
+        const Vec2 before = state.positionOf(point);
+        dynamic_cast<const Constraint &>(effect).enforce(state, {0, points}, DirectionRule::regularised, 1.0);
+        return length(state.positionOf(point) - before);
     }
 };
 

@@ -44,36 +44,36 @@ struct Solved
     std::int64_t evaluations = 0;
 };
 
-Solved burstApart(double k, int feet, double out, Effort effort)
+Solved burstApart(double k, int feet, double out, JacobianKind effort)
 {
     Scene scene = hard::creature(
         hard::valuesOf({{"k", k}, {"damp", 0.9}, {"radius", 50}, {"feet", double(feet)}, {"out", out}}));
-    findMethod("backward_euler")->prepare(scene.start);
-    const Equations equations(scene, Directions::apart);
+    findMethod("backward_euler")->prepareState(scene.start);
+    const Equations equations(scene, DirectionRule::regularised);
     State state = scene.start;
     ImplicitStep step(equations, state, effort);
     const Numbers from = step.motion.x, drift = step.motion.v, share = step.kept(1.0);
     const Numbers u = step.solve(from, drift, 1.0, share);
-    const auto evaluations = static_cast<std::int64_t>(state.turns());
+    const auto evaluations = static_cast<std::int64_t>(state.forceEvaluations());
     const Numbers off = u - drift - share * step.pulls(from + u);
     return {off.abs().maxCoeff(), evaluations};
 }
 
 /// How pulls between two points change when a spring between them is pressed together to half its length.
-Slopes pressedTogether()
+Jacobian pressedTogether()
 {
-    Slopes slopes(2);
+    Jacobian jacobian(2);
     const Vec2 from = {15.0, 20.0};
-    addSlopeBetween(slopes, 0, 1, slopeToDistance(from, 1.0, 50.0));
-    addSlopeBetween(slopes, 1, 0, slopeToDistance(-1.0 * from, 1.0, 50.0));
-    return slopes;
+    addPairJacobian(jacobian, 0, 1, radialSpringJacobian(from, 1.0, 50.0));
+    addPairJacobian(jacobian, 1, 0, radialSpringJacobian(-1.0 * from, 1.0, 50.0));
+    return jacobian;
 }
 
 /// The least eigenvalue of 1 less what `entries` make up.
-double leastOf(const std::vector<Slopes::Entry> &entries)
+double leastOf(const std::vector<Jacobian::Entry> &entries)
 {
     Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-    for (const Slopes::Entry &entry : entries)
+    for (const Jacobian::Entry &entry : entries)
         matrix(entry.row, entry.column) -= entry.value;
     return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(matrix).eigenvalues().minCoeff();
 }
@@ -134,19 +134,19 @@ void TestSafeguards::aHandThatIsNowhereIsRefused()
 void TestSafeguards::aHandThatIsNowhereLeavesTheRunAsItWas()
 {
     Timeline timeline(support::script(support::sample("spring to a point"), "published"));
-    timeline.hand(Grab{"foot"});
+    timeline.applyInput(Grab{"foot"});
     timeline.seek({5, 0});
-    const State before = timeline.now();
+    const State before = timeline.state();
     try {
-        timeline.hand(Move{{noNumber, 200.0}});
+        timeline.applyInput(Move{{noNumber, 200.0}});
         QFAIL("it was let through");
     } catch (const Error &error) {
         QCOMPARE(error.values().at("event"), std::string("move"));
         QCOMPARE(error.values().at("frame"), std::string("6"));
     }
     QCOMPARE(timeline.script().input.size(), std::size_t(1));
-    QVERIFY(sameBits(timeline.now(), before));
-    QVERIFY(!timeline.ghost());
+    QVERIFY(sameBits(timeline.state(), before));
+    QVERIFY(!timeline.comparison());
 }
 
 void TestSafeguards::withoutThatRefusalAllIsNowhere()
@@ -154,13 +154,13 @@ void TestSafeguards::withoutThatRefusalAllIsNowhere()
     const Scene scene = support::sample("heavy pair").build(support::sample("heavy pair").values);
     State state = scene.start;
     const MethodPtr method = findMethod("semi_implicit_euler");
-    method->prepare(state);
-    const Pipeline pipeline = compose(scene, *method, StepSize::of(1.0));
+    method->prepareState(state);
+    const Pipeline pipeline = compose(scene, *method, StepSize::ofLength(1.0));
     state.place(0, {noNumber, 200.0}); // as the hand would
     for (const Phase &phase : pipeline.phases)
         phase.run(state);
-    QCOMPARE(firstNotFinite(state), 0);
-    QVERIFY(!std::isfinite(state.at(1).x)); // and what is tied to it
+    QCOMPARE(firstNonFinitePoint(state), 0);
+    QVERIFY(!std::isfinite(state.positionOf(1).x)); // and what is tied to it
 }
 
 void TestSafeguards::aStartThatIsNowhereIsRefused_data()
@@ -207,7 +207,7 @@ void TestSafeguards::windWithoutADistanceTurnsNoFartherThanTheWind()
 
 void TestSafeguards::aSpineWithoutALengthHasAWidth()
 {
-    const Heading none = {0.0, {1.0, 0.0}};
+    const Direction none = {0.0, {1.0, 0.0}};
     const Vec2 left = {0.0, -5.0}, right = {0.0, 5.0};
     QVERIFY(!std::isfinite(keepArea(left, right, none, 400.0, 0.0, 0.5).wanted)); // without a shortest spine
     QCOMPARE(keepArea(left, right, none, 400.0, 10.0, 0.5).wanted, 80.0);
@@ -245,41 +245,41 @@ void TestSafeguards::moreOfNewtonsMethodIsNoHelp()
 void TestSafeguards::slopesThatPushAreLeftOut()
 {
     // Across a spring of half its length the slope is k (50 / 25 - 1), for each end; so 1 - 2 in the matrix.
-    const Slopes slopes = pressedTogether();
-    QVERIFY(std::abs(leastOf(slopes.entries()) - (1.0 - 2.0)) < 1e-12);
-    QVERIFY(std::abs(leastOf(negativeParts(slopes, 2)) - 1.0) < 1e-12);
+    const Jacobian jacobian = pressedTogether();
+    QVERIFY(std::abs(leastOf(jacobian.entries()) - (1.0 - 2.0)) < 1e-12);
+    QVERIFY(std::abs(leastOf(nearestNegativeSemidefiniteBlocks(jacobian, 2)) - 1.0) < 1e-12);
 }
 
 void TestSafeguards::slopesThatPullStayAsTheyAre()
 {
-    Slopes slopes(2);
-    addSlopeBetween(slopes, 0, 1, slopeToDistance({60.0, 80.0}, 1.0, 50.0));
-    slopes.addTurn(0, 1, 3.0);
-    const std::vector<Slopes::Entry> calm = negativeParts(slopes, 2);
-    QCOMPARE(calm.size(), slopes.entries().size());
+    Jacobian jacobian(2);
+    addPairJacobian(jacobian, 0, 1, radialSpringJacobian({60.0, 80.0}, 1.0, 50.0));
+    jacobian.addAngular(0, 1, 3.0);
+    const std::vector<Jacobian::Entry> calm = nearestNegativeSemidefiniteBlocks(jacobian, 2);
+    QCOMPARE(calm.size(), jacobian.entries().size());
     for (std::size_t i = 0; i < calm.size(); ++i)
-        QCOMPARE(calm[i].value, slopes.entries()[i].value);
+        QCOMPARE(calm[i].value, jacobian.entries()[i].value);
 }
 
 void TestSafeguards::slopesThatTurnLoseOnlyTheirPush_data()
 {
-    QTest::addColumn<Slope>("slope");
-    QTest::addColumn<Slope>("kept");
-    QTest::newRow("it only turns") << Slope{0, 3, -3, 0} << Slope{0, 3, -3, 0};
-    QTest::newRow("it pulls and turns") << Slope{-2, 3, -3, -1} << Slope{-2, 3, -3, -1};
-    QTest::newRow("it pushes along y and turns") << Slope{-2, 3, -3, 1} << Slope{-2, 3, -3, 0};
-    QTest::newRow("it pushes along x and turns") << Slope{4, 3, -3, -1} << Slope{0, 3, -3, -1};
-    QTest::newRow("it pushes everywhere and turns") << Slope{1, 3, -3, 2} << Slope{0, 3, -3, 0};
+    QTest::addColumn<PairJacobian>("jacobian");
+    QTest::addColumn<PairJacobian>("kept");
+    QTest::newRow("it only turns") << PairJacobian{0, 3, -3, 0} << PairJacobian{0, 3, -3, 0};
+    QTest::newRow("it pulls and turns") << PairJacobian{-2, 3, -3, -1} << PairJacobian{-2, 3, -3, -1};
+    QTest::newRow("it pushes along y and turns") << PairJacobian{-2, 3, -3, 1} << PairJacobian{-2, 3, -3, 0};
+    QTest::newRow("it pushes along x and turns") << PairJacobian{4, 3, -3, -1} << PairJacobian{0, 3, -3, -1};
+    QTest::newRow("it pushes everywhere and turns") << PairJacobian{1, 3, -3, 2} << PairJacobian{0, 3, -3, 0};
     // The symmetric part is (-1, 2; 2, -1): 1 along (1, 1), and -3 across.
     QTest::newRow("it pushes along a diagonal and turns")
-        << Slope{-1, 2.5, 1.5, -1} << Slope{-1.5, 2, 1, -1.5};
+        << PairJacobian{-1, 2.5, 1.5, -1} << PairJacobian{-1.5, 2, 1, -1.5};
 }
 
 void TestSafeguards::slopesThatTurnLoseOnlyTheirPush()
 {
-    QFETCH(Slope, slope);
-    QFETCH(Slope, kept);
-    const Slope found = negativePart(slope);
+    QFETCH(PairJacobian, jacobian);
+    QFETCH(PairJacobian, kept);
+    const PairJacobian found = nearestNegativeSemidefinite(jacobian);
     QVERIFY(std::abs(found.xx - kept.xx) < 1e-15);
     QVERIFY(std::abs(found.xy - kept.xy) < 1e-15);
     QVERIFY(std::abs(found.yx - kept.yx) < 1e-15);
@@ -292,10 +292,10 @@ void TestSafeguards::anySlopeLosesItsPushAndNothingElse()
     support::Dice dice(17);
     for (int i = 0; i < 1000; ++i) {
         const double turn = dice.chance(0.3) ? 0.0 : dice.real(-2, 2), side = dice.real(-1, 1);
-        const Slope slope = {dice.real(-1, 1), side + turn, side - turn, dice.real(-1, 1)};
-        const Slope found = negativePart(slope);
+        const PairJacobian jacobian = {dice.real(-1, 1), side + turn, side - turn, dice.real(-1, 1)};
+        const PairJacobian found = nearestNegativeSemidefinite(jacobian);
         Eigen::Matrix2d symmetric;
-        symmetric << slope.xx, side, side, slope.yy;
+        symmetric << jacobian.xx, side, side, jacobian.yy;
         const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(symmetric);
         const Eigen::Matrix2d kept = eigen.eigenvectors() * eigen.eigenvalues().cwiseMin(0.0).asDiagonal() *
                                      eigen.eigenvectors().transpose();
@@ -332,9 +332,9 @@ void TestSafeguards::whereEveryWayLeadsOutOfTheNumbersStandingStillIsNoAnswer()
     QFETCH(bool, isLost);
     Scene scene =
         hard::creature(hard::valuesOf({{"k", k}, {"damp", 0.9}, {"radius", 50}, {"feet", 1}, {"out", 100}}));
-    scene.start.push(scene.find("foot0"), {speed, 0.0});
-    findMethod("backward_euler")->prepare(scene.start);
-    const Equations equations(scene, Directions::apart);
+    scene.start.setVelocity(scene.find("foot0"), {speed, 0.0});
+    findMethod("backward_euler")->prepareState(scene.start);
+    const Equations equations(scene, DirectionRule::regularised);
     State state = scene.start;
     ImplicitStep step(equations, state);
     const Numbers u = step.solve(step.motion.x, step.motion.v, 1.0);

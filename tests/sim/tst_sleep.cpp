@@ -57,7 +57,7 @@ private slots:
         const std::int64_t from = sleepsFrom(track);
         QVERIFY2(from > 0, "it never sleeps");
         QVERIFY(track.sleep()->isStill());
-        QVERIFY(track.isOver());
+        QVERIFY(track.isFinished());
         const std::string what = sleepDiffers(track.script(), from + 500);
         QVERIFY2(what.empty(), what.c_str());
     }
@@ -75,28 +75,28 @@ private slots:
         const std::int64_t from = sleepsFrom(track);
         QVERIFY(from > 0);
         const std::int64_t computed = *count;
-        const State rest = track.now();
+        const State rest = track.state();
         track.seek({from + 10'000'000, 0});
-        QCOMPARE(track.at().frame, from + 10'000'000);
-        QCOMPARE(track.now().frame, from + 10'000'000);
+        QCOMPARE(track.cursor().frame, from + 10'000'000);
+        QCOMPARE(track.state().frame, from + 10'000'000);
         QCOMPARE(track.computed(), from + 10'000'000);
-        QVERIFY(runOnAlike(track.now(), rest));
+        QVERIFY(continueIdentically(track.state(), rest));
         for (int i = 0; i < 1000; ++i)
             track.seek({from + i * 977, 0});
-        QVERIFY(runOnAlike(track.stateAt(from + 123'456), rest));
+        QVERIFY(continueIdentically(track.stateAt(from + 123'456), rest));
         QCOMPARE(*count, computed); // no phase ran
         // The same run awake, as far as a test can wait for it.
         Track waker(script, 0, Sleeping::never);
         waker.seek({from + 3000, 0});
         track.seek({from + 3000, 0});
-        QVERIFY(sameBits(track.now(), waker.now()));
+        QVERIFY(sameBits(track.state(), waker.state()));
         // Inside a frame its phases run, as always.
         const std::int64_t before = *count;
         track.seek({from + 3000, 3}); // two springs, and the one that counts
         QCOMPARE(*count, before + 2);
         track.seek({from + 3001, 0});
         waker.seek({from + 3001, 0});
-        QVERIFY(sameBits(track.now(), waker.now()));
+        QVERIFY(sameBits(track.state(), waker.state()));
     }
 
     void aSleepingRunTakesNoMoreMemoryTheLongerItIs()
@@ -104,16 +104,16 @@ private slots:
         Track track(scriptOf(homing), budget);
         const std::int64_t from = sleepsFrom(track);
         QVERIFY(from > 0);
-        const std::size_t states = track.keptStates(), bytes = track.keptBytes() + track.sleepBytes();
+        const std::size_t states = track.keyframeCount(), bytes = track.keyframeBytes() + track.sleepBytes();
         for (std::int64_t frame = from; frame <= 10'000'000; frame += 9973)
             track.seek({frame, 0});
         for (int i = 0; i < 100; ++i) {
             track.seek({5'000'000 + i, 2}); // into frames, too
             track.seek({5'000'000 + i + 1, 0});
         }
-        QCOMPARE(track.keptStates(), states);
-        QCOMPARE(track.keptBytes() + track.sleepBytes(), bytes);
-        QVERIFY(track.sleepBytes() <= SleepWatch::longest * memoryOf(track.now()));
+        QCOMPARE(track.keyframeCount(), states);
+        QCOMPARE(track.keyframeBytes() + track.sleepBytes(), bytes);
+        QVERIFY(track.sleepBytes() <= CycleDetector::longest * byteSize(track.state()));
     }
 
     void aRoundOfAFewStatesSleepsTooButIsNotOver()
@@ -129,11 +129,11 @@ private slots:
         QVERIFY(from > 0);
         QCOMPARE(track.sleep()->period(), 6);
         QVERIFY(!track.sleep()->isStill());
-        QVERIFY(!track.isOver());
+        QVERIFY(!track.isFinished());
         const double round[] = {16.0, 0.0, -16.0, -16.0, 0.0, 16.0};
         for (std::int64_t frame = 1'000'000; frame < 1'000'020; ++frame) {
             track.seek({frame, 0});
-            QCOMPARE(track.now().at(0).x, round[frame % 6]);
+            QCOMPARE(track.state().positionOf(0).x, round[frame % 6]);
         }
         const std::string what = sleepDiffers(script, from + 100);
         QVERIFY2(what.empty(), what.c_str());
@@ -149,8 +149,8 @@ private slots:
             Track waker(track.script(), 0, Sleeping::never);
             waker.seek({from + 777, 0});
             track.seek({from + 777, 0});
-            QVERIFY(waker.now().evaluations > 0);
-            QCOMPARE(track.now().evaluations, waker.now().evaluations);
+            QVERIFY(waker.state().pointEvaluations > 0);
+            QCOMPARE(track.state().pointEvaluations, waker.state().pointEvaluations);
         }
     }
 
@@ -162,17 +162,17 @@ private slots:
             script.input.push_back({i * 500 + 1, Move{{double(i), 50.0}}});
             script.input.push_back({i * 500 + 2, Release{}});
         }
-        const std::size_t small = 40 * memoryOf(Track(script, 0).now());
+        const std::size_t small = 40 * byteSize(Track(script, 0).state());
         Track track(script, small), straight(script, 0, Sleeping::never);
         support::Dice dice(3);
         for (int i = 0; i < 200; ++i) {
             const std::int64_t frame = dice.whole(0, 100'500);
             track.seek({frame, 0});
-            QVERIFY(track.sleepBytes() <= small + SleepWatch::longest * memoryOf(track.now()));
-            QVERIFY(track.keptBytes() <= small);
+            QVERIFY(track.sleepBytes() <= small + CycleDetector::longest * byteSize(track.state()));
+            QVERIFY(track.keyframeBytes() <= small);
             if (i % 40 == 0) {
                 straight.seek({frame, 0});
-                QVERIFY(sameBits(track.now(), straight.now()));
+                QVERIFY(sameBits(track.state(), straight.state()));
             }
         }
     }

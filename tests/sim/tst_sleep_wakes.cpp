@@ -32,9 +32,9 @@ private slots:
         Track track(script, budget);
         track.seek({from + 100, 0});
         QVERIFY(track.sleep());
-        QVERIFY(!track.isOver()); // something is still to come
+        QVERIFY(!track.isFinished()); // something is still to come
         track.seek({from + 210, 0});
-        QCOMPARE(!runOnAlike(track.now(), alone.now()), waker.changes);
+        QCOMPARE(!continueIdentically(track.state(), alone.state()), waker.changes);
         const std::string what = sleepDiffers(script, from + 1500);
         QVERIFY2(what.empty(), what.c_str());
         // A far way back and forth, over both of what wakes it.
@@ -43,38 +43,38 @@ private slots:
         track.seek({from + 100'000, 0});
         track.seek({3, 1});
         track.seek({from + 1200, 0});
-        QVERIFY(sameBits(track.now(), straight.now()));
+        QVERIFY(sameBits(track.state(), straight.state()));
     }
 
     void aHandInTheMiddleOfASleepIsTheSameRun()
     {
         Timeline timeline(scriptOf(homing));
         timeline.seek({5000, 0});
-        QVERIFY(timeline.isOver());
+        QVERIFY(timeline.isFinished());
         timeline.seek({100'000, 0});
         timeline.seek({3000, 0});
-        QVERIFY(!timeline.isOver()); // what was computed goes on to 100,000
-        timeline.hand(Grab{"foot0"});
-        timeline.hand(Move{{20.0, 20.0}});
-        QVERIFY(!timeline.isOver());
+        QVERIFY(!timeline.isFinished()); // what was computed goes on to 100,000
+        timeline.applyInput(Grab{"foot0"});
+        timeline.applyInput(Move{{20.0, 20.0}});
+        QVERIFY(!timeline.isFinished());
         timeline.seek({3005, 0});
-        timeline.hand(Release{});
+        timeline.applyInput(Release{});
         timeline.seek({3200, 0});
         Track straight(timeline.script(), 0, Sleeping::never);
         straight.seek({3200, 0});
-        QVERIFY(sameBits(timeline.now(), straight.now()));
-        QVERIFY(timeline.ghost());
+        QVERIFY(sameBits(timeline.state(), straight.state()));
+        QVERIFY(timeline.comparison());
         Track before(scriptOf(homing), 0, Sleeping::never);
         before.seek({3200, 0});
-        QVERIFY(sameBits(timeline.ghost()->now(), before.now()));
+        QVERIFY(sameBits(timeline.comparison()->state(), before.state()));
     }
 
     void whatSeesTimeKeepsAwake()
     {
         auto count = make_shared<std::int64_t>(0);
-        const auto with = [&](Sees sees) {
+        const auto with = [&](Dependence dependence) {
             Script script = scriptOf(homing);
-            const EffectPtr counting = make_shared<Counting>(count, sees);
+            const EffectPtr counting = make_shared<Counting>(count, dependence);
             script.build = [counting](const Values &values) {
                 Scene scene = homing(values);
                 scene.effects.push_back(counting);
@@ -82,31 +82,31 @@ private slots:
             };
             return Track(script, budget);
         };
-        Track asleep = with(Sees::scene), awake = with(Sees::time);
+        Track asleep = with(Dependence::scene), awake = with(Dependence::time);
         const std::int64_t from = sleepsFrom(asleep);
         QVERIFY(from > 0);
         QCOMPARE(sleepsFrom(awake, from + 500), std::int64_t(-1));
-        const EffectPtr why = keepsAwake(awake.shown().pipeline, awake.now());
+        const EffectPtr why = preventsSleep(awake.interval().pipeline, awake.state());
         QVERIFY(why);
         QCOMPARE(why->id(), std::string("counting"));
-        QVERIFY(!keepsAwake(asleep.shown().pipeline, asleep.now()));
+        QVERIFY(!preventsSleep(asleep.interval().pipeline, asleep.state()));
     }
 
     void itIsToldWhatKeepsAwake()
     {
         const auto why = [](const Script &script) {
             const Track track(script, 0);
-            return awakeBy(track.shown().pipeline, track.now());
+            return sleepBlockerOf(track.interval().pipeline, track.state());
         };
-        QCOMPARE(why(scriptOf(homing)).why, Awake::Why::nothing);
-        QCOMPARE(why(scriptOf(homing, "dormand_prince")).why, Awake::Why::ownSteps);
-        QCOMPARE(why(scriptOf(windy)).why, Awake::Why::nothing); // no wind yet
+        QCOMPARE(why(scriptOf(homing)).reason, SleepBlocker::Reason::nothing);
+        QCOMPARE(why(scriptOf(homing, "dormand_prince")).reason, SleepBlocker::Reason::adaptiveSteps);
+        QCOMPARE(why(scriptOf(windy)).reason, SleepBlocker::Reason::nothing); // no wind yet
         Script blown = scriptOf(windy);
         blown.input = {{1, Pointer{{50.0, 300.0}, true}}};
         Track track(blown, 0);
         track.seek({5, 0});
-        const Awake awake = awakeBy(track.shown().pipeline, track.now());
-        QCOMPARE(awake.why, Awake::Why::time);
+        const SleepBlocker awake = sleepBlockerOf(track.interval().pipeline, track.state());
+        QCOMPARE(awake.reason, SleepBlocker::Reason::time);
         QCOMPARE(awake.effect->id(), std::string("wind"));
     }
 
@@ -121,7 +121,7 @@ private slots:
             track.seek({frame, 0});
             QVERIFY(!track.sleep());
         }
-        QCOMPARE(keepsAwake(track.shown().pipeline, track.now())->id(), std::string("wind"));
+        QCOMPARE(preventsSleep(track.interval().pipeline, track.state())->id(), std::string("wind"));
         track.seek({600, 0});
         QVERIFY(track.sleep());
         const std::string what = sleepDiffers(script, 700);
@@ -142,7 +142,7 @@ private slots:
         sample.values.set("k", 1.0);
         sample.values.set("more", 0.0);
         sample.build = [](const Values &values) {
-            Scene scene = scenes::creature(1 + values.whole("more"));
+            Scene scene = scenes::creature(1 + values.integer("more"));
             scene.start.place(0, {16.0, 0.0});
             scene.effects = {make_shared<PointSpring>(0, Vec2{0.0, 0.0}, values["k"])};
             return scene;
@@ -159,12 +159,12 @@ private slots:
         Track track(script, budget);
         track.seek({from + 20, 0});
         track.seek({from, 0});
-        track.replaceInput(track.prepared({}, from + 3));
+        track.replaceInput(track.prepareInput({}, from + 3));
         Track straight(still, 0, Sleeping::never);
         for (std::int64_t frame = from; frame < from + 20; ++frame) {
             track.seek({frame, 0});
             straight.seek({frame, 0});
-            QVERIFY2(sameBits(track.now(), straight.now()), qPrintable(QString::number(frame)));
+            QVERIFY2(sameBits(track.state(), straight.state()), qPrintable(QString::number(frame)));
         }
     }
 

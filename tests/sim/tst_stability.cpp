@@ -28,15 +28,15 @@ public:
     explicit Silent(std::shared_ptr<const Force> inner) : m_inner(std::move(inner)) {}
     std::string id() const override { return "silent"; }
     std::string title() const override { return "silent"; }
-    Kind kind() const override { return Kind::spring; }
-    std::vector<Region> regions(Directions) const override { return {}; }
-    int count(const State &state, Points points) const override { return m_inner->count(state, points); }
-    void add(const State &state, Points movers, double scale, Directions way,
+    EffectKind kind() const override { return EffectKind::spring; }
+    std::vector<Region> regions(DirectionRule) const override { return {}; }
+    int count(const State &state, PointRange points) const override { return m_inner->count(state, points); }
+    void add(const State &state, PointRange movers, double scale, DirectionRule way,
              Eigen::ArrayX2d &into) const override
     {
         m_inner->add(state, movers, scale, way, into);
     }
-    std::vector<Live> explain(const State &, int, Directions) const override { return {}; }
+    std::vector<LiveValue> explain(const State &, int, DirectionRule) const override { return {}; }
 
 private:
     std::shared_ptr<const Force> m_inner;
@@ -71,7 +71,7 @@ void TestStability::everyMethodSaysWhatBoundsIt()
         const Bound bound = stabilityOf(scene, scene.start, *method, 1.0).bound;
         if (method->stepping() == Stepping::adaptive)
             QCOMPARE(bound, Bound::tolerance);
-        else if (method->needs() == std::vector<std::string>{"slopes"})
+        else if (method->requirements() == std::vector<std::string>{"slopes"})
             QCOMPARE(bound, Bound::none);
         else
             QCOMPARE(bound, Bound::stiffness);
@@ -93,7 +93,8 @@ void TestStability::whatPushesApartIsNoFaultOfTheStep()
     Scene scene = creature(3, 0.2, 0.9).scene;
     const Stability slack = predicted(scene, "semi_implicit_euler", 0.1);
     for (int i = 0; i < 3; ++i)
-        scene.start.place(i, scene.start.at(3) + 0.4 * (scene.start.at(i) - scene.start.at(3)));
+        scene.start.place(i, scene.start.positionOf(3) +
+                                 0.4 * (scene.start.positionOf(i) - scene.start.positionOf(3)));
     const Stability pressed = predicted(scene, "semi_implicit_euler", 0.1);
     QVERIFY(pressed.holds());
     QVERIFY(std::abs(pressed.limit - slack.limit) < 1e-9);
@@ -108,9 +109,9 @@ void TestStability::theStiffestSpringIsNamed()
     scene.effects.push_back(stiff);
     for (const char *method : {"semi_implicit_euler", "rk4", "published"}) {
         const Stability found = predicted(scene, method, 3.0);
-        QCOMPARE(found.culprit.effect, stiff);
-        QCOMPARE(found.culprit.point, 3);
-        QCOMPARE(found.culprit.other, 4);
+        QCOMPARE(found.dominant.effect, stiff);
+        QCOMPARE(found.dominant.point, 3);
+        QCOMPARE(found.dominant.other, 4);
         QCOMPARE(found.points.size(), std::size_t(2));
     }
 }
@@ -121,9 +122,9 @@ void TestStability::aSpringToAPlaceIsNamed()
     const auto stiff = make_shared<PointSpring>(2, Vec2{0, 0}, 0.9);
     scene.effects.push_back(stiff);
     const Stability found = predicted(scene, "velocity_verlet", 1.0);
-    QCOMPARE(found.culprit.effect, stiff);
-    QCOMPARE(found.culprit.point, 2);
-    QCOMPARE(found.culprit.other, -1);
+    QCOMPARE(found.dominant.effect, stiff);
+    QCOMPARE(found.dominant.point, 2);
+    QCOMPARE(found.dominant.other, -1);
     QCOMPARE(found.points.front(), 2);
 }
 
@@ -133,8 +134,8 @@ void TestStability::contactsAreNamedAsLeftOut()
     const Scene scene = room.build(room.values);
     const Stability found = predicted(scene, "semi_implicit_euler");
     QCOMPARE(found.bound, Bound::stiffness);
-    QCOMPARE(found.leftOut.size(), std::size_t(1));
-    QCOMPARE(found.leftOut.front()->id(), "walls");
+    QCOMPARE(found.ignored.size(), std::size_t(1));
+    QCOMPARE(found.ignored.front()->id(), "walls");
 }
 
 void TestStability::forcesWithoutSlopesAreDifferenced()
@@ -154,7 +155,7 @@ void TestStability::whatPushesApartIsLeftOutOfDifferencesToo()
 {
     // One spring, as differences cannot tell several that pull one point apart. They are symmetric but for rounding.
     Scene scene = creature(1, 0.2, 0.9).scene;
-    scene.start.place(0, scene.start.at(1) + Vec2{12.0, 17.0});
+    scene.start.place(0, scene.start.positionOf(1) + Vec2{12.0, 17.0});
     Scene silent = scene;
     silent.effects.front() =
         make_shared<Silent>(std::dynamic_pointer_cast<const Force>(scene.effects.front()));

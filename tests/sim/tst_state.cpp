@@ -71,9 +71,9 @@ private slots:
 
     void memoryGrowsByWhatAPointTakes()
     {
-        const std::size_t one = memoryOf(State::ofPoints(1001)) - memoryOf(State::ofPoints(1000));
+        const std::size_t one = byteSize(State::ofPoints(1001)) - byteSize(State::ofPoints(1000));
         QCOMPARE(one, 5 * sizeof(double)); // x, y, vx, vy, mass
-        QVERIFY(memoryOf(three()) >= sizeof(State) + 3 * 7 * sizeof(double));
+        QVERIFY(byteSize(three()) >= sizeof(State) + 3 * 7 * sizeof(double));
     }
 
     void theFirstPointThatIsNotFiniteIsFound_data()
@@ -86,22 +86,22 @@ private slots:
     void theFirstPointThatIsNotFiniteIsFound()
     {
         QFETCH(double, number);
-        QCOMPARE(firstNotFinite(three()), -1);
+        QCOMPARE(firstNonFinitePoint(three()), -1);
         for (int point = 0; point < 3; ++point) {
             for (int axis = 0; axis < 2; ++axis) {
                 State x = three(), v = three(), a = three();
                 x.position(point, axis) = number;
                 v.velocity(point, axis) = number;
                 a.acceleration(point, axis) = number;
-                QCOMPARE(firstNotFinite(x), point);
-                QCOMPARE(firstNotFinite(v), point);
-                QCOMPARE(firstNotFinite(a), point);
+                QCOMPARE(firstNonFinitePoint(x), point);
+                QCOMPARE(firstNonFinitePoint(v), point);
+                QCOMPARE(firstNonFinitePoint(a), point);
             }
         }
         State large = three();
         large.position.setConstant(std::numeric_limits<double>::max());
         large.velocity.setConstant(-std::numeric_limits<double>::denorm_min());
-        QCOMPARE(firstNotFinite(large), -1);
+        QCOMPARE(firstNonFinitePoint(large), -1);
     }
 };
 

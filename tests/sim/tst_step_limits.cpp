@@ -181,16 +181,16 @@ void TestStepLimits::thePairThatPropelsItselfIsPastItsLimit()
         firstRoot(1e-3, [=](double h) { return k * h * h - 2.0 * (std::pow(damp, -h) - 1.0); });
     QVERIFY2(std::abs(found.limit - limit) < 2e-4 * limit, qPrintable(QString::number(found.limit)));
     QVERIFY(!found.holds());
-    QCOMPARE(found.manner, Manner::away);
-    QCOMPARE(found.culprit.point, 0);
-    QCOMPARE(found.culprit.other, 1);
+    QCOMPARE(found.growthKind, GrowthKind::monotonic);
+    QCOMPARE(found.dominant.point, 0);
+    QCOMPARE(found.dominant.other, 1);
     // The same pair under a method that keeps momentum, and a softer pair, rest.
     QVERIFY(predicted(creature(1, k, damp).scene, "semi_implicit_euler").holds());
     QVERIFY(predicted(creature(1, 0.2, damp).scene, "published").holds());
     const auto speedAfter = [](const Swinging &pair, const char *method) {
         Scene scene = pair.scene;
         scene.start.place(0, {330, 260});
-        return length(support::plainRun(scene, method, 1.0, 3000).speed(1));
+        return length(support::plainRun(scene, method, 1.0, 3000).velocityOf(1));
     };
     QVERIFY(speedAfter(creature(1, k, damp), "published") > 1.0);
     QVERIFY(speedAfter(creature(1, 0.2, damp), "published") < 1e-6);
@@ -274,12 +274,12 @@ void TestStepLimits::whatCannotHoldIsSaidBeforeItFails()
     Track track(scriptOf(one, rule, one.brief), 0);
     track.seek({from, 0});
     QVERIFY(!track.stop());
-    const Stability said = stabilityOf(track.shown().scene, track.now(), *rule, track.script().step.h);
+    const Stability said = stabilityOf(track.interval().scene, track.state(), *rule, track.script().step.h);
     QCOMPARE(said.bound, Bound::stiffness);
     QVERIFY2(said.share() > 1.0, qPrintable(QString::number(said.share())));
-    QVERIFY(said.culprit.effect);
+    QVERIFY(said.dominant.effect);
     const std::vector<Remedy> remedies =
-        remediesFor(track.script(), track.shown().values, track.now(), said, nullptr);
+        remediesFor(track.script(), track.interval().values, track.state(), said, nullptr);
     QVERIFY(!remedies.empty());
 }
 

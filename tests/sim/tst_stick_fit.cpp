@@ -15,8 +15,8 @@ using namespace sim;
 
 namespace {
 
-const GoesOn patient = [] { return true; };
-const PassRange passes = {"passes", 1000.0};
+const ShouldContinue patient = [] { return true; };
+const IterationRange passes = {"passes", 1000.0};
 constexpr double damp = 0.9;
 
 /// A nail, and below it two points, each on a stick of 50 px.
@@ -31,10 +31,10 @@ Script twoSticks(double gravity, double h, int count)
                                       .pinned = {0},
                                       .gravity = values["gravity"],
                                       .damp = damp,
-                                      .passes = values.whole("passes")});
+                                      .passes = values.integer("passes")});
     };
     Script script = support::script(sample, "semi_implicit_euler");
-    script.step = StepSize::of(h);
+    script.step = StepSize::ofLength(h);
     return script;
 }
 
@@ -132,7 +132,7 @@ private slots:
         double count = 2.0;
         while (errorAtRest(gravity, 1.0, count) > fitting)
             count *= 2.0;
-        const Remedy *more = find(advice->remedies, Remedy::Kind::morePasses);
+        const Remedy *more = find(advice->remedies, Remedy::Kind::moreIterations);
         QVERIFY(more);
         QCOMPARE(more->parameter, std::string("passes"));
         QCOMPARE(more->value, count);
@@ -144,10 +144,10 @@ private slots:
         Script script = twoSticks(8.0, 1.0, 4);
         script.input = {eventOf(100, Move{}), {100, Set{"passes", 1.0}}, {200, Set{"passes", 900.0}}};
         script.input.erase(script.input.begin());
-        Remedy more = Remedy::of(Remedy::Kind::morePasses, script.method, script.step);
+        Remedy more = Remedy::of(Remedy::Kind::moreIterations, script.method, script.step);
         more.parameter = "passes";
         more.value = 8.0;
-        const Script other = mended(script, more);
+        const Script other = withRemedy(script, more);
         QCOMPARE(other.values["passes"], 8.0);
         QCOMPARE(std::get<Set>(other.input[0].what).value, 8.0);
         QCOMPARE(std::get<Set>(other.input[1].what).value, 900.0);

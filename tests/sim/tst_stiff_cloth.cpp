@@ -17,25 +17,25 @@ namespace cloth = scenes::cloth;
 
 namespace {
 
-using Entries = std::vector<Slopes::Entry>;
+using Entries = std::vector<Jacobian::Entry>;
 
 /// The slopes of all points of `scene` that feel something, numbered through, times `reach` squared: what backward
 /// Euler solves with.
 Entries entriesOf(const Scene &scene, double reach)
 {
-    const int points = scene.start.points();
+    const int points = scene.start.pointCount();
     std::vector<int> number(std::size_t(points), -1);
     int free = 0;
     for (int i = 0; i < points; ++i)
-        number[std::size_t(i)] = scene.start.feels(i) ? free++ : -1;
-    Slopes slopes(points);
-    Flow(scene, Directions::apart).slopes(scene.start, slopes);
+        number[std::size_t(i)] = scene.start.isDynamic(i) ? free++ : -1;
+    Jacobian jacobian(points);
+    OdeSystem(scene, DirectionRule::regularised).jacobian(scene.start, jacobian);
     Entries entries;
     const auto numberOf = [&](int row) {
         const int own = number[std::size_t(row % points)];
         return own < 0 || row < points ? own : own + free;
     };
-    for (const Slopes::Entry &entry : slopes.entries()) {
+    for (const Jacobian::Entry &entry : jacobian.entries()) {
         if (numberOf(entry.row) >= 0 && numberOf(entry.column) >= 0)
             entries.push_back({numberOf(entry.row), numberOf(entry.column), -reach * reach * entry.value});
     }
@@ -51,8 +51,8 @@ int unknowns(const Scene &scene)
 Eigen::VectorXd massesOf(const Scene &scene)
 {
     std::vector<double> masses;
-    for (int i = 0; i < scene.start.points(); ++i) {
-        if (scene.start.feels(i))
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
+        if (scene.start.isDynamic(i))
             masses.push_back(1.0 / scene.start.inverseMass[i]);
     }
     const Eigen::VectorXd one = Eigen::Map<Eigen::VectorXd>(masses.data(), Eigen::Index(masses.size()));
@@ -64,7 +64,7 @@ Eigen::VectorXd massesOf(const Scene &scene)
 Eigen::MatrixXd denseOf(const Entries &entries, int size)
 {
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(size, size);
-    for (const Slopes::Entry &entry : entries)
+    for (const Jacobian::Entry &entry : entries)
         matrix(entry.row, entry.column) += entry.value;
     return matrix;
 }
@@ -83,9 +83,9 @@ Scene crumpled(int side, double k)
     Scene scene = cloth::hung(side, k, 1.0);
     support::Dice dice(5);
     scene.start.position *= 1.5;
-    for (int i = 0; i < scene.start.points(); ++i) {
-        scene.start.place(i, scene.start.at(i) + Vec2{dice.real(-1, 1), dice.real(-1, 1)});
-        if (scene.start.feels(i))
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
+        scene.start.place(i, scene.start.positionOf(i) + Vec2{dice.real(-1, 1), dice.real(-1, 1)});
+        if (scene.start.isDynamic(i))
             scene.start.inverseMass[i] = std::pow(10.0, dice.real(-3.0, 0.0));
     }
     return scene;
@@ -111,9 +111,9 @@ private slots:
         constexpr double k = 1e6; // and one step a frame: k h^2 = 1e6
         const Scene scene = cloth::hung(side, k, 0.5);
         const State end = support::plainRun(scene, method.toStdString(), 1.0, frames);
-        for (int point = 0; point < end.points(); ++point) {
+        for (int point = 0; point < end.pointCount(); ++point) {
             const double exact = sag(side, k, point / side);
-            const Vec2 moved = end.at(point) - scene.start.at(point);
+            const Vec2 moved = end.positionOf(point) - scene.start.positionOf(point);
             QVERIFY2(std::abs(moved.y - exact) <= 0.01 * exact,
                      qPrintable(QString("point %1: %2, not %3").arg(point).arg(moved.y).arg(exact)));
             QVERIFY2(std::abs(moved.x) <= 0.01 * sag(side, k, side - 1),
@@ -182,7 +182,7 @@ private slots:
         QVERIFY(matrix && !conjugateGradients(*matrix, inTurn(right), 1e-12).x.allFinite());
         const Eigen::VectorXd found = solved(entries, right, masses);
         Eigen::VectorXd missed = found - right;
-        for (const Slopes::Entry &entry : entries)
+        for (const Jacobian::Entry &entry : entries)
             missed[entry.row] += entry.value * found[entry.column];
         QVERIFY2(missed.norm() < 1e-8 * right.norm(), qPrintable(QString::number(missed.norm())));
     }
@@ -192,7 +192,7 @@ private slots:
         const Scene scene = cloth::hung(32, 1e6, 0.9);
         const State one = support::plainRun(scene, "backward_euler", 1.0, 3);
         QVERIFY(sameBits(one, support::plainRun(scene, "backward_euler", 1.0, 3)));
-        QCOMPARE(firstNotFinite(one), -1);
+        QCOMPARE(firstNonFinitePoint(one), -1);
     }
 };
 

@@ -30,9 +30,9 @@ std::pair<std::string, std::string> firstToGo(const Script &script, int last)
     const Scene scene = script.build(script.values);
     const Pipeline pipeline = compose(scene, *script.method, script.step);
     State state = support::plainRun(scene, script.method->id(), script.step.h, last);
-    for (int i = 0; i < pipeline.phasesPerRow(); ++i) {
+    for (int i = 0; i < pipeline.phasesPerOutput(); ++i) {
         pipeline.phaseAt(i).run(state);
-        for (int point = 0; point < state.points(); ++point) {
+        for (int point = 0; point < state.pointCount(); ++point) {
             for (const Eigen::ArrayX2d *numbers : {&state.position, &state.velocity, &state.acceleration}) {
                 if (numbers->rows() > 0 && !numbers->row(point).isFinite().all())
                     return {pipeline.phaseAt(i).title, scene.names[static_cast<std::size_t>(point)]};
@@ -48,9 +48,9 @@ bool finiteAfter(const Script &script, int last, int phase)
     const Scene scene = script.build(script.values);
     const Pipeline pipeline = compose(scene, *script.method, script.step);
     State state = support::plainRun(scene, script.method->id(), script.step.h, last);
-    for (int i = 0; i < std::min(phase, pipeline.phasesPerRow()); ++i)
+    for (int i = 0; i < std::min(phase, pipeline.phasesPerOutput()); ++i)
         pipeline.phaseAt(i).run(state);
-    return firstNotFinite(state) < 0;
+    return firstNonFinitePoint(state) < 0;
 }
 
 /// The last finite frame, found without a Track.
@@ -61,8 +61,8 @@ int lastFinite(const Script &script)
     const auto at = [&](int end) {
         return support::plainRun(scene, script.method->id(), script.step.h, end);
     };
-    while (firstNotFinite(at(frame + script.step.rowFrames)) < 0)
-        frame += script.step.rowFrames;
+    while (firstNonFinitePoint(at(frame + script.step.framesPerOutput)) < 0)
+        frame += script.step.framesPerOutput;
     return frame;
 }
 
@@ -78,7 +78,7 @@ private:
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("h");
         for (const MethodPtr &method : support::fixedMethods()) {
-            const std::vector<std::string> needs = method->needs();
+            const std::vector<std::string> needs = method->requirements();
             if (std::find(needs.begin(), needs.end(), "slopes") != needs.end())
                 continue; // follows springs of any stiffness: it never stops
             for (const double h : {0.5, 1.0, 2.0})
@@ -103,11 +103,11 @@ private slots:
         track.seek({10'000, 0});
         QVERIFY(track.stop());
         QCOMPARE(track.stop()->frame, std::int64_t(last));
-        QVERIFY(track.at() == (Cursor{last, 0}));
+        QVERIFY(track.cursor() == (Cursor{last, 0}));
         QCOMPARE(track.computed(), std::int64_t(last));
-        QCOMPARE(firstNotFinite(track.now()), -1);
+        QCOMPARE(firstNonFinitePoint(track.state()), -1);
         const State expected = support::plainRun(script.build(script.values), method.toStdString(), h, last);
-        QCOMPARE(support::difference(track.now(), expected), std::string());
+        QCOMPARE(support::difference(track.state(), expected), std::string());
     }
 
     void theEffectAndTheBodyThatWentFirstAreNamed_data() { addRunRows(); }
@@ -122,14 +122,14 @@ private slots:
         const auto [phase, body] = firstToGo(script, static_cast<int>(track.stop()->frame));
         QCOMPARE(track.stop()->phase, phase);
         QCOMPARE(track.stop()->body, body);
-        QCOMPARE(track.shown().scene.find(body), track.stop()->point);
+        QCOMPARE(track.interval().scene.find(body), track.stop()->point);
         // Whatever phase it was, nothing but the spring can be the reason.
         QVERIFY(track.stop()->effect);
         QCOMPARE(track.stop()->effect->id(), std::string("body_spring"));
         QCOMPARE(track.stop()->other, 1 - track.stop()->point); // there are two
-        QCOMPARE(track.shown().scene.find(track.stop()->otherBody), track.stop()->other);
+        QCOMPARE(track.interval().scene.find(track.stop()->otherBody), track.stop()->other);
         // Its pull overflows before anything else does, but for the places that such a pull leads to.
-        const bool tries = findMethod(method.toStdString())->evaluations() > 1;
+        const bool tries = findMethod(method.toStdString())->evaluationsPerStep() > 1;
         QVERIFY(phase == "spring" || (tries && (phase == "try a place" || phase == "move")));
     }
 
@@ -140,18 +140,18 @@ private slots:
         QFETCH(double, h);
         const Script script = scriptOf(method, h);
         const int last = lastFinite(script);
-        const int phases = Track(script, 0).phasesPerRow();
+        const int phases = Track(script, 0).phasesPerOutput();
         Track stopped(script, 5000);
         stopped.seek({last + 10, 0});
         for (int phase = 0; phase <= phases + 1; ++phase) {
             Track fresh(script, 5000);
             fresh.seek({last, phase});
-            QCOMPARE(firstNotFinite(fresh.now()), -1);
-            QCOMPARE(fresh.at().frame, std::int64_t(last));
-            QVERIFY(fresh.at().phase == phase || !finiteAfter(script, last, phase));
+            QCOMPARE(firstNonFinitePoint(fresh.state()), -1);
+            QCOMPARE(fresh.cursor().frame, std::int64_t(last));
+            QVERIFY(fresh.cursor().phase == phase || !finiteAfter(script, last, phase));
             stopped.seek({last, phase}); // the same, whether the end is known or not
-            QVERIFY(stopped.at() == fresh.at());
-            QCOMPARE(support::difference(stopped.now(), fresh.now()), std::string());
+            QVERIFY(stopped.cursor() == fresh.cursor());
+            QCOMPARE(support::difference(stopped.state(), fresh.state()), std::string());
         }
     }
 
@@ -162,19 +162,19 @@ private slots:
         QFETCH(double, h);
         Timeline timeline(scriptOf(method, h));
         timeline.seek({10'000, 0});
-        const Cursor end = timeline.at();
-        const State state = timeline.now();
+        const Cursor end = timeline.cursor();
+        const State state = timeline.state();
         for (const std::int64_t beyond : {std::int64_t{1}, std::int64_t{2}, std::int64_t{1'000'000'000}}) {
             timeline.seek({end.frame + beyond * 2, 1});
-            QVERIFY(timeline.at() == end);
-            QVERIFY(sameBits(timeline.now(), state));
+            QVERIFY(timeline.cursor() == end);
+            QVERIFY(sameBits(timeline.state(), state));
         }
-        timeline.stepRow();
-        QVERIFY(timeline.at() == end);
-        timeline.stepRowBack();
-        QVERIFY(timeline.at().frame == end.frame - timeline.track().rowFrames());
+        timeline.nextOutputStep();
+        QVERIFY(timeline.cursor() == end);
+        timeline.previousOutputStep();
+        QVERIFY(timeline.cursor().frame == end.frame - timeline.track().framesPerOutput());
         timeline.seek({10'000, 0});
-        QVERIFY(timeline.at() == end && sameBits(timeline.now(), state));
+        QVERIFY(timeline.cursor() == end && sameBits(timeline.state(), state));
     }
 
     void whereNoStepLeadsOnAnImplicitMethodStopsInPlaceOfStandingStill_data()
@@ -198,13 +198,13 @@ private slots:
         QFETCH(double, speed);
         Script script = scriptOf(method, h);
         script.values.set("k", k);
-        const Vec2 start = script.build(script.values).start.at(0);
+        const Vec2 start = script.build(script.values).start.positionOf(0);
         script.bodies["foot0"] = {start, Vec2{speed, 0.0}};
         Track track(script, 5000);
         track.seek({1000, 0});
         QVERIFY(track.stop());
         QCOMPARE(track.stop()->frame, std::int64_t(0));
-        QCOMPARE(firstNotFinite(track.now()), -1);
+        QCOMPARE(firstNonFinitePoint(track.state()), -1);
         QCOMPARE(track.stop()->body, std::string("foot0"));
         QVERIFY(track.stop()->effect);
         QCOMPARE(track.stop()->effect->id(), std::string("body_spring"));
@@ -216,25 +216,26 @@ private slots:
         timeline.seek({10'000, 0});
         QVERIFY(timeline.stop());
         timeline.seek({5, 0});
-        timeline.set("k", 0.1);
+        timeline.setParameter("k", 0.1);
         QVERIFY(!timeline.stop());
         timeline.seek({2000, 0});
         QVERIFY(!timeline.stop());
-        QCOMPARE(timeline.at().frame, std::int64_t(2000));
-        QVERIFY(timeline.ghost() && timeline.ghost()->stop()); // the old run still ends where it ended
-        QCOMPARE(timeline.ghost()->at().frame, timeline.ghost()->stop()->frame);
+        QCOMPARE(timeline.cursor().frame, std::int64_t(2000));
+        QVERIFY(timeline.comparison() &&
+                timeline.comparison()->stop()); // the old run still ends where it ended
+        QCOMPARE(timeline.comparison()->cursor().frame, timeline.comparison()->stop()->frame);
     }
 
     void anEditAtTheEndLetsTheRunGoOn()
     {
         Timeline timeline(scriptOf("published", 1.0));
         timeline.seek({10'000, 0});
-        const std::int64_t end = timeline.at().frame;
-        timeline.hand(Grab{"foot0"});
-        timeline.set("k", 0.0);
+        const std::int64_t end = timeline.cursor().frame;
+        timeline.applyInput(Grab{"foot0"});
+        timeline.setParameter("k", 0.0);
         QVERIFY(!timeline.stop());
         timeline.seek({end + 1, 0});
-        QCOMPARE(timeline.at().frame, end + 1);
+        QCOMPARE(timeline.cursor().frame, end + 1);
     }
 };
 

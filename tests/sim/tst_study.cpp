@@ -23,11 +23,11 @@ public:
         : PointSpring(mover, centre, k), m_asked(asked)
     {
     }
-    void add(const State &state, Points movers, double scale, Directions directions,
+    void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override
     {
         ++m_asked;
-        PointSpring::add(state, movers, scale, directions, into);
+        PointSpring::add(state, movers, scale, directionRule, into);
     }
 
 private:
@@ -133,7 +133,7 @@ private slots:
         const MethodPtr method = findMethod("published");
         const auto add = [&](double error, double ns, Outcome outcome) {
             AccuracyRow row;
-            row.way = {method, StepSize::of(1.0)};
+            row.setup = {method, StepSize::ofLength(1.0)};
             row.outcome = outcome;
             row.error = error;
             row.nsPerFrame = ns;
@@ -158,10 +158,10 @@ private slots:
     void laddersGoFromCoarseToFine()
     {
         for (const MethodPtr &method : allMethods()) {
-            const std::vector<StepSize> rungs = ladderOf(*method);
+            const std::vector<StepSize> rungs = refinementLevels(*method);
             QCOMPARE(rungs.size(), std::size_t(method->stepping() == Stepping::fixed ? 7 : 11));
             for (std::size_t i = 0; i < rungs.size(); ++i) {
-                QCOMPARE(rungs[i].adaptive(), method->stepping() == Stepping::adaptive);
+                QCOMPARE(rungs[i].isAdaptive(), method->stepping() == Stepping::adaptive);
                 if (i > 0)
                     QVERIFY(rungs[i].h < rungs[i - 1].h || rungs[i].tolerance < rungs[i - 1].tolerance);
             }
@@ -184,18 +184,18 @@ private slots:
         QFETCH(int, rows);
         QFETCH(int, place);
         Script script = scriptOf(dampedSpring());
-        script.step = StepSize::of(h);
+        script.step = StepSize::ofLength(h);
         StudyPlan plan = quickPlan(21);
-        plan.inUse = Way{script.method, script.step};
+        plan.inUse = MethodSetup{script.method, script.step};
         const Accuracy found = studyAccuracy(script, plan, goOn);
         std::vector<const AccuracyRow *> published;
         for (const AccuracyRow &row : found.rows) {
-            if (row.way.method->id() == "published")
+            if (row.setup.method->id() == "published")
                 published.push_back(&row);
         }
         QCOMPARE(int(published.size()), rows);
         const AccuracyRow &row = *published[std::size_t(place)];
-        QCOMPARE(row.way.step.h, script.step.h);
+        QCOMPARE(row.setup.step.h, script.step.h);
         QVERIFY(row.outcome == Outcome::measured);
         QCOMPARE(row.evaluations, 1.0 / h);
         // Of rows that are frames apart, the frames between have the error of the one before.
@@ -208,10 +208,10 @@ private slots:
     {
         Script script = scriptOf(dampedSpring());
         StudyPlan plan = quickPlan(20);
-        plan.inUse = Way{script.method, StepSize::of(50.0)};
+        plan.inUse = MethodSetup{script.method, StepSize::ofLength(50.0)};
         const Accuracy found = studyAccuracy(script, plan, goOn);
         const AccuracyRow &row = found.rows.front();
-        QVERIFY(row.way.step == plan.inUse->step && row.outcome == Outcome::doesNotFit);
+        QVERIFY(row.setup.step == plan.inUse->step && row.outcome == Outcome::doesNotFit);
         QCOMPARE(row.why->id(), std::string("short-horizon"));
         QVERIFY(found.rows[1].outcome == Outcome::measured);
     }

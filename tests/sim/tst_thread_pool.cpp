@@ -21,20 +21,20 @@
 namespace {
 
 /// How often each of `parts` parts is called.
-std::vector<int> callsOf(sim::Crew &crew, int parts)
+std::vector<int> callsOf(sim::ThreadPool &pool, int parts)
 {
     std::vector<std::atomic<int>> calls(static_cast<std::size_t>(parts));
-    crew.share(parts, [&](int part) { ++calls[static_cast<std::size_t>(part)]; });
+    pool.parallelFor(parts, [&](int part) { ++calls[static_cast<std::size_t>(part)]; });
     return {calls.begin(), calls.end()};
 }
 
 /// Shares a job of which no part ends before each of `threads` threads has one.
 std::set<std::thread::id> meet(
-    sim::Crew &crew, int threads, const std::function<void()> &work = [] {})
+    sim::ThreadPool &pool, int threads, const std::function<void()> &work = [] {})
 {
     std::atomic<int> there = 0;
     std::vector<std::thread::id> who(static_cast<std::size_t>(threads));
-    crew.share(threads, [&](int part) {
+    pool.parallelFor(threads, [&](int part) {
         ++there;
         while (there < threads)
             std::this_thread::yield();
@@ -46,7 +46,7 @@ std::set<std::thread::id> meet(
 
 }
 
-/// Threads that share the parts of a job.
+/// Workers that share the parts of a job.
 class Crew : public QObject
 {
     Q_OBJECT
@@ -63,10 +63,10 @@ private slots:
     void everyPartIsDoneOnce()
     {
         QFETCH(int, threads);
-        sim::Crew crew(threads);
+        sim::ThreadPool pool(threads);
         for (int job = 0; job < 300; ++job) {
             const int parts = job % 40;
-            QCOMPARE(callsOf(crew, parts), std::vector<int>(static_cast<std::size_t>(parts), 1));
+            QCOMPARE(callsOf(pool, parts), std::vector<int>(static_cast<std::size_t>(parts), 1));
         }
     }
 
@@ -74,10 +74,10 @@ private slots:
     void whenAJobIsOverAllThatItWroteIsThere()
     {
         QFETCH(int, threads);
-        sim::Crew crew(threads);
+        sim::ThreadPool pool(threads);
         std::vector<int> numbers(1000, 0); // plain numbers: only the crew keeps its threads apart
         for (int job = 0; job < 200; ++job) {
-            crew.share(1000, [&](int part) { numbers[static_cast<std::size_t>(part)] += part; });
+            pool.parallelFor(1000, [&](int part) { numbers[static_cast<std::size_t>(part)] += part; });
             QCOMPARE(numbers[999], 999 * (job + 1));
             QCOMPARE(std::accumulate(numbers.begin(), numbers.end(), 0), 499'500 * (job + 1));
             std::fill(numbers.begin(), numbers.begin() + 10, 0);
@@ -90,38 +90,38 @@ private slots:
     void thePartsRunOnAsManyThreadsAsItHas()
     {
         QFETCH(int, threads);
-        sim::Crew crew(threads);
-        const std::set<std::thread::id> who = meet(crew, threads);
+        sim::ThreadPool pool(threads);
+        const std::set<std::thread::id> who = meet(pool, threads);
         QCOMPARE(who.size(), static_cast<std::size_t>(threads));
         QVERIFY(who.contains(std::this_thread::get_id()));
-        QVERIFY(meet(crew, threads) == who); // the same ones for the next job
+        QVERIFY(meet(pool, threads) == who); // the same ones for the next job
     }
 
     void aCopyHasThreadsOfItsOwnAndAMovedOneKeepsThem()
     {
-        sim::Crew crew(2);
-        const std::set<std::thread::id> who = meet(crew, 2);
-        sim::Crew copy = crew;
+        sim::ThreadPool pool(2);
+        const std::set<std::thread::id> who = meet(pool, 2);
+        sim::ThreadPool copy = pool;
         const std::set<std::thread::id> others = meet(copy, 2);
         QVERIFY(others != who);
-        copy = crew;
+        copy = pool;
         QCOMPARE(meet(copy, 2).size(), std::size_t{2});
-        sim::Crew moved = std::move(crew);
+        sim::ThreadPool moved = std::move(pool);
         QVERIFY(meet(moved, 2) == who);
-        sim::Crew unused(3); // ends without ever having started
-        sim::Crew another = unused;
+        sim::ThreadPool unused(3); // ends without ever having started
+        sim::ThreadPool another = unused;
         another = std::move(moved);
         QVERIFY(meet(another, 2) == who);
     }
 
     void helpersRoundAsTheirCallerDoes()
     {
-        sim::Crew crew(2);
+        sim::ThreadPool pool(2);
         const double third = 1.0 / 3.0; // rounded down
         for (const bool upwards : {true, false, true}) {
             std::fesetround(upwards ? FE_UPWARD : FE_TONEAREST);
             std::atomic<int> asCaller = 0;
-            meet(crew, 2, [&] {
+            meet(pool, 2, [&] {
                 volatile double one = 1.0, three = 3.0;
                 asCaller += (one / three > third) == upwards ? 1 : 0;
             });
@@ -133,12 +133,12 @@ private slots:
     void helpersFlushWhatIsTooSmallIfTheirCallerDoes()
     {
 #if defined(__SSE2__)
-        sim::Crew crew(2);
+        sim::ThreadPool pool(2);
         for (const bool flushes : {false, true, false}) {
             _MM_SET_FLUSH_ZERO_MODE(flushes ? _MM_FLUSH_ZERO_ON : _MM_FLUSH_ZERO_OFF);
             _MM_SET_DENORMALS_ZERO_MODE(flushes ? _MM_DENORMALS_ZERO_ON : _MM_DENORMALS_ZERO_OFF);
             std::atomic<int> asCaller = 0;
-            meet(crew, 2, [&] {
+            meet(pool, 2, [&] {
                 volatile double least = std::numeric_limits<double>::min();
                 volatile double denormal = std::numeric_limits<double>::denorm_min();
                 const bool flushed = least / 4.0 == 0.0 && denormal * 1e300 == 0.0;
@@ -158,8 +158,8 @@ private slots:
         const QDir tasks(QStringLiteral("/proc/self/task"));
         if (!tasks.exists())
             QSKIP("no list of threads here");
-        sim::Crew crew(3);
-        QCOMPARE(meet(crew, 3).size(), std::size_t{3});
+        sim::ThreadPool pool(3);
+        QCOMPARE(meet(pool, 3).size(), std::size_t{3});
         const auto sleeping = [&] {
             int count = 0;
             for (const QString &task : tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {

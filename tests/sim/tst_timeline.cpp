@@ -23,15 +23,19 @@ class Forgetful : public Force
 public:
     std::string id() const override { return "forgetful"; }
     std::string title() const override { return "forgetful"; }
-    Kind kind() const override { return Kind::wind; }
-    std::vector<Region> regions(Directions) const override { return {}; }
-    int count(const State &, Points points) const override { return points.count; }
-    void add(const State &, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const override
+    EffectKind kind() const override { return EffectKind::wind; }
+    std::vector<Region> regions(DirectionRule) const override { return {}; }
+    int count(const State &, PointRange points) const override { return points.count; }
+    void add(const State &, PointRange movers, double scale, DirectionRule,
+             Eigen::ArrayX2d &into) const override
     {
         into.middleRows(movers.first, movers.count) += scale * 1e-9 * ++m_asked;
     }
-    bool addSlopes(const State &, Points, double, Directions, Slopes &) const override { return true; }
-    std::vector<Live> explain(const State &, int, Directions) const override { return {}; }
+    bool addJacobian(const State &, PointRange, double, DirectionRule, Jacobian &) const override
+    {
+        return true;
+    }
+    std::vector<LiveValue> explain(const State &, int, DirectionRule) const override { return {}; }
 
 private:
     mutable int m_asked = 0;
@@ -66,11 +70,11 @@ private slots:
         Timeline timeline(script);
         QCOMPARE(built, 1);
         timeline.seek({20, 0});
-        timeline.hand(Grab{"body"});
-        timeline.hand(Move{{120, 90}});
+        timeline.applyInput(Grab{"body"});
+        timeline.applyInput(Move{{120, 90}});
         timeline.seek({25, 0});
         QCOMPARE(built, 1); // a hand changes no scene
-        timeline.set("k", 0.25);
+        timeline.setParameter("k", 0.25);
         timeline.seek({40, 0});
         QCOMPARE(built, 2);
         std::vector<Event> input = timeline.script().input;
@@ -87,14 +91,14 @@ private slots:
             Track track(support::script(sample, method, 0.5), std::size_t{1} << 20);
             for (int frame = 0; frame < 4; ++frame) {
                 track.seek({frame, 0});
-                QVERIFY(!beforeLastPhase(track));
-                for (int phase = 1; phase < track.phasesPerRow(); ++phase) {
+                QVERIFY(!stateBeforeLastPhase(track));
+                for (int phase = 1; phase < track.phasesPerOutput(); ++phase) {
                     track.seek({frame, phase - 1});
-                    State before = track.now();
+                    State before = track.state();
                     track.seek({frame, phase});
                     if (phase == 1) // after the input that the row begins with
-                        before = track.begunAfter(before, frame);
-                    QVERIFY(sameBits(*beforeLastPhase(track), before));
+                        before = track.stateAfterInput(before, frame);
+                    QVERIFY(sameBits(*stateBeforeLastPhase(track), before));
                 }
             }
         }
@@ -143,9 +147,9 @@ private slots:
         const Script script = support::script(support::sample(scene.toStdString()), method.toStdString(), h);
         Track track(script, tinyBudget);
         track.seek({100, 0});
-        const State expected =
-            support::plainRun(script.build(script.values), method.toStdString(), h, int(track.at().frame));
-        QCOMPARE(support::difference(track.now(), expected), std::string());
+        const State expected = support::plainRun(script.build(script.values), method.toStdString(), h,
+                                                 int(track.cursor().frame));
+        QCOMPARE(support::difference(track.state(), expected), std::string());
     }
 
     void aMemoryInAnEffectIsNoticed_data()
@@ -179,49 +183,49 @@ private slots:
         QFETCH(double, h);
         Timeline timeline(handled(support::script(support::sample("creature in a room"), "published", h)));
         std::vector<std::pair<Cursor, State>> way;
-        while (timeline.at().frame < 30) {
-            way.emplace_back(timeline.at(), timeline.now());
-            timeline.stepPhase();
+        while (timeline.cursor().frame < 30) {
+            way.emplace_back(timeline.cursor(), timeline.state());
+            timeline.nextPhase();
         }
         for (; !way.empty(); way.pop_back()) {
-            timeline.stepPhaseBack();
-            QVERIFY(timeline.at() == way.back().first);
-            QCOMPARE(support::difference(timeline.now(), way.back().second), std::string());
+            timeline.previousPhase();
+            QVERIFY(timeline.cursor() == way.back().first);
+            QCOMPARE(support::difference(timeline.state(), way.back().second), std::string());
         }
-        timeline.stepPhaseBack();
-        QVERIFY(timeline.at() == (Cursor{0, 0}));
+        timeline.previousPhase();
+        QVERIFY(timeline.cursor() == (Cursor{0, 0}));
     }
 
     void rowsGoOnAndBack()
     {
         Timeline timeline(support::script(support::sample("creature in a room"), "published", 2.0));
         timeline.seek({7, 0});
-        QVERIFY(timeline.at() == (Cursor{6, 0})); // rounded down to a row
-        timeline.stepRow();
-        QVERIFY(timeline.at() == (Cursor{8, 0}));
-        timeline.stepPhase();
-        timeline.stepPhase();
-        timeline.stepRowBack();
-        QVERIFY(timeline.at() == (Cursor{8, 0})); // to the start of this row first
-        timeline.stepRowBack();
-        QVERIFY(timeline.at() == (Cursor{6, 0}));
-        timeline.stepPhase();
-        timeline.stepRow();
-        QVERIFY(timeline.at() == (Cursor{8, 0}));
+        QVERIFY(timeline.cursor() == (Cursor{6, 0})); // rounded down to a row
+        timeline.nextOutputStep();
+        QVERIFY(timeline.cursor() == (Cursor{8, 0}));
+        timeline.nextPhase();
+        timeline.nextPhase();
+        timeline.previousOutputStep();
+        QVERIFY(timeline.cursor() == (Cursor{8, 0})); // to the start of this row first
+        timeline.previousOutputStep();
+        QVERIFY(timeline.cursor() == (Cursor{6, 0}));
+        timeline.nextPhase();
+        timeline.nextOutputStep();
+        QVERIFY(timeline.cursor() == (Cursor{8, 0}));
         timeline.seek({-5, -5});
-        timeline.stepRowBack();
-        QVERIFY(timeline.at() == (Cursor{0, 0}));
+        timeline.previousOutputStep();
+        QVERIFY(timeline.cursor() == (Cursor{0, 0}));
     }
 
     void aPhasePastTheLastLeadsToTheNextRow()
     {
         Timeline timeline(support::script(support::sample("spring to a point"), "published"));
         timeline.seek({5, 1000});
-        QVERIFY(timeline.at() == (Cursor{6, 0}));
-        timeline.seek({5, timeline.track().phasesPerRow()});
-        QVERIFY(timeline.at() == (Cursor{6, 0}));
+        QVERIFY(timeline.cursor() == (Cursor{6, 0}));
+        timeline.seek({5, timeline.track().phasesPerOutput()});
+        QVERIFY(timeline.cursor() == (Cursor{6, 0}));
         timeline.seek({2, 1000});
-        QVERIFY(timeline.at() == (Cursor{3, 0}));
+        QVERIFY(timeline.cursor() == (Cursor{3, 0}));
     }
 
     void liveValuesEndAtTheState_data()
@@ -243,24 +247,24 @@ private slots:
         QFETCH(QString, method);
         Track track(support::script(support::sample(scene.toStdString()), method.toStdString(), 0.5),
                     tinyBudget);
-        QVERIFY(track.moments("foot0").empty());
-        const std::string name = track.shown().scene.names.front();
+        QVERIFY(track.explainPhases("foot0").empty());
+        const std::string name = track.interval().scene.names.front();
         for (int i = 0; i < 200; ++i) {
-            track.seek({track.at().frame, track.at().phase + 1});
-            const State before = track.now();
-            const std::vector<Moment> moments = track.moments(name);
-            QCOMPARE(support::difference(track.now(), before), std::string());
-            const int phases = track.next()->pipeline.phasesPerStep();
-            const int done = track.at().phase % phases == 0 ? phases : track.at().phase % phases;
+            track.seek({track.cursor().frame, track.cursor().phase + 1});
+            const State before = track.state();
+            const std::vector<PhaseExplanation> moments = track.explainPhases(name);
+            QCOMPARE(support::difference(track.state(), before), std::string());
+            const int phases = track.nextInterval()->pipeline.phasesPerStep();
+            const int done = track.cursor().phase % phases == 0 ? phases : track.cursor().phase % phases;
             QCOMPARE(int(moments.size()), done);
-            for (const Moment &moment : moments) {
-                for (const Live &live : moment.live) {
+            for (const PhaseExplanation &moment : moments) {
+                for (const LiveValue &live : moment.live) {
                     if (live.name == "x" && moment.phase + 1 == done)
-                        QVERIFY(std::get<Vec2>(live.value) == before.at(0));
+                        QVERIFY(std::get<Vec2>(live.value) == before.positionOf(0));
                 }
             }
         }
-        QVERIFY(track.moments("nobody").empty());
+        QVERIFY(track.explainPhases("nobody").empty());
     }
 
     void theShownSceneBelongsToTheState()
@@ -272,11 +276,11 @@ private slots:
         for (int i = 0; i < 300; ++i) {
             track.seek({dice.whole(0, 30), dice.whole(0, 9)});
             // The row that ends at frame 10 is the first with two feet: its phases already have them.
-            const std::int64_t end = track.at().frame + (track.at().phase > 0 ? 1 : 0);
+            const std::int64_t end = track.cursor().frame + (track.cursor().phase > 0 ? 1 : 0);
             const int feet = end < 10 ? 5 : end < 20 ? 2 : 4;
-            QCOMPARE(track.now().points(), feet + 1);
-            QCOMPARE(track.shown().scene.start.points(), feet + 1);
-            QCOMPARE(track.shown().values.whole("feet"), feet);
+            QCOMPARE(track.state().pointCount(), feet + 1);
+            QCOMPARE(track.interval().scene.start.pointCount(), feet + 1);
+            QCOMPARE(track.interval().values.integer("feet"), feet);
         }
     }
 
@@ -286,12 +290,12 @@ private slots:
         script.input = {{4, Grab{"foot0"}}, {4, Move{{77, 88}}}};
         Track track(script, tinyBudget);
         track.seek({3, 0});
-        std::shared_ptr<const Segment> segment;
-        const State shown = track.preview(segment);
-        QVERIFY(shown.at(0) == (Vec2{77, 88}));
-        QVERIFY(track.now().at(0) != (Vec2{77, 88}));
+        std::shared_ptr<const ComposedInterval> interval;
+        const State shown = track.preview(interval);
+        QVERIFY(shown.positionOf(0) == (Vec2{77, 88}));
+        QVERIFY(track.state().positionOf(0) != (Vec2{77, 88}));
         track.seek({3, 1});
-        QVERIFY(support::difference(track.preview(segment), track.now()).empty());
+        QVERIFY(support::difference(track.preview(interval), track.state()).empty());
     }
 };
 

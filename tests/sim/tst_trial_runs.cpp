@@ -13,7 +13,7 @@ using namespace sim;
 
 namespace {
 
-const GoesOn patient = [] { return true; };
+const ShouldContinue patient = [] { return true; };
 const DampRange drag = {"damp", 0.0, 0.01};
 
 /// A body with `feet` feet on springs without length, linear: against each other they swing with (feet + 1) k.
@@ -78,7 +78,7 @@ private slots:
         while (!holds(squared, h, 0.85))
             h /= 2.0;
         const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
-        QVERIFY(smaller && smaller->heldFor > 0);
+        QVERIFY(smaller && smaller->stableFrames > 0);
         QCOMPARE(smaller->step.h, h);
         double kept = 0.85;
         do {
@@ -102,15 +102,16 @@ private slots:
         const Script script = star(60, method.toUtf8());
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
         QVERIFY(find(found, Remedy::Kind::smallerStep));
-        const Remedy *other = find(found, Remedy::Kind::boundlessMethod);
+        const Remedy *other = find(found, Remedy::Kind::unlimitedMethod);
         QVERIFY(other && other->method->stepLimit() == StepLimit::none);
         for (const Remedy &remedy : found) {
-            Track track(mended(script, remedy), 0);
-            track.seek({5 * remedy.heldFor, 0});
+            Track track(withRemedy(script, remedy), 0);
+            track.seek({5 * remedy.stableFrames, 0});
             QVERIFY(!track.stop());
-            const State &end = track.now(); // springs without length: all in one place, at rest
-            for (int i = 0; i < end.points(); ++i)
-                QVERIFY(length(end.at(i) - end.at(0)) < 1e-6 && length(end.speed(i)) < 1e-6);
+            const State &end = track.state(); // springs without length: all in one place, at rest
+            for (int i = 0; i < end.pointCount(); ++i)
+                QVERIFY(length(end.positionOf(i) - end.positionOf(0)) < 1e-6 &&
+                        length(end.velocityOf(i)) < 1e-6);
         }
     }
 
@@ -127,10 +128,10 @@ private slots:
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
         QVERIFY(find(found, Remedy::Kind::smallerStep));
         for (const Remedy &remedy : found) {
-            Track track(mended(script, remedy), 0);
+            Track track(withRemedy(script, remedy), 0);
             track.seek({2000, 0});
             QVERIFY(!track.stop());
-            QVERIFY2(track.now().velocity.abs().maxCoeff() < 1e-3, remedy.method->id().c_str());
+            QVERIFY2(track.state().velocity.abs().maxCoeff() < 1e-3, remedy.method->id().c_str());
         }
     }
 
@@ -143,9 +144,9 @@ private slots:
         script.values.set("k", 20.0);
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
         const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
-        QVERIFY(smaller && smaller->heldFor > 0);
+        QVERIFY(smaller && smaller->stableFrames > 0);
         QCOMPARE(smaller->step.h, 0.25); // 20 / 4 is past the limit, 20 / 16 is not
-        QVERIFY(find(found, Remedy::Kind::boundlessMethod));
+        QVERIFY(find(found, Remedy::Kind::unlimitedMethod));
     }
 
     void allElseStaysAsItWas()
@@ -155,7 +156,7 @@ private slots:
         script.effectsOff = {"wind"};
         script.input = {{3, Grab{"foot1"}}, {3, Move{{300, 310}}}, {9, Release{}}, {12, Set{"damp", 0.9}}};
         for (const Remedy &remedy : remediesAfter(script, stopOf(script), &drag, patient)) {
-            const Script other = mended(script, remedy);
+            const Script other = withRemedy(script, remedy);
             QVERIFY(other.bodies == script.bodies);
             QCOMPARE(other.effectsOff, script.effectsOff);
             QCOMPARE(other.values["k"], 0.2);
@@ -163,7 +164,7 @@ private slots:
             QCOMPARE(other.values == script.values, !isDamped);
             QCOMPARE(other.input == script.input, !isDamped);
             QCOMPARE(other.input.size(), script.input.size());
-            QCOMPARE(other.method->id() == script.method->id(), remedy.kind != Remedy::Kind::boundlessMethod);
+            QCOMPARE(other.method->id() == script.method->id(), remedy.kind != Remedy::Kind::unlimitedMethod);
             QCOMPARE(other.step == script.step, remedy.kind != Remedy::Kind::smallerStep);
             if (isDamped) // what was set on the way damps more, too
                 QVERIFY(std::get<Set>(other.input.back().what).value < 0.9);
@@ -179,19 +180,19 @@ private slots:
             return scene;
         };
         Script script = support::script(sample, "dormand_prince");
-        script.step = StepSize::within(1e-13);
+        script.step = StepSize::withTolerance(1e-13);
         const Stop stop = stopOf(script);
         QVERIFY(stop.reason == StopReason::tooManySteps);
         const std::vector<Remedy> found = remediesAfter(script, stop, nullptr, patient);
         const Remedy *larger = find(found, Remedy::Kind::largerTolerance);
         QVERIFY(larger && !find(found, Remedy::Kind::smallerStep) && !find(found, Remedy::Kind::moreDamping));
-        QVERIFY(find(found, Remedy::Kind::boundlessMethod));
+        QVERIFY(find(found, Remedy::Kind::unlimitedMethod));
         // A tenth of it is not enough.
         const Script failing = script;
-        script.step = StepSize::within(larger->step.tolerance / 10.0);
+        script.step = StepSize::withTolerance(larger->step.tolerance / 10.0);
         QVERIFY(stopOf(script).reason == StopReason::tooManySteps);
-        Track track(mended(failing, *larger), 0);
-        track.seek({larger->heldFor + 20, 0});
+        Track track(withRemedy(failing, *larger), 0);
+        track.seek({larger->stableFrames + 20, 0});
         QVERIFY(!track.stop());
     }
 
@@ -206,7 +207,7 @@ private slots:
         };
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &drag, patient);
         QVERIFY(find(found, Remedy::Kind::smallerStep));
-        QVERIFY(!find(found, Remedy::Kind::boundlessMethod));
+        QVERIFY(!find(found, Remedy::Kind::unlimitedMethod));
     }
 
     void whereNothingHoldsNothingIsOffered()
@@ -227,7 +228,7 @@ private slots:
         const std::vector<Remedy> found = remediesAfter(script, stop, &drag, patient);
         const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
         QVERIFY(smaller);
-        QCOMPARE(smaller->heldFor, std::int64_t(0));
+        QCOMPARE(smaller->stableFrames, std::int64_t(0));
     }
 
     void nobodyWaitsForASearchThatIsLeft()

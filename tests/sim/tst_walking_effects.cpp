@@ -30,7 +30,7 @@ State randomState(Dice &dice)
     State state = State::ofPoints(6);
     for (int i = 0; i < 6; ++i) {
         state.place(i, {dice.real(-100, 100), dice.real(-100, 100)});
-        state.push(i, {dice.real(-20, 20), dice.real(-20, 20)});
+        state.setVelocity(i, {dice.real(-20, 20), dice.real(-20, 20)});
         state.inverseMass[i] = dice.chance(0.3) ? 0.0 : dice.chance(0.5) ? 1.0 : dice.real(0.1, 3.0);
     }
     state.gait.resize(2);
@@ -45,10 +45,10 @@ LegRule rule(Aim aim, Reaction reaction)
     return {k, 40.0, 30.0, aim, reaction};
 }
 
-Eigen::ArrayX2d added(const Force &force, const State &state, Points movers, double scale = 1.0)
+Eigen::ArrayX2d added(const Force &force, const State &state, PointRange movers, double scale = 1.0)
 {
-    Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.points(), 2);
-    force.add(state, movers, scale, Directions::apart, into);
+    Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+    force.add(state, movers, scale, DirectionRule::regularised, into);
     return into;
 }
 
@@ -59,7 +59,7 @@ Complex row(const Eigen::ArrayX2d &values, int i)
 
 Complex at(const State &state, int i)
 {
-    return {state.at(i).x, state.at(i).y};
+    return {state.positionOf(i).x, state.positionOf(i).y};
 }
 
 }
@@ -158,7 +158,7 @@ private slots:
             const State state = randomState(dice);
             const Eigen::ArrayX2d into = added(*force, state, {0, 6});
             for (int i = 0; i < 6; ++i) {
-                const std::vector<Live> live = force->explain(state, i, Directions::apart);
+                const std::vector<LiveValue> live = force->explain(state, i, DirectionRule::regularised);
                 const Vec2 pull = live.empty() ? Vec2{} : std::get<Vec2>(live.back().value);
                 QVERIFY(live.empty() || live.back().name == "pull");
                 QVERIFY(std::abs(row(into, i) - Complex(pull.x, pull.y)) < 1e-12);
@@ -175,7 +175,7 @@ private slots:
             State state = randomState(dice);
             const Eigen::ArrayX2d into = added(*force, state, {0, 6});
             for (int i = 0; i < 6; ++i)
-                QVERIFY(state.feels(i) || (into.row(i) == 0.0).all());
+                QVERIFY(state.isDynamic(i) || (into.row(i) == 0.0).all());
             state.inverseMass.setZero();
             QCOMPARE(force->count(state, {0, 6}), 0);
         }
@@ -198,7 +198,7 @@ private slots:
     {
         const State state = State::ofPoints(2);
         const Push push({0, 1}, k, 60.0, Reaction::equal);
-        for (const Directions way : {Directions::apart, Directions::published}) {
+        for (const DirectionRule way : {DirectionRule::regularised, DirectionRule::published}) {
             Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(2, 2);
             push.add(state, {0, 2}, 1.0, way, into);
             QVERIFY(std::abs(std::abs(row(into, 0)) - k * 60.0) < 1e-12);
@@ -227,7 +227,7 @@ private slots:
         const Steering steering(0, 2, {0.15, 0.004, 200.0});
         steering.drive(state, 1.0);
         QCOMPARE(state.gaitSpeed[0], 3.0);
-        state.outside.keys.right = true;
+        state.input.keys.right = true;
         steering.drive(state, 1.0);
         QCOMPARE(state.gaitSpeed[0], 0.15);
         QCOMPARE(state.gaitSpeed[1], -4.0);
@@ -280,10 +280,11 @@ private slots:
             State state = before;
             ground.resolve(state, {0, 5});
             for (int i = 0; i < 6; ++i) {
-                const bool hit = (i == 1 || i == 4) && before.feels(i) && before.at(i).y > 10.0;
-                const Vec2 v = before.speed(i);
-                QCOMPARE(state.at(i), (hit ? Vec2{before.at(i).x, 10.0} : before.at(i)));
-                QVERIFY(length(state.speed(i) - (hit ? Vec2{v.x, -0.4 * v.y} : v)) < 1e-12);
+                const bool hit = (i == 1 || i == 4) && before.isDynamic(i) && before.positionOf(i).y > 10.0;
+                const Vec2 v = before.velocityOf(i);
+                QCOMPARE(state.positionOf(i),
+                         (hit ? Vec2{before.positionOf(i).x, 10.0} : before.positionOf(i)));
+                QVERIFY(length(state.velocityOf(i) - (hit ? Vec2{v.x, -0.4 * v.y} : v)) < 1e-12);
             }
             state = before;
             ground.resolve(state, {2, 2});

@@ -9,7 +9,7 @@
 using namespace sim;
 
 Q_DECLARE_METATYPE(sim::Room)
-Q_DECLARE_METATYPE(sim::Motion)
+Q_DECLARE_METATYPE(sim::PointMotion)
 
 class TestWalls : public QObject
 {
@@ -19,12 +19,12 @@ private slots:
     void bodiesBounceAtHalfTheirWidth_data()
     {
         QTest::addColumn<Room>("room");
-        QTest::addColumn<Motion>("before");
-        QTest::addColumn<Motion>("after");
+        QTest::addColumn<PointMotion>("before");
+        QTest::addColumn<PointMotion>("after");
         const Room full = {20, 520, 380, 1.0};
         const Room half = {20, 520, 380, 0.5};
         const Room dead = {20, 520, 380, 0.0};
-        const auto row = [](const char *name, Room room, Motion before, Motion after) {
+        const auto row = [](const char *name, Room room, PointMotion before, PointMotion after) {
             QTest::newRow(name) << room << before << after;
         };
         row("inside", full, {{100, 100}, {3, 4}}, {{100, 100}, {3, 4}});
@@ -44,16 +44,16 @@ private slots:
     void bodiesBounceAtHalfTheirWidth()
     {
         QFETCH(Room, room);
-        QFETCH(Motion, before);
-        QFETCH(Motion, after);
+        QFETCH(PointMotion, before);
+        QFETCH(PointMotion, after);
         State state = State::ofPoints(1);
         state.place(0, before.x);
-        state.push(0, before.v);
+        state.setVelocity(0, before.v);
         Walls(room, Eigen::ArrayXd::Constant(1, 15.0)).resolve(state, {0, 1});
-        QCOMPARE(state.at(0).x, after.x.x);
-        QCOMPARE(state.at(0).y, after.x.y);
-        QCOMPARE(state.speed(0).x, after.v.x);
-        QCOMPARE(state.speed(0).y, after.v.y);
+        QCOMPARE(state.positionOf(0).x, after.x.x);
+        QCOMPARE(state.positionOf(0).y, after.x.y);
+        QCOMPARE(state.velocityOf(0).x, after.v.x);
+        QCOMPARE(state.velocityOf(0).y, after.v.y);
     }
 
     void eachBodyHasItsOwnWidth()
@@ -64,8 +64,8 @@ private slots:
         state.place(0, {0, 0});
         state.place(1, {0, 0});
         Walls({20, 520, 380, 1.0}, half).resolve(state, {0, 2});
-        QCOMPARE(state.at(0).x, 25.0);
-        QCOMPARE(state.at(1).x, 35.0);
+        QCOMPARE(state.positionOf(0).x, 25.0);
+        QCOMPARE(state.positionOf(1).x, 35.0);
     }
 
     void whatIsHeldMeetsNoWall()
@@ -74,8 +74,8 @@ private slots:
         state.inverseMass[0] = 0.0;
         const Walls walls({20, 520, 380, 1.0}, Eigen::ArrayXd::Constant(2, 5.0));
         walls.resolve(state, {0, 2});
-        QCOMPARE(state.at(0).x, 0.0);
-        QCOMPARE(state.at(1).x, 25.0);
+        QCOMPARE(state.positionOf(0).x, 0.0);
+        QCOMPARE(state.positionOf(1).x, 25.0);
         QCOMPARE(walls.count(state, {0, 2}), 1);
     }
 
@@ -95,10 +95,11 @@ private slots:
         for (int run = 0; run < 10'000; ++run) {
             state.place(0, {dice.real(-1e4, 1e4), dice.real(-1e4, 1e4)});
             const Vec2 v = {dice.real(-1e3, 1e3), dice.real(-1e3, 1e3)};
-            state.push(0, v);
+            state.setVelocity(0, v);
             walls.resolve(state, {0, 1});
-            QVERIFY(state.at(0).x >= 25 && state.at(0).x <= 515 && state.at(0).y <= 375);
-            QVERIFY(length(state.speed(0)) <= length(v));
+            QVERIFY(state.positionOf(0).x >= 25 && state.positionOf(0).x <= 515 &&
+                    state.positionOf(0).y <= 375);
+            QVERIFY(length(state.velocityOf(0)) <= length(v));
         }
     }
 };

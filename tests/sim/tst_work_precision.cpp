@@ -56,7 +56,7 @@ double errorAgainst(const Script &script, const std::function<Vec2(double)> &tru
     double largest = 0.0;
     for (std::int64_t frame = 1; frame <= frames; ++frame) {
         track.seek({frame, 0});
-        largest = std::max(largest, length(track.now().at(0) - truth(static_cast<double>(frame))));
+        largest = std::max(largest, length(track.state().positionOf(0) - truth(static_cast<double>(frame))));
     }
     return largest;
 }
@@ -75,7 +75,7 @@ Scene threeSticks()
     Scene scene = scenes::creature(3);
     for (int i = 0; i < 4; ++i)
         scene.start.place(i, {200.0 + 36.0 * i, i % 2 == 0 ? 200.0 : 248.0});
-    scene.start.push(0, {3.0, -4.0});
+    scene.start.setVelocity(0, {3.0, -4.0});
     scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.99),
                      std::make_shared<Sticks>(scenes::chainOfSticks(3, 60.0), 4)};
     return scene;
@@ -109,12 +109,12 @@ private slots:
         for (const AccuracyRow &row : found.rows) {
             if (row.outcome != Outcome::measured || row.error < 1e-8)
                 continue; // below that the closed form's own rounding shows
-            const double exact = errorAgainst(scriptOf(scene, row.way), truth, frames);
+            const double exact = errorAgainst(scriptOf(scene, row.setup), truth, frames);
             const std::string figures =
                 nameOf(row) + ": " + std::to_string(row.error) + ", not " + std::to_string(exact);
             QVERIFY2(std::abs(row.error - exact) <= 0.02 * exact, figures.c_str());
             ++compared;
-            methods.insert(row.way.method->id());
+            methods.insert(row.setup.method->id());
         }
         QVERIFY(compared > 20);
         QVERIFY(methods.size() > 4);
@@ -123,10 +123,10 @@ private slots:
     void theReferenceIsTheClosedForm()
     {
         const Accuracy found = studyAccuracy(scriptOf(bouncingBall()), quickPlan(100), goOn);
-        QCOMPARE(found.reference.places.size(), std::size_t(101));
+        QCOMPARE(found.reference.trajectories.size(), std::size_t(101));
         for (std::size_t frame = 0; frame <= 100; ++frame) {
             const Vec2 exact = onBouncingBall(static_cast<double>(frame));
-            QVERIFY(length(found.reference.places[frame][0] - exact) < 1e-8);
+            QVERIFY(length(found.reference.trajectories[frame][0] - exact) < 1e-8);
         }
         QVERIFY(found.reference.disagreement <= referenceAgreement);
     }
@@ -154,16 +154,16 @@ private slots:
                 continue;
             ++checked;
             Script own = script;
-            own.method = row.way.method;
-            own.step = row.way.step;
+            own.method = row.setup.method;
+            own.step = row.setup.step;
             Track track(own, 1 << 20);
             double largest = 0.0;
             for (std::int64_t frame = 1; frame <= found.horizon; ++frame) {
                 track.seek({frame, 0});
                 double farthest = 0.0;
-                const std::vector<Vec2> &places = found.reference.places[std::size_t(frame)];
+                const std::vector<Vec2> &places = found.reference.trajectories[std::size_t(frame)];
                 for (std::size_t i = 0; i < places.size(); ++i)
-                    farthest = std::max(farthest, length(track.now().at(int(i)) - places[i]));
+                    farthest = std::max(farthest, length(track.state().positionOf(int(i)) - places[i]));
                 QCOMPARE(row.errorAt[std::size_t(frame)], farthest);
                 largest = std::max(largest, farthest);
             }
@@ -176,9 +176,9 @@ private slots:
         const Accuracy found = studyAccuracy(restless(), quickPlan(3000), goOn);
         QVERIFY(found.reference.kind == ReferenceRun::Kind::solution);
         QVERIFY(found.horizon > 10 && found.horizon < 3000);
-        QVERIFY(found.reference.end == ReferenceRun::End::parted);
+        QVERIFY(found.reference.end == ReferenceRun::End::diverged);
         QVERIFY(found.reference.disagreement <= referenceAgreement);
-        QCOMPARE(std::int64_t(found.reference.places.size()), found.horizon + 1);
+        QCOMPARE(std::int64_t(found.reference.trajectories.size()), found.horizon + 1);
         // The frame after the horizon is where they part.
         Script first = restless(), second = restless();
         first.method = findMethod(found.reference.method);
@@ -190,8 +190,8 @@ private slots:
             a.seek({frame, 0});
             b.seek({frame, 0});
             double farthest = 0.0;
-            for (int i = 0; i < a.now().points(); ++i)
-                farthest = std::max(farthest, length(a.now().at(i) - b.now().at(i)));
+            for (int i = 0; i < a.state().pointCount(); ++i)
+                farthest = std::max(farthest, length(a.state().positionOf(i) - b.state().positionOf(i)));
             return farthest;
         };
         QVERIFY(apart(found.horizon) <= referenceAgreement);
@@ -201,13 +201,13 @@ private slots:
     void whatHasNoLimitIsComparedWithItself()
     {
         const Accuracy found = studyAccuracy(scriptOf(threeSticks()), quickPlan(20), goOn);
-        QVERIFY(found.reference.kind == ReferenceRun::Kind::ownRefinement);
-        QCOMPARE(found.reference.jump->id(), std::string("sticks"));
-        QVERIFY(found.reference.places.empty());
+        QVERIFY(found.reference.kind == ReferenceRun::Kind::selfRefinement);
+        QCOMPARE(found.reference.discontinuity->id(), std::string("sticks"));
+        QVERIFY(found.reference.trajectories.empty());
         QVERIFY(found.horizon > 0);
         int measured = 0;
         for (const AccuracyRow &row : found.rows) {
-            if (row.way.method->stepping() == Stepping::adaptive) {
+            if (row.setup.method->stepping() == Stepping::adaptive) {
                 QVERIFY(row.outcome == Outcome::doesNotFit);
                 QCOMPARE(row.why->id(), std::string("method-does-not-fit"));
             }
@@ -225,16 +225,17 @@ private slots:
         const Accuracy found = studyAccuracy(scriptOf(scene), plan, goOn);
         QVERIFY(found.horizon > 0);
         for (const AccuracyRow &row : found.rows) {
-            if (row.outcome != Outcome::measured || row.way.method->id() != "semi_implicit_euler")
+            if (row.outcome != Outcome::measured || row.setup.method->id() != "semi_implicit_euler")
                 continue;
-            Track own(scriptOf(scene, {row.way.method, found.reference.step}), 0);
-            Track run(scriptOf(scene, row.way), 0);
+            Track own(scriptOf(scene, {row.setup.method, found.reference.step}), 0);
+            Track run(scriptOf(scene, row.setup), 0);
             double largest = 0.0;
             for (std::int64_t frame = 1; frame <= found.horizon; ++frame) {
                 own.seek({frame, 0});
                 run.seek({frame, 0});
                 for (int i = 0; i < 4; ++i)
-                    largest = std::max(largest, length(own.now().at(i) - run.now().at(i)));
+                    largest =
+                        std::max(largest, length(own.state().positionOf(i) - run.state().positionOf(i)));
             }
             QCOMPARE(row.error, largest);
         }
@@ -246,8 +247,8 @@ private slots:
         scene.effects = {std::make_shared<PointSpring>(0, spot, 6.0)}; // stable up to h = 2 / sqrt(6)
         const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(200), goOn);
         for (const AccuracyRow &row : found.rows) {
-            if (row.way.method->id() == "published")
-                QCOMPARE(row.outcome == Outcome::unstable, row.way.step.h == 1.0);
+            if (row.setup.method->id() == "published")
+                QCOMPARE(row.outcome == Outcome::unstable, row.setup.step.h == 1.0);
         }
     }
 
@@ -266,7 +267,7 @@ private slots:
                 if (row.outcome != Outcome::measured || row.error < 1e-8)
                     continue;
                 const double exact =
-                    errorAgainst(scriptOf(dampedSpring(), row.way), onDampedSpring, soFar.previewed);
+                    errorAgainst(scriptOf(dampedSpring(), row.setup), onDampedSpring, soFar.previewed);
                 isRight &= std::abs(row.error - exact) <= 1e-3 * exact + 1e-9;
                 lastLook = soFar.previewed;
                 ++compared;

@@ -116,7 +116,7 @@ QPointF DifferencePlot::placeOf(const Difference &one) const
 
 void DifferencePlot::paintMarks(QPainter &painter) const
 {
-    const std::int64_t frame = m_session.timeline().at().frame;
+    const std::int64_t frame = m_session.timeline().cursor().frame;
     paintCursor(painter, xAxis->coordToPixel(static_cast<double>(frame)));
     const Difference *here = nearest(frame);
     if (here && here->frame == frame)
@@ -149,7 +149,7 @@ PlotPicture DifferencePlot::picture()
 
 QString DifferencePlot::sentence() const
 {
-    const std::int64_t frame = m_session.timeline().at().frame;
+    const std::int64_t frame = m_session.timeline().cursor().frame;
     const Difference *here = nearest(frame);
     if (!here || here->frame != frame)
         return accessibleDescription();

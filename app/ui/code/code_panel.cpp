@@ -128,7 +128,7 @@ void CodePanel::follow()
 {
     if (m_looks && m_session.isGlancing())
         return;
-    const bool same = m_session.shown().track().shownPtr() == m_segment &&
+    const bool same = m_session.shown().track().intervalPtr() == m_interval &&
                       m_session.timeline().script().method == m_method && &m_session.step() == m_step;
     if (!same)
         rebuild();
@@ -142,10 +142,10 @@ void CodePanel::follow()
 
 void CodePanel::rebuild()
 {
-    m_segment = m_session.shown().track().shownPtr();
+    m_interval = m_session.shown().track().intervalPtr();
     m_method = m_session.timeline().script().method;
     m_step = &m_session.step();
-    CodeListing listing = listingOf(*m_step, *m_segment, *m_method);
+    CodeListing listing = listingOf(*m_step, *m_interval, *m_method);
     if (const auto before = listingBefore()) {
         markNew(listing, *before);
         markGone(listing, *before);
@@ -154,7 +154,7 @@ void CodePanel::rebuild()
         return;
     m_listing = std::move(listing);
     m_view->setListing(m_listing);
-    m_view->setSpots(parameterSpots(m_listing, *m_step, *m_segment));
+    m_view->setSpots(parameterSpots(m_listing, *m_step, *m_interval));
     m_asked.reset();
     m_ranTo.reset();
     m_card->hide();
@@ -174,9 +174,9 @@ void CodePanel::refresh()
 {
     m_refreshed.start();
     const sim::Timeline &timeline = m_session.shown();
-    std::vector<CodeChip> values = chipsOf(m_listing, m_session.moments(), *m_segment, point());
+    std::vector<CodeChip> values = chipsOf(m_listing, m_session.moments(), *m_interval, point());
     if (m_session.stoppedBy() && !m_session.isGlancing())
-        dropNext(values, m_listing, timeline.at().phase % m_segment->pipeline.phasesPerStep());
+        dropNext(values, m_listing, timeline.cursor().phase % m_interval->pipeline.phasesPerStep());
     std::vector<SectionMark> marks = marksNow(timeline, values);
     const std::vector<CodeChip> parameters = parameterChips(m_listing, *m_step, timeline.values());
     values.insert(values.end(), parameters.begin(), parameters.end());
@@ -196,7 +196,7 @@ std::vector<SectionMark> CodePanel::marksNow(const sim::Timeline &timeline,
     if (m_session.isPlaying())
         return std::vector<SectionMark>(m_listing.sections.size());
     std::vector<SectionMark> marks = marksOf(m_listing, timeline, values, point());
-    const bool isThere = m_ranTo && timeline.at() == m_ranTo->at && m_ranTo->section < marks.size();
+    const bool isThere = m_ranTo && timeline.cursor() == m_ranTo->at && m_ranTo->section < marks.size();
     if (isThere && marks[m_ranTo->section].when == When::now)
         marks[m_ranTo->section].result = m_ranTo->line;
     return marks;
@@ -205,7 +205,7 @@ std::vector<SectionMark> CodePanel::marksNow(const sim::Timeline &timeline,
 void CodePanel::showStand()
 {
     const sim::Timeline &timeline = m_session.timeline();
-    const sim::Cursor at = timeline.at();
+    const sim::Cursor at = timeline.cursor();
     if (!m_begun && at != sim::Cursor{})
         m_view->showPhases();
     m_begun = m_begun || at != sim::Cursor{};
@@ -223,7 +223,7 @@ void CodePanel::showStand()
 
 int CodePanel::point() const
 {
-    return m_segment->scene.find(m_session.selected().toStdString());
+    return m_interval->scene.find(m_session.selected().toStdString());
 }
 
 void CodePanel::showCaption()

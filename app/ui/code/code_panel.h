@@ -118,7 +118,7 @@ private:
     QToolButton *m_goneLines = nullptr;
     QToolButton *m_copy = nullptr;
     CodeListing m_listing;
-    std::shared_ptr<const sim::Segment> m_segment; ///< what m_listing was made of
+    std::shared_ptr<const sim::ComposedInterval> m_interval; ///< what m_listing was made of
     sim::MethodPtr m_method;
     const lessons::Step *m_step = nullptr;
     std::optional<RanTo> m_ranTo;

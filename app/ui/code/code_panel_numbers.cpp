@@ -64,7 +64,7 @@ void CodePanel::dragNumber(int pixels, bool fine)
 {
     const lessons::Parameter *parameter = m_drag ? parameterOf(m_drag->spot) : nullptr;
     if (!parameter ||
-        parameter->opens) // one that begins the run anew is typed, not dragged through all its values
+        parameter->restartsRun) // one that begins the run anew is typed, not dragged through all its values
         return;
     m_session.setParameter(parameter->id,
                            draggedValue(*parameter, m_drag->from, (fine ? finePixel : 1.0) * pixels));
@@ -196,7 +196,7 @@ void CodePanel::askSymbol(std::size_t row, qsizetype column)
     if (word == words.end())
         return;
     const auto symbol =
-        symbolAt(m_listing, its.section, its.line, column, m_view->spots(), *m_step, *m_segment, point());
+        symbolAt(m_listing, its.section, its.line, column, m_view->spots(), *m_step, *m_interval, point());
     if (!symbol) {
         if (m_view->hasFocus() && !m_view->viewport()->underMouse())
             emit said(tr("No number is known of “%1”.").arg(word->name));
@@ -210,7 +210,7 @@ QString CodePanel::whose(const CodeSymbol &symbol) const
 {
     if (symbol.phase < 0)
         return {};
-    const sim::Pipeline &pipeline = m_segment->pipeline;
+    const sim::Pipeline &pipeline = m_interval->pipeline;
     const QString phase = phrase(pipeline.phases[static_cast<std::size_t>(symbol.phase)].title);
     return tr("Of %1, in “%2”.").arg(bodyTitle(m_session.selected()), phase);
 }
@@ -223,7 +223,7 @@ void CodePanel::showCard()
     CodeHistory history = historyOf(symbol, m_session.timeline().track(), m_session.selected().toStdString());
     for (CodeHistory::Sample &sample : history.samples) {
         if (symbol.parameter.isEmpty())
-            sample.value = withoutNoise(sample.value, noiseOf(m_segment->scene));
+            sample.value = withoutNoise(sample.value, noiseOf(m_interval->scene));
     }
     QString value = tr("none yet");
     if (const lessons::Parameter *parameter = m_step->parameter(symbol.parameter))

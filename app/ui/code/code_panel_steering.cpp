@@ -90,7 +90,7 @@ void CodePanel::pointAt(std::optional<std::size_t> row)
         return;
     }
     m_looks = true;
-    if (m_session.timeline().at().phase > 0)
+    if (m_session.timeline().cursor().phase > 0)
         m_session.glance(*moment);
     else
         m_session.mark(*moment);

@@ -177,7 +177,7 @@ QWidget *StopList::rowFor(const Breakpoint &breakpoint)
 
 void StopList::suggest()
 {
-    const sim::Scene &scene = m_session.timeline().track().shown().scene;
+    const sim::Scene &scene = m_session.timeline().track().interval().scene;
     m_field->setPlaceholderText(
         tr("Stop when… (%1.y > 300)").arg(QString::fromStdString(scene.names.front())));
 }

@@ -7,7 +7,7 @@ namespace app {
 namespace {
 
 /// The second sign, in a square from (0, 0) to (1, 1).
-QPainterPath signOf(sim::Kind kind)
+QPainterPath signOf(sim::EffectKind kind)
 {
     QPainterPath path;
     const auto line = [&](QPointF from, QPointF to) {
@@ -15,34 +15,34 @@ QPainterPath signOf(sim::Kind kind)
         path.lineTo(to);
     };
     switch (kind) {
-    case sim::Kind::gravity:
+    case sim::EffectKind::gravity:
         path.addPolygon(QPolygonF{{0.22, 0.4}, {0.5, 0.74}, {0.78, 0.4}});
         break;
-    case sim::Kind::damping:
+    case sim::EffectKind::damping:
         line({0.36, 0.0}, {0.36, 1.0});
         line({0.68, 0.0}, {0.68, 1.0});
         break;
-    case sim::Kind::contact:
+    case sim::EffectKind::contact:
         line({0.0, 0.5}, {0.5, 0.0});
         line({0.15, 0.85}, {0.85, 0.15});
         line({0.5, 1.0}, {1.0, 0.5});
         break;
-    case sim::Kind::driver:
+    case sim::EffectKind::driver:
         line({0.0, 0.5}, {1.0, 0.5});
         break;
-    case sim::Kind::wind:
+    case sim::EffectKind::wind:
         for (const double y : {0.32, 0.68}) {
             line({0.3, y}, {0.34, y});
             line({0.66, y}, {0.7, y});
         }
         break;
-    case sim::Kind::stick:
+    case sim::EffectKind::stick:
         line({0.28, 0.26}, {0.72, 0.26});
         line({0.28, 0.74}, {0.72, 0.74});
         line({0.5, 0.26}, {0.5, 0.74});
         break;
-    case sim::Kind::spring:
-    case sim::Kind::motion:
+    case sim::EffectKind::spring:
+    case sim::EffectKind::motion:
         break;
     }
     return path;
@@ -50,9 +50,10 @@ QPainterPath signOf(sim::Kind kind)
 
 }
 
-void drawKindMark(QPainter &painter, const QRectF &square, sim::Kind kind, MarkFill fill, const Theme &theme)
+void drawKindMark(QPainter &painter, const QRectF &square, sim::EffectKind kind, MarkFill fill,
+                  const Theme &theme)
 {
-    const QColor ink = kind == sim::Kind::motion ? theme.tokens().ghost : theme.kindColor(kind);
+    const QColor ink = kind == sim::EffectKind::motion ? theme.tokens().ghost : theme.kindColor(kind);
     const bool isSolid = fill == MarkFill::solid;
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);

@@ -24,7 +24,7 @@ QColor inkOf(const EnergyLine &line, const Theme &theme)
 {
     if (line.role == EnergyRole::drift)
         return theme.tokens().past;
-    return line.kind == sim::Kind::motion ? theme.tokens().ghost : theme.kindColor(line.kind);
+    return line.kind == sim::EffectKind::motion ? theme.tokens().ghost : theme.kindColor(line.kind);
 }
 
 QBrush driftBrush(const Theme &theme)

@@ -155,7 +155,7 @@ const std::vector<EnergyLine> &EnergyPanel::lines() const
 
 QString EnergyPanel::unit() const
 {
-    const bool turns = m_session.timeline().now().spin.rows() > 0;
+    const bool turns = m_session.timeline().state().spin.rows() > 0;
     return m_view == energy ? energyUnit(turns) : momentumUnit();
 }
 
@@ -178,7 +178,7 @@ void EnergyPanel::refreshNow()
     m_later.stop();
     m_sinceRefresh.start();
     const std::optional<sim::NoEnergy> whyNot = m_course.whyNot();
-    const bool turns = m_session.timeline().now().spin.rows() > 0;
+    const bool turns = m_session.timeline().state().spin.rows() > 0;
     const bool isAboutTurning = !whyNot && turns && m_view == momentum;
     m_pages->setCurrentWidget(whyNot || isAboutTurning ? m_reason : m_ledger);
     if (whyNot || isAboutTurning) {
@@ -209,7 +209,7 @@ void EnergyPanel::followGlance()
 void EnergyPanel::showLedger()
 {
     m_isElsewhere = m_session.isGlancing();
-    const std::int64_t frame = m_session.shown().at().frame;
+    const std::int64_t frame = m_session.shown().cursor().frame;
     m_title->setCaption(m_course.at(frame) ? tr("frame %1 to %2").arg(m_course.start()).arg(frame)
                                            : tr("counting…"));
     m_unit->setText(unit());

@@ -177,7 +177,7 @@ void EnergyPlot::refresh(const EnergyLines &lines)
     for (QCPGraph *graph : m_lines)
         graph->data()->clear();
     const std::int64_t rows = m_course.rowFrames(), width = shownRows * rows;
-    const std::int64_t at = m_session.timeline().at().frame;
+    const std::int64_t at = m_session.timeline().cursor().frame;
     const std::int64_t right = std::min(m_course.last(), std::max(at, m_course.first() + width));
     const std::int64_t left = std::max(m_course.first(), right - width);
     const bool isCounted = right >= left && m_course.at(left) && m_course.at(right);
@@ -209,7 +209,7 @@ std::vector<double> EnergyPlot::marked(std::int64_t frame) const
 
 void EnergyPlot::paintMarks(QPainter &painter) const
 {
-    const std::int64_t frame = m_session.timeline().at().frame;
+    const std::int64_t frame = m_session.timeline().cursor().frame;
     const double x = xAxis->coordToPixel(static_cast<double>(frame));
     paintCursor(painter, x);
     for (const double height : marked(frame))
@@ -252,7 +252,7 @@ QString EnergyPlot::readout(std::int64_t frame) const
 
 QString EnergyPlot::sentence() const
 {
-    const std::int64_t frame = m_session.timeline().at().frame;
+    const std::int64_t frame = m_session.timeline().cursor().frame;
     const QString numbers = readout(frame);
     if (numbers.isEmpty())
         return tr("%1: frame %2 is not counted").arg(title()).arg(frame);
@@ -261,7 +261,8 @@ QString EnergyPlot::sentence() const
 
 QString EnergyPlot::unit() const
 {
-    return m_shows == Shows::energy ? energyUnit(m_session.timeline().now().spin.rows() > 0) : momentumUnit();
+    return m_shows == Shows::energy ? energyUnit(m_session.timeline().state().spin.rows() > 0)
+                                    : momentumUnit();
 }
 
 PlotPicture EnergyPlot::picture()

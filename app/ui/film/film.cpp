@@ -72,8 +72,8 @@ Film::Film(const FilmPlan &plan, const LessonLibrary &library)
     m_session.select({}); // a ring round a body says something to who is there alone
     if (plan.extras)
         m_view.setExtras(*plan.extras);
-    const int rowFrames = m_session.timeline().track().rowFrames();
-    const std::int64_t pictures = (plan.to - plan.from) / rowFrames + 1;
+    const int framesPerOutput = m_session.timeline().track().framesPerOutput();
+    const std::int64_t pictures = (plan.to - plan.from) / framesPerOutput + 1;
     if (filmKind(plan.out) == FilmKind::gif)
         m_samples = static_cast<int>(std::min<std::int64_t>(mostSamples, pictures));
     m_total = m_samples + pictures;
@@ -87,7 +87,7 @@ std::int64_t Film::sampleFrame(int number) const
 
 std::int64_t Film::frame() const
 {
-    return m_motion ? m_motion->frame() : m_session.timeline().at().frame;
+    return m_motion ? m_motion->frame() : m_session.timeline().cursor().frame;
 }
 
 bool Film::goOn()
@@ -146,15 +146,15 @@ void Film::begin()
 bool Film::shoot()
 {
     const sim::Timeline &timeline = m_session.timeline();
-    const std::int64_t frame = timeline.at().frame;
-    const int rowFrames = timeline.track().rowFrames();
+    const std::int64_t frame = timeline.cursor().frame;
+    const int framesPerOutput = timeline.track().framesPerOutput();
     const bool isStopped = timeline.stop() && frame >= timeline.stop()->frame;
     if (frame >= m_plan.from) {
-        const double until = static_cast<double>(frame - m_plan.from + rowFrames) / m_plan.rate;
+        const double until = static_cast<double>(frame - m_plan.from + framesPerOutput) / m_plan.rate;
         m_file->add(picture(), frame, until);
         ++m_done;
     }
-    if (frame + rowFrames <= m_plan.to && !isStopped) {
+    if (frame + framesPerOutput <= m_plan.to && !isStopped) {
         m_session.frameForward();
         return true;
     }

@@ -284,7 +284,7 @@ void AccuracyPanel::refreshCard()
     const sim::AccuracyRow *best = cheapest();
     m_use->setVisible(best && best != m_study.inUse());
     if (best)
-        m_use->setToolTip(tr("Use %1").arg(wayWords(best->way)));
+        m_use->setToolTip(tr("Use %1").arg(wayWords(best->setup)));
 }
 
 void AccuracyPanel::measureOrCancel()
@@ -298,7 +298,7 @@ void AccuracyPanel::measureOrCancel()
 void AccuracyPanel::useCheapest()
 {
     if (const sim::AccuracyRow *best = cheapest())
-        m_study.adopt(best->way);
+        m_study.adopt(best->setup);
 }
 
 void AccuracyPanel::showEvent(QShowEvent *event)

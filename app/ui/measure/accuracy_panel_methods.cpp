@@ -33,9 +33,9 @@ QString AccuracyPanel::captionOf(const sim::Accuracy &accuracy) const
         return tr("first %1 frames of %2").arg(accuracy.previewed).arg(accuracy.span);
     std::set<std::string> methods, shown;
     for (const sim::AccuracyRow &row : accuracy.rows) {
-        methods.insert(row.way.method->id());
-        if (m_workPrecision->shown().has(*row.way.method))
-            shown.insert(row.way.method->id());
+        methods.insert(row.setup.method->id());
+        if (m_workPrecision->shown().has(*row.setup.method))
+            shown.insert(row.setup.method->id());
     }
     const auto frames = accuracy.horizon > 0 ? accuracy.horizon : accuracy.span;
     return shown.size() == methods.size()

@@ -14,7 +14,7 @@ namespace {
 std::size_t familyOf(const sim::Method &method)
 {
     enum Family : std::size_t { euler, verlet, rungeKutta, adaptive, implicit };
-    const std::vector<std::string> needs = method.needs();
+    const std::vector<std::string> needs = method.requirements();
     if (std::find(needs.begin(), needs.end(), "slopes") != needs.end())
         return implicit;
     if (method.stepping() == sim::Stepping::adaptive)

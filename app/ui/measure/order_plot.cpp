@@ -22,8 +22,8 @@ constexpr double near = 0.15; ///< of an order
 std::optional<double> orderOf(const sim::Accuracy &accuracy, const sim::Method &method)
 {
     std::vector<double> orders;
-    for (const Slope &slope : slopesOf(accuracy, method))
-        orders.push_back(slope.order);
+    for (const Slope &jacobian : slopesOf(accuracy, method))
+        orders.push_back(jacobian.order);
     if (orders.empty())
         return std::nullopt;
     std::sort(orders.begin(), orders.end());
@@ -61,12 +61,12 @@ std::vector<Spot> OrderPlot::layOut()
     std::vector<double> all;
     double finest = 1e300, coarsest = 0.0;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (i == 0 || rows[i].way.method->id() != rows[i - 1].way.method->id())
+        if (i == 0 || rows[i].setup.method->id() != rows[i - 1].setup.method->id())
             ++line;
-        if (rows[i].outcome != sim::Outcome::measured || rows[i].way.step.adaptive() ||
-            !shown().has(*rows[i].way.method))
+        if (rows[i].outcome != sim::Outcome::measured || rows[i].setup.step.isAdaptive() ||
+            !shown().has(*rows[i].setup.method))
             continue;
-        const double h = rows[i].way.step.h;
+        const double h = rows[i].setup.step.h;
         spots.push_back({i, {h, rows[i].error}, line});
         all.push_back(rows[i].error);
         finest = std::min(finest, h);
@@ -86,7 +86,7 @@ std::vector<Spot> OrderPlot::layOut()
 
 void OrderPlot::drawStated(QPainter &painter, const Spot &from, const Spot &to) const
 {
-    const sim::Method &method = *rowOf(from).way.method;
+    const sim::Method &method = *rowOf(from).setup.method;
     painter.setPen(dotted(inkOf(method, m_theme).color, 1.2));
     const double ratio = to.place.x() / from.place.x();
     painter.drawLine(onScreen(from),
@@ -114,7 +114,7 @@ void OrderPlot::placeWords()
     std::vector<EndLabel> labels;
     std::vector<QLineF> strokes;
     for (const auto &[number, line] : lines()) {
-        const sim::Method &method = *rowOf(*line.back()).way.method;
+        const sim::Method &method = *rowOf(*line.back()).setup.method;
         addStrokes(strokes, onScreenAll(line));
         labels.push_back(
             {onScreen(*line.back()), orderWords(*m_study.accuracy(), method), inkOf(method, m_theme).color});
@@ -132,7 +132,7 @@ void OrderPlot::draw(QPainter &painter)
     painter.save();
     painter.setClipRect(area.adjusted(-6.0, 0.0, 6.0, 0.0));
     for (const auto &[number, line] : lines()) {
-        const sim::Method &method = *rowOf(*line.front()).way.method;
+        const sim::Method &method = *rowOf(*line.front()).setup.method;
         const MethodInk ink = inkOf(method, m_theme);
         if (rowOf(*line.front()).error > 0.0)
             drawStated(painter, *line.front(), *line.back());
@@ -158,15 +158,15 @@ void OrderPlot::draw(QPainter &painter)
 QString OrderPlot::tipOf(const Spot &spot) const
 {
     QString text = rowWords(rowOf(spot));
-    const sim::Method &method = *rowOf(spot).way.method;
-    for (const Slope &slope : slopesOf(*m_study.accuracy(), method)) {
-        if (slope.fine != &rowOf(spot))
+    const sim::Method &method = *rowOf(spot).setup.method;
+    for (const Slope &jacobian : slopesOf(*m_study.accuracy(), method)) {
+        if (jacobian.fine != &rowOf(spot))
             continue;
-        const double times = slope.coarse->way.step.h / slope.fine->way.step.h;
+        const double times = jacobian.coarse->setup.step.h / jacobian.fine->setup.step.h;
         text +=
             '\n' + tr("A step %1 times as short makes the error %2 times as small: order %3 here, %4 stated")
-                       .arg(roughNumber(times), roughNumber(slope.coarse->error / slope.fine->error),
-                            fixedNumber(slope.order, 2))
+                       .arg(roughNumber(times), roughNumber(jacobian.coarse->error / jacobian.fine->error),
+                            fixedNumber(jacobian.order, 2))
                        .arg(method.order());
     }
     return text;

@@ -80,9 +80,10 @@ void RunPlot::chooseRows()
         used = nullptr;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].outcome != sim::Outcome::measured || rows[i].errorAt.size() < 2 ||
-            !shown().has(*rows[i].way.method))
+            !shown().has(*rows[i].setup.method))
             continue;
-        const bool isNew = m_rows.empty() || rows[m_rows.back()].way.method->id() != rows[i].way.method->id();
+        const bool isNew =
+            m_rows.empty() || rows[m_rows.back()].setup.method->id() != rows[i].setup.method->id();
         if (isNew)
             m_rows.push_back(i);
         else if (used && (&rows[i] == used || (&rows[m_rows.back()] != used &&
@@ -132,7 +133,7 @@ void RunPlot::placeWords()
         if (line.isEmpty())
             continue;
         addStrokes(strokes, line);
-        const sim::Method &method = *m_study.accuracy()->rows[row].way.method;
+        const sim::Method &method = *m_study.accuracy()->rows[row].setup.method;
         labels.push_back({line.back(), methodTitle(method), inkOf(method, m_theme).color});
     }
     LabelPlaces places({}, std::move(strokes));
@@ -148,7 +149,7 @@ void RunPlot::draw(QPainter &painter)
     const AccuracyRow *used = m_study.inUse();
     for (const std::size_t row : m_rows) {
         const QPolygonF line = lineOf(row);
-        const sim::Method &method = *m_study.accuracy()->rows[row].way.method;
+        const sim::Method &method = *m_study.accuracy()->rows[row].setup.method;
         const MethodInk ink = inkOf(method, m_theme);
         painter.setPen(QPen(ink.color, &m_study.accuracy()->rows[row] == used ? 3.0 : 1.6));
         painter.drawPolyline(line);
@@ -172,7 +173,7 @@ void RunPlot::drawMoments(QPainter &painter) const
         painter.setPen(pen);
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     };
-    line(m_study.session().timeline().at().frame, QPen(m_theme.tokens().now, 2.0));
+    line(m_study.session().timeline().cursor().frame, QPen(m_theme.tokens().now, 2.0));
     if (hovered())
         line(*hovered(), QPen(m_theme.tokens().ink3, 1.0));
 }

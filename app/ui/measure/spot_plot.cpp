@@ -65,7 +65,7 @@ void SpotPlot::refresh()
         // The same way again, as near as possible to where it was.
         const Spot *found = nullptr;
         for (const Spot &spot : m_spots) {
-            if (!sameWay(rowOf(spot).way, m_chosenWay))
+            if (!sameWay(rowOf(spot).setup, m_chosenWay))
                 continue;
             if (!found || std::abs(spot.place.x() - m_chosen->place.x()) <
                               std::abs(found->place.x() - m_chosen->place.x()))
@@ -118,7 +118,7 @@ QString SpotPlot::sentence() const
 void SpotPlot::choose(const Spot *spot)
 {
     if (spot) {
-        m_chosenWay = rowOf(*spot).way;
+        m_chosenWay = rowOf(*spot).setup;
         m_chosen = *spot;
     } else {
         m_chosen.reset();
@@ -142,7 +142,7 @@ void SpotPlot::showTip()
 void SpotPlot::adopt()
 {
     if (chosen())
-        m_study.adopt(rowOf(*m_chosen).way);
+        m_study.adopt(rowOf(*m_chosen).setup);
 }
 
 void SpotPlot::showEvent(QShowEvent *event)

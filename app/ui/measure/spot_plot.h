@@ -104,7 +104,7 @@ private:
     ErrorScale m_errors;
     QSharedPointer<PowerTicker> m_errorTicks;
     std::optional<Spot> m_chosen;
-    sim::Way m_chosenWay; ///< by which it is found again when rows come in
+    sim::MethodSetup m_chosenWay; ///< by which it is found again when rows come in
     bool m_stale = true;
     bool m_axesAreOld = true; ///< their colours are others, so that they must be painted anew
     bool m_isUnplaced = true;

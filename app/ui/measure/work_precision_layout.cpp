@@ -38,10 +38,10 @@ bool isTimed(const std::vector<AccuracyRow> &rows)
 /// An unstable rung was not timed: its cost follows from that of the next finer one that was.
 double unstableCost(const std::vector<AccuracyRow> &rows, std::size_t row, bool timed)
 {
-    const sim::Way &way = rows[row].way;
-    for (std::size_t i = row + 1; i < rows.size() && rows[i].way.method->id() == way.method->id(); ++i) {
-        if (costOf(rows[i], timed) > 0.0 && !way.step.adaptive())
-            return costOf(rows[i], timed) * rows[i].way.step.h / way.step.h;
+    const sim::MethodSetup &setup = rows[row].setup;
+    for (std::size_t i = row + 1; i < rows.size() && rows[i].setup.method->id() == setup.method->id(); ++i) {
+        if (costOf(rows[i], timed) > 0.0 && !setup.step.isAdaptive())
+            return costOf(rows[i], timed) * rows[i].setup.step.h / setup.step.h;
     }
     return costOf(rows[row], timed);
 }
@@ -51,7 +51,7 @@ std::vector<int> linesOf(const std::vector<AccuracyRow> &rows)
 {
     std::vector<int> lines;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const bool isNew = i > 0 && rows[i].way.method->id() != rows[i - 1].way.method->id();
+        const bool isNew = i > 0 && rows[i].setup.method->id() != rows[i - 1].setup.method->id();
         lines.push_back(i == 0 ? 0 : lines.back() + (isNew ? 1 : 0));
     }
     return lines;
@@ -80,7 +80,7 @@ void addUnstable(WorkPrecisionLayout &layout, const std::vector<AccuracyRow> &ro
     const ErrorScale &errors = layout.errors;
     const double top = errors.upper / std::pow(errors.upper / errors.lower, fromTop);
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (rows[i].outcome != Outcome::unstable || !shown.has(*rows[i].way.method))
+        if (rows[i].outcome != Outcome::unstable || !shown.has(*rows[i].setup.method))
             continue;
         const double cost = unstableCost(rows, i, layout.timed);
         layout.spots.push_back({i, {std::clamp(cost, layout.least * 1.1, layout.most), top}, line});
@@ -104,7 +104,7 @@ WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, const Sho
     std::vector<double> errors{target};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (rows[i].outcome != Outcome::measured || !(costOf(rows[i], layout.timed) > 0.0) ||
-            !shown.has(*rows[i].way.method))
+            !shown.has(*rows[i].setup.method))
             continue;
         layout.spots.push_back({i, {costOf(rows[i], layout.timed), rows[i].error}, lines[i]});
         errors.push_back(rows[i].error);

@@ -135,7 +135,7 @@ void WorkPrecisionPlot::drawWhiskers(QPainter &painter) const
         const sim::AccuracyRow &row = rowOf(spot);
         if (row.outcome != Outcome::measured || row.spread <= 0.0)
             continue;
-        painter.setPen(QPen(inkOf(*row.way.method, m_theme).color, 1.0));
+        painter.setPen(QPen(inkOf(*row.setup.method, m_theme).color, 1.0));
         const double y = onScreen(spot).y();
         const double left = xAxis->coordToPixel(std::max(1e-6, (row.nsPerFrame - row.spread) / 1e3));
         const double right = xAxis->coordToPixel((row.nsPerFrame + row.spread) / 1e3);
@@ -152,7 +152,7 @@ void WorkPrecisionPlot::drawLadders(QPainter &painter) const
         if (rowOf(spot).outcome != Outcome::measured)
             continue;
         if (before && before->line == spot.line) {
-            const QColor color = inkOf(*rowOf(spot).way.method, m_theme).color;
+            const QColor color = inkOf(*rowOf(spot).setup.method, m_theme).color;
             const bool toFloor = rowOf(spot).error == 0.0 || rowOf(*before).error == 0.0;
             painter.setPen(toFloor ? dotted(color, 1.8) : QPen(color, 1.8)); // no such way was measured
             painter.drawLine(onScreen(*before), onScreen(spot));
@@ -161,7 +161,7 @@ void WorkPrecisionPlot::drawLadders(QPainter &painter) const
     }
     for (const Spot &spot : spots()) {
         const sim::AccuracyRow &row = rowOf(spot);
-        const MethodInk ink = inkOf(*row.way.method, m_theme);
+        const MethodInk ink = inkOf(*row.setup.method, m_theme);
         if (row.outcome != Outcome::measured)
             continue;
         drawMarker(painter, onScreen(spot), ink, markerSize, row.front ? ink.color : m_theme.tokens().panel);
@@ -198,7 +198,7 @@ void WorkPrecisionPlot::placeWords()
     }
     std::vector<EndLabel> labels;
     for (const auto &[line, spot] : ends) {
-        const sim::Method &method = *rowOf(*spot).way.method;
+        const sim::Method &method = *rowOf(*spot).setup.method;
         labels.push_back({onScreen(*spot), methodTitle(method), inkOf(method, m_theme).color});
     }
     LabelPlaces places = takenPlaces();
@@ -246,7 +246,7 @@ void WorkPrecisionPlot::drawUnstable(QPainter &painter) const
         if (row.outcome != Outcome::unstable)
             continue;
         const QPointF at = onScreen(spot);
-        painter.setPen(QPen(inkOf(*row.way.method, m_theme).color, 2.2, Qt::SolidLine, Qt::RoundCap));
+        painter.setPen(QPen(inkOf(*row.setup.method, m_theme).color, 2.2, Qt::SolidLine, Qt::RoundCap));
         painter.drawLine(at - QPointF(4.0, 4.0), at + QPointF(4.0, 4.0));
         painter.drawLine(at - QPointF(4.0, -4.0), at + QPointF(4.0, -4.0));
     }

@@ -35,9 +35,9 @@ struct Span
 
 }
 
-MeasureRow::MeasureRow(const Session &session, const Course &course, std::size_t index, const Theme &theme,
-                       QWidget *parent)
-    : QWidget(parent), m_session(session), m_course(course), m_index(index),
+MeasureRow::MeasureRow(const Session &session, const Course &integrator, std::size_t index,
+                       const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_integrator(integrator), m_index(index),
       m_measure(session.step().measures[index]), m_theme(theme),
       m_value(std::numeric_limits<double>::quiet_NaN())
 {
@@ -49,7 +49,7 @@ MeasureRow::MeasureRow(const Session &session, const Course &course, std::size_t
 
 double MeasureRow::valueAt(std::int64_t frame) const
 {
-    const Sample *sample = m_course.at(frame);
+    const Sample *sample = m_integrator.at(frame);
     return sample && m_index < sample->measures.size() ? sample->measures[m_index]
                                                        : std::numeric_limits<double>::quiet_NaN();
 }
@@ -57,14 +57,14 @@ double MeasureRow::valueAt(std::int64_t frame) const
 double MeasureRow::valueNow() const
 {
     const sim::Timeline &run = m_session.timeline();
-    if (m_session.isGlancing() || run.at().phase == 0 || !m_measure.of)
-        return valueAt(m_session.shown().at().frame);
+    if (m_session.isGlancing() || run.cursor().phase == 0 || !m_measure.of)
+        return valueAt(m_session.shown().cursor().frame);
     // Inside a frame: of the state as it is there, and where the frame began.
-    const sim::State begun = run.track().stateAt(run.at().frame);
-    const sim::Segment &segment = run.track().shown();
-    return begun.points() == run.now().points()
-               ? m_measure.of(segment.scene, run.now(), &begun, segment.values)
-               : valueAt(run.at().frame);
+    const sim::State begun = run.track().stateAt(run.cursor().frame);
+    const sim::ComposedInterval &interval = run.track().interval();
+    return begun.pointCount() == run.state().pointCount()
+               ? m_measure.of(interval.scene, run.state(), &begun, interval.values)
+               : valueAt(run.cursor().frame);
 }
 
 QString MeasureRow::number() const
@@ -88,11 +88,12 @@ void MeasureRow::refresh()
 
 void MeasureRow::paintCourse(QPainter &painter, const QRectF &area) const
 {
-    const std::int64_t at = m_session.timeline().at().frame;
-    const std::int64_t row = m_course.rowFrames();
+    const std::int64_t at = m_session.timeline().cursor().frame;
+    const std::int64_t row = m_integrator.rowFrames();
     // The cursor stands at the right end while the run grows, and wanders in when it goes back.
-    const std::int64_t end = std::clamp(at + shownRows / 4 * row, std::int64_t{0},
-                                        std::max<std::int64_t>(m_course.isEmpty() ? 0 : m_course.last(), at));
+    const std::int64_t end =
+        std::clamp(at + shownRows / 4 * row, std::int64_t{0},
+                   std::max<std::int64_t>(m_integrator.isEmpty() ? 0 : m_integrator.last(), at));
     const std::int64_t start = std::max<std::int64_t>(0, end - shownRows * row);
     Span span;
     for (std::int64_t frame = start; frame <= end; frame += row) {
@@ -138,7 +139,7 @@ void MeasureRow::paintCourse(QPainter &painter, const QRectF &area) const
         return;
     painter.setPen(QPen(m_theme.tokens().ink2, 1.5));
     painter.setBrush(m_theme.tokens().panel);
-    dot(m_session.shown().at().frame);
+    dot(m_session.shown().cursor().frame);
 }
 
 void MeasureRow::paintEvent(QPaintEvent *)

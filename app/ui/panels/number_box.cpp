@@ -34,7 +34,7 @@ QString plain(QString text)
 
 NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
     : QDoubleSpinBox(parent), m_theme(theme), m_min(parameter.min), m_max(parameter.max),
-      m_decimals(parameter.isWhole() ? 0 : parameter.decimals), m_scale(parameter.scale)
+      m_decimals(parameter.hasWholeValues() ? 0 : parameter.decimals), m_scale(parameter.scale)
 {
     setButtonSymbols(QAbstractSpinBox::NoButtons);
     setFocusPolicy(Qt::StrongFocus); // not by the wheel, which would choose it and change it at once
@@ -43,7 +43,7 @@ NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QW
     setLocale(QLocale::c());
     setDecimals(keptDecimals);
     setRange(-farthest, farthest);
-    setSingleStep(parameter.isWhole() ? 1.0 : std::pow(10.0, -parameter.decimals));
+    setSingleStep(parameter.hasWholeValues() ? 1.0 : std::pow(10.0, -parameter.decimals));
     setFixedSize(width_, height_);
     connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::chosen);
     connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::write);
@@ -146,7 +146,7 @@ QValidator::State NumberBox::validate(QString &text, int &) const
 
 double NumberBox::stepFrom(double value, int steps) const
 {
-    if (m_scale == lessons::Scale::even || std::abs(value) < singleStep())
+    if (m_scale == lessons::Scale::linear || std::abs(value) < singleStep())
         return singleStep();
     // Down from 100 leads to 90.
     const double below = steps < 0 ? std::abs(value) * (1.0 - 1e-9) : std::abs(value);

@@ -93,7 +93,7 @@ void ParameterPanel::setPresetPainter(PresetPainter painter)
 
 void ParameterPanel::showPresets()
 {
-    m_presets->setVisible(m_gallery && !m_session.step().presetGallery.empty());
+    m_presets->setVisible(m_gallery && !m_session.step().presets.empty());
 }
 
 void ParameterPanel::makeDisclosure()

@@ -115,14 +115,14 @@ void ParameterRow::makeReset()
     m_reset->setFixedSize(resetSize, resetSize);
     m_reset->setIconSize({14, 14});
     m_reset->setFocusPolicy(Qt::StrongFocus);
-    const QString preset = m_choice ? m_choice->itemText(static_cast<int>(m_parameter.preset))
-                                    : writtenNumber(m_parameter.preset, m_parameter.decimals);
+    const QString preset = m_choice ? m_choice->itemText(static_cast<int>(m_parameter.defaultValue))
+                                    : writtenNumber(m_parameter.defaultValue, m_parameter.decimals);
     m_reset->setToolTip(tr("Back to %1").arg(preset));
     m_reset->setAccessibleName(tr("%1 back to %2").arg(m_parameter.name, preset));
     QSizePolicy policy = m_reset->sizePolicy();
     policy.setRetainSizeWhenHidden(true);
     m_reset->setSizePolicy(policy);
-    connect(m_reset, &QToolButton::clicked, this, [this] { choose(m_parameter.preset); });
+    connect(m_reset, &QToolButton::clicked, this, [this] { choose(m_parameter.defaultValue); });
 }
 
 void ParameterRow::fill(QHBoxLayout &row)
@@ -188,7 +188,7 @@ void ParameterRow::choose(double value)
 
 bool ParameterRow::isChanged() const
 {
-    return m_session.parameter(m_parameter.id) != m_parameter.preset;
+    return m_session.parameter(m_parameter.id) != m_parameter.defaultValue;
 }
 
 void ParameterRow::refresh()
@@ -201,14 +201,14 @@ void ParameterRow::refresh()
         m_slider->show(value);
         m_box->show(value);
         m_box->setToolTip(m_box->exactText(value) + QChar(0x2009) + m_parameter.unit + '\n' + toolTip());
-        const sim::Track *ghost = m_session.timeline().ghost();
+        const sim::Track *ghost = m_session.timeline().comparison();
         const std::string id = m_parameter.id.toStdString();
         std::optional<double> was;
-        if (ghost && ghost->next()->values.has(id) && ghost->next()->values[id] != value)
-            was = ghost->next()->values[id];
+        if (ghost && ghost->nextInterval()->values.has(id) && ghost->nextInterval()->values[id] != value)
+            was = ghost->nextInterval()->values[id];
         m_slider->setGhost(was);
     }
-    m_reset->setVisible(m_form == Form::whole && value != m_parameter.preset);
+    m_reset->setVisible(m_form == Form::whole && value != m_parameter.defaultValue);
 }
 
 void ParameterRow::dress()

@@ -26,9 +26,9 @@ double decadeSteps(double first, double value)
 
 ParameterSlider::ParameterSlider(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
     : QSlider(Qt::Horizontal, parent), m_theme(theme), m_scale(parameter.scale), m_min(parameter.sliderMin),
-      m_unit(parameter.isWhole() ? 1.0 : std::pow(10.0, -parameter.decimals))
+      m_unit(parameter.hasWholeValues() ? 1.0 : std::pow(10.0, -parameter.decimals))
 {
-    const int steps = std::max(1, qRound(m_scale == lessons::Scale::decades
+    const int steps = std::max(1, qRound(m_scale == lessons::Scale::logarithmic
                                              ? decadeSteps(m_min, parameter.sliderMax)
                                              : (parameter.sliderMax - parameter.sliderMin) / m_unit));
     setRange(0, steps);
@@ -43,14 +43,14 @@ ParameterSlider::ParameterSlider(const lessons::Parameter &parameter, const Them
 int ParameterSlider::positionOf(double value) const
 {
     const double steps =
-        m_scale == lessons::Scale::decades ? decadeSteps(m_min, value) : (value - m_min) / m_unit;
+        m_scale == lessons::Scale::logarithmic ? decadeSteps(m_min, value) : (value - m_min) / m_unit;
     return static_cast<int>(std::clamp(std::round(steps), double(minimum()), double(maximum())));
 }
 
 double ParameterSlider::valueAt(int position) const
 {
     double value = m_min + position * m_unit;
-    if (m_scale == lessons::Scale::decades) {
+    if (m_scale == lessons::Scale::logarithmic) {
         const double decade = std::floor(position / stepsOfDecade);
         value = m_min * std::pow(10.0, decade) * (1.0 + position - stepsOfDecade * decade);
     }

@@ -19,7 +19,7 @@ std::vector<GalleryCard> PresetGallery::entries()
 {
     const lessons::Step &step = m_session.step();
     std::vector<GalleryCard> cards;
-    for (const lessons::Preset &preset : step.presetGallery) {
+    for (const lessons::Preset &preset : step.presets) {
         GalleryCard card;
         card.title = preset.title;
         card.help = preset.help;

@@ -87,7 +87,7 @@ void CursorPlot::goTo(QPointF where)
 {
     const std::optional<std::int64_t> frame = frameAt(where);
     // A hand that trembles within one frame asks for nothing new.
-    if (!frame || *frame == m_session.goingTo().value_or(m_session.timeline().at().frame))
+    if (!frame || *frame == m_session.goingTo().value_or(m_session.timeline().cursor().frame))
         return;
     m_session.goTo({*frame, 0});
 }
@@ -101,7 +101,7 @@ void CursorPlot::mousePressEvent(QMouseEvent *event)
     m_isDragging = true;
     emit pointedAt(std::nullopt);
     m_session.pause();
-    if (m_session.timeline().at().phase > 0)
+    if (m_session.timeline().cursor().phase > 0)
         m_session.goTo({*frameAt(event->position()), 0});
     else
         goTo(event->position());

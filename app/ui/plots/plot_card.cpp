@@ -198,7 +198,7 @@ std::optional<NumberSheet> PlotCard::numbers() const
         return std::nullopt;
     const sim::Timeline &timeline = m_session.timeline();
     NumberSheet sheet;
-    const bool turns = timeline.now().spin.rows() > 0;
+    const bool turns = timeline.state().spin.rows() > 0;
     for (const Quantity &one : {spec().across, spec().up}) {
         if (one.what == Measured::time)
             continue;
@@ -208,7 +208,7 @@ std::optional<NumberSheet> PlotCard::numbers() const
     }
     sheet.run = timeline.script();
     sheet.frames = timeline.computed();
-    if (const sim::Track *ghost = timeline.ghost()) {
+    if (const sim::Track *ghost = timeline.comparison()) {
         sheet.old = ghost->script();
         sheet.oldFrames = ghost->computed();
         sheet.oldName = m_session.ghostName();

@@ -184,7 +184,7 @@ void PlotsPanel::refreshSoon()
 
 void PlotsPanel::followGlance()
 {
-    const bool isInside = m_session.isGlancing() && m_session.shown().at().phase > 0;
+    const bool isInside = m_session.isGlancing() && m_session.shown().cursor().phase > 0;
     if (std::exchange(m_looksInside, isInside) || isInside)
         refreshSoon();
 }

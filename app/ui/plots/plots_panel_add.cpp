@@ -37,7 +37,7 @@ void PlotsPanel::fillAddMenu(QMenu &menu)
     menu.clear();
     const auto offer = [&](const QString &text, const PlotSpec &plot) {
         QAction *made = menu.addAction(text);
-        const sim::Scene &scene = m_session.timeline().track().shown().scene;
+        const sim::Scene &scene = m_session.timeline().track().interval().scene;
         for (const Quantity &one : {m_course.bound(plot.up), m_course.bound(plot.across)}) {
             if (const std::optional<NoValue> why = whyNot(one, scene)) {
                 made->setEnabled(false);
@@ -57,13 +57,13 @@ void PlotsPanel::fillAddMenu(QMenu &menu)
     ofTime(Measured::placeX);
     ofTime(Measured::placeY);
     ofTime(Measured::speed);
-    if (m_session.timeline().now().angle.rows() > 0)
+    if (m_session.timeline().state().angle.rows() > 0)
         ofTime(Measured::angle);
     ofTime(Measured::energy);
     menu.addSeparator();
     offer(tr("the path: y against x"), {{Measured::placeY}, {Measured::placeX}});
     offer(tr("velocity y against y"), {{Measured::velocityY}, {Measured::placeY}});
-    if (m_session.timeline().now().spin.rows() > 0)
+    if (m_session.timeline().state().spin.rows() > 0)
         offer(tr("turning speed against angle"), {{Measured::spin}, {Measured::angle}});
     menu.addSeparator();
     QAction *hint = menu.addAction(tr("Anything else: add one, and choose what it shows"));

@@ -36,7 +36,7 @@ private:
     void addBodies(const Quantity &current);
     QAction *addChoice(QMenu &menu, const QString &text, const Quantity &quantity, bool isCurrent);
     void addRest(QMenu &menu, int count);
-    const sim::Scene &scene() const { return m_session.timeline().track().shown().scene; }
+    const sim::Scene &scene() const { return m_session.timeline().track().interval().scene; }
 
     const Session &m_session;
     Axis m_axis;

@@ -112,7 +112,7 @@ void QuantityPlot::setSpec(const PlotSpec &spec)
 
 QString QuantityPlot::unit(const Quantity &quantity) const
 {
-    return unitOf(quantity.what, m_session.timeline().now().spin.rows() > 0);
+    return unitOf(quantity.what, m_session.timeline().state().spin.rows() > 0);
 }
 
 QString QuantityPlot::title() const
@@ -144,7 +144,7 @@ QString QuantityPlot::sentence() const
 {
     if (!m_empty.isEmpty())
         return tr("%1. %2").arg(title(), m_empty);
-    const std::int64_t frame = m_session.timeline().at().frame;
+    const std::int64_t frame = m_session.timeline().cursor().frame;
     return (m_inside ? tr("%1: %2 inside frame %3") : tr("%1: %2 at frame %3"))
         .arg(title(), valueText())
         .arg(frame);
@@ -152,7 +152,7 @@ QString QuantityPlot::sentence() const
 
 QString QuantityPlot::whyEmpty() const
 {
-    const sim::Scene &scene = m_session.timeline().track().shown().scene;
+    const sim::Scene &scene = m_session.timeline().track().interval().scene;
     for (const Quantity &one : {m_course.bound(m_spec.up), m_course.bound(m_spec.across)}) {
         if (const std::optional<NoValue> why = whyNot(one, scene))
             return noValueWords(one, scene, *why);
@@ -172,7 +172,7 @@ QuantityPlot::Spot QuantityPlot::spotOf(const std::vector<double> &numbers, doub
 
 void QuantityPlot::refresh(const std::vector<double> &begun, const std::optional<PlotCourse::Inside> &inside)
 {
-    const std::int64_t at = m_session.timeline().at().frame;
+    const std::int64_t at = m_session.timeline().cursor().frame;
     m_up = m_course.columnOf(m_spec.up);
     m_across = m_course.columnOf(m_spec.across);
     m_now = spotOf(begun, static_cast<double>(at));
@@ -291,7 +291,7 @@ void QuantityPlot::fillCurves()
 {
     const Samples &run = m_course.run();
     const std::size_t end = run.isEmpty() ? 0 : run.size() - 1;
-    const std::int64_t at = m_session.timeline().at().frame;
+    const std::int64_t at = m_session.timeline().cursor().frame;
     const std::size_t here = run.isEmpty() || at < run.firstFrame() ? 0 : run.bucketNear(at);
     fill(m_past, run, 0, here);
     fill(m_future, run, here, here < end ? end : 0);

@@ -16,7 +16,7 @@ constexpr double bandShade = 0.22;
 
 QPointF placeOn(const Canvas &canvas, int point)
 {
-    return canvas.camera.at(canvas.shown.state().at(point));
+    return canvas.camera.at(canvas.shown.state().positionOf(point));
 }
 
 void drawRing(const Canvas &canvas, int point, double more)

@@ -278,7 +278,7 @@ QString BuildPanel::waitHint() const
     if (m_session.isPlaying())
         return tr("The scene plays. Building happens at the start of the run.");
     return tr("You are at frame %1. Building happens at the start of the run.")
-        .arg(m_session.timeline().at().frame);
+        .arg(m_session.timeline().cursor().frame);
 }
 
 QString BuildPanel::toolHint() const
@@ -322,7 +322,7 @@ void BuildPanel::refreshProperties()
         return;
     }
     std::vector<BuiltProperty> properties =
-        propertiesOf(m_bench.plan(), m_bench.chosen(), m_session.step().catalogue);
+        propertiesOf(m_bench.plan(), m_bench.chosen(), m_session.step().availableEffects);
     QString key;
     for (const BuiltProperty &one : properties)
         key += one.section + '/' + one.about.id + QString::number(one.about.max) + ' ';

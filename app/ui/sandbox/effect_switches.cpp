@@ -34,7 +34,7 @@ void EffectSwitches::make()
     grid->setContentsMargins(sideMargin, 2, sideMargin, 4);
     grid->setSpacing(6);
     int place = 0;
-    for (const sim::Description *effect : m_session.step().catalogue) {
+    for (const sim::EffectDescription *effect : m_session.step().availableEffects) {
         const QString id = QString::fromUtf8(effect->id);
         auto *box = new QCheckBox(capitalised(phrase(effect->title)), this);
         box->setToolTip(phrase(effect->purpose));

@@ -25,7 +25,7 @@ QPixmap ExampleGallery::pictureOf(const lessons::Example &example, QSize size) c
     try {
         const sim::Script script = readExperiment(example.file, m_session.library()).script;
         lessons::Step step = m_session.step();
-        step.opening = [script](sim::Script &opened) { opened = script; };
+        step.prepareScript = [script](sim::Script &opened) { opened = script; };
         return thumbnail(step, script.values, m_theme, size, pictureFrames);
     } catch (const Refusal &) {
         return {}; // a click says why

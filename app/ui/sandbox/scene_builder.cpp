@@ -75,7 +75,7 @@ SceneBuilder::SceneBuilder(Session &session, Workbench &bench, const BuildGuide 
         // The keys that choose a body take the keyboard's cross along.
         const int point = m_view.shown().selected;
         if (m_marks.cursor && m_bench.isOpen() && point >= 0)
-            m_marks.cursor = m_view.shown().state().at(point);
+            m_marks.cursor = m_view.shown().state().positionOf(point);
     });
 }
 
@@ -148,7 +148,7 @@ Chosen SceneBuilder::linkAt(QPointF at) const
 {
     const Camera camera(m_view.viewportTransform());
     const auto distance = [&](const auto &link) {
-        const std::vector<sim::BuiltPoint> &points = m_bench.plan().points;
+        const std::vector<sim::BlueprintPoint> &points = m_bench.plan().points;
         return distanceTo(at, camera.at(points[std::size_t(link.a)].x),
                           camera.at(points[std::size_t(link.b)].x));
     };
@@ -322,7 +322,7 @@ sim::Vec2 SceneBuilder::cursor() const
     // The one with the ring: Enter ties it, or nails it down. Another point belongs elsewhere.
     const int ringed = m_view.shown().selected;
     if (ringed >= 0 && m_bench.tool() != BuildTool::point)
-        return m_view.shown().state().at(ringed);
+        return m_view.shown().state().positionOf(ringed);
     return rounded(placeOf(QPointF(m_view.viewport()->rect().center())));
 }
 

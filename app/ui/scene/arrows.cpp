@@ -45,7 +45,7 @@ Arrow atEdge(const Shown &shown, const Camera &camera, int point, QPointF vector
     const double radius = shown.isHidden(point) ? 0.0 : camera.radius(shown.radius(point));
     const double away = radius + (point == shown.selected ? gapAtRing : gap);
     Arrow arrow;
-    arrow.from = camera.at(shown.state().at(point)) + away * along + aside * across;
+    arrow.from = camera.at(shown.state().positionOf(point)) + away * along + aside * across;
     arrow.vector = vector;
     return arrow;
 }
@@ -58,7 +58,7 @@ QPointF scaled(sim::Vec2 v, double unit)
 /// Whether an arrow of `vector` would lie on that of a pull on the point.
 bool liesOnPull(const Shown &shown, int point, QPointF vector)
 {
-    const auto isAlong = [&](const sim::Gathered &one) {
+    const auto isAlong = [&](const sim::ForceSnapshot &one) {
         const QPointF pull(one.acceleration(point, 0), one.acceleration(point, 1));
         return QPointF::dotProduct(pull, vector) > twinCosine * lengthOf(pull) * lengthOf(vector);
     };
@@ -69,7 +69,7 @@ void addPullsAt(std::vector<Arrow> &arrows, const Shown &shown, const Camera &ca
                 int point)
 {
     std::vector<QPointF> directions;
-    for (const sim::Gathered &one : shown.gathered) {
+    for (const sim::ForceSnapshot &one : shown.gathered) {
         const QPointF vector =
             scaled({one.acceleration(point, 0), one.acceleration(point, 1)}, shown.scales.pull.unit);
         const double length = lengthOf(vector);
@@ -95,18 +95,18 @@ QRectF Arrow::bounds() const
     return QRectF(from, from + vector).normalized().adjusted(-6, -6, 6, 6);
 }
 
-ArrowStyle styleOf(sim::Kind kind, const Theme &theme)
+ArrowStyle styleOf(sim::EffectKind kind, const Theme &theme)
 {
     using Line = ArrowStyle::Line;
     ArrowStyle style;
     style.color = theme.kindColor(kind);
-    if (kind == sim::Kind::damping)
+    if (kind == sim::EffectKind::damping)
         style.line = Line::dashes;
-    else if (kind == sim::Kind::wind)
+    else if (kind == sim::EffectKind::wind)
         style.line = Line::dots;
-    else if (kind == sim::Kind::driver)
+    else if (kind == sim::EffectKind::driver)
         style.line = Line::twofold;
-    else if (kind == sim::Kind::stick)
+    else if (kind == sim::EffectKind::stick)
         style.line = Line::capped;
     return style;
 }
@@ -183,15 +183,15 @@ std::vector<Arrow> velocityArrows(const Shown &shown, const Camera &camera, cons
     std::vector<Arrow> arrows;
     if (!shown.showsVelocities())
         return arrows;
-    const bool hasBefore = shown.before && shown.before->points() == shown.points();
+    const bool hasBefore = shown.before && shown.before->pointCount() == shown.points();
     forPointsWithArrows(shown, [&](int point) {
         if (shown.isHidden(point))
             return;
-        const QPointF vector = scaled(shown.state().speed(point), shown.scales.velocity.unit);
+        const QPointF vector = scaled(shown.state().velocityOf(point), shown.scales.velocity.unit);
         const double aside = liesOnPull(shown, point, vector) ? -besidePull : 0.0;
         const ArrowStyle style = velocityStyle(theme);
         if (hasBefore) {
-            const QPointF last = scaled(shown.before->speed(point), shown.scales.velocity.unit);
+            const QPointF last = scaled(shown.before->velocityOf(point), shown.scales.velocity.unit);
             if (lengthOf(last - vector) >= leastChange) {
                 Arrow earlier = atEdge(shown, camera, point, last, aside);
                 earlier.style = {faded(style.color, earlierAlpha), earlierWidth};

@@ -26,7 +26,7 @@ struct Arrow
     QRectF bounds() const;
 };
 
-ArrowStyle styleOf(sim::Kind kind, const Theme &theme);
+ArrowStyle styleOf(sim::EffectKind kind, const Theme &theme);
 ArrowStyle sumStyle(const Theme &theme);
 ArrowStyle velocityStyle(const Theme &theme);
 

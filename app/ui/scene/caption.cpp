@@ -37,28 +37,28 @@ bool placesPoints(const sim::Phase &phase)
 /// Whether any point is in another place, or turned another way, than where the frame under way began.
 bool anyIsElsewhere(const sim::Timeline &timeline)
 {
-    const sim::State begun = timeline.track().stateAt(timeline.at().frame);
-    const sim::State &now = timeline.now();
-    return begun.points() != now.points() || !(begun.position == now.position).all() ||
+    const sim::State begun = timeline.track().stateAt(timeline.cursor().frame);
+    const sim::State &now = timeline.state();
+    return begun.pointCount() != now.pointCount() || !(begun.position == now.position).all() ||
            (begun.angle.rows() == now.angle.rows() && !(begun.angle == now.angle).all());
 }
 
-Account accountOf(const sim::Segment &segment, int done)
+Account accountOf(const sim::ComposedInterval &interval, int done)
 {
     Account account;
-    for (int i = 0; i < segment.pipeline.phasesPerStep(); ++i) {
-        const sim::Phase &phase = segment.pipeline.phaseAt(i);
-        if (phase.moves) {
+    for (int i = 0; i < interval.pipeline.phasesPerStep(); ++i) {
+        const sim::Phase &phase = interval.pipeline.phaseAt(i);
+        if (phase.consumesAcceleration) {
             const auto group = static_cast<std::size_t>(phase.group);
-            const QString title = phase.group < 0 ? QString() : phrase(segment.scene.groups[group].title);
+            const QString title = phase.group < 0 ? QString() : phrase(interval.scene.groups[group].title);
             (i < done ? account.moved : account.still) << title;
         }
         if (i >= done)
             continue;
-        account.anyMove |= phase.moves;
+        account.anyMove |= phase.consumesAcceleration;
         if (placesPoints(phase))
             account.placed = phrase(phase.title);
-        if (phase.moves)
+        if (phase.consumesAcceleration)
             account.pulled = account.turnedIntoSpeed = false;
         else if (dynamic_cast<const sim::Force *>(phase.effect.get()))
             account.pulled = true;
@@ -92,18 +92,18 @@ QString afterSomeMove(const Account &account, const sim::Pipeline &pipeline, int
 
 QString frameCaption(const sim::Timeline &timeline)
 {
-    const sim::Cursor at = timeline.at();
+    const sim::Cursor at = timeline.cursor();
     if (at.phase <= 0)
         return {};
-    const sim::Segment &segment = timeline.track().shown();
-    const sim::Pipeline &pipeline = segment.pipeline;
+    const sim::ComposedInterval &interval = timeline.track().interval();
+    const sim::Pipeline &pipeline = interval.pipeline;
     const int done = at.phase % pipeline.phasesPerStep();
     const int steps = at.phase / pipeline.phasesPerStep();
-    const int all = pipeline.step.perRow;
+    const int all = pipeline.step.stepsPerOutput;
     if (done == 0)
         return Text::tr("Inside frame %1: %2 of %3 steps are done.").arg(at.frame).arg(steps).arg(all);
-    const Account account = accountOf(segment, done);
-    const bool gathers = timeline.now().acceleration.rows() > 0;
+    const Account account = accountOf(interval, done);
+    const bool gathers = timeline.state().acceleration.rows() > 0;
     const QString nothing =
         steps > 0 ? Text::tr("nothing has moved in it yet") : Text::tr("nothing has moved yet");
     const bool isPlaced = !account.anyMove && !account.placed.isEmpty() && anyIsElsewhere(timeline);

@@ -28,12 +28,14 @@ double legWidth(double zoom)
 }
 
 /// A limb: thick where it leaves the body, thin at the foot.
-void drawLimb(const Canvas &canvas, const lessons::LegLook &leg, double width)
+void drawLimb(const Canvas &canvas, const lessons::LegView &leg, double width)
 {
     const sim::State &state = canvas.shown.state();
-    const QPointF body = canvas.camera.at(state.at(leg.from)), foot = canvas.camera.at(state.at(leg.to));
-    const QPointF bend = leg.curve == 0.0 ? (body + foot) / 2.0
-                                          : canvas.camera.at(state.at(leg.to) - sim::Vec2{0.0, leg.curve});
+    const QPointF body = canvas.camera.at(state.positionOf(leg.from)),
+                  foot = canvas.camera.at(state.positionOf(leg.to));
+    const QPointF bend = leg.curve == 0.0
+                             ? (body + foot) / 2.0
+                             : canvas.camera.at(state.positionOf(leg.to) - sim::Vec2{0.0, leg.curve});
     const QRectF bounds = QPolygonF{body, bend, foot}.boundingRect().adjusted(-width, -width, width, width);
     if (!bounds.intersects(canvas.area))
         return;
@@ -68,7 +70,7 @@ void drawJoint(const Canvas &canvas, QPointF centre, double radius)
 /// Whether the point is one of the small discs that are drawn all at once.
 bool isInCrowd(const Canvas &canvas, int point)
 {
-    using Shape = lessons::BodyLook::Shape;
+    using Shape = lessons::BodyView::Shape;
     const Shown &shown = canvas.shown;
     const bool isDisc = shown.shape(point) == Shape::body || shown.shape(point) == Shape::foot;
     return shown.isCrowd() && isDisc && shown.radius(point) * canvas.camera.zoom < smallestFace;
@@ -90,12 +92,12 @@ void drawBody(const Canvas &canvas, int point)
     const Shown &shown = canvas.shown;
     if (shown.isHidden(point))
         return;
-    const QPointF centre = canvas.camera.at(shown.state().at(point));
+    const QPointF centre = canvas.camera.at(shown.state().positionOf(point));
     const double radius = canvas.camera.radius(shown.radius(point));
     if (!canvas.reaches(centre, radius))
         return;
     const bool isFixed = shown.look().bodies[static_cast<std::size_t>(point)].fixed;
-    if (shown.shape(point) == lessons::BodyLook::Shape::joint && !isFixed) {
+    if (shown.shape(point) == lessons::BodyView::Shape::joint && !isFixed) {
         drawJoint(canvas, centre, radius);
         return;
     }
@@ -104,7 +106,7 @@ void drawBody(const Canvas &canvas, int point)
     if (isFixed)
         drawNail(canvas, centre, radius);
     else if (shown.extras.eyes && shown.isBody(point))
-        drawEyes(canvas, {centre, radius, {1.0, 0.0}, {0.0, -eyesUp}, shown.state().speed(point)});
+        drawEyes(canvas, {centre, radius, {1.0, 0.0}, {0.0, -eyesUp}, shown.state().velocityOf(point)});
 }
 
 }
@@ -116,7 +118,7 @@ void LegLayer::draw(const Canvas &canvas) const
     if (!canvas.shown.isCrowd() && width >= leastLimb) {
         canvas.painter.setPen(Qt::NoPen);
         canvas.painter.setBrush(mixed(canvas.tokens().body, canvas.tokens().scene, 0.15));
-        for (const lessons::LegLook &leg : canvas.shown.look().legs)
+        for (const lessons::LegView &leg : canvas.shown.look().legs)
             drawLimb(canvas, leg, width);
         canvas.painter.setBrush(Qt::NoBrush);
         return;
@@ -151,7 +153,7 @@ void BodyLayer::draw(const Canvas &canvas) const
     }
     if (shown.selected < 0 || shown.isHidden(shown.selected))
         return;
-    const QPointF centre = canvas.camera.at(shown.state().at(shown.selected));
+    const QPointF centre = canvas.camera.at(shown.state().positionOf(shown.selected));
     const double radius = canvas.camera.radius(shown.radius(shown.selected)) + ringGap;
     if (!canvas.reaches(centre, radius))
         return;

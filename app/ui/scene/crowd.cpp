@@ -27,11 +27,11 @@ void begin(Stencil &stencil, const Canvas &canvas)
 
 void addLegs(Stencil &stencil, const Canvas &canvas, const Figure &figure, double width)
 {
-    for (const lessons::LegLook &leg : figure.look.legs) {
+    for (const lessons::LegView &leg : figure.look.legs) {
         if (leg.curve != 0.0)
             continue;
-        const QPointF from = canvas.camera.at(figure.state.at(leg.from));
-        const QPointF to = canvas.camera.at(figure.state.at(leg.to));
+        const QPointF from = canvas.camera.at(figure.state.positionOf(leg.from));
+        const QPointF to = canvas.camera.at(figure.state.positionOf(leg.to));
         if (std::abs(to.x() - from.x()) + std::abs(to.y() - from.y()) >= shortestLeg)
             stencil.addLine({from, to}, width);
     }
@@ -39,16 +39,16 @@ void addLegs(Stencil &stencil, const Canvas &canvas, const Figure &figure, doubl
 
 void addDiscs(Stencil &stencil, const Canvas &canvas, const Figure &figure, double largest)
 {
-    using Shape = lessons::BodyLook::Shape;
+    using Shape = lessons::BodyView::Shape;
     for (std::size_t i = 0; i < figure.look.bodies.size(); ++i) {
-        const lessons::BodyLook &body = figure.look.bodies[i];
+        const lessons::BodyView &body = figure.look.bodies[i];
         const bool isBody = body.shape == Shape::body;
         if (!isBody && body.shape != Shape::foot)
             continue;
         const double drawn = body.radius * canvas.camera.zoom;
         if (drawn >= largest || (!isBody && drawn < smallestFoot))
             continue;
-        stencil.addDisc(canvas.camera.at(figure.state.at(static_cast<int>(i))),
+        stencil.addDisc(canvas.camera.at(figure.state.positionOf(static_cast<int>(i))),
                         isBody ? std::max(smallestBody, drawn) : drawn);
     }
 }

@@ -56,7 +56,7 @@ QPolygonF arrowTo(QPointF tip, QPointF u)
 
 void placeLabel(EdgeMarker &marker, const Shown &shown, QRectF free, LabelPlaces &places)
 {
-    const auto &names = shown.picture.segment->scene.names;
+    const auto &names = shown.picture.interval->scene.names;
     const QString name =
         marker.bodies > 1 ? Text::tr("%1 bodies").arg(marker.bodies)
                           : bodyTitle(QString::fromStdString(names[static_cast<std::size_t>(marker.point)]));
@@ -86,7 +86,7 @@ std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QR
     for (int i = isCrowd ? std::max(0, shown.selected) : 0; i < end; ++i) {
         if (shown.isHidden(i))
             continue;
-        const QPointF centre = camera.at(shown.state().at(i));
+        const QPointF centre = camera.at(shown.state().positionOf(i));
         const double radius = camera.radius(shown.radius(i));
         if (view.adjusted(-radius, -radius, radius, radius).contains(centre))
             continue;
@@ -95,7 +95,7 @@ std::vector<EdgeMarker> edgeMarkers(const Shown &shown, const Camera &camera, QR
         marker.at = leaving(free, centre);
         const QPointF d = centre - marker.at;
         marker.direction = d / std::max(1e-9, std::hypot(d.x(), d.y()));
-        marker.away = shownLength(shown.state().at(i) - camera.back(marker.at));
+        marker.away = shownLength(shown.state().positionOf(i) - camera.back(marker.at));
         const auto near = std::find_if(markers.begin(), markers.end(), [&](const EdgeMarker &other) {
             return std::hypot(other.at.x() - marker.at.x(), other.at.y() - marker.at.y()) < shared;
         });

@@ -36,7 +36,7 @@ QPolygonF middleOf(const Canvas &canvas, const sim::State &state, const std::vec
     QPolygonF middle;
     const int last = static_cast<int>(points.size()) - 1;
     const auto at = [&](int i) {
-        return canvas.camera.at(state.at(points[static_cast<std::size_t>(std::clamp(i, 0, last))]));
+        return canvas.camera.at(state.positionOf(points[static_cast<std::size_t>(std::clamp(i, 0, last))]));
     };
     for (int i = 0; i < last; ++i) {
         for (int k = 0; k < finest; ++k)
@@ -56,13 +56,13 @@ bool canShow(const Canvas &canvas, const QRectF &bounds, double width)
 
 void drawDiscs(const Canvas &canvas, const Figure &figure, const OutlineStyle &style)
 {
-    using Shape = lessons::BodyLook::Shape;
+    using Shape = lessons::BodyView::Shape;
     for (std::size_t i = 0; i < figure.look.bodies.size(); ++i) {
-        const lessons::BodyLook &body = figure.look.bodies[i];
+        const lessons::BodyView &body = figure.look.bodies[i];
         if (body.shape == Shape::none)
             continue;
         const double radius = canvas.camera.radius(body.radius);
-        const QPointF centre = canvas.camera.at(figure.state.at(static_cast<int>(i)));
+        const QPointF centre = canvas.camera.at(figure.state.positionOf(static_cast<int>(i)));
         if (!canvas.reaches(centre, radius))
             continue;
         if (style.isDashed)
@@ -84,19 +84,19 @@ void drawCrowdOutlines(const Canvas &canvas, const Figure &figure, const Outline
 
 }
 
-sim::Vec2 endOf(const lessons::SpringLook &spring, const sim::State &state)
+sim::Vec2 endOf(const lessons::SpringView &spring, const sim::State &state)
 {
-    return spring.b < 0 ? spring.at : state.at(spring.b) + spring.at;
+    return spring.b < 0 ? spring.at : state.positionOf(spring.b) + spring.at;
 }
 
 QList<QLineF> straightLegs(const Canvas &canvas, const Figure &figure)
 {
     QList<QLineF> lines;
-    for (const lessons::LegLook &leg : figure.look.legs) {
+    for (const lessons::LegView &leg : figure.look.legs) {
         if (leg.curve != 0.0)
             continue;
-        const QLineF line = canvas.cut(canvas.camera.at(figure.state.at(leg.from)),
-                                       canvas.camera.at(figure.state.at(leg.to)));
+        const QLineF line = canvas.cut(canvas.camera.at(figure.state.positionOf(leg.from)),
+                                       canvas.camera.at(figure.state.positionOf(leg.to)));
         if (!line.isNull())
             lines << line;
     }
@@ -106,27 +106,28 @@ QList<QLineF> straightLegs(const Canvas &canvas, const Figure &figure)
 QPainterPath curvedLegs(const Canvas &canvas, const Figure &figure)
 {
     QPainterPath path;
-    for (const lessons::LegLook &leg : figure.look.legs) {
+    for (const lessons::LegView &leg : figure.look.legs) {
         if (leg.curve == 0.0)
             continue;
-        const sim::Vec2 foot = figure.state.at(leg.to);
+        const sim::Vec2 foot = figure.state.positionOf(leg.to);
         QPainterPath one(canvas.camera.at(foot));
         one.quadTo(canvas.camera.at(foot - sim::Vec2{0.0, leg.curve}),
-                   canvas.camera.at(figure.state.at(leg.from)));
+                   canvas.camera.at(figure.state.positionOf(leg.from)));
         if (canShow(canvas, one.controlPointRect(), 8.0))
             path.addPath(one);
     }
     return path;
 }
 
-QPainterPath skinPath(const Canvas &canvas, const sim::State &state, const lessons::SkinLook &skin)
+QPainterPath skinPath(const Canvas &canvas, const sim::State &state, const lessons::SkinView &skin)
 {
     QPainterPath path;
     const int count = static_cast<int>(skin.outline.size());
     if (count < 3)
         return path;
     const auto at = [&](int i) {
-        return canvas.camera.at(state.at(skin.outline[static_cast<std::size_t>((i + count) % count)]));
+        return canvas.camera.at(
+            state.positionOf(skin.outline[static_cast<std::size_t>((i + count) % count)]));
     };
     path.moveTo(at(0));
     for (int i = 0; i < count; ++i)
@@ -136,7 +137,7 @@ QPainterPath skinPath(const Canvas &canvas, const sim::State &state, const lesso
     return path;
 }
 
-QPainterPath chainPath(const Canvas &canvas, const sim::State &state, const lessons::ChainLook &chain)
+QPainterPath chainPath(const Canvas &canvas, const sim::State &state, const lessons::ChainView &chain)
 {
     QPainterPath path;
     path.setFillRule(Qt::WindingFill);
@@ -167,9 +168,10 @@ QPainterPath chainPath(const Canvas &canvas, const sim::State &state, const less
     return path;
 }
 
-QPainterPath limbPath(const Canvas &canvas, const sim::State &state, const lessons::LimbLook &limb)
+QPainterPath limbPath(const Canvas &canvas, const sim::State &state, const lessons::LimbView &limb)
 {
-    const QLineF line = canvas.cut(canvas.camera.at(state.at(limb.a)), canvas.camera.at(state.at(limb.b)));
+    const QLineF line =
+        canvas.cut(canvas.camera.at(state.positionOf(limb.a)), canvas.camera.at(state.positionOf(limb.b)));
     if (line.isNull())
         return {};
     QPainterPath middle(line.p1());
@@ -181,7 +183,7 @@ QPainterPath limbPath(const Canvas &canvas, const sim::State &state, const lesso
 
 void drawOutlines(const Canvas &canvas, const Figure &figure, const OutlineStyle &style)
 {
-    if (figure.state.points() > crowdPoints && !figure.look.legs.empty()) {
+    if (figure.state.pointCount() > crowdPoints && !figure.look.legs.empty()) {
         drawCrowdOutlines(canvas, figure, style);
         return;
     }
@@ -191,18 +193,18 @@ void drawOutlines(const Canvas &canvas, const Figure &figure, const OutlineStyle
     for (const QLineF &leg : straightLegs(canvas, figure))
         p.drawLine(leg);
     p.drawPath(curvedLegs(canvas, figure));
-    for (const lessons::StickLook &stick : figure.look.sticks)
-        p.drawLine(canvas.cut(canvas.camera.at(figure.state.at(stick.a)),
-                              canvas.camera.at(figure.state.at(stick.b))));
-    for (const lessons::SpringLook &spring : figure.look.springs)
-        p.drawLine(canvas.cut(canvas.camera.at(figure.state.at(spring.a)),
+    for (const lessons::StickView &stick : figure.look.sticks)
+        p.drawLine(canvas.cut(canvas.camera.at(figure.state.positionOf(stick.a)),
+                              canvas.camera.at(figure.state.positionOf(stick.b))));
+    for (const lessons::SpringView &spring : figure.look.springs)
+        p.drawLine(canvas.cut(canvas.camera.at(figure.state.positionOf(spring.a)),
                               canvas.camera.at(endOf(spring, figure.state))));
     p.setBrush(style.fill);
-    for (const lessons::LimbLook &limb : figure.look.limbs)
+    for (const lessons::LimbView &limb : figure.look.limbs)
         p.drawPath(limbPath(canvas, figure.state, limb));
-    for (const lessons::ChainLook &chain : figure.look.chains)
+    for (const lessons::ChainView &chain : figure.look.chains)
         p.drawPath(chainPath(canvas, figure.state, chain).simplified());
-    for (const lessons::SkinLook &skin : figure.look.skins)
+    for (const lessons::SkinView &skin : figure.look.skins)
         p.drawPath(skinPath(canvas, figure.state, skin));
     drawDiscs(canvas, figure, style);
     p.setBrush(Qt::NoBrush);

@@ -31,22 +31,22 @@ QRectF around(QPointF centre, double half)
 }
 
 /// Whether there is ground without walls: it is endless.
-bool standsOnGround(const lessons::Look &look)
+bool standsOnGround(const lessons::View &look)
 {
-    return !look.room && (look.ground || look.sky != lessons::Look::Sky::paper);
+    return !look.room && (look.ground || look.sky != lessons::View::Sky::paper);
 }
 
 /// The height of floor, ground or horizon, px of the scene; empty without one, or where it is far below the stage.
-std::optional<double> baseOf(const lessons::Look &look)
+std::optional<double> baseOf(const lessons::View &look)
 {
     std::optional<double> base = look.room ? std::optional(look.room->floor) : look.ground;
-    if (!base && look.sky != lessons::Look::Sky::paper)
+    if (!base && look.sky != lessons::View::Sky::paper)
         base = look.stage.bottom();
     return base && *base < look.stage.bottom() + 2.0 * look.stage.height() ? base : std::nullopt;
 }
 
 /// Floor, walls and what is between them.
-QRectF roomArea(const lessons::Look &look)
+QRectF roomArea(const lessons::View &look)
 {
     const double floor = baseOf(look).value_or(look.stage.bottom());
     return QRectF(QPointF(look.room->left - solidSide, std::min(look.stage.top(), floor - 1.0)),
@@ -54,13 +54,13 @@ QRectF roomArea(const lessons::Look &look)
 }
 
 /// px of the screen that stay free below what is shown, in a view of this height.
-double belowBase(const lessons::Look &look, double height)
+double belowBase(const lessons::View &look, double height)
 {
     return standsOnGround(look) ? std::max(endlessBorder, endlessShare * height) : groundBorder;
 }
 
 /// The stage of a figure and that of its companion.
-QRectF bothStages(const lessons::Look &look, const Shown &beside)
+QRectF bothStages(const lessons::View &look, const Shown &beside)
 {
     return look.stage.united(look.stage.translated(beside.shift.x, beside.shift.y));
 }
@@ -68,14 +68,14 @@ QRectF bothStages(const lessons::Look &look, const Shown &beside)
 /// What a step is about at its start.
 QRectF restArea(const Picture &picture, const Shown &beside)
 {
-    const lessons::Look &look = *picture.look;
+    const lessons::View &look = *picture.look;
     if (!beside.name.isEmpty())
         return bothStages(look, beside);
     if (look.room)
         return roomArea(look);
     if (look.tree)
         return look.stage.united(subjectBox(look, picture.state));
-    if (look.sky != lessons::Look::Sky::paper)
+    if (look.sky != lessons::View::Sky::paper)
         return look.stage;
     QRectF area = creatureArea(picture);
     area = area.united(around(area.center(), handReach));
@@ -94,7 +94,7 @@ QRectF withMotion(const QRectF &area, const QRectF &motion)
 
 /// `area` and the walls and the floor of the room that are not far from it: what is about to hit them is looked at with
 /// them.
-QRectF withNearWalls(const lessons::Look &look, QRectF area)
+QRectF withNearWalls(const lessons::View &look, QRectF area)
 {
     if (!look.room)
         return area;
@@ -119,12 +119,12 @@ double moved(double from, double room, double wantedFrom, double wantedTo)
 QRectF creatureArea(const Picture &picture)
 {
     QRectF area;
-    for (int i = 0; i < picture.state.points(); ++i) {
-        const sim::Vec2 at = picture.state.at(i);
+    for (int i = 0; i < picture.state.pointCount(); ++i) {
+        const sim::Vec2 at = picture.state.positionOf(i);
         const double half = picture.look->bodies[static_cast<std::size_t>(i)].radius + creatureRoom;
         area = area.united(around({at.x, at.y}, half));
     }
-    for (const lessons::Guide &guide : picture.guides)
+    for (const lessons::Overlay &guide : picture.guides)
         area = area.united(around({guide.a.x, guide.a.y}, std::max(guide.size, creatureRoom)));
     return area.united(around(area.center(), creatureReach));
 }
@@ -136,24 +136,24 @@ QRectF homeArea(const Picture &picture, const Shown &beside, const QRectF &motio
 
 QRectF wholeArea(const Picture &picture, const Shown &beside, const QRectF &motion)
 {
-    const lessons::Look &look = *picture.look;
+    const lessons::View &look = *picture.look;
     QRectF area = bothStages(look, beside);
     if (look.room)
         area = area.united(roomArea(look));
     return withMotion(area, motion).united(subjectBox(look, picture.state));
 }
 
-double mostAtHome(const lessons::Look &look, QSizeF view)
+double mostAtHome(const lessons::View &look, QSizeF view)
 {
     const double larger =
         std::max(1.0, std::min(view.width() / usualView.width(), view.height() / usualView.height()));
     if (look.ground && !look.room)
         return larger * largestWalk;
-    const bool isLarge = look.room || look.tree || look.sky != lessons::Look::Sky::paper;
+    const bool isLarge = look.room || look.tree || look.sky != lessons::View::Sky::paper;
     return larger * (isLarge ? largestRoom : pleasant);
 }
 
-Framing framingOf(const lessons::Look &look, const QRectF &area, QSizeF view, double most)
+Framing framingOf(const lessons::View &look, const QRectF &area, QSizeF view, double most)
 {
     const std::optional<double> base = baseOf(look);
     const double below = belowBase(look, view.height());
@@ -170,7 +170,7 @@ Framing framingOf(const lessons::Look &look, const QRectF &area, QSizeF view, do
     return {zoom, middle};
 }
 
-Framing closeUp(const lessons::Look &look, const QRectF &creature, QSizeF view)
+Framing closeUp(const lessons::View &look, const QRectF &creature, QSizeF view)
 {
     const QRectF area = withNearWalls(look, creature);
     const double zoom = std::min({(view.width() - 2.0 * arrowRoom) / area.width(),
@@ -181,7 +181,7 @@ Framing closeUp(const lessons::Look &look, const QRectF &creature, QSizeF view)
     return {zoom, middle};
 }
 
-std::optional<Framing> widened(const lessons::Look &look, const QRectF &now, const QRectF &box, QSizeF view,
+std::optional<Framing> widened(const lessons::View &look, const QRectF &now, const QRectF &box, QSizeF view,
                                double least)
 {
     const QSizeF inside(view.width() - 2.0 * frameBorder, view.height() - 2.0 * frameBorder);

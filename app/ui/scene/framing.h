@@ -31,20 +31,20 @@ QRectF homeArea(const Picture &picture, const Shown &beside, const QRectF &motio
 QRectF wholeArea(const Picture &picture, const Shown &beside, const QRectF &motion);
 
 /// Returns how far what a step shows first is enlarged at most, in a view of this size.
-double mostAtHome(const lessons::Look &look, QSizeF view);
+double mostAtHome(const lessons::View &look, QSizeF view);
 
 /// Returns how `area` is shown in a view of this size, enlarged by `most` at most. A floor or ground lies low in the view,
 /// with room for the lines of text below it.
-Framing framingOf(const lessons::Look &look, const QRectF &area, QSizeF view, double most);
+Framing framingOf(const lessons::View &look, const QRectF &area, QSizeF view, double most);
 
 /// Returns how a creature that fills `area` is shown large, with room for its arrows. Of a floor or ground below it only
 /// so much is shown, and of a room the walls that are near.
-Framing closeUp(const lessons::Look &look, const QRectF &area, QSizeF view);
+Framing closeUp(const lessons::View &look, const QRectF &area, QSizeF view);
 
 /// Returns the smallest change of a framing that brings `box` into the view: it zooms out, to `least` at the least, and
 /// beyond that it moves. `now` is what a view of this size shows inside its border, in px of the scene. Empty if `box` is
 /// too large for that.
-std::optional<Framing> widened(const lessons::Look &look, const QRectF &now, const QRectF &box, QSizeF view,
+std::optional<Framing> widened(const lessons::View &look, const QRectF &now, const QRectF &box, QSizeF view,
                                double least);
 
 }

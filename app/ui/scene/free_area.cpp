@@ -74,14 +74,14 @@ bool hasCard(const Shown &shown)
 QString selectedName(const Shown &shown)
 {
     const auto point = static_cast<std::size_t>(shown.selected);
-    return bodyTitle(QString::fromStdString(shown.picture.segment->scene.names[point]));
+    return bodyTitle(QString::fromStdString(shown.picture.interval->scene.names[point]));
 }
 
 QRectF nameBox(const Shown &shown, const Camera &camera, QRectF view)
 {
     if (shown.selected < 0 || shown.isHidden(shown.selected) || hasCard(shown))
         return {};
-    const QPointF centre = camera.at(shown.state().at(shown.selected));
+    const QPointF centre = camera.at(shown.state().positionOf(shown.selected));
     const double radius = camera.radius(shown.radius(shown.selected));
     if (!view.adjusted(-radius, -radius, radius, radius).contains(centre))
         return {};

@@ -174,7 +174,7 @@ void RoomLayer::draw(const Canvas &canvas) const
 
 void RampLayer::draw(const Canvas &canvas) const
 {
-    for (const sim::EffectPtr &effect : canvas.shown.picture.segment->scene.effects) {
+    for (const sim::EffectPtr &effect : canvas.shown.picture.interval->scene.effects) {
         if (const auto *ramp = dynamic_cast<const sim::Ramp *>(effect.get()))
             drawRamp(canvas, ramp->edge());
     }
@@ -182,8 +182,8 @@ void RampLayer::draw(const Canvas &canvas) const
 
 void GroundLayer::draw(const Canvas &canvas) const
 {
-    const lessons::Look &look = canvas.shown.look();
-    if (!look.ground || look.sky != lessons::Look::Sky::paper)
+    const lessons::View &look = canvas.shown.look();
+    if (!look.ground || look.sky != lessons::View::Sky::paper)
         return;
     const QRectF area = canvas.area;
     const QPointF home = canvas.camera.at({look.stage.left(), *look.ground});
@@ -203,8 +203,8 @@ void GroundLayer::draw(const Canvas &canvas) const
 
 void MeadowLayer::draw(const Canvas &canvas) const
 {
-    const lessons::Look &look = canvas.shown.look();
-    if (look.sky != lessons::Look::Sky::dusk)
+    const lessons::View &look = canvas.shown.look();
+    if (look.sky != lessons::View::Sky::dusk)
         return;
     const SkyColors colors = skyColors(canvas.theme.scheme());
     const QPolygonF meadow = drawMeadow(canvas, colors);

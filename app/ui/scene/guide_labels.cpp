@@ -12,7 +12,7 @@ namespace app {
 
 namespace {
 
-using lessons::Guide;
+using lessons::Overlay;
 
 constexpr double smallestArc = 22.0;
 constexpr double outsideBody = 12.0;
@@ -25,24 +25,24 @@ constexpr int piecesOfRing = 48;
 double bodyAt(const Shown &shown, const Camera &camera, sim::Vec2 place)
 {
     for (int i = 0; i < shown.points(); ++i) {
-        if (!shown.isHidden(i) && shown.state().at(i) == place)
+        if (!shown.isHidden(i) && shown.state().positionOf(i) == place)
             return camera.radius(shown.radius(i));
     }
     return 0.0;
 }
 
-QPointF pullVector(const Guide &guide, const Shown &shown)
+QPointF pullVector(const Overlay &guide, const Shown &shown)
 {
     return unitArrow / shown.scales.pull.unit * QPointF(guide.b.x, guide.b.y);
 }
 
-bool isTooShort(const Guide &guide, const Shown &shown)
+bool isTooShort(const Overlay &guide, const Shown &shown)
 {
     const QPointF vector = pullVector(guide, shown);
-    return guide.shape == Guide::Shape::arrow && std::hypot(vector.x(), vector.y()) < shortestPull;
+    return guide.shape == Overlay::Shape::arrow && std::hypot(vector.x(), vector.y()) < shortestPull;
 }
 
-QPointF pullStart(const Guide &guide, const Shown &shown, const Camera &camera)
+QPointF pullStart(const Overlay &guide, const Shown &shown, const Camera &camera)
 {
     const QPointF vector = pullVector(guide, shown);
     const double length = std::hypot(vector.x(), vector.y());
@@ -63,51 +63,51 @@ void addArc(std::vector<QLineF> &strokes, QPointF centre, double radius, double 
     }
 }
 
-void addStrokes(std::vector<QLineF> &strokes, const Guide &guide, const Shown &shown, const Camera &camera)
+void addStrokes(std::vector<QLineF> &strokes, const Overlay &guide, const Shown &shown, const Camera &camera)
 {
     const QPointF a = camera.at(guide.a);
     switch (guide.shape) {
-    case Guide::Shape::cross:
+    case Overlay::Shape::cross:
         strokes.insert(strokes.end(), {QLineF(a - QPointF(crossArm, 0), a + QPointF(crossArm, 0)),
                                        QLineF(a - QPointF(0, crossArm), a + QPointF(0, crossArm))});
         break;
-    case Guide::Shape::ring:
+    case Overlay::Shape::ring:
         addArc(strokes, a, ringRadius(guide, camera), 2.0 * std::numbers::pi);
         break;
-    case Guide::Shape::arrow: {
+    case Overlay::Shape::arrow: {
         const QPointF from = pullStart(guide, shown, camera);
         strokes.emplace_back(from, from + pullVector(guide, shown));
         break;
     }
-    case Guide::Shape::line:
+    case Overlay::Shape::line:
         strokes.emplace_back(a, camera.at(guide.b));
         break;
-    case Guide::Shape::angle:
+    case Overlay::Shape::angle:
         strokes.emplace_back(a, a + QPointF(arcRadius(guide, shown, camera) + beyondArc, 0.0));
         addArc(strokes, a, arcRadius(guide, shown, camera), guide.size);
         break;
-    case Guide::Shape::wind:
+    case Overlay::Shape::wind:
         break;
     }
 }
 
 /// The place that a guide's name belongs to.
-QPointF anchorOf(const Guide &guide, const Shown &shown, const Camera &camera)
+QPointF anchorOf(const Overlay &guide, const Shown &shown, const Camera &camera)
 {
     const QPointF a = camera.at(guide.a);
     switch (guide.shape) {
-    case Guide::Shape::cross:
+    case Overlay::Shape::cross:
         return a;
-    case Guide::Shape::ring:
+    case Overlay::Shape::ring:
         return a + ringRadius(guide, camera) * std::numbers::sqrt2 / 2 * QPointF(1.0, -1.0);
-    case Guide::Shape::arrow:
+    case Overlay::Shape::arrow:
         return pullStart(guide, shown, camera) + pullVector(guide, shown);
-    case Guide::Shape::line:
+    case Overlay::Shape::line:
         return (a + camera.at(guide.b)) / 2;
-    case Guide::Shape::angle:
+    case Overlay::Shape::angle:
         return a + (arcRadius(guide, shown, camera) + 6.0) *
                        QPointF(std::cos(guide.size / 2), std::sin(guide.size / 2));
-    case Guide::Shape::wind:
+    case Overlay::Shape::wind:
         break;
     }
     return a;
@@ -115,17 +115,17 @@ QPointF anchorOf(const Guide &guide, const Shown &shown, const Camera &camera)
 
 }
 
-double ringRadius(const Guide &guide, const Camera &camera)
+double ringRadius(const Overlay &guide, const Camera &camera)
 {
     return std::min(guide.size * camera.zoom, largestRing);
 }
 
-double arcRadius(const Guide &guide, const Shown &shown, const Camera &camera)
+double arcRadius(const Overlay &guide, const Shown &shown, const Camera &camera)
 {
     return std::max(smallestArc, bodyAt(shown, camera, guide.a) + outsideBody);
 }
 
-Arrow guideArrow(const Guide &guide, const Shown &shown, const Camera &camera, const Theme &theme)
+Arrow guideArrow(const Overlay &guide, const Shown &shown, const Camera &camera, const Theme &theme)
 {
     return {pullStart(guide, shown, camera), pullVector(guide, shown), {theme.tokens().ink2, 2.0}};
 }
@@ -140,7 +140,7 @@ std::vector<QLineF> explainingStrokes(const Shown &shown, const Camera &camera, 
     }
     if (!shown.extras.guides)
         return strokes;
-    for (const Guide &guide : shown.picture.guides)
+    for (const Overlay &guide : shown.picture.guides)
         addStrokes(strokes, guide, shown, camera);
     return strokes;
 }
@@ -165,7 +165,7 @@ std::vector<GuideLabel> guideLabels(const Shown &shown, const Camera &camera, co
     std::vector<QRectF> taken = bodyBoxes(shown, camera);
     taken.push_back(nameBox(shown, camera, area));
     LabelPlaces places(std::move(taken), explainingStrokes(shown, camera, theme));
-    for (const Guide &guide : shown.picture.guides) {
+    for (const Overlay &guide : shown.picture.guides) {
         const QPointF anchor = anchorOf(guide, shown, camera);
         if (guide.label.isEmpty() || !area.contains(anchor) || isTooShort(guide, shown))
             continue;

@@ -26,10 +26,10 @@ QRectF titleBox(const Shown &shown, const Camera &camera);
 std::vector<QLineF> explainingStrokes(const Shown &shown, const Camera &camera, const Theme &theme);
 
 /// The radius of a guide's ring on the screen.
-double ringRadius(const lessons::Guide &guide, const Camera &camera);
+double ringRadius(const lessons::Overlay &guide, const Camera &camera);
 /// The radius of a guide's arc on the screen: outside of the body that stands there.
-double arcRadius(const lessons::Guide &guide, const Shown &shown, const Camera &camera);
+double arcRadius(const lessons::Overlay &guide, const Shown &shown, const Camera &camera);
 /// A guide's pull, from the edge of the body that stands there.
-Arrow guideArrow(const lessons::Guide &guide, const Shown &shown, const Camera &camera, const Theme &theme);
+Arrow guideArrow(const lessons::Overlay &guide, const Shown &shown, const Camera &camera, const Theme &theme);
 
 }

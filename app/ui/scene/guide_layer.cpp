@@ -12,7 +12,7 @@ namespace app {
 
 namespace {
 
-using lessons::Guide;
+using lessons::Overlay;
 
 void drawCross(const Canvas &canvas, QPointF c)
 {
@@ -22,7 +22,7 @@ void drawCross(const Canvas &canvas, QPointF c)
 }
 
 /// From the x axis, which goes to the right; on the screen a positive angle turns clockwise, as y goes down.
-void drawAngle(const Canvas &canvas, const Guide &guide)
+void drawAngle(const Canvas &canvas, const Overlay &guide)
 {
     const QPointF c = canvas.camera.at(guide.a);
     const double r = arcRadius(guide, canvas.shown, canvas.camera);
@@ -34,30 +34,30 @@ void drawAngle(const Canvas &canvas, const Guide &guide)
     p.drawArc(QRectF(c.x() - r, c.y() - r, 2 * r, 2 * r), 0, static_cast<int>(std::lround(-16.0 * degrees)));
 }
 
-void drawGuide(const Canvas &canvas, const Guide &guide)
+void drawGuide(const Canvas &canvas, const Overlay &guide)
 {
     const QPointF a = canvas.camera.at(guide.a);
     const double radius = ringRadius(guide, canvas.camera);
     switch (guide.shape) {
-    case Guide::Shape::cross:
+    case Overlay::Shape::cross:
         drawCross(canvas, a);
         break;
-    case Guide::Shape::ring:
+    case Overlay::Shape::ring:
         canvas.painter.setPen(dashed(canvas.tokens().ink3, 1.2, {2.0, 4.0}));
         canvas.painter.drawEllipse(a, radius, radius);
         break;
-    case Guide::Shape::arrow:
+    case Overlay::Shape::arrow:
         drawArrow(canvas.painter, guideArrow(guide, canvas.shown, canvas.camera, canvas.theme),
                   canvas.tokens().scene);
         break;
-    case Guide::Shape::line:
+    case Overlay::Shape::line:
         canvas.painter.setPen(dashed(canvas.tokens().ink2, 1.2, {5.0, 4.0}));
         canvas.painter.drawLine(canvas.cut(a, canvas.camera.at(guide.b)));
         break;
-    case Guide::Shape::angle:
+    case Overlay::Shape::angle:
         drawAngle(canvas, guide);
         break;
-    case Guide::Shape::wind:
+    case Overlay::Shape::wind:
         drawWind(canvas, a);
         break;
     }
@@ -75,7 +75,7 @@ void GuideLayer::draw(const Canvas &canvas) const
 {
     if (!canvas.shown.extras.guides)
         return;
-    for (const Guide &guide : canvas.shown.picture.guides)
+    for (const Overlay &guide : canvas.shown.picture.guides)
         drawGuide(canvas, guide);
     for (const GuideLabel &label : guideLabels(canvas.shown, canvas.camera, canvas.theme, canvas.area))
         drawLabel(canvas, label);

@@ -18,7 +18,7 @@ int Hand::bodyAt(const Shown &shown, const Camera &camera, QPointF place)
     for (int i = 0; i < shown.points(); ++i) {
         if (shown.isHidden(i))
             continue;
-        const QPointF away = camera.at(shown.state().at(i)) - place;
+        const QPointF away = camera.at(shown.state().positionOf(i)) - place;
         const double distance = QPointF::dotProduct(away, away);
         const double most = std::max(reach, camera.radius(shown.radius(i)));
         if (distance > most * most)

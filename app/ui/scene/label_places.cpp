@@ -124,7 +124,7 @@ std::vector<QRectF> bodyBoxes(const Shown &shown, const Camera &camera)
     const auto add = [&](int i) {
         if (shown.isHidden(i))
             return;
-        const QPointF c = camera.at(shown.state().at(i));
+        const QPointF c = camera.at(shown.state().positionOf(i));
         const double r = camera.radius(shown.radius(i)) + (i == shown.selected ? 6.0 : 1.0);
         boxes.emplace_back(c.x() - r, c.y() - r, 2 * r, 2 * r);
     };

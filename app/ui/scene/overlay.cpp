@@ -156,7 +156,7 @@ void Overlay::drawClock(QPainter &painter, QRectF view) const
 
 QColor Overlay::captionInk() const
 {
-    const bool isPaper = m_shown.look().sky == lessons::Look::Sky::paper;
+    const bool isPaper = m_shown.look().sky == lessons::View::Sky::paper;
     return isPaper ? m_theme.tokens().ink3 : m_theme.tokens().ink2;
 }
 
@@ -187,7 +187,7 @@ std::vector<Overlay::Entry> Overlay::legend() const
         entries.push_back({Entry::Mark::ghost, 30.0, m_shown.ghostName});
     if (!m_shown.onion.empty())
         entries.push_back({Entry::Mark::onion, 30.0, Text::tr("every %1 frames").arg(onionFrames)});
-    if (m_shown.extras.rests && hasRests(m_shown.picture.segment->scene))
+    if (m_shown.extras.rests && hasRests(m_shown.picture.interval->scene))
         entries.push_back({Entry::Mark::rest, 30.0, Text::tr("length at rest")});
     if (m_shown.showsVelocities() && m_shown.scales.velocity.isUsed)
         entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
@@ -204,7 +204,7 @@ std::vector<Overlay::Entry> Overlay::legend() const
 
 QColor Overlay::groundAt(const Camera &camera, double y) const
 {
-    const lessons::Look &look = m_shown.look();
+    const lessons::View &look = m_shown.look();
     const std::optional<double> floor = look.room ? std::optional(look.room->floor) : look.ground;
     const bool isBelow = floor && camera.at({0.0, *floor}).y() < y;
     return isBelow ? m_theme.tokens().win : m_theme.tokens().scene;
@@ -212,7 +212,7 @@ QColor Overlay::groundAt(const Camera &camera, double y) const
 
 void Overlay::drawLegend(QPainter &painter, const Camera &camera, QRectF view, double from) const
 {
-    const bool isPaper = m_shown.look().sky == lessons::Look::Sky::paper;
+    const bool isPaper = m_shown.look().sky == lessons::View::Sky::paper;
     const QFontMetricsF metrics(m_shown.text);
     const double left = std::max(from + legendGap, margin);
     double x = view.right() - margin;

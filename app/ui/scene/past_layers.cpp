@@ -29,7 +29,7 @@ void OnionLayer::draw(const Canvas &canvas) const
     // The earliest first, so that later ones lie above it.
     for (std::size_t k = shown.onion.size(); k-- > 0;) {
         const sim::State &state = shown.onion[k];
-        if (state.points() != shown.points())
+        if (state.pointCount() != shown.points())
             continue;
         const double alpha = latestSkin * (1.0 - static_cast<double>(k) / onionSkins);
         const QColor color = faded(canvas.tokens().body, alpha);
@@ -38,7 +38,7 @@ void OnionLayer::draw(const Canvas &canvas) const
         drawOutlines(canvas, {shown.look(), state},
                      {color, 1.2, false, faded(canvas.tokens().body, alpha * 0.22)});
     }
-    if (!shown.past || shown.past->state.points() != shown.points())
+    if (!shown.past || shown.past->state.pointCount() != shown.points())
         return;
     if (shown.past->look->tree)
         m_tree.drawOutline(canvas, shown.past->look, shown.past->state, canvas.tokens().ink2);

@@ -61,9 +61,9 @@ void lookAtTrail(Nearest &nearest, const Shown &shown, const Camera &camera, QPo
 void lookAtSkins(Nearest &nearest, const Shown &shown, const Camera &camera, QPointF place)
 {
     for (const sim::State &skin : shown.onion) {
-        for (int i = 0; skin.points() == shown.points() && i < shown.points(); ++i) {
+        for (int i = 0; skin.pointCount() == shown.points() && i < shown.points(); ++i) {
             const double radius = shown.isHidden(i) ? 0.0 : camera.radius(shown.radius(i));
-            const double distance = length(camera.at(skin.at(i)) - place);
+            const double distance = length(camera.at(skin.positionOf(i)) - place);
             // Anywhere in a large disc is on it; its middle decides between several.
             if (!shown.isHidden(i) && distance <= std::max(radius, reach))
                 nearest.take(distance * reach / std::max(radius, reach) * 0.999, skin.frame);

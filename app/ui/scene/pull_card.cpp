@@ -36,7 +36,7 @@ struct Row
 std::vector<Row> rowsOf(const Shown &shown, const Theme &theme)
 {
     std::vector<Row> rows;
-    for (const sim::Gathered &one : shown.gathered) {
+    for (const sim::ForceSnapshot &one : shown.gathered) {
         const sim::Vec2 pull = {one.acceleration(shown.selected, 0), one.acceleration(shown.selected, 1)};
         rows.push_back({phrase(one.effect->title()), shownMagnitude(shownLength(pull)),
                         theme.kindColor(one.effect->kind())});
@@ -76,7 +76,7 @@ void drawPullCard(QPainter &painter, const Shown &shown, const Theme &theme, con
     const QString unit = Text::tr("px/frame²");
     const Columns columns = columnsOf(rows, shown, unit);
     const QSizeF size(columns.width, rowHeight * static_cast<double>(rows.size()) + 12.0);
-    const QPointF centre = camera.at(shown.state().at(shown.selected));
+    const QPointF centre = camera.at(shown.state().positionOf(shown.selected));
     const double radius = camera.radius(shown.radius(shown.selected));
     const QPointF wanted = centre + QPointF(radius + besideBody, -radius - 20.0 - size.height());
     QRectF box = LabelPlaces(std::move(taken)).within(free, wanted, size);

@@ -30,7 +30,7 @@ QPen outline(const Theme &theme)
 std::optional<ReferencePlaces> referencePlaces(const Shown &shown, const sim::Accuracy &accuracy,
                                                std::int64_t frame)
 {
-    const auto &frames = accuracy.reference.places;
+    const auto &frames = accuracy.reference.trajectories;
     if (frame < 0 || frame > accuracy.horizon || frame >= static_cast<std::int64_t>(frames.size()))
         return std::nullopt;
     ReferencePlaces found;
@@ -39,7 +39,8 @@ std::optional<ReferencePlaces> referencePlaces(const Shown &shown, const sim::Ac
         return std::nullopt;
     found.uncertainty = accuracy.reference.disagreement;
     for (int i = 0; i < shown.points(); ++i) {
-        const double away = sim::length(shown.state().at(i) - found.places[static_cast<std::size_t>(i)]);
+        const double away =
+            sim::length(shown.state().positionOf(i) - found.places[static_cast<std::size_t>(i)]);
         if (!shown.isHidden(i) && (found.farthest < 0 || away > found.distance)) {
             found.farthest = i;
             found.distance = away;
@@ -63,7 +64,7 @@ void ReferenceLayer::draw(const Canvas &canvas) const
         if (shown.isHidden(i))
             continue;
         const QPointF place = canvas.camera.at(shown.reference->places[static_cast<std::size_t>(i)]);
-        const QPointF body = canvas.camera.at(shown.state().at(i));
+        const QPointF body = canvas.camera.at(shown.state().positionOf(i));
         const double radius = canvas.camera.radius(shown.radius(i));
         if (canvas.reaches(place, radius)) {
             p.setPen(outline(canvas.theme));
@@ -85,7 +86,7 @@ void drawReferenceLabel(QPainter &painter, const Shown &shown, const Theme &them
         return;
     const QString text = referenceSentence(*shown.reference);
     const QFontMetricsF metrics(shown.text);
-    const QPointF body = camera.at(shown.state().at(shown.reference->farthest));
+    const QPointF body = camera.at(shown.state().positionOf(shown.reference->farthest));
     const double radius = camera.radius(shown.radius(shown.reference->farthest));
     const QRectF box = LabelPlaces(std::move(taken))
                            .within(area, body + QPointF(radius + 10.0, radius + 4.0),

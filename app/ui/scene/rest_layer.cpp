@@ -23,7 +23,7 @@ double discAt(const Canvas &canvas, int point)
 /// Where the disc of a point ends on the way to a place; the place itself if that lies within.
 QPointF edgeTowards(const Canvas &canvas, int point, QPointF place)
 {
-    const QLineF way(canvas.camera.at(canvas.shown.state().at(point)), place);
+    const QLineF way(canvas.camera.at(canvas.shown.state().positionOf(point)), place);
     const double disc = discAt(canvas, point);
     return way.length() > disc ? way.pointAt(disc / way.length()) : place;
 }
@@ -38,15 +38,15 @@ struct Strokes
 
 void addMark(Strokes &strokes, const Canvas &canvas, const RestMark &mark)
 {
-    const QPointF place = canvas.camera.at(mark.rest.place);
-    const QPointF from = canvas.camera.at(canvas.shown.state().at(mark.rest.anchor));
+    const QPointF place = canvas.camera.at(mark.rest.position);
+    const QPointF from = canvas.camera.at(canvas.shown.state().positionOf(mark.rest.anchor));
     const QLineF visible = canvas.cut(edgeTowards(canvas, mark.rest.anchor, place), place);
     if (!visible.isNull())
         strokes.shadows << visible;
     const double half = std::max(leastHalf, discAt(canvas, mark.rest.mover) + beyondDisc);
     if (!canvas.reaches(place, half))
         return;
-    if (!mark.rest.isLength) {
+    if (!mark.rest.isDistance) {
         strokes.rings.addEllipse(place, half, half);
         return;
     }
@@ -81,10 +81,10 @@ void RestLayer::draw(const Canvas &canvas) const
     if (!shown.extras.rests)
         return;
     Strokes springs, sticks;
-    for (const RestMark &mark : restMarks(shown.picture.segment->scene, shown.state(), shown.look())) {
+    for (const RestMark &mark : restMarks(shown.picture.interval->scene, shown.state(), shown.look())) {
         if (shown.isCrowd() && mark.rest.mover != shown.selected && mark.rest.anchor != shown.selected)
             continue;
-        addMark(mark.kind == sim::Kind::stick ? sticks : springs, canvas, mark);
+        addMark(mark.kind == sim::EffectKind::stick ? sticks : springs, canvas, mark);
     }
     drawStrokes(canvas.painter, springs, canvas.tokens().spring, canvas.tokens().scene);
     drawStrokes(canvas.painter, sticks, canvas.tokens().stick, canvas.tokens().scene);

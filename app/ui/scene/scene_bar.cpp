@@ -187,7 +187,7 @@ void SceneBar::showValues()
 {
     const sim::Script &script = m_session.timeline().script();
     m_method->setTexts(tr("Method"), phrase(script.method->title()));
-    const bool adaptive = script.step.adaptive();
+    const bool adaptive = script.step.isAdaptive();
     m_step->setToolTip(adaptive ? tr("The error that each of the method's own steps may make")
                                 : tr("How much time one step of the method covers"));
     m_step->setTexts(adaptive ? tr("Tolerance") : tr("Step"), stepTitle(script.step));

@@ -34,7 +34,7 @@ constexpr std::int64_t measuredPoints = 200'000; ///< points times frames, if th
 constexpr qint64 measuredMilliseconds = 60;      ///< if that is less
 
 /// Whether walls and floor are where they were in what was shown before.
-bool hasSameRoom(const lessons::Look &look, QRectF home, QRectF before)
+bool hasSameRoom(const lessons::View &look, QRectF home, QRectF before)
 {
     return !before.isEmpty() &&
            (!look.room || (home.left() == before.left() && home.right() == before.right() &&
@@ -46,7 +46,7 @@ QRectF boxWithin(const Shown &shown, const QRectF &area)
 {
     QRectF box;
     for (int i = 0; i < shown.points(); ++i) {
-        const sim::Vec2 at = shown.state().at(i) + shown.shift;
+        const sim::Vec2 at = shown.state().positionOf(i) + shown.shift;
         const double radius = shown.radius(i);
         const QRectF body = QRectF(at.x, at.y, 0.0, 0.0).adjusted(-radius, -radius, radius, radius);
         if (area.contains(body))
@@ -109,7 +109,7 @@ void SceneView::frameHome()
     frame(framingOf(m_shown.look(), m_home, size, most));
     m_narrow.reset();
     m_isClose = false;
-    m_seenAt = m_session.shown().at();
+    m_seenAt = m_session.shown().cursor();
     followWithin(walkerFrom, walkerFrom);
 }
 
@@ -136,7 +136,7 @@ void SceneView::fit()
 
 void SceneView::showSpan(const QRectF &motion)
 {
-    const lessons::Look &look = m_shown.look();
+    const lessons::View &look = m_shown.look();
     const QSizeF size = viewRect().size();
     const auto zoomOf = [&](const QRectF &area) {
         return framingOf(look, area, size, mostAtHome(look, size)).zoom;
@@ -206,13 +206,13 @@ void SceneView::shiftBy(QPointF by)
 
 void SceneView::followWithin(double from, double to)
 {
-    const int point = m_shown.look().follow;
+    const int point = m_shown.look().followedPoint;
     const double width = viewRect().width();
     // While a hand holds something, the picture stays: else the hand would carry it on and on. It also stays while the
     // pointer is held: what runs after it shall come to it.
     if (point < 0 || !m_follows || m_hand.isDown() || m_tools.isPointing() || width <= 0.0)
         return;
-    const double x = camera().at(m_shown.state().at(point)).x();
+    const double x = camera().at(m_shown.state().positionOf(point)).x();
     const double kept = std::clamp(x, from * width, to * width);
     if (std::abs(kept - x) >= 0.5)
         shiftBy({kept - x, 0.0});
@@ -226,7 +226,7 @@ void SceneView::follow()
 void SceneView::keepSubject()
 {
     follow();
-    const sim::Cursor at = m_session.shown().at();
+    const sim::Cursor at = m_session.shown().cursor();
     const bool hasMoved = at != m_seenAt;
     m_seenAt = at;
     if (m_session.isGlancing() || m_hand.isDown() || viewRect().isEmpty() || m_shown.points() == 0)
@@ -261,7 +261,7 @@ bool SceneView::isSubjectInSight() const
     const Camera camera = this->camera();
     const auto isSeen = [&](const Shown &shown) {
         for (int i = 0; i < shown.points(); ++i) {
-            if (sight.contains(camera.at(shown.state().at(i) + shown.shift)))
+            if (sight.contains(camera.at(shown.state().positionOf(i) + shown.shift)))
                 return true;
         }
         return false;
@@ -277,7 +277,7 @@ QPointF SceneView::wayToSubject() const
     QPointF shortest;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < m_shown.points(); ++i) {
-        const sim::Vec2 place = m_shown.state().at(i);
+        const sim::Vec2 place = m_shown.state().positionOf(i);
         if (std::max(std::abs(place.x), std::abs(place.y)) > worldReach)
             continue; // no picture goes there
         const QPointF at = camera.at(place);
@@ -308,7 +308,7 @@ void SceneView::widen()
     if (inside.isEmpty())
         return;
     QRectF box = subject();
-    if (m_shown.look().follow >= 0 &&
+    if (m_shown.look().followedPoint >= 0 &&
         m_follows) { // it may stand left of the middle, with others on either side
         const double x = followedX(m_shown.look(), m_shown.state());
         const double side = std::max(x - box.left(), box.right() - x) / (2.0 * walkerFrom);
@@ -338,7 +338,7 @@ void SceneView::widen()
 
 void SceneView::lookClosely()
 {
-    const bool isInside = m_session.shown().at().phase > 0 && !m_session.isPlaying();
+    const bool isInside = m_session.shown().cursor().phase > 0 && !m_session.isPlaying();
     if (!isInside || m_isClose || m_shown.isCrowd() || m_shown.look().tree || m_beside.points() > 0)
         return;
     const QRectF area = creatureArea(m_shown.picture);
@@ -352,12 +352,12 @@ void SceneView::lookClosely()
 
 void SceneView::bringBack(const QString &body)
 {
-    const int point = m_shown.picture.segment->scene.find(body.toStdString());
+    const int point = m_shown.picture.interval->scene.find(body.toStdString());
     if (point < 0)
         return;
-    const sim::Vec2 at = m_shown.state().at(point);
+    const sim::Vec2 at = m_shown.state().positionOf(point);
     m_atHome = false;
-    m_follows = m_follows || point == m_shown.look().follow;
+    m_follows = m_follows || point == m_shown.look().followedPoint;
     centerOn(std::clamp(at.x, -worldReach, worldReach), std::clamp(at.y, -worldReach, worldReach));
     viewport()->update();
 }

@@ -13,7 +13,7 @@ void SceneView::takeCaption()
     m_shown.caption = frameCaption(m_session.shown());
     if (m_session.isGlancing())
         m_shown.caption = m_shown.caption.isEmpty()
-                              ? tr("Only a look: this is frame %1.").arg(m_session.shown().at().frame)
+                              ? tr("Only a look: this is frame %1.").arg(m_session.shown().cursor().frame)
                               : tr("Only a look. %1").arg(m_shown.caption);
     else if (m_shown.caption.isEmpty())
         m_shown.caption = m_session.note();

@@ -43,7 +43,7 @@ void SceneView::mousePressEvent(QMouseEvent *event)
         setFocus(Qt::MouseFocusReason);
     } else if (event->button() == Qt::LeftButton) {
         const int point = Hand::bodyAt(m_shown, camera(), m_pointer);
-        const bool pointed = point >= 0 && point == m_shown.picture.look->pointed;
+        const bool pointed = point >= 0 && point == m_shown.picture.look->pointerPoint;
         if (pointed)
             m_session.select(nameOf(point));
         const EdgeMarker *outside = point < 0 ? markerAt(m_pointer) : nullptr;
@@ -54,7 +54,8 @@ void SceneView::mousePressEvent(QMouseEvent *event)
         } else if ((point < 0 || pointed) && m_tools.press(camera().back(m_pointer))) {
             setFocus(Qt::MouseFocusReason);
         } else if (point >= 0) {
-            m_hand.press(nameOf(point), m_shown.state().at(point), camera().back(m_pointer), m_pointer);
+            m_hand.press(nameOf(point), m_shown.state().positionOf(point), camera().back(m_pointer),
+                         m_pointer);
         } else {
             m_panFrom = m_pointer;
         }
@@ -187,7 +188,7 @@ void SceneView::selectBeside(int step)
     const int from = m_shown.selected < 0 ? (step > 0 ? -1 : 0) : m_shown.selected;
     const int next = (from + step + count) % count;
     m_session.select(nameOf(next));
-    if (!viewRect().contains(camera().at(m_shown.state().at(next))))
+    if (!viewRect().contains(camera().at(m_shown.state().positionOf(next))))
         bringBack(nameOf(next));
 }
 
@@ -196,7 +197,7 @@ void SceneView::carrySelected(sim::Vec2 by)
     if (m_shown.selected < 0 || m_hand.isDown())
         return;
     const QString body = nameOf(m_shown.selected);
-    const sim::Vec2 from = m_shown.state().at(m_shown.selected);
+    const sim::Vec2 from = m_shown.state().positionOf(m_shown.selected);
     m_session.grab(body);
     m_session.moveHand(from + by);
     m_session.letGo();
@@ -260,7 +261,8 @@ QString SceneView::tipAt(QPointF place)
 {
     const int point = Hand::bodyAt(m_shown, camera(), place);
     if (point >= 0)
-        return bodySentence(nameOf(point), m_shown.state().at(point), m_shown.state().speed(point));
+        return bodySentence(nameOf(point), m_shown.state().positionOf(point),
+                            m_shown.state().velocityOf(point));
     if (const EdgeMarker *marker = markerAt(place))
         return tr("%1: outside of the picture. Click, or press O, to bring it into view.").arg(marker->text);
     return {};

@@ -34,7 +34,7 @@ void addLayers(QGraphicsScene &scene, const Shown &shown, const Theme &theme)
 
 bool differ(const Picture &a, const Picture &b)
 {
-    return a.state.points() != b.state.points() ||
+    return a.state.pointCount() != b.state.pointCount() ||
            ((a.state.position - b.state.position).abs() > ghostShows).any();
 }
 
@@ -122,9 +122,9 @@ void SceneView::refresh()
         if (m_atHome && m_shown.look().stage != m_stage)
             showHome(); // the scene has another size now
     }
-    m_shown.selected = m_shown.picture.segment->scene.find(m_session.selected().toStdString());
+    m_shown.selected = m_shown.picture.interval->scene.find(m_session.selected().toStdString());
     m_shown.scales = m_runScales;
-    measureArrows(m_shown, m_session.shown().at().frame);
+    measureArrows(m_shown, m_session.shown().cursor().frame);
     if (!m_session.isGlancing())
         m_runScales = m_shown.scales;
     if (!m_session.isPlaying())
@@ -150,24 +150,24 @@ void SceneView::takeMoment()
 void SceneView::takePulls()
 {
     const sim::Timeline &timeline = m_session.shown();
-    m_shown.isInside = timeline.at().phase > 0 && m_wantsVelocities.value_or(true);
+    m_shown.isInside = timeline.cursor().phase > 0 && m_wantsVelocities.value_or(true);
     m_shown.before.reset();
     if (m_shown.isInside && !m_shown.isCrowd())
-        m_shown.before = sim::beforeLastPhase(timeline.track());
-    m_shown.pullsAreAll = m_shown.extras.pulls && timeline.at().phase == 0;
-    m_shown.gathered = m_shown.pullsAreAll ? sim::pullsNow(timeline.track()) : m_session.gathered();
+        m_shown.before = sim::stateBeforeLastPhase(timeline.track());
+    m_shown.pullsAreAll = m_shown.extras.pulls && timeline.cursor().phase == 0;
+    m_shown.gathered = m_shown.pullsAreAll ? sim::currentForces(timeline.track()) : m_session.gathered();
     m_shown.clock =
         tr("frame %1 = %2\u2009s")
-            .arg(timeline.at().frame)
-            .arg(QLocale().toString(double(timeline.at().frame) / Player::framesPerSecond, 'f', 2));
+            .arg(timeline.cursor().frame)
+            .arg(QLocale().toString(double(timeline.cursor().frame) / Player::framesPerSecond, 'f', 2));
 }
 
 void SceneView::describe()
 {
     QString text;
     if (m_shown.selected >= 0)
-        text = bodySentence(m_session.selected(), m_shown.state().at(m_shown.selected),
-                            m_shown.state().speed(m_shown.selected));
+        text = bodySentence(m_session.selected(), m_shown.state().positionOf(m_shown.selected),
+                            m_shown.state().velocityOf(m_shown.selected));
     if (!m_shown.caption.isEmpty())
         text += ". " + m_shown.caption;
     if (const std::optional<sim::Vec2> hand = m_session.recordedHand())
@@ -184,7 +184,7 @@ void SceneView::describe()
 
 QString SceneView::nameOf(int point) const
 {
-    return QString::fromStdString(m_shown.picture.segment->scene.names[static_cast<std::size_t>(point)]);
+    return QString::fromStdString(m_shown.picture.interval->scene.names[static_cast<std::size_t>(point)]);
 }
 
 void SceneView::setExtras(const Extras &extras)
@@ -205,8 +205,8 @@ void SceneView::setExtras(const Extras &extras)
 void SceneView::takeExtrasOfStep()
 {
     Extras extras = m_shown.extras;
-    extras.velocities = m_wantsVelocities.value_or(m_shown.look().velocities);
-    extras.onion = m_wantsOnion.value_or(m_shown.look().onionSkins);
+    extras.velocities = m_wantsVelocities.value_or(m_shown.look().showsVelocities);
+    extras.onion = m_wantsOnion.value_or(m_shown.look().showsOnionSkins);
     if (extras.velocities == m_shown.extras.velocities && extras.onion == m_shown.extras.onion)
         return;
     m_shown.extras = extras;
@@ -218,13 +218,13 @@ void SceneView::takeOnion()
 {
     m_shown.onion.clear();
     const sim::Track &track = m_session.timeline().track();
-    if (!m_shown.extras.onion || track.now().points() > mostSkinned)
+    if (!m_shown.extras.onion || track.state().pointCount() > mostSkinned)
         return;
     // At whole multiples, so that a skin stays where it is while it fades.
-    const std::int64_t every = onionFrames * track.rowFrames();
-    std::int64_t frame = (track.at().frame - 1) / every * every;
+    const std::int64_t every = onionFrames * track.framesPerOutput();
+    std::int64_t frame = (track.cursor().frame - 1) / every * every;
     for (int k = 0; k < onionSkins && frame >= 0; ++k, frame -= every) {
-        if (frame < track.at().frame)
+        if (frame < track.cursor().frame)
             m_shown.onion.push_back(track.stateAt(frame));
     }
 }
@@ -239,14 +239,14 @@ void SceneView::attach(const AccuracyStudy &study)
 void SceneView::takeReference()
 {
     m_shown.reference.reset();
-    const sim::Cursor at = m_session.shown().at();
+    const sim::Cursor at = m_session.shown().cursor();
     if (m_study && m_study->isWatched() && m_study->accuracy() && at.phase == 0)
         m_shown.reference = referencePlaces(m_shown, *m_study->accuracy(), at.frame);
     if (!m_shown.reference || !m_shown.extras.reference)
         return;
     // The reference shows where the bodies should be: a step's guides of the same would say it twice.
-    std::erase_if(m_shown.picture.guides, [](const lessons::Guide &guide) {
-        return guide.about == lessons::Guide::About::exactMotion;
+    std::erase_if(m_shown.picture.guides, [](const lessons::Overlay &guide) {
+        return guide.about == lessons::Overlay::About::exactMotion;
     });
 }
 
@@ -294,7 +294,7 @@ void SceneView::drawBackground(QPainter *painter, const QRectF &)
     const QTransform toView = painter->worldTransform();
     const QRectF area = viewRect();
     painter->setWorldTransform({});
-    const bool isPaper = m_shown.look().sky == lessons::Look::Sky::paper;
+    const bool isPaper = m_shown.look().sky == lessons::View::Sky::paper;
     if (isPaper)
         painter->fillRect(area, m_theme.tokens().scene);
     else

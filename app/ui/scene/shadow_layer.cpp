@@ -18,7 +18,7 @@ constexpr double belowLine = 1.0;  ///< px of the screen: the floor's line stays
 constexpr int mostShadows = 300;
 
 /// How far down the floor lies below a place, px; empty where there is none.
-std::optional<double> floorBelow(const lessons::Look &look, sim::Vec2 place)
+std::optional<double> floorBelow(const lessons::View &look, sim::Vec2 place)
 {
     if (look.room && place.x > look.room->left && place.x < look.room->right)
         return look.room->floor;
@@ -52,16 +52,16 @@ void drawUnder(const Canvas &canvas, sim::Vec2 place, double radius)
 void ShadowLayer::draw(const Canvas &canvas) const
 {
     const Shown &shown = canvas.shown;
-    const lessons::Look &look = shown.look();
-    if (isFlat(canvas.theme) || shown.points() > mostShadows || look.sky != lessons::Look::Sky::paper)
+    const lessons::View &look = shown.look();
+    if (isFlat(canvas.theme) || shown.points() > mostShadows || look.sky != lessons::View::Sky::paper)
         return;
-    using Shape = lessons::BodyLook::Shape;
+    using Shape = lessons::BodyView::Shape;
     for (int i = 0; i < shown.points(); ++i) {
         const double radius = shown.radius(i);
         const bool isDisc = shown.shape(i) == Shape::body || shown.shape(i) == Shape::foot;
         if (!isDisc || radius * canvas.camera.zoom < leastDisc)
             continue;
-        const sim::Vec2 place = shown.state().at(i);
+        const sim::Vec2 place = shown.state().positionOf(i);
         if (!look.room && !look.ground)
             drawUnder(canvas, place, radius);
         else if (const std::optional<double> floor = floorBelow(look, place))

@@ -27,7 +27,7 @@ sim::Vec2 rowOf(const Eigen::ArrayX2d &values, int point)
 double longestPull(const Shown &shown)
 {
     double longest = 0.0;
-    for (const sim::Gathered &one : shown.gathered) {
+    for (const sim::ForceSnapshot &one : shown.gathered) {
         if (shown.isCrowd() && shown.selected >= 0)
             longest = std::max(longest, sim::length(rowOf(one.acceleration, shown.selected)));
         for (int i = shown.isCrowd() ? shown.points() : 0; i < shown.points(); ++i)
@@ -36,8 +36,8 @@ double longestPull(const Shown &shown)
     if (shown.hasSum())
         longest = std::max(longest, sim::length(shown.sumOnSelected()));
     if (shown.extras.guides) {
-        for (const lessons::Guide &guide : shown.picture.guides) {
-            if (guide.shape == lessons::Guide::Shape::arrow)
+        for (const lessons::Overlay &guide : shown.picture.guides) {
+            if (guide.shape == lessons::Overlay::Shape::arrow)
                 longest = std::max(longest, sim::length(guide.b));
         }
     }
@@ -64,12 +64,12 @@ void renew(ArrowScale &scale, double longest, double room, double finest, std::i
 double fastest(const Shown &shown)
 {
     if (shown.isCrowd())
-        return shown.selected >= 0 ? sim::length(shown.state().speed(shown.selected)) : 0.0;
+        return shown.selected >= 0 ? sim::length(shown.state().velocityOf(shown.selected)) : 0.0;
     double most = 0.0;
     for (int i = 0; i < shown.points(); ++i) {
-        most = std::max(most, sim::length(shown.state().speed(i)));
+        most = std::max(most, sim::length(shown.state().velocityOf(i)));
         if (shown.before)
-            most = std::max(most, sim::length(shown.before->speed(i)));
+            most = std::max(most, sim::length(shown.before->velocityOf(i)));
     }
     return most;
 }
@@ -94,7 +94,7 @@ std::vector<int> trailed(const Shown &shown)
 sim::Vec2 Shown::sumOnSelected() const
 {
     sim::Vec2 sum;
-    for (const sim::Gathered &one : gathered)
+    for (const sim::ForceSnapshot &one : gathered)
         sum = sum + rowOf(one.acceleration, selected);
     return sum;
 }

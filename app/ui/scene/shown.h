@@ -70,7 +70,7 @@ struct Shown
     std::optional<Picture> ghost;             ///< only where it differs from the picture
     std::optional<ReferencePlaces> reference; ///< only while accuracy is measured on this scene
     QString ghostName;                        ///< what the ghost differs by
-    std::vector<sim::Gathered> gathered;      ///< inside a frame: accelerations that no move has spent yet
+    std::vector<sim::ForceSnapshot> gathered; ///< inside a frame: accelerations that no move has spent yet
     QString caption; ///< what has been done inside a frame, or what the step says about the moment
     QString name;    ///< who the figure is, where there are two; stands over its stage
     sim::Vec2 shift; ///< px: how far the picture is moved from where its points are
@@ -93,15 +93,15 @@ struct Shown
     QFont figures;             ///< numbers that matter
 
     const sim::State &state() const { return picture.state; }
-    int points() const { return picture.segment ? picture.state.points() : 0; }
-    const lessons::Look &look() const { return *picture.look; }
+    int points() const { return picture.interval ? picture.state.pointCount() : 0; }
+    const lessons::View &look() const { return *picture.look; }
     bool isCrowd() const { return points() > crowdPoints; }
     bool showsVelocities() const { return extras.velocities || isInside; }
     double radius(int point) const { return look().bodies[static_cast<std::size_t>(point)].radius; }
-    bool isBody(int point) const { return shape(point) == lessons::BodyLook::Shape::body; }
+    bool isBody(int point) const { return shape(point) == lessons::BodyView::Shape::body; }
     /// Whether something else is drawn in the point's place, so that no hand can take it.
-    bool isHidden(int point) const { return shape(point) == lessons::BodyLook::Shape::none; }
-    lessons::BodyLook::Shape shape(int point) const
+    bool isHidden(int point) const { return shape(point) == lessons::BodyView::Shape::none; }
+    lessons::BodyView::Shape shape(int point) const
     {
         return look().bodies[static_cast<std::size_t>(point)].shape;
     }

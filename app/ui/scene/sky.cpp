@@ -94,7 +94,8 @@ double swell(double x)
 
 double footOf(const Shown &shown)
 {
-    return shown.look().tree && shown.points() > 0 ? shown.state().at(0).x : shown.look().stage.center().x();
+    return shown.look().tree && shown.points() > 0 ? shown.state().positionOf(0).x
+                                                   : shown.look().stage.center().x();
 }
 
 }
@@ -136,9 +137,9 @@ SkyColors skyColors(Scheme scheme)
 
 double horizonOf(const Shown &shown)
 {
-    const lessons::Look &look = shown.look();
+    const lessons::View &look = shown.look();
     if (look.tree && shown.points() > 0)
-        return shown.state().at(0).y;
+        return shown.state().positionOf(0).y;
     return look.ground.value_or(look.stage.bottom());
 }
 

@@ -14,18 +14,18 @@ namespace {
 constexpr double eyesForward = 0.45; ///< where the eyes are on the way from the middle of a skin to its front
 constexpr double faceShare = 0.5;    ///< the face's radius, of that way
 
-QPointF middleOf(const Canvas &canvas, const lessons::SkinLook &skin)
+QPointF middleOf(const Canvas &canvas, const lessons::SkinView &skin)
 {
     QPointF sum;
     for (const int point : skin.outline)
-        sum += canvas.camera.at(canvas.shown.state().at(point));
+        sum += canvas.camera.at(canvas.shown.state().positionOf(point));
     return sum / static_cast<double>(skin.outline.size());
 }
 
-void drawFace(const Canvas &canvas, const lessons::SkinLook &skin)
+void drawFace(const Canvas &canvas, const lessons::SkinView &skin)
 {
     const QPointF middle = middleOf(canvas, skin);
-    const QPointF ahead = canvas.camera.at(canvas.shown.state().at(skin.front)) - middle;
+    const QPointF ahead = canvas.camera.at(canvas.shown.state().positionOf(skin.front)) - middle;
     const double way = std::hypot(ahead.x(), ahead.y());
     if (way <= 0.0)
         return;
@@ -35,7 +35,7 @@ void drawFace(const Canvas &canvas, const lessons::SkinLook &skin)
     face.across = QPointF(-ahead.y(), ahead.x()) / way;
     if (face.across.x() < 0.0)
         face.across = -face.across;
-    face.velocity = canvas.shown.state().speed(skin.front);
+    face.velocity = canvas.shown.state().velocityOf(skin.front);
     drawEyes(canvas, face);
 }
 
@@ -43,13 +43,13 @@ void drawFace(const Canvas &canvas, const lessons::SkinLook &skin)
 
 void ChainLayer::draw(const Canvas &canvas) const
 {
-    for (const lessons::ChainLook &chain : canvas.shown.look().chains)
+    for (const lessons::ChainView &chain : canvas.shown.look().chains)
         canvas.painter.fillPath(chainPath(canvas, canvas.shown.state(), chain), canvas.tokens().body);
 }
 
 void SkinLayer::draw(const Canvas &canvas) const
 {
-    for (const lessons::SkinLook &skin : canvas.shown.look().skins) {
+    for (const lessons::SkinView &skin : canvas.shown.look().skins) {
         const QPainterPath path = skinPath(canvas, canvas.shown.state(), skin);
         canvas.painter.fillPath(path, canvas.tokens().body);
         canvas.painter.setPen(Qt::NoPen);

@@ -72,10 +72,10 @@ void addCoil(Coils &coils, const QLineF &line, int turns, double wide)
 }
 
 /// From edge to edge of the discs at its ends; from middle to middle where they overlap.
-QLineF visibleLine(const Canvas &canvas, const lessons::SpringLook &spring)
+QLineF visibleLine(const Canvas &canvas, const lessons::SpringView &spring)
 {
     const sim::State &state = canvas.shown.state();
-    const QLineF line(canvas.camera.at(state.at(spring.a)), canvas.camera.at(endOf(spring, state)));
+    const QLineF line(canvas.camera.at(state.positionOf(spring.a)), canvas.camera.at(endOf(spring, state)));
     const bool isPlace = spring.b < 0 || spring.at != sim::Vec2();
     const double far = isPlace ? pinRadius : discAt(canvas, spring.b);
     const double near = discAt(canvas, spring.a), length = line.length();
@@ -85,7 +85,7 @@ QLineF visibleLine(const Canvas &canvas, const lessons::SpringLook &spring)
     return {line.p1() + near * u, line.p2() - far * u};
 }
 
-void addSpring(Coils &coils, const lessons::SpringLook &spring)
+void addSpring(Coils &coils, const lessons::SpringView &spring)
 {
     const Canvas &canvas = coils.canvas;
     const QLineF line = visibleLine(canvas, spring);
@@ -105,7 +105,7 @@ void addSpring(Coils &coils, const lessons::SpringLook &spring)
     addCoil(coils, line, turns, std::min(widest, std::max(2.0, halfWidth * zoom)) * swelling);
 }
 
-void drawPin(const Canvas &canvas, const lessons::SpringLook &spring)
+void drawPin(const Canvas &canvas, const lessons::SpringView &spring)
 {
     const QPointF at = canvas.camera.at(endOf(spring, canvas.shown.state()));
     if (canvas.reaches(at, pinRadius))
@@ -113,16 +113,16 @@ void drawPin(const Canvas &canvas, const lessons::SpringLook &spring)
 }
 
 /// Springs of which there are so many that each is a line only.
-void drawFine(const Canvas &canvas, const std::vector<lessons::SpringLook> &springs, bool all)
+void drawFine(const Canvas &canvas, const std::vector<lessons::SpringView> &springs, bool all)
 {
-    using Part = lessons::SpringLook::Part;
+    using Part = lessons::SpringView::Part;
     const sim::State &state = canvas.shown.state();
     QList<QLineF> inside, edges;
-    for (const lessons::SpringLook &spring : springs) {
+    for (const lessons::SpringView &spring : springs) {
         if (spring.part == Part::alone && !all)
             continue;
         const QLineF line =
-            canvas.cut(canvas.camera.at(state.at(spring.a)), canvas.camera.at(endOf(spring, state)));
+            canvas.cut(canvas.camera.at(state.positionOf(spring.a)), canvas.camera.at(endOf(spring, state)));
         if (!line.isNull())
             (spring.part == Part::inside ? inside : edges) << line;
     }
@@ -137,15 +137,15 @@ void drawFine(const Canvas &canvas, const std::vector<lessons::SpringLook> &spri
 
 void SheetLayer::draw(const Canvas &canvas) const
 {
-    const std::vector<lessons::SheetLook> &sheets = canvas.shown.look().sheets;
+    const std::vector<lessons::SheetView> &sheets = canvas.shown.look().sheets;
     if (sheets.empty() || isFlat(canvas.theme))
         return;
     QPainterPath path;
     path.setFillRule(Qt::WindingFill); // no seams where two meet
-    for (const lessons::SheetLook &sheet : sheets) {
+    for (const lessons::SheetView &sheet : sheets) {
         QPolygonF patch;
         for (const int corner : sheet.corners)
-            patch << canvas.camera.at(canvas.shown.state().at(corner));
+            patch << canvas.camera.at(canvas.shown.state().positionOf(corner));
         if (patch.boundingRect().intersects(canvas.area)) {
             path.addPolygon(canvas.cut(patch));
             path.closeSubpath();
@@ -156,7 +156,7 @@ void SheetLayer::draw(const Canvas &canvas) const
 
 void SpringLayer::draw(const Canvas &canvas) const
 {
-    const std::vector<lessons::SpringLook> &springs = canvas.shown.look().springs;
+    const std::vector<lessons::SpringView> &springs = canvas.shown.look().springs;
     if (springs.empty())
         return;
     QPainter &p = canvas.painter;
@@ -169,8 +169,8 @@ void SpringLayer::draw(const Canvas &canvas) const
     const QPen front = solid(tokens.spring, std::clamp(1.1 * canvas.camera.zoom, 1.0, 2.0));
     QPen back = front;
     back.setColor(mixed(tokens.spring, tokens.scene, behind));
-    for (const lessons::SpringLook &spring : springs) {
-        if (spring.part != lessons::SpringLook::Part::alone)
+    for (const lessons::SpringView &spring : springs) {
+        if (spring.part != lessons::SpringView::Part::alone)
             continue;
         Coils coils{canvas};
         addSpring(coils, spring);

@@ -90,13 +90,13 @@ void StepMenu::addOther()
 
 bool StepMenu::isAdaptive() const
 {
-    return m_session.timeline().script().step.adaptive();
+    return m_session.timeline().script().step.isAdaptive();
 }
 
 void StepMenu::follow()
 {
     const sim::StepSize &step = m_session.timeline().script().step;
-    const bool adaptive = step.adaptive();
+    const bool adaptive = step.isAdaptive();
     const double value = adaptive ? step.tolerance : step.h;
     for (QAction *action : actions()) {
         if (!action->isCheckable())
@@ -118,7 +118,7 @@ void StepMenu::takeOther()
     const double typed = stepFromText(m_other->text());
     const bool adaptive = isAdaptive();
     try {
-        adaptive ? sim::StepSize::within(typed) : sim::StepSize::of(typed);
+        adaptive ? sim::StepSize::withTolerance(typed) : sim::StepSize::ofLength(typed);
     } catch (const sim::Error &error) {
         m_why->setText(sentenceFor(error));
         m_why->show();

@@ -61,10 +61,11 @@ void drawSheen(const Canvas &canvas, const QLineF &rod, double width, const QCol
     canvas.painter.drawLine(rod.translated(sheenUp * width * up));
 }
 
-void drawStick(const Canvas &canvas, const lessons::StickLook &stick)
+void drawStick(const Canvas &canvas, const lessons::StickView &stick)
 {
     const sim::State &state = canvas.shown.state();
-    const QLineF line(canvas.camera.at(state.at(stick.a)), canvas.camera.at(state.at(stick.b)));
+    const QLineF line(canvas.camera.at(state.positionOf(stick.a)),
+                      canvas.camera.at(state.positionOf(stick.b)));
     const QLineF visible = canvas.cut(line.p1(), line.p2());
     if (visible.isNull())
         return;
@@ -81,11 +82,11 @@ void drawStick(const Canvas &canvas, const lessons::StickLook &stick)
 
 }
 
-double stickStrain(const lessons::StickLook &stick, const sim::State &state)
+double stickStrain(const lessons::StickView &stick, const sim::State &state)
 {
     if (!(stick.length > 0.0))
         return 0.0;
-    return sim::stickError(state.at(stick.a), state.at(stick.b), stick.length) / stick.length;
+    return sim::stickError(state.positionOf(stick.a), state.positionOf(stick.b), stick.length) / stick.length;
 }
 
 QColor stickColor(const Tokens &tokens, double strain)
@@ -105,10 +106,10 @@ void LimbLayer::draw(const Canvas &canvas) const
 {
     const sim::State &state = canvas.shown.state();
     const QColor color = canvas.tokens().body;
-    for (const lessons::LimbLook &limb : canvas.shown.look().limbs) {
+    for (const lessons::LimbView &limb : canvas.shown.look().limbs) {
         const double width = std::max(finest, limb.width * canvas.camera.zoom);
-        const QLineF line =
-            canvas.cut(canvas.camera.at(state.at(limb.a)), canvas.camera.at(state.at(limb.b)));
+        const QLineF line = canvas.cut(canvas.camera.at(state.positionOf(limb.a)),
+                                       canvas.camera.at(state.positionOf(limb.b)));
         canvas.painter.setPen(solid(color, width));
         canvas.painter.drawLine(line);
     }
@@ -116,7 +117,7 @@ void LimbLayer::draw(const Canvas &canvas) const
 
 void StickLayer::draw(const Canvas &canvas) const
 {
-    for (const lessons::StickLook &stick : canvas.shown.look().sticks)
+    for (const lessons::StickView &stick : canvas.shown.look().sticks)
         drawStick(canvas, stick);
 }
 

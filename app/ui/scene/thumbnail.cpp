@@ -12,7 +12,7 @@ constexpr int enlargement = 4; ///< lines and dots are made for pictures this mu
 LessonLibrary libraryOf(lessons::Step step, const sim::Values &values)
 {
     for (lessons::Parameter &parameter : step.parameters)
-        parameter.preset = values[parameter.id.toStdString()];
+        parameter.defaultValue = values[parameter.id.toStdString()];
     step.tries.clear();
     step.measures.clear();
     LessonEntry entry;

@@ -25,17 +25,17 @@ bool sim::Keys::*steeringKey(int key)
     }
 }
 
-std::optional<sim::Signal> signalOf(lessons::Does what)
+std::optional<sim::InputKind> signalOf(lessons::Interaction what)
 {
     switch (what) {
-    case lessons::Does::pointer:
-        return sim::Signal::pointer;
-    case lessons::Does::target:
-        return sim::Signal::target;
-    case lessons::Does::keys:
-        return sim::Signal::keys;
-    case lessons::Does::hand:
-    case lessons::Does::gust:
+    case lessons::Interaction::pointer:
+        return sim::InputKind::pointer;
+    case lessons::Interaction::target:
+        return sim::InputKind::target;
+    case lessons::Interaction::keys:
+        return sim::InputKind::keys;
+    case lessons::Interaction::drag:
+    case lessons::Interaction::gust:
         break;
     }
     return std::nullopt;
@@ -43,13 +43,13 @@ std::optional<sim::Signal> signalOf(lessons::Does what)
 
 }
 
-bool Tools::can(lessons::Does what) const
+bool Tools::can(lessons::Interaction what) const
 {
-    const std::optional<sim::Signal> signal = signalOf(what);
-    if (!signal || !m_session.step().can(what))
+    const std::optional<sim::InputKind> signal = signalOf(what);
+    if (!signal || !m_session.step().accepts(what))
         return false;
     // A step can show many scenes. Where nothing reads the pointer, a click must not become part of the run.
-    const std::vector<sim::EffectPtr> &effects = m_session.timeline().track().shown().scene.effects;
+    const std::vector<sim::EffectPtr> &effects = m_session.timeline().track().interval().scene.effects;
     return std::any_of(effects.begin(), effects.end(), [&](const sim::EffectPtr &one) {
         const auto *reader = dynamic_cast<const sim::InputReader *>(one.get());
         return reader && reader->reads(*signal);
@@ -58,16 +58,16 @@ bool Tools::can(lessons::Does what) const
 
 bool Tools::any() const
 {
-    return can(lessons::Does::pointer) || can(lessons::Does::target);
+    return can(lessons::Interaction::pointer) || can(lessons::Interaction::target);
 }
 
 bool Tools::press(sim::Vec2 place)
 {
-    if (can(lessons::Does::pointer)) {
+    if (can(lessons::Interaction::pointer)) {
         m_pointing = true;
         moveTo(place);
         m_session.sayThatTimeStands();
-    } else if (can(lessons::Does::target)) {
+    } else if (can(lessons::Interaction::target)) {
         m_session.aim(place);
         m_session.sayThatTimeStands();
     }
@@ -89,13 +89,13 @@ void Tools::letUp()
 bool Tools::wants(const QKeyEvent &key) const
 {
     const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    return plain && steeringKey(key.key()) && can(lessons::Does::keys) && m_session.isPlaying();
+    return plain && steeringKey(key.key()) && can(lessons::Interaction::keys) && m_session.isPlaying();
 }
 
 bool Tools::key(const QKeyEvent &key, bool down)
 {
     bool sim::Keys::*steering = steeringKey(key.key());
-    if (!steering || !can(lessons::Does::keys) || (down && !wants(key)))
+    if (!steering || !can(lessons::Interaction::keys) || (down && !wants(key)))
         return false;
     if (!key.isAutoRepeat())
         m_session.steer(steering, down);
@@ -104,27 +104,27 @@ bool Tools::key(const QKeyEvent &key, bool down)
 
 sim::Vec2 Tools::pointer(sim::Vec2 middle) const
 {
-    return m_session.timeline().now().outside.pointer.value_or(middle);
+    return m_session.timeline().state().input.pointer.value_or(middle);
 }
 
 bool Tools::isDown() const
 {
-    const sim::Outside &outside = m_session.timeline().now().outside;
+    const sim::InputState &outside = m_session.timeline().state().input;
     return outside.pointer && outside.pointerDown;
 }
 
 bool Tools::nudge(sim::Vec2 by, sim::Vec2 middle)
 {
-    if (can(lessons::Does::pointer))
+    if (can(lessons::Interaction::pointer))
         m_session.point(pointer(middle) + by, isDown());
-    else if (can(lessons::Does::target))
-        m_session.aim(m_session.timeline().now().outside.target + by);
+    else if (can(lessons::Interaction::target))
+        m_session.aim(m_session.timeline().state().input.target + by);
     return any();
 }
 
 bool Tools::togglePointer(sim::Vec2 middle)
 {
-    if (!can(lessons::Does::pointer))
+    if (!can(lessons::Interaction::pointer))
         return false;
     m_session.point(pointer(middle), !isDown());
     return true;

@@ -36,7 +36,7 @@ public:
 
 private:
     /// Returns whether the step accepts this input and an effect of its scene, as it is now, reads it.
-    bool can(lessons::Does what) const;
+    bool can(lessons::Interaction what) const;
     sim::Vec2 pointer(sim::Vec2 middle) const;
     bool isDown() const;
 

@@ -20,17 +20,17 @@ bool same(const Eigen::ArrayX2d &a, const Eigen::ArrayX2d &b)
 
 void Trail::follow(const sim::Timeline &timeline)
 {
-    const sim::Cursor at = timeline.at();
+    const sim::Cursor at = timeline.cursor();
     while (!m_marks.empty() && m_marks.back().frame > at.frame)
         m_marks.pop_back();
-    if (timeline.now().points() > crowdPoints) {
+    if (timeline.state().pointCount() > crowdPoints) {
         m_marks.clear();
         return;
     }
     if (at.phase > 0)
         return;
-    const Eigen::ArrayX2d &position = timeline.now().position;
-    const std::int64_t gap = std::max<std::int64_t>(widestGap, timeline.track().rowFrames());
+    const Eigen::ArrayX2d &position = timeline.state().position;
+    const std::int64_t gap = std::max<std::int64_t>(widestGap, timeline.track().framesPerOutput());
     if (!m_marks.empty()) {
         const Mark &last = m_marks.back();
         const bool follows = last.frame < at.frame && at.frame - last.frame <= gap;

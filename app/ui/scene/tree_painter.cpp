@@ -48,16 +48,15 @@ Thinning thinningOf(double length, double width)
 
 bool isDrawn(int branch, int every)
 {
-    return every <= 1 ||
-           sim::scramble(static_cast<std::uint64_t>(branch)) % static_cast<unsigned>(every) == 0;
+    return every <= 1 || sim::mixBits(static_cast<std::uint64_t>(branch)) % static_cast<unsigned>(every) == 0;
 }
 
-void TreePainter::plan(const std::shared_ptr<const lessons::Look> &look)
+void TreePainter::plan(const std::shared_ptr<const lessons::View> &look)
 {
     if (look == m_look)
         return;
     m_look = look;
-    const lessons::TreeLook &tree = *look->tree;
+    const lessons::TreeView &tree = *look->tree;
     const std::size_t count = tree.parent.size();
     m_narrow.assign(count, 0.0);
     m_isTip.assign(count, 1);
@@ -81,8 +80,8 @@ template <class Visit>
 void TreePainter::visitBranches(const Canvas &canvas, const sim::State &state, double least,
                                 Visit &&visit) const
 {
-    const lessons::TreeLook &tree = *m_look->tree;
-    const int count = std::min(static_cast<int>(tree.parent.size()), state.points());
+    const lessons::TreeView &tree = *m_look->tree;
+    const int count = std::min(static_cast<int>(tree.parent.size()), state.pointCount());
     if (state.angle.rows() < count)
         return;
     const double zoom = canvas.camera.zoom;
@@ -142,13 +141,13 @@ void TreePainter::addBlossom(const Branch &branch, double size)
     m_blossoms[color].push_back({branch.to(), (1.5 + 1.1 * chance(branch.number, 0)) * size});
 }
 
-void TreePainter::draw(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
+void TreePainter::draw(const Canvas &canvas, const std::shared_ptr<const lessons::View> &look,
                        const sim::State &state, const std::optional<QColor> &bark)
 {
     plan(look);
     // What is far is small; what is near is not all that large.
     const double size = std::min(canvas.camera.zoom, std::sqrt(canvas.camera.zoom));
-    const bool isOpen = look->sky == lessons::Look::Sky::dusk;
+    const bool isOpen = look->sky == lessons::View::Sky::dusk;
     const SkyColors colors = skyColors(canvas.theme.scheme());
     canvas.painter.setPen(Qt::NoPen);
     canvas.painter.setBrush(bark.value_or(isOpen ? colors.bark : canvas.tokens().body));
@@ -186,7 +185,7 @@ void TreePainter::drawBlossoms(QPainter &painter, const SkyColors &colors)
     painter.setBrush(Qt::NoBrush);
 }
 
-void TreePainter::drawOutline(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
+void TreePainter::drawOutline(const Canvas &canvas, const std::shared_ptr<const lessons::View> &look,
                               const sim::State &state, const QColor &color)
 {
     plan(look);

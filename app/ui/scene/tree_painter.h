@@ -31,10 +31,10 @@ class TreePainter
 {
 public:
     /// Branches, in the colour `bark` where it is given, and blossoms on their tips.
-    void draw(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look, const sim::State &state,
+    void draw(const Canvas &canvas, const std::shared_ptr<const lessons::View> &look, const sim::State &state,
               const std::optional<QColor> &bark = {});
     /// Thin lines: of thick branches the edges, of others the middle.
-    void drawOutline(const Canvas &canvas, const std::shared_ptr<const lessons::Look> &look,
+    void drawOutline(const Canvas &canvas, const std::shared_ptr<const lessons::View> &look,
                      const sim::State &state, const QColor &color);
 
 private:
@@ -56,7 +56,7 @@ private:
         double radius = 0.0;
     };
 
-    void plan(const std::shared_ptr<const lessons::Look> &look);
+    void plan(const std::shared_ptr<const lessons::View> &look);
     /// Calls `visit` with each branch that can show.
     template <class Visit>
     void visitBranches(const Canvas &canvas, const sim::State &state, double least, Visit &&visit) const;
@@ -65,7 +65,7 @@ private:
     void addBlossom(const Branch &branch, double size);
     void drawBlossoms(QPainter &painter, const SkyColors &colors);
 
-    std::shared_ptr<const lessons::Look> m_look; ///< what the plan below is for
+    std::shared_ptr<const lessons::View> m_look; ///< what the plan below is for
     std::vector<double> m_narrow;                ///< px, the width of each branch where it ends
     std::vector<char> m_isTip;
     int m_tips = 0;

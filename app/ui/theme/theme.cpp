@@ -127,24 +127,24 @@ void Theme::setScheme(Scheme scheme)
     emit changed();
 }
 
-QColor Theme::kindColor(sim::Kind kind) const
+QColor Theme::kindColor(sim::EffectKind kind) const
 {
     switch (kind) {
-    case sim::Kind::spring:
+    case sim::EffectKind::spring:
         return m_tokens.spring;
-    case sim::Kind::gravity:
+    case sim::EffectKind::gravity:
         return m_tokens.gravity;
-    case sim::Kind::damping:
+    case sim::EffectKind::damping:
         return m_tokens.damping;
-    case sim::Kind::contact:
+    case sim::EffectKind::contact:
         return m_tokens.contact;
-    case sim::Kind::driver:
+    case sim::EffectKind::driver:
         return m_tokens.driver;
-    case sim::Kind::wind:
+    case sim::EffectKind::wind:
         return m_tokens.wind;
-    case sim::Kind::stick:
+    case sim::EffectKind::stick:
         return m_tokens.stick;
-    case sim::Kind::motion:
+    case sim::EffectKind::motion:
         break;
     }
     return m_tokens.ink3;

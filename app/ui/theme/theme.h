@@ -55,7 +55,7 @@ public:
     bool isDark() const { return m_scheme != Scheme::light; }
     void setScheme(Scheme scheme);
     const Tokens &tokens() const { return m_tokens; }
-    QColor kindColor(sim::Kind kind) const;
+    QColor kindColor(sim::EffectKind kind) const;
 
     /// Inter; `pixels` as designed.
     QFont ui(double pixels = 13, QFont::Weight weight = QFont::Normal) const;

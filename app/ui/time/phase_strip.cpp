@@ -21,9 +21,9 @@ constexpr double leastMark = 24.0;    ///< the width of a phase without its name
 constexpr double captionLead = 10.0;
 constexpr double corner = 7.0;
 
-QString groupTitle(const sim::Segment &segment, const sim::Phase &phase)
+QString groupTitle(const sim::ComposedInterval &interval, const sim::Phase &phase)
 {
-    const std::vector<sim::Group> &groups = segment.scene.groups;
+    const std::vector<sim::Group> &groups = interval.scene.groups;
     const bool known = phase.group >= 0 && phase.group < static_cast<int>(groups.size());
     return known ? phrase(groups[static_cast<std::size_t>(phase.group)].title) : QString();
 }
@@ -42,9 +42,9 @@ QString withWidestDigits(QString text)
 
 }
 
-void PhaseStrip::setContent(const sim::Segment &segment, const Position &position)
+void PhaseStrip::setContent(const sim::ComposedInterval &interval, const Position &position)
 {
-    const std::vector<sim::Phase> &phases = segment.pipeline.phases;
+    const std::vector<sim::Phase> &phases = interval.pipeline.phases;
     m_cells.clear();
     m_captions.clear();
     const QString step = stepOf(position);
@@ -63,7 +63,7 @@ void PhaseStrip::setContent(const sim::Segment &segment, const Position &positio
         if (index < position.done)
             cell.state = index == position.done - 1 ? State::now : State::done;
         if (byGroups) {
-            cell.group = groupTitle(segment, phases[i]);
+            cell.group = groupTitle(interval, phases[i]);
             cell.opensGroup = i == 0 || phases[i].group != phases[i - 1].group;
             if (cell.opensGroup)
                 m_captions.push_back({cell.group, cell.group, 0, 0, !m_captions.empty()});

@@ -14,7 +14,7 @@ namespace app {
 class PhaseStrip
 {
 public:
-    void setContent(const sim::Segment &segment, const Position &position);
+    void setContent(const sim::ComposedInterval &interval, const Position &position);
     /// Gives every phase its place in `area`. The current phase always has its name; of the others, those that do not
     /// fit are marks.
     void arrange(const QRectF &area, const Theme &theme);
@@ -37,7 +37,7 @@ private:
     {
         QString title;
         QString group;
-        sim::Kind kind = sim::Kind::motion;
+        sim::EffectKind kind = sim::EffectKind::motion;
         State state = State::toCome;
         bool opensGroup = false;
         bool isNamed = true;

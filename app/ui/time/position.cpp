@@ -18,12 +18,12 @@ struct Text
 
 Position positionOf(const sim::Timeline &timeline)
 {
-    const sim::Cursor at = timeline.at();
-    const std::shared_ptr<const sim::Segment> segment = timeline.track().next();
+    const sim::Cursor at = timeline.cursor();
+    const std::shared_ptr<const sim::ComposedInterval> interval = timeline.track().nextInterval();
     Position position;
     position.frame = at.frame;
-    position.steps = segment->pipeline.step.perRow;
-    position.phases = segment->pipeline.phasesPerStep();
+    position.steps = interval->pipeline.step.stepsPerOutput;
+    position.phases = interval->pipeline.phasesPerStep();
     if (at.phase > 0) {
         // Right after a step's last phase that step is shown, all done: what was just computed is what is seen.
         position.step = (at.phase - 1) / position.phases;
@@ -34,10 +34,10 @@ Position positionOf(const sim::Timeline &timeline)
 
 Position endOf(const sim::Timeline &timeline)
 {
-    const sim::Pipeline &pipeline = timeline.track().shown().pipeline;
+    const sim::Pipeline &pipeline = timeline.track().interval().pipeline;
     Position position;
-    position.frame = timeline.at().frame;
-    position.steps = pipeline.step.perRow;
+    position.frame = timeline.cursor().frame;
+    position.steps = pipeline.step.stepsPerOutput;
     position.step = position.steps - 1;
     position.phases = pipeline.phasesPerStep();
     position.done = position.phases;
@@ -72,8 +72,8 @@ QString sentenceOf(const sim::Timeline &timeline)
     const Position position = positionOf(timeline);
     if (!position.isInside())
         return Text::tr("Frame %1").arg(position.frame);
-    const std::shared_ptr<const sim::Segment> segment = timeline.track().next();
-    const QString last = phrase(segment->pipeline.phaseAt(position.done - 1).title);
+    const std::shared_ptr<const sim::ComposedInterval> interval = timeline.track().nextInterval();
+    const QString last = phrase(interval->pipeline.phaseAt(position.done - 1).title);
     return Text::tr("Frame %1, after %2, %3").arg(position.frame).arg(last, progressOf(position));
 }
 

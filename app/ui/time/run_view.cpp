@@ -16,9 +16,9 @@ class InputReader
 public:
     explicit InputReader(const sim::Timeline &timeline) : m_timeline(timeline)
     {
-        for (const sim::EffectPtr &effect : timeline.track().shown().scene.effects) {
-            if (effect->kind() == sim::Kind::wind)
-                m_pointerKind = sim::Kind::wind;
+        for (const sim::EffectPtr &effect : timeline.track().interval().scene.effects) {
+            if (effect->kind() == sim::EffectKind::wind)
+                m_pointerKind = sim::EffectKind::wind;
         }
     }
 
@@ -36,10 +36,10 @@ private:
     /// A thing begins, and ends, at the frame before the one that it first changes.
     std::int64_t before(std::int64_t frame) const
     {
-        return std::max<std::int64_t>(0, frame - m_timeline.track().rowFrames());
+        return std::max<std::int64_t>(0, frame - m_timeline.track().framesPerOutput());
     }
 
-    void set(Channel channel, std::int64_t frame, bool on, sim::Kind kind = sim::Kind::driver)
+    void set(Channel channel, std::int64_t frame, bool on, sim::EffectKind kind = sim::EffectKind::driver)
     {
         int &open = m_open[channel];
         if (open >= 0) {
@@ -64,7 +64,7 @@ private:
     }
     void take(std::int64_t frame, const sim::Target &)
     {
-        m_all.push_back({before(frame), before(frame), sim::Kind::driver, false});
+        m_all.push_back({before(frame), before(frame), sim::EffectKind::driver, false});
     }
     void take(std::int64_t, const sim::Gust &) {}
     void take(std::int64_t frame, const sim::Key &event)
@@ -79,7 +79,7 @@ private:
     void take(std::int64_t, const sim::Set &) {}
 
     const sim::Timeline &m_timeline;
-    sim::Kind m_pointerKind = sim::Kind::driver;
+    sim::EffectKind m_pointerKind = sim::EffectKind::driver;
     std::vector<Stretch> m_all;
     int m_open[channels] = {-1, -1, -1, -1, -1, -1}; ///< indices into m_all
 };
@@ -115,15 +115,15 @@ RunView runViewOf(const Session &session)
 {
     const sim::Timeline &timeline = session.timeline();
     RunView view;
-    view.at = timeline.at().frame;
+    view.at = timeline.cursor().frame;
     view.computed = timeline.computed();
     view.input = InputReader(timeline).read();
     goOn(view);
     view.playing = session.isPlaying();
-    const sim::Track *ghost = timeline.ghost();
+    const sim::Track *ghost = timeline.comparison();
     const Branch *beside = session.beside();
     if (ghost && beside) {
-        const std::int64_t shared = timeline.fork() - timeline.track().rowFrames();
+        const std::int64_t shared = timeline.forkFrame() - timeline.track().framesPerOutput();
         view.old = OldRun{std::max<std::int64_t>(0, shared), ghost->computed(), beside->name, beside->id,
                           beside->isKept};
     }
@@ -134,11 +134,11 @@ RunView runViewOf(const Session &session)
 void follow(RunView &view, const Session &session)
 {
     const sim::Timeline &timeline = session.timeline();
-    view.at = timeline.at().frame;
+    view.at = timeline.cursor().frame;
     view.computed = timeline.computed();
     goOn(view);
-    if (view.old && timeline.ghost())
-        view.old->end = timeline.ghost()->computed();
+    if (view.old && timeline.comparison())
+        view.old->end = timeline.comparison()->computed();
 }
 
 }

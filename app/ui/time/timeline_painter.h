@@ -16,8 +16,8 @@ struct Stretch
 {
     std::int64_t from = 0;
     std::int64_t to = 0;
-    sim::Kind kind = sim::Kind::driver; ///< wind, or a hand
-    bool goesOn = false;                ///< it ends where the run does
+    sim::EffectKind kind = sim::EffectKind::driver; ///< wind, or a hand
+    bool goesOn = false;                            ///< it ends where the run does
 };
 
 /// The run as it was before a change to its past.

@@ -97,21 +97,21 @@ void TimelineStrip::readPhases()
     const sim::Timeline &timeline = m_session.timeline();
     m_position = positionOf(timeline);
     m_showsEnd = showsEnd();
-    m_segment = phasesShown();
-    m_phases.setContent(*m_segment, m_showsEnd ? endOf(timeline) : m_position);
+    m_interval = phasesShown();
+    m_phases.setContent(*m_interval, m_showsEnd ? endOf(timeline) : m_position);
     m_phases.arrange(stripArea(m_axis), m_theme);
 }
 
 bool TimelineStrip::showsEnd() const
 {
-    const sim::Cursor at = m_session.timeline().at();
+    const sim::Cursor at = m_session.timeline().cursor();
     return !m_session.isPlaying() && at.phase == 0 && at.frame > 0;
 }
 
-std::shared_ptr<const sim::Segment> TimelineStrip::phasesShown() const
+std::shared_ptr<const sim::ComposedInterval> TimelineStrip::phasesShown() const
 {
     const sim::Track &track = m_session.timeline().track();
-    return showsEnd() ? track.shownPtr() : track.next();
+    return showsEnd() ? track.intervalPtr() : track.nextInterval();
 }
 
 void TimelineStrip::follow()
@@ -122,7 +122,7 @@ void TimelineStrip::follow()
     const bool grown = coverRun();
     Position now = positionOf(m_session.timeline());
     const bool samePhases =
-        m_segment == phasesShown() && m_showsEnd == showsEnd() && !before.isInside() && !now.isInside();
+        m_interval == phasesShown() && m_showsEnd == showsEnd() && !before.isInside() && !now.isInside();
     if (grown || !samePhases) {
         readPhases();
         update();

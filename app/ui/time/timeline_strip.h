@@ -29,8 +29,8 @@ public:
     const PhaseStrip &phases() const { return m_phases; }
     /// "Frame 41, after gravity, 2 of 5 phases done".
     QString sentence() const;
-    std::int64_t frame() const { return m_session.timeline().at().frame; }
-    int rowFrames() const { return m_session.timeline().track().rowFrames(); }
+    std::int64_t frame() const { return m_session.timeline().cursor().frame; }
+    int rowFrames() const { return m_session.timeline().track().framesPerOutput(); }
     /// Pauses, and goes to a frame.
     void scrubTo(std::int64_t frame);
     /// What is at a place, and what it does; empty where nothing is.
@@ -68,7 +68,7 @@ private:
     void readPhases();
     /// Whether the strip shows all phases of the frame just done: while the run stands at its end.
     bool showsEnd() const;
-    std::shared_ptr<const sim::Segment> phasesShown() const;
+    std::shared_ptr<const sim::ComposedInterval> phasesShown() const;
     bool coverRun();
     /// The fork whose mark is at a place, away from the old run's dots; null if none is.
     const Fork *forkAt(const QPointF &place) const;
@@ -93,7 +93,7 @@ private:
     PhaseStrip m_phases;
     RunView m_view;
     Position m_position;
-    std::shared_ptr<const sim::Segment> m_segment; ///< whose phases are shown
+    std::shared_ptr<const sim::ComposedInterval> m_interval; ///< whose phases are shown
     bool m_showsEnd = false;
     int m_hovered = -1;                    ///< the phase that the mouse is on
     std::optional<std::int64_t> m_pointed; ///< the frame that it is on

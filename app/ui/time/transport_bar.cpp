@@ -199,19 +199,19 @@ void TransportBar::showLook(std::int64_t stands)
 
 QString TransportBar::whyNoPast() const
 {
-    return m_session.timeline().at() == sim::Cursor{} ? tr("This is frame 0: nothing comes before it.")
-                                                      : QString();
+    return m_session.timeline().cursor() == sim::Cursor{} ? tr("This is frame 0: nothing comes before it.")
+                                                          : QString();
 }
 
 QString TransportBar::whyNoFuture() const
 {
     const std::optional<sim::Stop> &stop = m_session.timeline().stop();
-    return stop && m_session.timeline().at().frame >= stop->frame ? sentenceFor(*stop) : QString();
+    return stop && m_session.timeline().cursor().frame >= stop->frame ? sentenceFor(*stop) : QString();
 }
 
 void TransportBar::showButtons()
 {
-    const bool inside = m_session.timeline().at().phase > 0;
+    const bool inside = m_session.timeline().cursor().phase > 0;
     const QString noPast = whyNoPast();
     const QString noFuture = whyNoFuture();
     showRestart();

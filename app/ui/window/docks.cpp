@@ -99,11 +99,11 @@ void MainWindow::makeCodeDock()
 void MainWindow::makeParameterDock()
 {
     auto *numbers = new QWidget(this);
-    m_measures = new MeasurePanel(m_session, *m_course, m_theme, numbers);
+    m_measures = new MeasurePanel(m_session, *m_integrator, m_theme, numbers);
     m_parameters = new ParameterPanel(m_session, m_theme, numbers);
     m_parameters->setPresetPainter(
         [this](const lessons::Step &step, const lessons::Preset &preset, QSize size) {
-            sim::Values values = step.presets();
+            sim::Values values = step.defaultValues();
             for (const auto &[id, value] : preset.values)
                 values.set(id.toStdString(), value);
             return thumbnail(step, values, m_theme, size);

@@ -131,7 +131,7 @@ void KeptList::read(QTreeWidgetItem &row, const KeptScene &one) const
         const Experiment read = readExperiment(one.file, m_library);
         row.setText(Column::frames, QLocale().toString(static_cast<qlonglong>(read.frames)));
         lessons::Step step = *found;
-        step.opening = [script = read.script](sim::Script &opened) { opened = script; };
+        step.prepareScript = [script = read.script](sim::Script &opened) { opened = script; };
         const auto length = static_cast<int>(std::min(read.frames, pictureFrames));
         row.setIcon(Column::scene, thumbnail(step, read.script.values, m_theme, pictureSize, length));
     } catch (const Refusal &) {

@@ -66,8 +66,8 @@ void StatusFigures::refresh()
 {
     m_later.stop();
     m_since.start();
-    const sim::State &state = m_session.timeline().track().now();
-    put(points, state.points() == 1 ? tr("1 point") : tr("%1 points").arg(state.points()));
+    const sim::State &state = m_session.timeline().track().state();
+    put(points, state.pointCount() == 1 ? tr("1 point") : tr("%1 points").arg(state.pointCount()));
     put(work, workWords());
     const sim::AccuracyRow *row = m_study.inUse();
     const bool isTimed = row && row->nsPerFrame > 0.0;
@@ -84,16 +84,16 @@ QString StatusFigures::workWords() const
 {
     const sim::Track &track = m_session.timeline().track();
     const sim::Script &script = track.script();
-    const int each = script.method->evaluations();
+    const int each = script.method->evaluationsPerStep();
     if (each > 0) {
-        const double times = double(each) * script.step.perRow / script.step.rowFrames;
+        const double times = double(each) * script.step.stepsPerOutput / script.step.framesPerOutput;
         return times == 1.0 ? tr("forces once a frame")
                             : tr("forces %1 times a frame").arg(roughNumber(times));
     }
-    const std::int64_t frames = track.now().frame;
-    if (frames <= 0 || track.now().evaluations <= 0)
+    const std::int64_t frames = track.state().frame;
+    if (frames <= 0 || track.state().pointEvaluations <= 0)
         return {};
-    const double mean = track.now().turns() / static_cast<double>(frames);
+    const double mean = track.state().forceEvaluations() / static_cast<double>(frames);
     return tr("forces %1 times a frame until now").arg(roughNumber(mean));
 }
 

@@ -52,14 +52,14 @@ void StatusLine::resizeEvent(QResizeEvent *event)
 void StatusLine::say(const QString &sentence)
 {
     m_said = sentence;
-    m_saidAt = m_session.timeline().at();
+    m_saidAt = m_session.timeline().cursor();
     m_saidLong.start();
     refresh();
 }
 
 void StatusLine::followRun()
 {
-    const bool isElsewhere = m_session.timeline().at() != m_saidAt;
+    const bool isElsewhere = m_session.timeline().cursor() != m_saidAt;
     if (m_session.isPlaying() ? !m_saidLong.isActive() : isElsewhere)
         m_said.clear();
     refresh();
@@ -77,9 +77,9 @@ void StatusLine::refresh()
 QString StatusLine::standing() const
 {
     const sim::Track &track = m_session.timeline().track();
-    const sim::Cursor at = track.at();
+    const sim::Cursor at = track.cursor();
     if (m_session.isGlancing()) {
-        const sim::Cursor seen = m_session.shown().at();
+        const sim::Cursor seen = m_session.shown().cursor();
         return seen.phase > 0
                    ? tr("A look inside frame %1. The run stays where it is.").arg(at.frame)
                    : tr("A look at frame %1. The run stays at frame %2.").arg(seen.frame).arg(at.frame);
@@ -91,7 +91,7 @@ QString StatusLine::standing() const
     if (m_session.isPlaying())
         return tr("Playing. Press <b>Space</b> to stop anywhere.");
     if (at.phase > 0) {
-        const QString phase = phrase(track.shown().pipeline.phaseAt(at.phase - 1).title).toHtmlEscaped();
+        const QString phase = phrase(track.interval().pipeline.phaseAt(at.phase - 1).title).toHtmlEscaped();
         return tr("Inside frame %1, after %2. <b>Shift+→</b> next phase, <b>→</b> next frame.")
             .arg(at.frame)
             .arg(phase);

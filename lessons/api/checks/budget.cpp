@@ -24,15 +24,15 @@ double roughTime(const sim::Script &script)
 {
     const sim::Accuracy nothing;
     const sim::StudyProgress nobody;
-    sim::Watch watch(nobody, nothing);
+    sim::StudyMonitor monitor(nobody, nothing);
     const auto goOn = [](std::int64_t, const sim::State &) { return true; };
-    const sim::RunResult result = sim::runFrames(script, firstFrames, longestRun, watch, goOn);
+    const sim::RunResult result = sim::runFrames(script, firstFrames, longestRun, monitor, goOn);
     return 1e9 * result.seconds / static_cast<double>(std::max<std::int64_t>(1, result.frames));
 }
 
 }
 
-double measuredTime(const sim::Script &script, std::int64_t frames)
+double measureTime(const sim::Script &script, std::int64_t frames)
 {
     const double rough = roughTime(script);
     if (rough * static_cast<double>(frames) > 1e9 * longestRun)
@@ -43,26 +43,26 @@ double measuredTime(const sim::Script &script, std::int64_t frames)
     sim::Accuracy found;
     found.span = found.horizon = frames;
     sim::AccuracyRow row;
-    row.way = {script.method, script.step};
+    row.setup = {script.method, script.step};
     row.outcome = sim::Outcome::measured;
     found.rows.push_back(row);
     const sim::StudyProgress nobody;
-    sim::Watch watch(nobody, found);
-    sim::measureTimes(script, plan, found, watch);
+    sim::StudyMonitor monitor(nobody, found);
+    sim::measureTimes(script, plan, found, monitor);
     return found.rows.front().nsPerFrame;
 }
 
-bool keeps(const Budget &budget, const sim::Script &script, const Timing &timing)
+bool staysWithin(const Budget &budget, const sim::Script &script, const TimeMeasurement &timing)
 {
-    if (script.step.perRow > mostSteps)
+    if (script.step.stepsPerOutput > mostSteps)
         return false;
     ExactRun exact;
     const sim::Accuracy nothing;
     const sim::StudyProgress nobody;
-    sim::Watch watch(nobody, nothing);
+    sim::StudyMonitor monitor(nobody, nothing);
     constexpr double anyTime = std::numeric_limits<double>::infinity();
     const sim::RunResult result =
-        sim::runFrames(script, budget.frames, anyTime, watch,
+        sim::runFrames(script, budget.frames, anyTime, monitor,
                        [&](std::int64_t frame, const sim::State &state) { // false, too, for what is no number
                            return exact.distance(script, state, frame) <= budget.error;
                        });

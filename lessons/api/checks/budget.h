@@ -16,13 +16,13 @@ struct Budget
 };
 
 /// How long `frames` frames of a script take, in ns a frame.
-using Timing = std::function<double(const sim::Script &script, std::int64_t frames)>;
+using TimeMeasurement = std::function<double(const sim::Script &script, std::int64_t frames)>;
 
 /// Measures it on this machine, now: the median of repeated runs, as the study of accuracy does. Runs of more than
 /// some milliseconds are measured once, roughly.
-double measuredTime(const sim::Script &script, std::int64_t frames);
+double measureTime(const sim::Script &script, std::int64_t frames);
 
 /// Whether the run of `script` keeps `budget`. Steps of less than 1/128 frame do not.
-bool keeps(const Budget &budget, const sim::Script &script, const Timing &timing);
+bool staysWithin(const Budget &budget, const sim::Script &script, const TimeMeasurement &timing);
 
 }

@@ -27,19 +27,19 @@ QString asking(QString text, double number)
 
 double speedLetGo(const sim::Timeline &run)
 {
-    const std::optional<Carry> carry = lastLetGo(run);
-    return carry ? sim::length(carry->throwVelocity()) : 0.0;
+    const std::optional<DragGesture> carry = lastReleased(run);
+    return carry ? sim::length(carry->releaseVelocity()) : 0.0;
 }
 
 double lastReach(const sim::Timeline &run)
 {
-    const std::vector<Carry> all = carries(run);
+    const std::vector<DragGesture> all = dragGestures(run);
     if (all.empty() || all.back().path.empty())
         return 0.0;
-    const sim::Vec2 from = takenFrom(run, all.back());
+    const sim::Vec2 from = grabPosition(run, all.back());
     double farthest = 0.0;
-    for (const HandPlace &place : all.back().path)
-        farthest = std::max(farthest, sim::length(place.at - from));
+    for (const PointerSample &place : all.back().path)
+        farthest = std::max(farthest, sim::length(place.position - from));
     return farthest;
 }
 
@@ -50,14 +50,14 @@ bool Conditions::hold(const sim::Timeline &run) const
     return std::all_of(m_all.begin(), m_all.end(), [&](const Condition &one) { return one.holds(run); });
 }
 
-bool Conditions::begun(const sim::Timeline &run) const
+bool Conditions::hasBegun(const sim::Timeline &run) const
 {
     return !m_all.empty() && m_all.front().holds(run);
 }
 
 QString Conditions::todo(const sim::Timeline &run) const
 {
-    if (!begun(run))
+    if (!hasBegun(run))
         return {};
     const auto missing =
         std::find_if(m_all.begin(), m_all.end(), [&](const Condition &one) { return !one.holds(run); });
@@ -75,24 +75,24 @@ QString Conditions::todo(const sim::Timeline &run) const
     return todo;
 }
 
-Condition letGoOf(const std::string &body)
+Condition released(const std::string &body)
 {
-    return {[body](const sim::Timeline &run) { return lastLetGo(run, body).has_value(); },
+    return {[body](const sim::Timeline &run) { return lastReleased(run, body).has_value(); },
             Text::tr("take it with the mouse, and let go of it.")};
 }
 
-Condition letGoSinceSet(const std::string &id, const std::string &body)
+Condition releasedSinceSet(const std::string &id, const std::string &body)
 {
-    Condition condition = letGoOf(body);
+    Condition condition = released(body);
     condition.holds = [id, body](const sim::Timeline &run) {
-        const std::optional<Carry> carry = lastLetGo(run, body);
-        const std::int64_t set = frameOfSet(run, id);
-        return carry && (carry->grabbed >= set || *carry->letGo > set);
+        const std::optional<DragGesture> carry = lastReleased(run, body);
+        const std::int64_t set = lastSetFrame(run, id);
+        return carry && (carry->grabFrame >= set || *carry->releaseFrame > set);
     };
     return condition;
 }
 
-Condition fastEnough(double leastSpeed)
+Condition thrownAtLeast(double leastSpeed)
 {
     return atLeast(
         leastSpeed, speedLetGo,
@@ -100,10 +100,10 @@ Condition fastEnough(double leastSpeed)
                leastSpeed));
 }
 
-Condition tookLast(const std::string &body)
+Condition lastGrabbed(const std::string &body)
 {
     return {[body](const sim::Timeline &run) {
-                const std::vector<Carry> all = carries(run);
+                const std::vector<DragGesture> all = dragGestures(run);
                 return !all.empty() && all.back().body == body;
             },
             Text::tr("take it with the mouse.")};
@@ -115,7 +115,7 @@ Condition holding(const std::string &body)
             Text::tr("take it with the mouse, and hold it.")};
 }
 
-Condition carriedFar(double least)
+Condition draggedAtLeast(double least)
 {
     return atLeast(least, lastReach, asking(Text::tr("carry it %2 px or more. It came %1 px."), least), 0);
 }
@@ -125,19 +125,19 @@ Condition allStill()
     return {isStill, Text::tr("let time run (**Space**) until nothing moves.")};
 }
 
-Condition handsOff(std::int64_t frames)
+Condition idleFor(std::int64_t frames)
 {
     return atLeast(
         static_cast<double>(frames),
         [](const sim::Timeline &run) {
-            return run.at().phase > 0 ? 0.0 : static_cast<double>(framesWithoutHand(run));
+            return run.cursor().phase > 0 ? 0.0 : static_cast<double>(idleFrames(run));
         },
         asking(Text::tr("hands off, and let time run for %2 frames. So far: %1."),
                static_cast<double>(frames)),
         0);
 }
 
-Condition keptFor(const std::string &id, std::int64_t frames)
+Condition unchangedFor(const std::string &id, std::int64_t frames)
 {
     return atLeast(
         static_cast<double>(frames),
@@ -149,42 +149,44 @@ Condition keptFor(const std::string &id, std::int64_t frames)
 
 Condition playedTo(std::int64_t frame)
 {
-    return {[frame](const sim::Timeline &run) { return run.at().phase == 0 && run.at().frame >= frame; },
-            asking(Text::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
-            [](const sim::Timeline &run) { return static_cast<double>(run.at().frame); }, 0};
+    return {
+        [frame](const sim::Timeline &run) { return run.cursor().phase == 0 && run.cursor().frame >= frame; },
+        asking(Text::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
+        [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
 }
 
-Condition isSet(const std::string &id, double value, const QString &todo)
+Condition parameterSetTo(const std::string &id, double value, const QString &todo)
 {
     return {[id, value](const sim::Timeline &run) { return isSetTo(run, id, value); }, todo};
 }
 
-Condition byMethod(const std::string &id, const QString &todo)
+Condition runsMethod(const std::string &id, const QString &todo)
 {
     return {[id](const sim::Timeline &run) { return usesMethod(run, id); }, todo};
 }
 
 Condition insideAFrame()
 {
-    return {[](const sim::Timeline &run) { return run.at().phase > 0; },
+    return {[](const sim::Timeline &run) { return run.cursor().phase > 0; },
             Text::tr("stop, and go into a frame: **Shift+→**.")};
 }
 
 Condition onlyPulled()
 {
-    return {springPulledNothingMoved,
+    return {onlySpringsPulled,
             Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved.")};
 }
 
 Condition ghostDiffers(const std::string &id)
 {
-    return {[id](const sim::Timeline &run) { return differsFromGhost(run, id); }};
+    return {[id](const sim::Timeline &run) { return differsFromComparison(run, id); }};
 }
 
-Condition besideGhost()
+Condition playedBesideGhost()
 {
     return atLeast(
-        10.0, [](const sim::Timeline &run) { return static_cast<double>(run.at().frame - run.fork()); },
+        10.0,
+        [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame - run.forkFrame()); },
         Text::tr("play on for 10 frames from where the two part. So far: %1."), 0);
 }
 

@@ -42,7 +42,7 @@ public:
     const std::vector<Condition> &all() const { return m_all; }
     bool hold(const sim::Timeline &run) const;
     /// Returns whether a learner has begun: the first condition holds.
-    bool begun(const sim::Timeline &run) const;
+    bool hasBegun(const sim::Timeline &run) const;
     /// Returns what is still to do; empty when all is done, and before a learner has begun.
     QString todo(const sim::Timeline &run) const;
 
@@ -53,29 +53,29 @@ private:
 // Conditions that many things to try share
 
 /// The hand has let go of `body`, or of anything if that is empty, and has taken nothing since.
-Condition letGoOf(const std::string &body = {});
+Condition released(const std::string &body = {});
 /// The same, and it let go after the parameter `id` was set: what was done with another value does not count.
-Condition letGoSinceSet(const std::string &id, const std::string &body = {});
+Condition releasedSinceSet(const std::string &id, const std::string &body = {});
 /// It let go while it moved at least `leastSpeed` px/frame.
-Condition fastEnough(double leastSpeed = 5.0);
+Condition thrownAtLeast(double leastSpeed = 5.0);
 /// What the hand took last is `body`, whether it still holds it or not.
-Condition tookLast(const std::string &body);
+Condition lastGrabbed(const std::string &body);
 /// The hand holds `body`.
 Condition holding(const std::string &body);
 /// The hand carried what it took last at least `least` px away.
-Condition carriedFar(double least);
+Condition draggedAtLeast(double least);
 /// Nothing moves.
 Condition allStill();
 /// The hand has been off for `frames` frames.
-Condition handsOff(std::int64_t frames);
+Condition idleFor(std::int64_t frames);
 /// The parameter `id` has its value for `frames` frames.
-Condition keptFor(const std::string &id, std::int64_t frames);
+Condition unchangedFor(const std::string &id, std::int64_t frames);
 /// The run has come to `frame`.
 Condition playedTo(std::int64_t frame);
 /// The parameter `id` is `value`; `todo` says to set it.
-Condition isSet(const std::string &id, double value, const QString &todo = {});
+Condition parameterSetTo(const std::string &id, double value, const QString &todo = {});
 /// The run goes on with the method called `id`; `todo` says to choose it.
-Condition byMethod(const std::string &id, const QString &todo = {});
+Condition runsMethod(const std::string &id, const QString &todo = {});
 /// The cursor stands inside a frame.
 Condition insideAFrame();
 /// In the frame where the cursor stands, a spring has pulled and nothing has moved.
@@ -83,7 +83,7 @@ Condition onlyPulled();
 /// The run differs from its ghost in the parameter `id`.
 Condition ghostDiffers(const std::string &id);
 /// The run has gone on for ten frames since it left its ghost.
-Condition besideGhost();
+Condition playedBesideGhost();
 
 /// A condition that `measured` is `least` or more; `todo` may show it as `%1`.
 Condition atLeast(double least, std::function<double(const sim::Timeline &)> measured, const QString &todo,

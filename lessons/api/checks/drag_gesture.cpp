@@ -12,8 +12,8 @@ namespace {
 /// The frame whose input has been applied at the cursor: inside a frame that is the one under way.
 std::int64_t framesBegun(const sim::Timeline &timeline)
 {
-    const sim::Cursor at = timeline.at();
-    return at.phase > 0 ? at.frame + timeline.track().rowFrames() : at.frame;
+    const sim::Cursor at = timeline.cursor();
+    return at.phase > 0 ? at.frame + timeline.track().framesPerOutput() : at.frame;
 }
 
 /// Calls `visit(event)` for the input that has been applied at the cursor.
@@ -30,56 +30,56 @@ void forEachApplied(const sim::Timeline &timeline, Visit &&visit)
     }
 }
 
-void letGo(std::vector<Carry> &all, std::int64_t frame)
+void letGo(std::vector<DragGesture> &all, std::int64_t frame)
 {
-    if (!all.empty() && !all.back().letGo)
-        all.back().letGo = frame;
+    if (!all.empty() && !all.back().releaseFrame)
+        all.back().releaseFrame = frame;
 }
 
-void goTo(std::vector<Carry> &all, std::int64_t frame, sim::Vec2 to)
+void goTo(std::vector<DragGesture> &all, std::int64_t frame, sim::Vec2 to)
 {
-    if (all.empty() || all.back().letGo)
+    if (all.empty() || all.back().releaseFrame)
         return;
-    std::vector<HandPlace> &path = all.back().path;
+    std::vector<PointerSample> &path = all.back().path;
     if (!path.empty() && path.back().frame == frame)
-        path.back().at = to;
+        path.back().position = to;
     else
         path.push_back({frame, to});
 }
 
 }
 
-double Carry::reach() const
+double DragGesture::farthest() const
 {
     double farthest = 0.0;
-    for (const HandPlace &place : path)
-        farthest = std::max(farthest, sim::length(place.at - path.front().at));
+    for (const PointerSample &place : path)
+        farthest = std::max(farthest, sim::length(place.position - path.front().position));
     return farthest;
 }
 
-std::optional<sim::Vec2> Carry::handAt(std::int64_t frame) const
+std::optional<sim::Vec2> DragGesture::positionAt(std::int64_t frame) const
 {
     std::optional<sim::Vec2> found;
-    for (const HandPlace &place : path) {
+    for (const PointerSample &place : path) {
         if (place.frame <= frame)
-            found = place.at;
+            found = place.position;
     }
     return found;
 }
 
-sim::Vec2 Carry::throwVelocity() const
+sim::Vec2 DragGesture::releaseVelocity() const
 {
-    if (!letGo)
+    if (!releaseFrame)
         return {};
     // In the frame in which it lets go the body is free already: its velocity is from the frame before.
-    const std::optional<sim::Vec2> last = handAt(*letGo - 1);
-    const std::optional<sim::Vec2> before = handAt(*letGo - 2);
+    const std::optional<sim::Vec2> last = positionAt(*releaseFrame - 1);
+    const std::optional<sim::Vec2> before = positionAt(*releaseFrame - 2);
     return last && before ? *last - *before : sim::Vec2{};
 }
 
-std::vector<Carry> carries(const sim::Timeline &timeline)
+std::vector<DragGesture> dragGestures(const sim::Timeline &timeline)
 {
-    std::vector<Carry> all;
+    std::vector<DragGesture> all;
     forEachApplied(timeline, [&](const sim::Event &event) {
         if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
             letGo(all, event.frame);
@@ -93,30 +93,30 @@ std::vector<Carry> carries(const sim::Timeline &timeline)
     return all;
 }
 
-std::optional<Carry> lastLetGo(const sim::Timeline &timeline, const std::string &body)
+std::optional<DragGesture> lastReleased(const sim::Timeline &timeline, const std::string &body)
 {
-    const std::vector<Carry> all = carries(timeline);
-    if (all.empty() || !all.back().letGo || (!body.empty() && all.back().body != body))
+    const std::vector<DragGesture> all = dragGestures(timeline);
+    if (all.empty() || !all.back().releaseFrame || (!body.empty() && all.back().body != body))
         return {};
     return all.back();
 }
 
 std::string heldBody(const sim::Timeline &timeline)
 {
-    const int held = timeline.now().hold.point;
-    return held < 0 ? std::string() : timeline.track().shown().scene.names[static_cast<std::size_t>(held)];
+    const int held = timeline.state().hold.point;
+    return held < 0 ? std::string() : timeline.track().interval().scene.names[static_cast<std::size_t>(held)];
 }
 
-std::int64_t framesWithoutHand(const sim::Timeline &timeline)
+std::int64_t idleFrames(const sim::Timeline &timeline)
 {
-    if (timeline.now().hold.point >= 0)
+    if (timeline.state().hold.point >= 0)
         return 0;
     std::int64_t last = 0;
     forEachApplied(timeline, [&](const sim::Event &event) {
         if (!std::holds_alternative<sim::Set>(event.what))
             last = event.frame;
     });
-    return timeline.at().frame - last;
+    return timeline.cursor().frame - last;
 }
 
 }

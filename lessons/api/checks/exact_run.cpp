@@ -23,7 +23,7 @@ bool sameButForMethod(const sim::Script &a, const sim::Script &b)
 
 }
 
-struct ExactRun::Kept
+struct ExactRun::CachedRun
 {
     sim::Script script;
     std::unique_ptr<sim::Track> track; ///< null where the scene has none
@@ -34,13 +34,15 @@ ExactRun::~ExactRun() = default;
 
 sim::Track *ExactRun::trackOf(const sim::Script &script)
 {
-    const auto found = std::find_if(m_kept.begin(), m_kept.end(),
-                                    [&](const Kept &kept) { return sameButForMethod(kept.script, script); });
+    const auto found = std::find_if(m_kept.begin(), m_kept.end(), [&](const CachedRun &kept) {
+        return sameButForMethod(kept.script, script);
+    });
     if (found != m_kept.end()) {
         m_kept.splice(m_kept.begin(), m_kept, found);
         return m_kept.front().track.get();
     }
-    Kept kept = {sim::scriptFor(script, {sim::findMethod("dop853"), sim::StepSize::within(tolerance)}), {}};
+    CachedRun kept = {
+        sim::scriptFor(script, {sim::findMethod("dop853"), sim::StepSize::withTolerance(tolerance)}), {}};
     try {
         kept.track = std::make_unique<sim::Track>(kept.script, memory);
     } catch (const sim::Error &) { // it has no continuous limit: nothing to compare with
@@ -54,20 +56,21 @@ sim::Track *ExactRun::trackOf(const sim::Script &script)
 
 const sim::State *ExactRun::at(const sim::Script &script, std::int64_t frame)
 {
-    sim::Track *track = frame >= 0 && frame <= longest ? trackOf(script) : nullptr;
+    sim::Track *track = frame >= 0 && frame <= maxFrames ? trackOf(script) : nullptr;
     if (!track)
         return nullptr;
     track->seek({std::min(frame, track->computed()), 0});
-    while (track->at().frame < frame && track->now().turns() < mostEvaluations && !track->stop())
-        track->seek({track->at().frame + 1, 0});
-    return track->at().frame == frame ? &track->now() : nullptr;
+    while (track->cursor().frame < frame && track->state().forceEvaluations() < maxEvaluations &&
+           !track->stop())
+        track->seek({track->cursor().frame + 1, 0});
+    return track->cursor().frame == frame ? &track->state() : nullptr;
 }
 
 double ExactRun::distance(const sim::Script &script, const sim::State &state, std::int64_t frame)
 {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const sim::State *exact = at(script, frame);
-    if (!exact || exact->points() != state.points())
+    if (!exact || exact->pointCount() != state.pointCount())
         return unknown;
     return sim::distanceFrom(sim::placesOf(*exact), state);
 }

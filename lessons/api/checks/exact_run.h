@@ -17,10 +17,10 @@ public:
     ~ExactRun();
 
     /// Frames that are computed; beyond, errors of the exact run itself might count.
-    static constexpr std::int64_t longest = 1200;
+    static constexpr std::int64_t maxFrames = 1200;
     static constexpr double tolerance = 1e-11; ///< px a step
     /// A run that takes more computations of all forces is left off there: the window would have to wait for it.
-    static constexpr std::int64_t mostEvaluations = 400'000;
+    static constexpr std::int64_t maxEvaluations = 400'000;
 
     /// The state after `frame` frames; null past `longest`, where the scene has no such run, and where that was left
     /// off. It is good until the next call.
@@ -29,10 +29,10 @@ public:
     double distance(const sim::Script &script, const sim::State &state, std::int64_t frame);
 
 private:
-    struct Kept;
+    struct CachedRun;
     sim::Track *trackOf(const sim::Script &script);
 
-    std::list<Kept> m_kept; ///< the one asked for last comes first
+    std::list<CachedRun> m_kept; ///< the one asked for last comes first
 };
 
 }

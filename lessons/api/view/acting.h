@@ -20,7 +20,7 @@ const Effect *effectOf(const sim::Scene &scene)
 }
 
 /// Whether any effect of this kind acts in `scene`.
-inline bool acts(const sim::Scene &scene, sim::Kind kind)
+inline bool hasEffectOfKind(const sim::Scene &scene, sim::EffectKind kind)
 {
     return std::any_of(scene.effects.begin(), scene.effects.end(),
                        [kind](const sim::EffectPtr &effect) { return effect->kind() == kind; });

@@ -14,12 +14,12 @@ namespace lessons {
 namespace {
 
 /// Adds one zigzag a link, but none for a link that leads back along one that is there already.
-void addLinks(std::vector<SpringLook> &looks, const std::vector<sim::Pair> &links, double length,
+void addLinks(std::vector<SpringView> &looks, const std::vector<sim::PointPair> &links, double length,
               sim::Vec2 at = {})
 {
     const std::size_t first = looks.size();
-    for (const sim::Pair &link : links) {
-        const auto leadsBack = [&](const SpringLook &one) {
+    for (const sim::PointPair &link : links) {
+        const auto leadsBack = [&](const SpringView &one) {
             return one.a == link.anchor && one.b == link.mover;
         };
         const auto from = looks.begin() + static_cast<std::ptrdiff_t>(first);
@@ -29,7 +29,7 @@ void addLinks(std::vector<SpringLook> &looks, const std::vector<sim::Pair> &link
 }
 
 /// Legs whose places stay where they are, seen from the body.
-void addLegs(std::vector<SpringLook> &looks, const sim::LegSpring &springs, const sim::State &state)
+void addLegs(std::vector<SpringView> &looks, const sim::LegSpring &springs, const sim::State &state)
 {
     if (springs.rule().aim == sim::Aim::swing)
         return;
@@ -38,27 +38,27 @@ void addLegs(std::vector<SpringLook> &looks, const sim::LegSpring &springs, cons
         const sim::Leg &leg = legs[i];
         looks.push_back({.a = leg.foot,
                          .b = leg.body,
-                         .at = springs.target(state, static_cast<int>(i)) - state.at(leg.body)});
+                         .at = springs.target(state, static_cast<int>(i)) - state.positionOf(leg.body)});
     }
 }
 
 }
 
-Look creatureLook(const sim::Scene &scene)
+View creatureView(const sim::Scene &scene)
 {
-    Look look;
+    View look;
     for (const std::string &name : scene.names) {
-        look.bodies.push_back(isBody(name) ? BodyLook{BodyLook::Shape::body, bodyWidth / 2}
-                                           : BodyLook{BodyLook::Shape::foot, footWidth / 2});
+        look.bodies.push_back(isBody(name) ? BodyView{BodyView::Shape::body, bodyWidth / 2}
+                                           : BodyView{BodyView::Shape::foot, footWidth / 2});
     }
     return look;
 }
 
-Look creatureLookWithLegs(const sim::Scene &scene)
+View creatureViewWithLegs(const sim::Scene &scene)
 {
-    Look look = creatureLook(scene);
+    View look = creatureView(scene);
     int firstFoot = 0;
-    for (int i = 0; i < scene.start.points(); ++i) {
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
         if (!isBody(scene.names[static_cast<std::size_t>(i)]))
             continue;
         for (int foot = firstFoot; foot < i; ++foot)
@@ -68,11 +68,11 @@ Look creatureLookWithLegs(const sim::Scene &scene)
     return look;
 }
 
-std::vector<SpringLook> actingSprings(const sim::Scene &scene)
+std::vector<SpringView> actingSprings(const sim::Scene &scene)
 {
-    std::vector<SpringLook> looks;
+    std::vector<SpringView> looks;
     for (const sim::EffectPtr &effect : scene.effects) {
-        if (effect->idle())
+        if (effect->isIdle())
             continue;
         if (const auto *toPlace = dynamic_cast<const sim::PointSpring *>(effect.get()))
             looks.push_back({.a = toPlace->mover(), .b = -1, .at = toPlace->centre()});
@@ -88,10 +88,10 @@ std::vector<SpringLook> actingSprings(const sim::Scene &scene)
     return looks;
 }
 
-Look crowdByPartsLook(const sim::Scene &scene, int creatures)
+View crowdByPartsView(const sim::Scene &scene, int creatures)
 {
-    Look look = creatureLook(scene);
-    for (int foot = creatures; foot < scene.start.points(); ++foot)
+    View look = creatureView(scene);
+    for (int foot = creatures; foot < scene.start.pointCount(); ++foot)
         look.legs.push_back({foot % creatures, foot});
     return look;
 }

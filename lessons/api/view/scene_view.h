@@ -13,7 +13,7 @@
 namespace lessons {
 
 /// How a point is drawn.
-struct BodyLook
+struct BodyView
 {
     enum class Shape {
         body,  ///< a disc with eyes
@@ -27,7 +27,7 @@ struct BodyLook
 };
 
 /// A leg between two points.
-struct LegLook
+struct LegView
 {
     int from = 0;
     int to = 0;
@@ -36,7 +36,7 @@ struct LegLook
 };
 
 /// A stick, in the colour of its error: how far its length is from `length`.
-struct StickLook
+struct StickView
 {
     int a = 0;
     int b = 0;
@@ -45,7 +45,7 @@ struct StickLook
 };
 
 /// A spring, drawn as a zigzag that gets longer and shorter: from point `a` to the place `at`, seen from point `b`.
-struct SpringLook
+struct SpringView
 {
     int a = 0;
     int b = 0;           ///< -1: `at` is a fixed place
@@ -57,13 +57,13 @@ struct SpringLook
 };
 
 /// A patch of soft matter between four points, in order, that springs hold along its sides and across.
-struct SheetLook
+struct SheetView
 {
     std::array<int, 4> corners{};
 };
 
 /// A thick round limb under the sticks.
-struct LimbLook
+struct LimbView
 {
     int a = 0;
     int b = 0;
@@ -71,21 +71,21 @@ struct LimbLook
 };
 
 /// A chain that gets thinner from its first point to its last: a tentacle.
-struct ChainLook
+struct ChainView
 {
     std::vector<int> points;
     double width = 8.0; ///< px, at its root
 };
 
 /// A body whose outline is the smooth closed curve through some points, in order.
-struct SkinLook
+struct SkinView
 {
     std::vector<int> outline;
     int front = -1; ///< the point that it looks from, with eyes; -1: no eyes
 };
 
 /// A tree: one branch a point, from the point's place along its angle. Arrays have one row a branch.
-struct TreeLook
+struct TreeView
 {
     std::vector<int> parent;    ///< -1 for the trunk; parents come before their children
     std::vector<double> length; ///< px
@@ -93,35 +93,35 @@ struct TreeLook
 };
 
 /// How a scene is drawn: by point numbers, the same for all states of the scene.
-struct Look
+struct View
 {
-    std::vector<BodyLook> bodies; ///< one a point
-    std::vector<LegLook> legs;
-    std::vector<StickLook> sticks;
-    std::vector<SpringLook> springs;
-    std::vector<LimbLook> limbs;
-    std::vector<ChainLook> chains;
-    std::vector<SkinLook> skins;
-    std::optional<TreeLook> tree;
+    std::vector<BodyView> bodies; ///< one a point
+    std::vector<LegView> legs;
+    std::vector<StickView> sticks;
+    std::vector<SpringView> springs;
+    std::vector<LimbView> limbs;
+    std::vector<ChainView> chains;
+    std::vector<SkinView> skins;
+    std::optional<TreeView> tree;
     std::optional<sim::Room> room; ///< walls and floor, if the scene has any
     std::optional<double> ground;  ///< px, how far down an endless ground lies, if there is one
     QRectF stage{0, 0, 540, 400};  ///< px, what "fit" shows
     enum class Sky { paper, dusk };
     Sky sky = Sky::paper;
     /// The point that the camera follows when it walks out of the picture; -1: none.
-    int follow = -1;
+    int followedPoint = -1;
     /// What the feet diagram shows, in order; empty: no diagram.
     std::vector<int> feet;
     /// The point that goes where the pointer is: dragging it sends the pointer instead of a hand. -1: none.
-    int pointed = -1;
+    int pointerPoint = -1;
     /// Shown from the start; the learner can switch each.
-    bool velocities = false;
-    bool onionSkins = false;
-    std::vector<SheetLook> sheets;
+    bool showsVelocities = false;
+    bool showsOnionSkins = false;
+    std::vector<SheetView> sheets;
 };
 
 /// A thing that explains: drawn thin, over the picture, made anew for each state.
-struct Guide
+struct Overlay
 {
     enum class Shape {
         cross, ///< a place, at `a`

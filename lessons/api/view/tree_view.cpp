@@ -12,17 +12,17 @@ constexpr double trunkWidth = 10.0;
 
 }
 
-Look treeLook(const sim::Tree &tree)
+View treeView(const sim::Tree &tree)
 {
-    Look look;
-    look.bodies.assign(tree.parent.size(), {BodyLook::Shape::none, 0.0});
-    look.tree = TreeLook{tree.parent, tree.scale, tree.scale};
+    View look;
+    look.bodies.assign(tree.parent.size(), {BodyView::Shape::none, 0.0});
+    look.tree = TreeView{tree.parent, tree.scale, tree.scale};
     for (double &length : look.tree->length)
         length *= tree.baseLength;
     for (double &width : look.tree->width)
         width *= trunkWidth;
     look.stage = QRectF(0, 0, 550, 400);
-    look.sky = Look::Sky::dusk;
+    look.sky = View::Sky::dusk;
     return look;
 }
 

@@ -4,9 +4,9 @@
 
 namespace lessons {
 
-struct Look;
+struct View;
 
 /// Returns a tree before a dusky sky. A hand takes hold of a branch by name only: the pointer blows.
-Look treeLook(const sim::Tree &tree);
+View treeView(const sim::Tree &tree);
 
 }

@@ -9,24 +9,24 @@ namespace {
 
 bool isCoarser(StepSize a, StepSize b)
 {
-    return a.adaptive() ? a.tolerance > b.tolerance : a.h > b.h;
+    return a.isAdaptive() ? a.tolerance > b.tolerance : a.h > b.h;
 }
 
 std::string idOf(const AccuracyRow &row)
 {
-    return row.way.method->id();
+    return row.setup.method->id();
 }
 
-void addInUse(const Way &inUse, std::vector<AccuracyRow> &rows)
+void addInUse(const MethodSetup &inUse, std::vector<AccuracyRow> &rows)
 {
     const auto isMethods = [&](const AccuracyRow &row) { return idOf(row) == inUse.method->id(); };
     auto at = std::find_if(rows.begin(), rows.end(), isMethods);
-    while (at != rows.end() && isMethods(*at) && isCoarser(at->way.step, inUse.step))
+    while (at != rows.end() && isMethods(*at) && isCoarser(at->setup.step, inUse.step))
         ++at;
-    if (at != rows.end() && isMethods(*at) && at->way.step == inUse.step)
+    if (at != rows.end() && isMethods(*at) && at->setup.step == inUse.step)
         return;
     AccuracyRow row;
-    row.way = inUse;
+    row.setup = inUse;
     rows.insert(at, std::move(row));
 }
 
@@ -34,8 +34,8 @@ void addInUse(const Way &inUse, std::vector<AccuracyRow> &rows)
 class MethodErrors
 {
 public:
-    MethodErrors(const Script &script, const StudyPlan &plan, const Accuracy &found, Watch &watch)
-        : m_script(script), m_plan(plan), m_found(found), m_watch(watch)
+    MethodErrors(const Script &script, const StudyPlan &plan, const Accuracy &found, StudyMonitor &monitor)
+        : m_script(script), m_plan(plan), m_found(found), m_monitor(monitor)
     {
     }
 
@@ -44,12 +44,12 @@ public:
         m_share = share;
         if (row != end && !fits(row, end))
             return;
-        if (m_found.reference.kind == ReferenceRun::Kind::ownRefinement && !runOwn(row->way.method)) {
+        if (m_found.reference.kind == ReferenceRun::Kind::selfRefinement && !runOwn(row->setup.method)) {
             for (; row != end; ++row)
                 row->outcome = Outcome::tooLong;
             return;
         }
-        for (AccuracyRow *coarser = nullptr; row != end && m_watch.goesOn(m_share); coarser = row++) {
+        for (AccuracyRow *coarser = nullptr; row != end && m_monitor.report(m_share); coarser = row++) {
             if (wouldTakeLong(*row, coarser))
                 row->outcome = Outcome::tooLong;
             else
@@ -58,17 +58,18 @@ public:
     }
 
 private:
-    const Places &places() const
+    const Trajectories &places() const
     {
-        return m_found.reference.kind == ReferenceRun::Kind::solution ? m_found.reference.places : m_own;
+        return m_found.reference.kind == ReferenceRun::Kind::solution ? m_found.reference.trajectories
+                                                                      : m_own;
     }
 
     /// Asks whether the method can compute the scene at all, and says so in its rows if not.
     bool fits(AccuracyRow *row, AccuracyRow *end) const
     {
-        std::optional<Error> why = whyNot(scriptFor(m_script, row->way));
+        std::optional<Error> why = composeError(scriptFor(m_script, row->setup));
         if (!why && m_found.horizon == 0) {
-            const EffectPtr &jump = m_found.reference.jump;
+            const EffectPtr &jump = m_found.reference.discontinuity;
             why = jump ? Error("no-limit", {{"effect", jump->id()}})
                        : Error("short-horizon", {{"frames", "0"}});
         }
@@ -83,33 +84,33 @@ private:
     bool runOwn(const MethodPtr &method)
     {
         const double seconds = 2.0 * m_plan.secondsPerRun;
-        Script own = scriptFor(m_script, {method, StepSize::of(1.0)});
-        own.step = finestOwn(own, m_found.horizon, seconds, m_watch);
+        Script own = scriptFor(m_script, {method, StepSize::ofLength(1.0)});
+        own.step = finestSelfStep(own, m_found.horizon, seconds, m_monitor);
         m_finest = own.step.h;
-        m_own = {placesOf(Track(own, 0).now())};
+        m_own = {placesOf(Track(own, 0).state())};
         const auto keep = [this](std::int64_t, const State &state) {
             m_own.push_back(placesOf(state));
             return true;
         };
-        const RunResult run = runFrames(own, m_found.horizon, 2.0 * seconds, m_watch, keep);
+        const RunResult run = runFrames(own, m_found.horizon, 2.0 * seconds, m_monitor, keep);
         return run.end != RunEnd::tooLong;
     }
 
     bool wouldTakeLong(const AccuracyRow &row, const AccuracyRow *coarser) const
     {
-        if (row.way.step.h < 4.0 * m_finest)
+        if (row.setup.step.h < 4.0 * m_finest)
             return true; // too near to what it would be compared with
         if (!coarser || coarser->outcome == Outcome::unstable)
             return false; // a run that ends early tells nothing about the next
-        const double more = row.way.step.adaptive() ? 1.0 : coarser->way.step.h / row.way.step.h;
+        const double more = row.setup.step.isAdaptive() ? 1.0 : coarser->setup.step.h / row.setup.step.h;
         return coarser->outcome == Outcome::tooLong || m_seconds * more > m_plan.secondsPerRun;
     }
 
     void measureOne(AccuracyRow &row)
     {
         const std::int64_t horizon = m_found.horizon;
-        const Script script = scriptFor(m_script, row.way);
-        if (script.step.rowFrames > horizon) {
+        const Script script = scriptFor(m_script, row.setup);
+        if (script.step.framesPerOutput > horizon) {
             row.outcome = Outcome::doesNotFit;
             row.why = Error("short-horizon", {{"frames", std::to_string(horizon)}});
             return;
@@ -128,12 +129,13 @@ private:
             row.error = std::max(row.error, off);
             return true;
         };
-        const RunResult run = runFrames(script, horizon, 2.0 * m_plan.secondsPerRun, m_watch, visit);
+        const RunResult run = runFrames(script, horizon, 2.0 * m_plan.secondsPerRun, m_monitor, visit);
         const double done = static_cast<double>(std::max<std::int64_t>(1, run.frames));
         m_seconds = run.seconds / done * static_cast<double>(horizon);
-        const int each = row.way.method->evaluations();
-        row.evaluations = each > 0 ? each * static_cast<double>(script.step.perRow) / script.step.rowFrames
-                                   : run.evaluations / done;
+        const int each = row.setup.method->evaluationsPerStep();
+        row.evaluations =
+            each > 0 ? each * static_cast<double>(script.step.stepsPerOutput) / script.step.framesPerOutput
+                     : run.evaluations / done;
         row.firstRun = 1e9 * run.computed / done;
         conclude(row, run.end, isFar);
     }
@@ -155,8 +157,8 @@ private:
     const Script &m_script;
     const StudyPlan &m_plan;
     const Accuracy &m_found;
-    Watch &m_watch;
-    Places m_own;
+    StudyMonitor &m_monitor;
+    Trajectories m_own;
     double m_finest = 0.0;  ///< frames, the step of m_own; 0 when that is not in use
     double m_seconds = 0.0; ///< that the row before took, or would have taken to the horizon
     double m_share = 0.0;
@@ -164,16 +166,16 @@ private:
 
 }
 
-std::vector<StepSize> ladderOf(const Method &method)
+std::vector<StepSize> refinementLevels(const Method &method)
 {
     std::vector<StepSize> rungs;
     if (method.stepping() == Stepping::fixed) {
         for (int steps = 1; steps <= 64; steps *= 2)
-            rungs.push_back(StepSize::of(1.0 / steps));
+            rungs.push_back(StepSize::ofLength(1.0 / steps));
     } else {
         // Not 1e-1 * 1e-1: each is to be the number that a file has.
         for (const double tolerance : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10})
-            rungs.push_back(StepSize::within(tolerance));
+            rungs.push_back(StepSize::withTolerance(tolerance));
     }
     return rungs;
 }
@@ -182,9 +184,9 @@ std::vector<AccuracyRow> waitingRows(const StudyPlan &plan)
 {
     std::vector<AccuracyRow> rows;
     for (const MethodPtr &method : allMethods()) {
-        for (const StepSize step : ladderOf(*method)) {
+        for (const StepSize step : refinementLevels(*method)) {
             AccuracyRow row;
-            row.way = {method, step};
+            row.setup = {method, step};
             rows.push_back(std::move(row));
         }
     }
@@ -193,14 +195,14 @@ std::vector<AccuracyRow> waitingRows(const StudyPlan &plan)
     return rows;
 }
 
-void measureErrors(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch)
+void measureErrors(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor)
 {
     const std::size_t count = found.rows.size();
-    for (std::size_t first = 0, end = 0; first < count && !watch.isStopped(); first = end) {
+    for (std::size_t first = 0, end = 0; first < count && !monitor.isStopped(); first = end) {
         while (end < count && idOf(found.rows[end]) == idOf(found.rows[first]))
             ++end;
         const double share = static_cast<double>(first) / static_cast<double>(count);
-        MethodErrors(script, plan, found, watch)
+        MethodErrors(script, plan, found, monitor)
             .measure(found.rows.data() + first, found.rows.data() + end, share);
     }
 }

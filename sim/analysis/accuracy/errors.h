@@ -11,6 +11,6 @@ constexpr double unstableFrom = 1e6;
 std::vector<AccuracyRow> waitingRows(const StudyPlan &plan);
 
 /// Measures the errors of all rows up to the horizon of `found`.
-void measureErrors(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch);
+void measureErrors(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor);
 
 }

@@ -18,21 +18,21 @@ double secondsSince(Clock::time_point begun)
 
 }
 
-Preview::Preview(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch)
-    : m_script(script), m_plan(plan), m_found(found), m_watch(watch), m_next(plan.secondsToPreview)
+Preview::Preview(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor)
+    : m_script(script), m_plan(plan), m_found(found), m_monitor(monitor), m_next(plan.secondsToPreview)
 {
 }
 
 void Preview::look(double share)
 {
-    const double spent = secondsSince(m_begun) - m_watch.secondsAway();
-    if (spent < m_next || m_found.horizon < 1 || m_watch.isStopped())
+    const double spent = secondsSince(m_begun) - m_monitor.secondsAway();
+    if (spent < m_next || m_found.horizon < 1 || m_monitor.isStopped())
         return;
     const Clock::time_point begun = Clock::now();
     measure(std::max(spent, secondsOfRun), share);
-    m_watch.tell(share);
+    m_monitor.reportNow(share);
     m_next = untilNext * spent;
-    m_watch.wasAway(secondsSince(begun));
+    m_monitor.addSecondsAway(secondsSince(begun));
 }
 
 void Preview::measure(double seconds, double share)
@@ -43,10 +43,10 @@ void Preview::measure(double seconds, double share)
     quick.secondsPerRun = secondsOfRun;
     const Clock::time_point begun = Clock::now();
     const StudyProgress inTime = [&](const Accuracy &, double) {
-        return m_watch.goesOn(share) && secondsSince(begun) < seconds;
+        return m_monitor.report(share) && secondsSince(begun) < seconds;
     };
-    Watch watch(inTime, m_found);
-    measureErrors(m_script, quick, m_found, watch);
+    StudyMonitor monitor(inTime, m_found);
+    measureErrors(m_script, quick, m_found, monitor);
     for (AccuracyRow &row : m_found.rows) {
         // What was left out now may well be measured later.
         if (row.outcome == Outcome::measured || row.outcome == Outcome::unstable)

@@ -10,7 +10,7 @@ class Preview
 {
 public:
     /// All must outlive this.
-    Preview(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch);
+    Preview(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor);
 
     /// Measures rows up to the horizon of `found`, if the reference has taken long enough since the last time.
     /// Takes no longer than the reference has, and counts as time away from it.
@@ -24,7 +24,7 @@ private:
     const Script &m_script;
     const StudyPlan &m_plan;
     Accuracy &m_found;
-    Watch &m_watch;
+    StudyMonitor &m_monitor;
     std::chrono::steady_clock::time_point m_begun = std::chrono::steady_clock::now();
     double m_next; ///< s, of the reference's time
 };

@@ -14,7 +14,7 @@ constexpr int leastOwnSteps = 8;
 EffectPtr firstJump(const Script &script, std::int64_t frames)
 {
     const auto jumpWith = [&](const Values &values) {
-        return Flow::firstJump(sceneOf(script, values), Flow::Contacts::fit);
+        return OdeSystem::firstDiscontinuity(sceneOf(script, values), OdeSystem::Contacts::allowed);
     };
     Values values = script.values;
     EffectPtr jump = jumpWith(values);
@@ -30,113 +30,115 @@ EffectPtr firstJump(const Script &script, std::int64_t frames)
 
 /// What can be a reference, the best first: two unlike pairs of high order with tight tolerances, and in their
 /// absence the methods of highest order at a fine step.
-std::vector<Way> candidates()
+std::vector<MethodSetup> candidates()
 {
-    std::vector<Way> ways;
+    std::vector<MethodSetup> ways;
     for (const auto &[id, tolerance] : {std::pair{"dop853", 1e-12}, {"dormand_prince", 1e-12}}) {
         if (const MethodPtr method = findMethod(id))
-            ways.push_back({method, StepSize::within(tolerance)});
+            ways.push_back({method, StepSize::withTolerance(tolerance)});
     }
-    std::vector<Way> fixed;
+    std::vector<MethodSetup> fixed;
     for (const MethodPtr &method : allMethods()) {
         if (method->stepping() == Stepping::fixed)
-            fixed.push_back({method, StepSize::of(1.0 / mostOwnSteps)});
+            fixed.push_back({method, StepSize::ofLength(1.0 / mostOwnSteps)});
     }
-    std::stable_sort(fixed.begin(), fixed.end(),
-                     [](const Way &a, const Way &b) { return a.method->order() > b.method->order(); });
+    std::stable_sort(fixed.begin(), fixed.end(), [](const MethodSetup &a, const MethodSetup &b) {
+        return a.method->order() > b.method->order();
+    });
     ways.insert(ways.end(), fixed.begin(), fixed.end());
     return ways;
 }
 
 /// The first two of candidates() that can compute `script`.
-std::vector<Way> fittingPair(const Script &script)
+std::vector<MethodSetup> fittingPair(const Script &script)
 {
-    std::vector<Way> pair;
-    for (const Way &way : candidates()) {
-        if (pair.size() < 2 && !whyNot(scriptFor(script, way)))
-            pair.push_back(way);
+    std::vector<MethodSetup> pair;
+    for (const MethodSetup &setup : candidates()) {
+        if (pair.size() < 2 && !composeError(scriptFor(script, setup)))
+            pair.push_back(setup);
     }
     return pair;
 }
 
 /// Runs a reference and its check side by side, and keeps the places as long as they agree within `agreement` px.
-void runPair(const Script &script, const std::vector<Way> &pair, double agreement, double seconds,
-             Accuracy &found, Watch &watch, Preview &preview)
+void runPair(const Script &script, const std::vector<MethodSetup> &pair, double agreement, double seconds,
+             Accuracy &found, StudyMonitor &monitor, Preview &preview)
 {
     ReferenceRun &reference = found.reference;
     reference.step = pair[0].step;
     reference.checkStep = pair[1].step;
     Track check(scriptFor(script, pair[1]), 0);
-    reference.places = {placesOf(check.now())};
+    reference.trajectories = {placesOf(check.state())};
     const auto end = [&reference](RunEnd why) {
         if (why == RunEnd::notFinite)
             reference.end = ReferenceRun::End::notFinite;
         if (why == RunEnd::tooLong)
             reference.end = ReferenceRun::End::tooLong;
     };
-    Patience patience(seconds, watch);
-    const GoesOn goesOn = patience.asked();
+    TimeLimit patience(seconds, monitor);
+    const ShouldContinue shouldContinue = patience.callback();
     const auto visit = [&](std::int64_t frame, const State &state) {
-        const bool isThere = check.seek({frame, 0}, goesOn);
+        const bool isThere = check.seek({frame, 0}, shouldContinue);
         if (!isThere || check.stop()) {
             end(isThere ? endOf(*check.stop()) : patience.end());
             return false;
         }
         std::vector<Vec2> places = placesOf(state);
-        const double apart = distanceFrom(places, check.now());
+        const double apart = distanceFrom(places, check.state());
         if (!(apart <= agreement)) {
-            reference.end = ReferenceRun::End::parted;
+            reference.end = ReferenceRun::End::diverged;
             return false;
         }
         reference.disagreement = std::max(reference.disagreement, apart);
-        reference.places.push_back(std::move(places));
+        reference.trajectories.push_back(std::move(places));
         found.horizon = frame;
         const double share = static_cast<double>(frame) / static_cast<double>(found.span);
         preview.look(share);
-        return watch.goesOn(share);
+        return monitor.report(share);
     };
-    const RunResult run = runFrames(scriptFor(script, pair[0]), found.span, seconds, watch, visit);
+    const RunResult run = runFrames(scriptFor(script, pair[0]), found.span, seconds, monitor, visit);
     end(run.end);
 }
 
 }
 
-StepSize finestOwn(const Script &script, std::int64_t frames, double seconds, Watch &watch)
+StepSize finestSelfStep(const Script &script, std::int64_t frames, double seconds, StudyMonitor &monitor)
 {
-    const Script coarse = scriptFor(script, {script.method, StepSize::of(1.0)});
+    const Script coarse = scriptFor(script, {script.method, StepSize::ofLength(1.0)});
     const auto visit = [](std::int64_t, const State &) { return true; };
-    const RunResult run = runFrames(coarse, frames, seconds / leastOwnSteps, watch, visit);
+    const RunResult run = runFrames(coarse, frames, seconds / leastOwnSteps, monitor, visit);
     const double perFrame = run.seconds / static_cast<double>(std::max<std::int64_t>(1, run.frames));
     int steps = mostOwnSteps;
     while (steps > leastOwnSteps && perFrame * static_cast<double>(frames) * steps > seconds)
         steps /= 2;
-    return StepSize::of(1.0 / steps);
+    return StepSize::ofLength(1.0 / steps);
 }
 
-void findReference(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch,
+void findReference(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor,
                    Preview &preview)
 {
     ReferenceRun &reference = found.reference;
-    reference.jump = firstJump(script, plan.frames);
-    if (!reference.jump) {
-        const std::vector<Way> pair = fittingPair(script);
-        reference.end = ReferenceRun::End::parted;
+    reference.discontinuity = firstJump(script, plan.frames);
+    if (!reference.discontinuity) {
+        const std::vector<MethodSetup> pair = fittingPair(script);
+        reference.end = ReferenceRun::End::diverged;
         if (pair.size() < 2)
             return; // no second method computes this scene
         reference.end = ReferenceRun::End::span;
         reference.method = pair[0].method->id();
         reference.check = pair[1].method->id();
-        runPair(script, pair, referenceAgreement, 10.0 * plan.secondsPerRun, found, watch, preview);
+        runPair(script, pair, referenceAgreement, 10.0 * plan.secondsPerRun, found, monitor, preview);
         return;
     }
-    reference.kind = ReferenceRun::Kind::ownRefinement;
+    reference.kind = ReferenceRun::Kind::selfRefinement;
     reference.method = reference.check = "own_refinement";
     if (script.method->stepping() == Stepping::adaptive)
         return; // cannot be: these compute no jumps
-    const StepSize finest = finestOwn(script, plan.frames, 2.0 * plan.secondsPerRun, watch);
-    const std::vector<Way> pair = {{script.method, finest}, {script.method, StepSize::of(2.0 * finest.h)}};
-    runPair(script, pair, ownAgreement, 10.0 * plan.secondsPerRun, found, watch, preview);
-    reference.places.clear(); // each method has its own
+    const StepSize finest = finestSelfStep(script, plan.frames, 2.0 * plan.secondsPerRun, monitor);
+    const std::vector<MethodSetup> pair = {{script.method, finest},
+                                           {script.method, StepSize::ofLength(2.0 * finest.h)}};
+    runPair(script, pair, selfAgreement, 10.0 * plan.secondsPerRun, found, monitor, preview);
+    reference.trajectories.clear(); // each method has its own
 }
 
 }

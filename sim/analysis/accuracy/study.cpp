@@ -51,25 +51,25 @@ void markFront(std::vector<AccuracyRow> &rows)
 Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyProgress &progress)
 {
     Track::check(script);
-    if (const int points = sceneOf(script, script.values).start.points(); points > mostStudied)
+    if (const int points = sceneOf(script, script.values).start.pointCount(); points > maxStudiedPoints)
         throw Error("too-many-points",
-                    {{"points", std::to_string(points)}, {"most", std::to_string(mostStudied)}});
+                    {{"points", std::to_string(points)}, {"most", std::to_string(maxStudiedPoints)}});
     Accuracy found;
     found.span = plan.frames;
     found.rows = waitingRows(plan);
-    Watch watch(progress, found);
-    watch.beginPart(0.0, 0.1);
-    Preview preview(script, plan, found, watch);
-    findReference(script, plan, found, watch, preview);
+    StudyMonitor monitor(progress, found);
+    monitor.beginPart(0.0, 0.1);
+    Preview preview(script, plan, found, monitor);
+    findReference(script, plan, found, monitor, preview);
     preview.forget();
-    watch.beginPart(0.1, 0.5);
-    if (watch.tell(0.0))
-        measureErrors(script, plan, found, watch);
-    watch.beginPart(0.5, 1.0);
-    if (watch.tell(0.0))
-        measureTimes(script, plan, found, watch);
+    monitor.beginPart(0.1, 0.5);
+    if (monitor.reportNow(0.0))
+        measureErrors(script, plan, found, monitor);
+    monitor.beginPart(0.5, 1.0);
+    if (monitor.reportNow(0.0))
+        measureTimes(script, plan, found, monitor);
     markFront(found.rows);
-    watch.tell(1.0);
+    monitor.reportNow(1.0);
     return found;
 }
 

@@ -12,7 +12,7 @@
 namespace sim {
 
 /// One way of computing a scene: a method, and its step or tolerance.
-struct Way
+struct MethodSetup
 {
     MethodPtr method;
     StepSize step;
@@ -30,7 +30,7 @@ enum class Outcome {
 /// One point of the work-precision plot.
 struct AccuracyRow
 {
-    Way way;
+    MethodSetup setup;
     Outcome outcome = Outcome::waiting;
     std::optional<Error> why; ///< for doesNotFit
     double error = 0.0;       ///< px, the largest distance of any body at any whole frame up to the horizon
@@ -47,24 +47,24 @@ struct ReferenceRun
 {
     /// What it is compared with: the scene's continuous solution, or (where it has none) each method's own finer
     /// step.
-    enum class Kind { solution, ownRefinement };
+    enum class Kind { solution, selfRefinement };
     Kind kind = Kind::solution;
-    EffectPtr jump;     ///< for ownRefinement: the effect that has no continuous limit
-    std::string method; ///< its id; for ownRefinement: "own_refinement"
+    EffectPtr discontinuity; ///< for selfRefinement: the effect that has no continuous limit
+    std::string method;      ///< its id; for selfRefinement: "own_refinement"
     StepSize step;
-    std::string check; ///< id of the second, unlike method; for ownRefinement: "own_refinement"
+    std::string check; ///< id of the second, unlike method; for selfRefinement: "own_refinement"
     StepSize checkStep;
     double disagreement = 0.0; ///< px, the largest distance between the two up to the horizon
     /// Why the horizon is where it is.
     enum class End {
         span,      ///< it is the end of the span
-        parted,    ///< the two are too far apart after it
+        diverged,  ///< the two are too far apart after it
         notFinite, ///< one of them stops being finite after it
         tooLong,   ///< going on would take too long
     };
     End end = End::span;
-    /// Where each point is at each whole frame from 0 on. Empty for ownRefinement.
-    std::vector<std::vector<Vec2>> places;
+    /// Where each point is at each whole frame from 0 on. Empty for selfRefinement.
+    std::vector<std::vector<Vec2>> trajectories;
 };
 
 /// How errors and times of many ways compare on one scene.
@@ -93,7 +93,7 @@ struct StudyPlan
 {
     std::int64_t frames = 200;
     /// Besides the ladder of every method: the way in use, if it is not a rung already.
-    std::optional<Way> inUse;
+    std::optional<MethodSetup> inUse;
     double secondsPerRun = 0.5;     ///< rungs that would take longer are left out
     double secondsOfTiming = 4.0;   ///< of all repeated runs together
     int leastRuns = 5;              ///< of each rung, interleaved
@@ -104,7 +104,7 @@ struct StudyPlan
 using StudyProgress = std::function<bool(const Accuracy &soFar, double done)>;
 
 /// The most points of a scene that is studied: every method computes it, many times over.
-constexpr int mostStudied = 20'000;
+constexpr int maxStudiedPoints = 20'000;
 
 /// Measures every method on the scene of `script`, with its input, from frame 0 on: first the reference and its
 /// horizon (where that takes long, with a first look at errors up to where it has come), then each rung's error
@@ -115,7 +115,7 @@ constexpr int mostStudied = 20'000;
 Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyProgress &progress);
 
 /// The rungs that a study tries for `method`: steps 1, 1/2, 1/4... or tolerances, from coarse to fine.
-std::vector<StepSize> ladderOf(const Method &method);
+std::vector<StepSize> refinementLevels(const Method &method);
 
 /// Marks the rows that nothing beats.
 void markFront(std::vector<AccuracyRow> &rows);

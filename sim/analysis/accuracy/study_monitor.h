@@ -7,11 +7,13 @@
 namespace sim {
 
 /// Tells who asked for a study how far it is, a few times a second, and learns whether to go on.
-class Watch
+class StudyMonitor
 {
 public:
     /// Both must outlive this.
-    Watch(const StudyProgress &progress, const Accuracy &soFar) : m_progress(progress), m_soFar(soFar) {}
+    StudyMonitor(const StudyProgress &progress, const Accuracy &soFar) : m_progress(progress), m_soFar(soFar)
+    {
+    }
 
     /// From here on shares are parts of the stretch `from` to `to` of the whole study.
     void beginPart(double from, double to)
@@ -21,15 +23,15 @@ public:
         m_share = 0.0;
     }
     /// Tells, if the last time is a while ago, that `share` (0 to 1) of this part is done. Returns whether to go on.
-    bool goesOn(double share)
+    bool report(double share)
     {
         m_share = share;
-        return goesOn();
+        return report();
     }
     /// The same, with the share as it was told last.
-    bool goesOn() { return Clock::now() < m_next ? !m_stopped : tell(m_share); }
+    bool report() { return Clock::now() < m_next ? !m_stopped : reportNow(m_share); }
     /// Tells it at once.
-    bool tell(double share)
+    bool reportNow(double share)
     {
         if (!m_stopped && m_progress)
             m_stopped = !m_progress(m_soFar, m_from + (m_to - m_from) * share);
@@ -39,7 +41,7 @@ public:
     bool isStopped() const { return m_stopped; }
     /// Seconds that went to something else than what is under way: runs do not count them as theirs.
     double secondsAway() const { return m_away; }
-    void wasAway(double seconds) { m_away += seconds; }
+    void addSecondsAway(double seconds) { m_away += seconds; }
 
 private:
     using Clock = std::chrono::steady_clock;

@@ -9,15 +9,15 @@ RunEnd endOf(const Stop &stop)
     return stop.reason == StopReason::tooManySteps ? RunEnd::tooLong : RunEnd::notFinite;
 }
 
-Script scriptFor(const Script &script, const Way &way)
+Script scriptFor(const Script &script, const MethodSetup &setup)
 {
     Script other = script;
-    other.method = way.method;
-    other.step = way.step;
+    other.method = setup.method;
+    other.step = setup.step;
     return other;
 }
 
-std::optional<Error> whyNot(const Script &script)
+std::optional<Error> composeError(const Script &script)
 {
     try {
         Track::check(script);
@@ -30,17 +30,17 @@ std::optional<Error> whyNot(const Script &script)
 std::vector<Vec2> placesOf(const State &state)
 {
     std::vector<Vec2> places;
-    places.reserve(static_cast<std::size_t>(state.points()));
-    for (int i = 0; i < state.points(); ++i)
-        places.push_back(state.at(i));
+    places.reserve(static_cast<std::size_t>(state.pointCount()));
+    for (int i = 0; i < state.pointCount(); ++i)
+        places.push_back(state.positionOf(i));
     return places;
 }
 
 double distanceFrom(const std::vector<Vec2> &places, const State &state)
 {
     double largest = 0.0;
-    for (int i = 0; i < state.points(); ++i) {
-        const double distance = length(state.at(i) - places[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const double distance = length(state.positionOf(i) - places[static_cast<std::size_t>(i)]);
         if (!std::isfinite(distance))
             return std::numeric_limits<double>::quiet_NaN();
         largest = std::max(largest, distance);

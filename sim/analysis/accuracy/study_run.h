@@ -9,15 +9,15 @@
 namespace sim {
 
 /// Where each point is, at one whole frame after the other.
-using Places = std::vector<std::vector<Vec2>>;
+using Trajectories = std::vector<std::vector<Vec2>>;
 
 /// How a run over whole frames ended.
 enum class RunEnd {
     done,
     notFinite,
-    leftOff, ///< who looked on had seen enough
+    stoppedByVisitor, ///< who looked on had seen enough
     tooLong,
-    stopped, ///< nobody wants the study any more
+    cancelled, ///< nobody wants the study any more
 };
 
 struct RunResult
@@ -33,10 +33,10 @@ struct RunResult
 RunEnd endOf(const Stop &stop);
 
 /// `script` computed in another way.
-Script scriptFor(const Script &script, const Way &way);
+Script scriptFor(const Script &script, const MethodSetup &setup);
 
 /// Why `script` cannot be computed as it says, or nothing.
-std::optional<Error> whyNot(const Script &script);
+std::optional<Error> composeError(const Script &script);
 
 std::vector<Vec2> placesOf(const State &state);
 
@@ -44,33 +44,33 @@ std::vector<Vec2> placesOf(const State &state);
 double distanceFrom(const std::vector<Vec2> &places, const State &state);
 
 /// Whether a run may go on: until nobody wants it any more, or it takes too long.
-class Patience
+class TimeLimit
 {
 public:
     /// `watch` must outlive this.
-    Patience(double seconds, Watch &watch)
-        : m_seconds(seconds), m_watch(watch), m_awayBefore(watch.secondsAway())
+    TimeLimit(double seconds, StudyMonitor &monitor)
+        : m_seconds(seconds), m_monitor(monitor), m_awayBefore(monitor.secondsAway())
     {
     }
 
-    bool goesOn()
+    bool shouldContinue()
     {
-        if (!m_watch.goesOn())
-            m_end = RunEnd::stopped;
-        else if (spent() > m_seconds)
+        if (!m_monitor.report())
+            m_end = RunEnd::cancelled;
+        else if (secondsSpent() > m_seconds)
             m_end = RunEnd::tooLong;
         return m_end == RunEnd::done;
     }
     /// To be asked by what is computed; this must outlive it.
-    GoesOn asked()
+    ShouldContinue callback()
     {
-        return [this] { return goesOn(); };
+        return [this] { return shouldContinue(); };
     }
     /// Seconds since this was made, without those that went to something else.
-    double spent() const
+    double secondsSpent() const
     {
         return std::chrono::duration<double>(Clock::now() - m_start).count() -
-               (m_watch.secondsAway() - m_awayBefore);
+               (m_monitor.secondsAway() - m_awayBefore);
     }
     /// Why it said no, or RunEnd::done.
     RunEnd end() const { return m_end; }
@@ -79,7 +79,7 @@ private:
     using Clock = std::chrono::steady_clock;
 
     double m_seconds;
-    Watch &m_watch;
+    StudyMonitor &m_monitor;
     double m_awayBefore;
     Clock::time_point m_start = Clock::now();
     RunEnd m_end = RunEnd::done;
@@ -89,30 +89,31 @@ private:
 /// `visit(frame, state)`, and leaves off when that returns false.
 /// @throws Error when scene and method do not fit
 template <class Visit>
-RunResult runFrames(const Script &script, std::int64_t frames, double seconds, Watch &watch, Visit &&visit)
+RunResult runFrames(const Script &script, std::int64_t frames, double seconds, StudyMonitor &monitor,
+                    Visit &&visit)
 {
     Track track(script, 0, Sleeping::never); // what a frame costs is measured on the way
-    Patience patience(seconds, watch);
-    const GoesOn goesOn = patience.asked();
-    const double computedBefore = computedSeconds();
+    TimeLimit patience(seconds, monitor);
+    const ShouldContinue shouldContinue = patience.callback();
+    const double computedBefore = threadCpuSeconds();
     RunResult result;
-    const double before = track.now().turns();
-    for (std::int64_t frame = track.rowFrames(); frame <= frames && result.end == RunEnd::done;
-         frame += track.rowFrames()) {
-        const bool isThere = track.seek({frame, 0}, goesOn);
-        result.seconds = patience.spent();
+    const double before = track.state().forceEvaluations();
+    for (std::int64_t frame = track.framesPerOutput(); frame <= frames && result.end == RunEnd::done;
+         frame += track.framesPerOutput()) {
+        const bool isThere = track.seek({frame, 0}, shouldContinue);
+        result.seconds = patience.secondsSpent();
         if (!isThere) {
             result.end = patience.end();
         } else if (track.stop()) {
             result.end = endOf(*track.stop());
         } else {
             result.frames = frame;
-            result.evaluations = track.now().turns() - before;
-            if (!visit(frame, track.now()))
-                result.end = RunEnd::leftOff;
+            result.evaluations = track.state().forceEvaluations() - before;
+            if (!visit(frame, track.state()))
+                result.end = RunEnd::stoppedByVisitor;
         }
     }
-    result.computed = computedSeconds() - computedBefore;
+    result.computed = threadCpuSeconds() - computedBefore;
     return result;
 }
 

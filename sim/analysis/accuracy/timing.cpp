@@ -26,7 +26,8 @@ constexpr int fewestMoreRuns = 2; ///< after the first one, in which the sizes o
 class TimedRun
 {
 public:
-    TimedRun(const Script &script, std::int64_t frames) : m_frames(frames), m_stretch(script.step.rowFrames)
+    TimedRun(const Script &script, std::int64_t frames)
+        : m_frames(frames), m_stretch(script.step.framesPerOutput)
     {
         const bool isLeftAlone = std::all_of(script.input.begin(), script.input.end(),
                                              [&](const Event &event) { return event.frame > frames; });
@@ -41,20 +42,20 @@ public:
 
     /// The seconds of computing that one run over the first `frames` frames takes. Between stretches of some milliseconds, while
     /// the clock stands, `watch` is asked whether to go on.
-    double seconds(std::int64_t frames, Watch &watch, double share)
+    double seconds(std::int64_t frames, StudyMonitor &monitor, double share)
     {
         if (m_track)
             m_track->seek({0, 0});
         State state = m_start;
         double total = 0.0;
-        for (std::int64_t done = 0; done < frames && watch.goesOn(share);) {
+        for (std::int64_t done = 0; done < frames && monitor.report(share);) {
             const std::int64_t end = std::min(frames, done + m_stretch);
-            const double before = m_isLong ? computedSeconds() : passedSeconds();
+            const double before = m_isLong ? threadCpuSeconds() : wallSeconds();
             if (m_track)
                 m_track->seek({end, 0}); // with the input of each row
             else
                 runTo(end, state, done);
-            const double took = (m_isLong ? computedSeconds() : passedSeconds()) - before;
+            const double took = (m_isLong ? threadCpuSeconds() : wallSeconds()) - before;
             total += took;
             done = end;
             if (took < 0.01 && m_stretch < m_frames)
@@ -68,11 +69,11 @@ public:
 private:
     void runTo(std::int64_t end, State &state, std::int64_t done) const
     {
-        const FlushTiny flush;
-        const int rowFrames = m_pipeline.step.rowFrames;
-        for (std::int64_t frame = done + rowFrames; frame <= end; frame += rowFrames) {
+        const FlushDenormals flush;
+        const int framesPerOutput = m_pipeline.step.framesPerOutput;
+        for (std::int64_t frame = done + framesPerOutput; frame <= end; frame += framesPerOutput) {
             state.frame = frame;
-            for (int step = 0; step < m_pipeline.step.perRow; ++step) {
+            for (int step = 0; step < m_pipeline.step.stepsPerOutput; ++step) {
                 for (const StepKernel &kernel : m_pipeline.kernels)
                     kernel.kernel.run(state);
             }
@@ -99,11 +100,11 @@ struct Sampled
     bool isDear = false;              ///< runs that are long, and can not be cut
 
     /// ns a frame.
-    double sample(Watch &watch, double share)
+    double sample(StudyMonitor &monitor, double share)
     {
         double total = 0.0;
-        for (int i = 0; i < repeats && !watch.isStopped(); ++i)
-            total += run.seconds(frames, watch, share);
+        for (int i = 0; i < repeats && !monitor.isStopped(); ++i)
+            total += run.seconds(frames, monitor, share);
         return 1e9 * total / (static_cast<double>(frames) * repeats);
     }
 };
@@ -128,24 +129,24 @@ double noiseOf(const std::vector<Sampled> &all)
 class Timing
 {
 public:
-    Timing(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch)
-        : m_plan(plan), m_found(found), m_watch(watch)
+    Timing(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor)
+        : m_plan(plan), m_found(found), m_monitor(monitor)
     {
         for (AccuracyRow &row : found.rows) {
             if (row.outcome == Outcome::measured)
-                m_all.push_back({&row, TimedRun(scriptFor(script, row.way), found.horizon)});
+                m_all.push_back({&row, TimedRun(scriptFor(script, row.setup), found.horizon)});
         }
     }
 
     void measure()
     {
         double round = 0.0; // seconds
-        for (std::size_t i = 0; i < m_all.size() && m_watch.goesOn(0.1 * shareOf(i)); ++i)
+        for (std::size_t i = 0; i < m_all.size() && m_monitor.report(0.1 * shareOf(i)); ++i)
             round += size(m_all[i], 0.1 * shareOf(i));
         m_repeatsDear = m_dear * fewestMoreRuns <= m_plan.secondsOfTiming;
         round -= m_repeatsDear ? 0.0 : m_dear;
         const auto start = Clock::now();
-        for (int runs = 0; runs < mostRuns && !m_watch.isStopped(); ++runs) {
+        for (int runs = 0; runs < mostRuns && !m_monitor.isStopped(); ++runs) {
             const double spent = std::chrono::duration<double>(Clock::now() - start).count();
             const bool isOver = spent + round > m_plan.secondsOfTiming;
             const bool isFarOver = spent + round > 2.0 * m_plan.secondsOfTiming;
@@ -153,7 +154,7 @@ public:
                 break;
             oneRound(runs, std::max(spent / m_plan.secondsOfTiming, double(runs) / mostRuns));
         }
-        if (!m_watch.isStopped())
+        if (!m_monitor.isStopped())
             m_found.noise = noiseOf(m_all);
     }
 
@@ -166,27 +167,27 @@ private:
     {
         one.frames = one.run.frames();
         const double first = 1e-9 * one.row->firstRun * static_cast<double>(one.frames);
-        if (one.row->way.step.adaptive() && first > dearRun) {
+        if (one.row->setup.step.isAdaptive() && first > dearRun) {
             one.isDear = true;
             one.samples.push_back(one.row->firstRun);
             note(one);
             m_dear += first;
             return first;
         }
-        double whole = one.run.seconds(one.frames, m_watch, share);
+        double whole = one.run.seconds(one.frames, m_monitor, share);
         if (whole < shortestSample) // the first run found nothing in the caches
-            whole = std::max(1e-9, one.run.seconds(one.frames, m_watch, share));
+            whole = std::max(1e-9, one.run.seconds(one.frames, m_monitor, share));
         const double most = std::min(
             longestSample, m_plan.secondsOfTiming / (m_plan.leastRuns * static_cast<double>(m_all.size())));
         double expected = whole;
-        if (whole > most && !one.row->way.step.adaptive()) {
-            const int rowFrames = one.row->way.step.rowFrames;
+        if (whole > most && !one.row->setup.step.isAdaptive()) {
+            const int framesPerOutput = one.row->setup.step.framesPerOutput;
             const auto rows = static_cast<std::int64_t>(static_cast<double>(one.frames) * most / whole);
-            one.frames = std::max<std::int64_t>(1, rows / rowFrames) * rowFrames;
+            one.frames = std::max<std::int64_t>(1, rows / framesPerOutput) * framesPerOutput;
             expected = whole * static_cast<double>(one.frames) / static_cast<double>(one.run.frames());
         }
         one.repeats = static_cast<int>(std::ceil(std::max(1.0, shortestSample / expected)));
-        if (whole > longestSample && !m_watch.isStopped()) { // as good as any, and dear
+        if (whole > longestSample && !m_monitor.isStopped()) { // as good as any, and dear
             one.samples.push_back(1e9 * whole / static_cast<double>(one.run.frames()));
             note(one);
         }
@@ -204,8 +205,8 @@ private:
             Sampled &one = m_all[(step + static_cast<std::size_t>(round) * 7) % count];
             if (one.isDear && !m_repeatsDear)
                 continue;
-            const double ns = one.sample(m_watch, told);
-            if (m_watch.isStopped())
+            const double ns = one.sample(m_monitor, told);
+            if (m_monitor.isStopped())
                 return;
             one.samples.push_back(ns);
             note(one);
@@ -215,7 +216,7 @@ private:
 
     const StudyPlan &m_plan;
     Accuracy &m_found;
-    Watch &m_watch;
+    StudyMonitor &m_monitor;
     std::vector<Sampled> m_all;
     double m_dear = 0.0;        ///< s: one run of all that are dear
     bool m_repeatsDear = false; ///< whether there is time to run those more often
@@ -223,9 +224,9 @@ private:
 
 }
 
-void measureTimes(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch)
+void measureTimes(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor)
 {
-    Timing(script, plan, found, watch).measure();
+    Timing(script, plan, found, monitor).measure();
 }
 
 }

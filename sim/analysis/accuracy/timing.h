@@ -5,6 +5,6 @@
 namespace sim {
 
 /// Times all measured rows by interleaved runs, and notes the noise.
-void measureTimes(const Script &script, const StudyPlan &plan, Accuracy &found, Watch &watch);
+void measureTimes(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor);
 
 }

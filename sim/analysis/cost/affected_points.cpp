@@ -7,7 +7,7 @@ namespace sim {
 namespace {
 
 /// Halves what has something to do until it knows where: most effects find out about few points at once quickly.
-void mark(const Effect &effect, const State &state, Points among, std::vector<char> &movers)
+void mark(const Effect &effect, const State &state, PointRange among, std::vector<char> &movers)
 {
     if (among.count == 0 || effect.count(state, among) == 0)
         return;
@@ -20,11 +20,12 @@ void mark(const Effect &effect, const State &state, Points among, std::vector<ch
     mark(effect, state, {among.first + half, among.count - half}, movers);
 }
 
-void markPulled(const Force &force, const State &state, Directions directions, std::vector<char> &touched)
+void markPulled(const Force &force, const State &state, DirectionRule directionRule,
+                std::vector<char> &touched)
 {
-    Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.points(), 2);
-    force.add(state, {0, state.points()}, 1.0, directions, pulls);
-    for (int i = 0; i < state.points(); ++i) {
+    Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+    force.add(state, {0, state.pointCount()}, 1.0, directionRule, pulls);
+    for (int i = 0; i < state.pointCount(); ++i) {
         if (pulls(i, 0) != 0.0 || pulls(i, 1) != 0.0)
             touched[static_cast<std::size_t>(i)] = 1;
     }
@@ -32,11 +33,11 @@ void markPulled(const Force &force, const State &state, Directions directions, s
 
 void markTied(const Effect &effect, const State &state, std::vector<char> &touched)
 {
-    std::vector<Tie> ties;
-    effect.ties(ties);
+    std::vector<Coupling> ties;
+    effect.addCouplings(ties);
     for (const auto &[one, other] : ties) {
         for (const int end : {one, other}) {
-            if (state.feels(end))
+            if (state.isDynamic(end))
                 touched[static_cast<std::size_t>(end)] = 1;
         }
     }
@@ -44,20 +45,21 @@ void markTied(const Effect &effect, const State &state, std::vector<char> &touch
 
 }
 
-std::vector<char> moversOf(const Effect &effect, const State &state)
+std::vector<char> affectedPoints(const Effect &effect, const State &state)
 {
-    std::vector<char> movers(static_cast<std::size_t>(state.points()), 0);
-    mark(effect, state, {0, state.points()}, movers);
+    std::vector<char> movers(static_cast<std::size_t>(state.pointCount()), 0);
+    mark(effect, state, {0, state.pointCount()}, movers);
     return movers;
 }
 
-int pointsOf(const Effect &effect, const State &state, const std::vector<char> &movers, Directions directions)
+int pointsOf(const Effect &effect, const State &state, const std::vector<char> &movers,
+             DirectionRule directionRule)
 {
     std::vector<char> touched = movers;
     const auto *force = as<Force>(effect);
     if (force)
-        markPulled(*force, state, directions, touched);
-    if (force ? force->balances(state) : as<Constraint>(effect) != nullptr)
+        markPulled(*force, state, directionRule, touched);
+    if (force ? force->conservesMomentum(state) : as<Constraint>(effect) != nullptr)
         markTied(effect, state, touched);
     return static_cast<int>(std::count(touched.begin(), touched.end(), 1));
 }

@@ -4,12 +4,12 @@
 
 namespace sim {
 
-Tally::Tally(std::vector<char> movers)
+CallCounter::CallCounter(std::vector<char> movers)
     : m_movers(std::move(movers)), m_all(std::count(m_movers.begin(), m_movers.end(), 1))
 {
 }
 
-double Tally::shareOf(Points points)
+double CallCounter::shareOf(PointRange points)
 {
     const auto [known, isNew] = m_shares.try_emplace({points.first, points.count}, 1.0);
     if (isNew && m_all > 0) { // what works on no point of its own is computed as a whole

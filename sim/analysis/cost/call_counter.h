@@ -57,11 +57,11 @@ struct Calls
 };
 
 /// What a method asked of one effect.
-class Tally
+class CallCounter
 {
 public:
     /// `movers`: for each point whether the effect computes something when it is that point's turn.
-    explicit Tally(std::vector<char> movers);
+    explicit CallCounter(std::vector<char> movers);
 
     Calls acts;   ///< that did what the effect is for
     Calls slopes; ///< that asked for derivatives
@@ -72,7 +72,7 @@ public:
     Eigen::ArrayX2d pulls; ///< where repeated calls of forces add to
     Eigen::ArrayXd turns;  ///< the same of torques
     State state;           ///< what repeated calls of drivers drive
-    Slopes found{0};       ///< where repeated calls for derivatives put them
+    Jacobian found{0};     ///< where repeated calls for derivatives put them
 
     /// Nothing was asked so far. What is kept stays.
     void restart()
@@ -81,19 +81,19 @@ public:
         evaluations = 0.0;
     }
     /// Counts the turn of `points`.
-    void turn(Points points) { evaluations += shareOf(points); }
+    void turn(PointRange points) { evaluations += shareOf(points); }
     /// Makes room for repeated calls on what looks like `like`, as soon as there may be any.
     void makeRoom(const State &like)
     {
-        if ((acts.every == 0 && repeats == 0) || state.points() == like.points())
+        if ((acts.every == 0 && repeats == 0) || state.pointCount() == like.pointCount())
             return;
         state = like;
-        pulls.setZero(like.points(), 2);
-        turns.setZero(like.points());
+        pulls.setZero(like.pointCount(), 2);
+        turns.setZero(like.pointCount());
     }
 
 private:
-    double shareOf(Points points);
+    double shareOf(PointRange points);
 
     std::vector<char> m_movers;
     std::ptrdiff_t m_all; ///< movers

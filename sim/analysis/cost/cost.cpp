@@ -20,21 +20,21 @@ constexpr int mostReplays = 2000;
 /// One effect under measurement.
 struct Watched
 {
-    Watched(const EffectPtr &which, const State &state, Directions directions)
-        : Watched(which, state, moversOf(*which, state), directions)
+    Watched(const EffectPtr &which, const State &state, DirectionRule directionRule)
+        : Watched(which, state, affectedPoints(*which, state), directionRule)
     {
     }
     Watched(const EffectPtr &which, const State &state, const std::vector<char> &movers,
-            Directions directions)
-        : effect(which), tally(std::make_unique<Tally>(movers)),
-          points(pointsOf(*which, state, movers, directions))
+            DirectionRule directionRule)
+        : effect(which), counter(std::make_unique<CallCounter>(movers)),
+          points(pointsOf(*which, state, movers, directionRule))
     {
     }
 
-    bool isAsked() const { return tally->acts.count + tally->slopes.count > 0; }
+    bool isAsked() const { return counter->acts.count + counter->slopes.count > 0; }
 
     EffectPtr effect;
-    std::unique_ptr<Tally> tally;
+    std::unique_ptr<CallCounter> counter;
     int points = 0;
     bool isWithin = false; ///< whether phases of the method's own compute it
     double evaluations = 0.0;
@@ -43,8 +43,8 @@ struct Watched
 
 bool computes(const Phase &phase, const EffectPtr &effect)
 {
-    return phase.effect == effect ||
-           std::find(phase.within.begin(), phase.within.end(), effect) != phase.within.end();
+    return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
+                                               effect) != phase.innerEffects.end();
 }
 
 std::ptrdiff_t firstPhaseOf(const Pipeline &pipeline, const EffectPtr &effect)
@@ -59,18 +59,18 @@ std::ptrdiff_t firstPhaseOf(const Pipeline &pipeline, const EffectPtr &effect)
 class CostMeter::Work
 {
 public:
-    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clocks clocks)
-        : m_plain(compose(scene, *method, step)), m_frames(step.rowFrames),
-          m_stateBytes(std::max<std::size_t>(1, memoryOf(from)))
+    Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, TimerKind clocks)
+        : m_plain(compose(scene, *method, step)), m_frames(step.framesPerOutput),
+          m_stateBytes(std::max<std::size_t>(1, byteSize(from)))
     {
         for (const EffectPtr &effect : scene.effects) {
-            if (!effect->idle())
-                m_watched.emplace_back(effect, from, method->directions());
+            if (!effect->isIdle())
+                m_watched.emplace_back(effect, from, method->directionRule());
         }
         Scene probed = scene;
         probed.effects.clear();
         for (Watched &one : m_watched)
-            probed.effects.push_back(probeOf(one.effect, *one.tally));
+            probed.effects.push_back(instrumented(one.effect, *one.counter));
         m_probed = compose(probed, *method, step);
         std::stable_sort(m_watched.begin(), m_watched.end(), [this](const Watched &a, const Watched &b) {
             return firstPhaseOf(m_plain, a.effect) < firstPhaseOf(m_plain, b.effect);
@@ -79,19 +79,19 @@ public:
             one.isWithin = std::any_of(m_plain.phases.begin(), m_plain.phases.end(), [&](const Phase &phase) {
                 return !phase.effect && computes(phase, one.effect);
             });
-        m_stretch.emplace(std::move(from), std::move(clocks));
+        m_batch.emplace(std::move(from), std::move(clocks));
     }
 
-    bool round(const GoesOn &goesOn)
+    bool round(const ShouldContinue &shouldContinue)
     {
-        if (!m_isReady && !prepare(goesOn))
+        if (!m_isReady && !prepare(shouldContinue))
             return false;
-        const auto frame = m_stretch->timeFrames(m_plain, goesOn);
-        const auto plain = frame ? m_stretch->timePhases(m_plain, goesOn) : std::nullopt;
+        const auto frame = m_batch->timeFrames(m_plain, shouldContinue);
+        const auto plain = frame ? m_batch->timePhases(m_plain, shouldContinue) : std::nullopt;
         if (!plain)
             return false;
         Round found{*frame, 0.0, std::vector<double>(m_watched.size(), 0.0)};
-        if (!addPhases(*plain, found, goesOn) || !addWithin(found, goesOn))
+        if (!addPhases(*plain, found, shouldContinue) || !addWithin(found, shouldContinue))
             return false;
         const double scale = 1e9 / m_frames;
         m_frame.add(scale * found.frame);
@@ -124,44 +124,44 @@ private:
 
     /// Counts what each effect is asked in the frames that are measured, and keeps calls of those that have no phase of
     /// their own.
-    bool prepare(const GoesOn &goesOn)
+    bool prepare(const ShouldContinue &shouldContinue)
     {
-        if (!m_stretch->choose(m_plain, goesOn) || !m_stretch->timeFrames(m_probed, goesOn))
+        if (!m_batch->choose(m_plain, shouldContinue) || !m_batch->timeFrames(m_probed, shouldContinue))
             return false;
-        const double frames = double(m_stretch->rowsRun()) * m_frames;
+        const double frames = double(m_batch->rowsRun()) * m_frames;
         bool anyWithin = false;
         const auto most =
             std::clamp<std::int64_t>(static_cast<std::int64_t>(keptBytes / m_stateBytes), 1, mostKept);
         for (Watched &one : m_watched) {
-            one.evaluations = one.tally->evaluations / frames;
+            one.evaluations = one.counter->evaluations / frames;
             one.isWithin = one.isWithin && one.isAsked();
             anyWithin = anyWithin || one.isWithin;
-            for (Calls *calls : {&one.tally->acts, &one.tally->slopes})
+            for (Calls *calls : {&one.counter->acts, &one.counter->slopes})
                 calls->every = one.isWithin ? (calls->count + most - 1) / most : 0;
         }
-        if (anyWithin && !keepCalls(goesOn))
+        if (anyWithin && !keepCalls(shouldContinue))
             return false;
         m_isReady = true;
         return true;
     }
 
-    bool keepCalls(const GoesOn &goesOn)
+    bool keepCalls(const ShouldContinue &shouldContinue)
     {
         for (Watched &one : m_watched)
-            one.tally->restart();
-        const bool isDone = m_stretch->timeFrames(m_probed, goesOn).has_value();
+            one.counter->restart();
+        const bool isDone = m_batch->timeFrames(m_probed, shouldContinue).has_value();
         for (Watched &one : m_watched) {
-            for (Calls *calls : {&one.tally->acts, &one.tally->slopes})
+            for (Calls *calls : {&one.counter->acts, &one.counter->slopes})
                 calls->every = 0;
         }
         m_perRow.clear();
         for (const Watched &one : m_watched)
-            m_perRow.push_back({one.tally->acts.count, one.tally->slopes.count});
+            m_perRow.push_back({one.counter->acts.count, one.counter->slopes.count});
         return isDone;
     }
 
     /// Effects and the rest as far as they have phases of their own, and of the others the rest.
-    bool addPhases(const PhaseTimes &plain, Round &found, const GoesOn &goesOn)
+    bool addPhases(const PhaseTimes &plain, Round &found, const ShouldContinue &shouldContinue)
     {
         bool anyWithin = false;
         for (std::size_t i = 0; i < m_plain.phases.size(); ++i) {
@@ -175,9 +175,9 @@ private:
         }
         if (!anyWithin)
             return true;
-        const auto once = m_stretch->timePhases(m_probed, goesOn);
+        const auto once = m_batch->timePhases(m_probed, shouldContinue);
         setRepeats(1);
-        const auto twice = once ? m_stretch->timePhases(m_probed, goesOn) : std::nullopt;
+        const auto twice = once ? m_batch->timePhases(m_probed, shouldContinue) : std::nullopt;
         setRepeats(0);
         for (std::size_t i = 0; twice && i < m_plain.phases.size(); ++i) {
             if (computesWithin(m_plain.phases[i]))
@@ -187,17 +187,17 @@ private:
     }
 
     /// Effects that have no phases of their own, by calling them again.
-    bool addWithin(Round &found, const GoesOn &goesOn)
+    bool addWithin(Round &found, const ShouldContinue &shouldContinue)
     {
         for (std::size_t i = 0; i < m_watched.size(); ++i) {
             Watched &one = m_watched[i];
             if (!one.isWithin)
                 continue;
-            if (goesOn && !goesOn())
+            if (shouldContinue && !shouldContinue())
                 return false;
-            found.effects[i] += (secondsOf(one.tally->acts) * double(m_perRow[i].acts) +
-                                 secondsOf(one.tally->slopes) * double(m_perRow[i].slopes)) /
-                                m_stretch->rowsRun();
+            found.effects[i] += (secondsOf(one.counter->acts) * double(m_perRow[i].acts) +
+                                 secondsOf(one.counter->slopes) * double(m_perRow[i].slopes)) /
+                                m_batch->rowsRun();
         }
         return true;
     }
@@ -208,9 +208,9 @@ private:
         double sum = 0.0;
         for (const auto &call : calls.kept) {
             const auto timed = [&](int times) {
-                const double before = m_stretch->now();
+                const double before = m_batch->now();
                 call->run(times);
-                return std::max(0.0, m_stretch->now() - before - m_stretch->reading()) / times;
+                return std::max(0.0, m_batch->now() - before - m_batch->reading()) / times;
             };
             const double first = timed(4);
             const double wanted = replaySeconds / std::max(first, 1e-9);
@@ -222,7 +222,7 @@ private:
     void setRepeats(int repeats)
     {
         for (Watched &one : m_watched)
-            one.tally->repeats = one.isWithin ? repeats : 0;
+            one.counter->repeats = one.isWithin ? repeats : 0;
     }
 
     std::optional<std::size_t> indexOf(const EffectPtr &effect) const
@@ -236,10 +236,11 @@ private:
 
     bool computesWithin(const Phase &phase) const
     {
-        return std::any_of(phase.within.begin(), phase.within.end(), [this](const EffectPtr &effect) {
-            const auto which = indexOf(effect);
-            return which && m_watched[*which].isWithin;
-        });
+        return std::any_of(phase.innerEffects.begin(), phase.innerEffects.end(),
+                           [this](const EffectPtr &effect) {
+                               const auto which = indexOf(effect);
+                               return which && m_watched[*which].isWithin;
+                           });
     }
 
     struct CallCounts
@@ -251,7 +252,7 @@ private:
     Pipeline m_plain;
     Pipeline m_probed; ///< the same, with effects that tell what they are asked
     std::vector<Watched> m_watched;
-    std::optional<Stretch> m_stretch;
+    std::optional<TimingBatch> m_batch;
     std::vector<CallCounts> m_perRow;
     int m_frames; ///< a row
     std::size_t m_stateBytes;
@@ -270,12 +271,12 @@ double FrameCost::sum() const
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from)
     : m_work(std::make_unique<Work>(scene, method, step, std::move(from),
-                                    Clocks{passedSeconds, computedSeconds}))
+                                    TimerKind{wallSeconds, threadCpuSeconds}))
 {
 }
 
 CostMeter::CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clock clock)
-    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), Clocks{clock, clock}))
+    : m_work(std::make_unique<Work>(scene, method, step, std::move(from), TimerKind{clock, clock}))
 {
 }
 
@@ -283,9 +284,9 @@ CostMeter::~CostMeter() = default;
 CostMeter::CostMeter(CostMeter &&) noexcept = default;
 CostMeter &CostMeter::operator=(CostMeter &&) noexcept = default;
 
-bool CostMeter::round(const GoesOn &goesOn)
+bool CostMeter::round(const ShouldContinue &shouldContinue)
 {
-    return m_work->round(goesOn);
+    return m_work->round(shouldContinue);
 }
 
 FrameCost CostMeter::result() const

@@ -58,7 +58,7 @@ public:
     /// One round: about two milliseconds, or some frames where those take longer. The first also finds out how many
     /// make a good sample. Asks `goesOn` on the way; when that says no it leaves off, returns false and forgets
     /// the round.
-    bool round(const GoesOn &goesOn = {});
+    bool round(const ShouldContinue &shouldContinue = {});
     /// What the rounds so far came to; points only, before the first.
     FrameCost result() const;
     /// What is measured. What it leaves out costs nothing.

@@ -18,17 +18,17 @@ constexpr double mostReading = 0.05; ///< of what is between two readings, for t
 
 void beginRow(State &state, const Pipeline &pipeline)
 {
-    state.frame += pipeline.step.rowFrames;
-    state.outside.gust.reset(); // for one row only
-    state.outside.newTargets.clear();
+    state.frame += pipeline.step.framesPerOutput;
+    state.input.gust.reset(); // for one row only
+    state.input.newTargets.clear();
 }
 
 /// All phases of a row that has begun. Returns false when `goesOn` said no.
-bool runPhases(State &state, const Pipeline &pipeline, const GoesOn &goesOn)
+bool runPhases(State &state, const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
-    for (int step = 0; step < pipeline.step.perRow; ++step) {
+    for (int step = 0; step < pipeline.step.stepsPerOutput; ++step) {
         for (const Phase &phase : pipeline.phases) {
-            if (goesOn && !goesOn())
+            if (shouldContinue && !shouldContinue())
                 return false;
             phase.run(state);
         }
@@ -36,10 +36,10 @@ bool runPhases(State &state, const Pipeline &pipeline, const GoesOn &goesOn)
     return true;
 }
 
-bool runRow(State &state, const Pipeline &pipeline, const GoesOn &goesOn)
+bool runRow(State &state, const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
     beginRow(state, pipeline);
-    return runPhases(state, pipeline, goesOn);
+    return runPhases(state, pipeline, shouldContinue);
 }
 
 double readingOf(const Clock &clock)
@@ -55,60 +55,61 @@ double readingOf(const Clock &clock)
 
 }
 
-Stretch::Stretch(State from, Clocks clocks) : m_clocks(std::move(clocks)), m_starts{std::move(from)}
+TimingBatch::TimingBatch(State from, TimerKind clocks)
+    : m_clocks(std::move(clocks)), m_starts{std::move(from)}
 {
-    read(m_clocks.quick);
+    read(m_clocks.wall);
 }
 
-void Stretch::read(const Clock &clock)
+void TimingBatch::read(const Clock &clock)
 {
     m_clock = clock;
     m_reading = readingOf(clock);
 }
 
-bool Stretch::choose(const Pipeline &pipeline, const GoesOn &goesOn)
+bool TimingBatch::choose(const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
     State state = m_starts.front();
-    if (!runRow(state, pipeline, goesOn)) // the first one finds nothing in the caches
+    if (!runRow(state, pipeline, shouldContinue)) // the first one finds nothing in the caches
         return false;
     const double before = m_clock();
-    if (!runRow(state, pipeline, goesOn))
+    if (!runRow(state, pipeline, shouldContinue))
         return false;
     const double seconds = std::max(m_clock() - before, 1e-9);
     const double rows = std::clamp(sampleSeconds / seconds, 1.0, double(mostLanes) * mostRows);
-    const std::size_t fit = cacheBytes / memoryOf(state);
+    const std::size_t fit = cacheBytes / byteSize(state);
     const auto lanes =
         std::clamp<std::size_t>(fit, 1, static_cast<std::size_t>(std::min<double>(rows, mostLanes)));
     m_rows = std::clamp(static_cast<int>(rows / static_cast<double>(lanes)), 1, mostRows);
     while (m_starts.size() < lanes) {
         state = m_starts.back();
-        if (!runRow(state, pipeline, goesOn))
+        if (!runRow(state, pipeline, shouldContinue))
             return false;
-        if (firstNotFinite(state) >= 0)
+        if (firstNonFinitePoint(state) >= 0)
             break;
         m_starts.push_back(state);
     }
     state = m_starts.back();
     for (int row = 0; row < m_rows;
          ++row) { // what is measured is what a learner sees: it ends where a run does
-        if (!runRow(state, pipeline, goesOn))
+        if (!runRow(state, pipeline, shouldContinue))
             return false;
-        if (firstNotFinite(state) >= 0)
+        if (firstNonFinitePoint(state) >= 0)
             m_rows = std::max(1, row);
     }
-    const std::optional<double> found = timeFrames(pipeline, goesOn);
+    const std::optional<double> found = timeFrames(pipeline, shouldContinue);
     if (!found)
         return false;
-    const double step = *found / pipeline.step.perRow;
+    const double step = *found / pipeline.step.stepsPerOutput;
     m_isShort = step < shortStep;
     const double between = step * static_cast<double>(m_starts.size()) / pipeline.phasesPerStep();
-    if (readingOf(m_clocks.patient) < mostReading * between)
-        read(m_clocks.patient);
+    if (readingOf(m_clocks.threadCpu) < mostReading * between)
+        read(m_clocks.threadCpu);
     return true;
 }
 
 template <class Work>
-double Stretch::timed(Work &&work)
+double TimingBatch::timed(Work &&work)
 {
     const double before = m_clock();
     for (State &state : m_lanes)
@@ -116,12 +117,12 @@ double Stretch::timed(Work &&work)
     return (m_clock() - before - m_reading) / rowsRun();
 }
 
-std::optional<double> Stretch::timeFrames(const Pipeline &pipeline, const GoesOn &goesOn)
+std::optional<double> TimingBatch::timeFrames(const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
     restore();
     double total = 0.0;
     for (int row = 0; row < m_rows; ++row) {
-        if (goesOn && !goesOn())
+        if (shouldContinue && !shouldContinue())
             return {};
         for (State &state : m_lanes)
             beginRow(state, pipeline);
@@ -130,14 +131,15 @@ std::optional<double> Stretch::timeFrames(const Pipeline &pipeline, const GoesOn
     return total;
 }
 
-std::optional<PhaseTimes> Stretch::timePhases(const Pipeline &pipeline, const GoesOn &goesOn)
+std::optional<PhaseTimes> TimingBatch::timePhases(const Pipeline &pipeline,
+                                                  const ShouldContinue &shouldContinue)
 {
-    std::optional<PhaseTimes> times = timeApart(pipeline, goesOn);
+    std::optional<PhaseTimes> times = timeApart(pipeline, shouldContinue);
     if (!m_isShort || !times)
         return times;
     double before = 0.0;
     for (std::size_t i = 0; i < pipeline.phases.size(); ++i) {
-        const std::optional<double> upTo = timeUpTo(i, pipeline, goesOn);
+        const std::optional<double> upTo = timeUpTo(i, pipeline, shouldContinue);
         if (!upTo)
             return {};
         times->run[i] = *upTo - before;
@@ -146,7 +148,8 @@ std::optional<PhaseTimes> Stretch::timePhases(const Pipeline &pipeline, const Go
     return times;
 }
 
-std::optional<PhaseTimes> Stretch::timeApart(const Pipeline &pipeline, const GoesOn &goesOn)
+std::optional<PhaseTimes> TimingBatch::timeApart(const Pipeline &pipeline,
+                                                 const ShouldContinue &shouldContinue)
 {
     restore();
     const std::size_t phases = pipeline.phases.size();
@@ -154,9 +157,9 @@ std::optional<PhaseTimes> Stretch::timeApart(const Pipeline &pipeline, const Goe
     for (int row = 0; row < m_rows; ++row) {
         for (State &state : m_lanes)
             beginRow(state, pipeline);
-        for (int step = 0; step < pipeline.step.perRow; ++step) {
+        for (int step = 0; step < pipeline.step.stepsPerOutput; ++step) {
             for (std::size_t i = 0; i < phases; ++i) {
-                if (goesOn && !goesOn())
+                if (shouldContinue && !shouldContinue())
                     return {};
                 const Phase &phase = pipeline.phases[i];
                 if (phase.kernels.size() > 1)
@@ -168,17 +171,18 @@ std::optional<PhaseTimes> Stretch::timeApart(const Pipeline &pipeline, const Goe
     return times;
 }
 
-std::optional<double> Stretch::timeUpTo(std::size_t last, const Pipeline &pipeline, const GoesOn &goesOn)
+std::optional<double> TimingBatch::timeUpTo(std::size_t last, const Pipeline &pipeline,
+                                            const ShouldContinue &shouldContinue)
 {
     restore();
     const auto middle = pipeline.phases.begin() + static_cast<std::ptrdiff_t>(last) + 1;
     double total = 0.0;
     for (int row = 0; row < m_rows; ++row) {
-        if (goesOn && !goesOn())
+        if (shouldContinue && !shouldContinue())
             return {};
         for (State &state : m_lanes)
             beginRow(state, pipeline);
-        for (int step = 0; step < pipeline.step.perRow; ++step) {
+        for (int step = 0; step < pipeline.step.stepsPerOutput; ++step) {
             total += timed([&](State &state) {
                 for (auto phase = pipeline.phases.begin(); phase != middle; ++phase)
                     phase->run(state);

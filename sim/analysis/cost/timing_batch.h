@@ -12,10 +12,10 @@ using Clock = std::function<double()>;
 
 /// Two clocks: one that is read quickly, for what is short; and one for what is so long that other programs come in
 /// between, which counts none of their time and may take longer to read.
-struct Clocks
+struct TimerKind
 {
-    Clock quick;
-    Clock patient;
+    Clock wall;
+    Clock threadCpu;
 };
 
 /// What each phase of a pipeline took, in seconds a lane and row.
@@ -29,20 +29,20 @@ struct PhaseTimes
 /// number of rows. Side by side, so that one reading of the clock times many calls of a phase, each on a state of its
 /// own that the phase really meets: no call is repeated on what the one before has left. Few enough to stay in the
 /// fastest cache where a single run would.
-class Stretch
+class TimingBatch
 {
 public:
     /// The rows after `from`. Nothing is computed before choose() is.
-    Stretch(State from, Clocks clocks);
+    TimingBatch(State from, TimerKind clocks);
 
     /// Chooses how many lanes and rows make a good sample. Returns false when `goesOn` said no.
-    bool choose(const Pipeline &pipeline, const GoesOn &goesOn);
+    bool choose(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
     /// Runs whole frames. Seconds a lane and row; empty when `goesOn` said no.
-    std::optional<double> timeFrames(const Pipeline &pipeline, const GoesOn &goesOn);
+    std::optional<double> timeFrames(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
     /// Runs all lanes through one phase, then through the next. Where a frame is so short that the processor is busy with
     /// most of it at once, a phase looks cheaper so than it is: there what `run` took is what the phase adds to the
     /// frame up to it.
-    std::optional<PhaseTimes> timePhases(const Pipeline &pipeline, const GoesOn &goesOn);
+    std::optional<PhaseTimes> timePhases(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
 
     /// How many rows are run in a sample, in all lanes together.
     int rowsRun() const { return m_rows * static_cast<int>(m_starts.size()); }
@@ -57,11 +57,12 @@ private:
     /// Seconds that `work` takes on all lanes.
     template <class Work>
     double timed(Work &&work);
-    std::optional<PhaseTimes> timeApart(const Pipeline &pipeline, const GoesOn &goesOn);
+    std::optional<PhaseTimes> timeApart(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
     /// The frame up to the phase numbered `last`, seconds a lane and row.
-    std::optional<double> timeUpTo(std::size_t last, const Pipeline &pipeline, const GoesOn &goesOn);
+    std::optional<double> timeUpTo(std::size_t last, const Pipeline &pipeline,
+                                   const ShouldContinue &shouldContinue);
 
-    Clocks m_clocks;
+    TimerKind m_clocks;
     Clock m_clock; ///< the one in use
     double m_reading = 0.0;
     bool m_isShort = false;

@@ -50,8 +50,8 @@ private:
 /// 0, took), and what there is. Before plus all accounts is after, as drift is what remains.
 struct Balance
 {
-    Stock before;
-    Stock after;
+    StoredEnergy before;
+    StoredEnergy after;
     Accounts<double> energy;
     Accounts<Vec2> momentum;
     /// By how much the energy of all accounts but the drift, and so of that, may be off. 0 where each is exact.

@@ -6,13 +6,13 @@
 namespace sim {
 
 /// Keeps the books of one segment of a run: what each phase of a row does to energy and momentum.
-class Books
+class EnergyAccounting
 {
 public:
     /// The segment's scene must have energy: see Meter::whyNot(). `segment` must outlive this.
-    Books(const Segment &segment, Directions directions);
+    EnergyAccounting(const ComposedInterval &interval, DirectionRule directionRule);
 
-    const Meter &meter() const { return m_meter; }
+    const StoredEnergyReader &meter() const { return m_reader; }
     /// Runs the phases of a row on `state`, which has taken the row's input already, and books what they do.
     void row(State &state, Balance &into) const;
 
@@ -56,10 +56,10 @@ private:
     void clock(const Tick &tick, const State &start, const State &end, Balance &into) const;
     void change(Account account, const State &before, const State &after, Balance &into) const;
 
-    const Segment &m_segment;
-    Directions m_directions;
-    Meter m_meter;
-    Integrals m_integrals;
+    const ComposedInterval &m_interval;
+    DirectionRule m_directionRule;
+    StoredEnergyReader m_reader;
+    PowerIntegrals m_integrals;
 };
 
 }

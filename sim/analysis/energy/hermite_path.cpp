@@ -21,9 +21,10 @@ void HermitePath::at(double time, Eigen::ArrayXd &place, Eigen::ArrayXd &speed) 
     place.resize(rows);
     speed.resize(rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
-        const Newton at = Newton::at<7>(m_columns.data() + i, static_cast<int>(rows), time / m_h);
+        const NewtonPolynomial at =
+            NewtonPolynomial::at<7>(m_columns.data() + i, static_cast<int>(rows), time / m_h);
         place[i] = at.value;
-        speed[i] = at.slope / m_h;
+        speed[i] = at.derivative / m_h;
     }
 }
 
@@ -31,7 +32,7 @@ void HermitePath::bend(const Eigen::ArrayXd &slope)
 {
     const auto rows = static_cast<int>(m_columns.rows());
     for (int i = 0; i < rows; ++i)
-        m_columns(i, 6) = Newton::seventh(m_columns.data() + i, rows, m_h * m_h * slope[i]);
+        m_columns(i, 6) = NewtonPolynomial::seventh(m_columns.data() + i, rows, m_h * m_h * slope[i]);
 }
 
 const std::array<GaussNode, 5> &gaussNodes()

@@ -5,7 +5,7 @@
 
 namespace sim {
 
-class Books;
+class EnergyAccounting;
 
 /// Where energy and momentum go in a run, row after row, by what its phases do:
 /// - what a drag, a contact, a constraint, a driver or the hand changes is its own, exactly;
@@ -27,12 +27,12 @@ public:
     std::optional<Balance> row(const Track &track, std::int64_t frame);
 
 private:
-    std::shared_ptr<const Books> booksOf(const std::shared_ptr<const Segment> &segment,
-                                         Directions directions);
+    std::shared_ptr<const EnergyAccounting>
+    accountingOf(const std::shared_ptr<const ComposedInterval> &interval, DirectionRule directionRule);
     struct Kept
     {
-        std::shared_ptr<const Segment> segment;
-        std::shared_ptr<const Books> books; ///< null where the scene has no energy
+        std::shared_ptr<const ComposedInterval> interval;
+        std::shared_ptr<const EnergyAccounting> accounting; ///< null where the scene has no energy
     };
     std::vector<Kept> m_kept; ///< those last asked for
 };

@@ -8,13 +8,13 @@ namespace sim {
 
 /// Energy and momentum of the phases that are whole steps by themselves, in which forces and damping act all along: the
 /// physical accounts are integrals along the way that the step took.
-class Integrals
+class PowerIntegrals
 {
 public:
     /// `meter` must outlive this.
-    Integrals(const Scene &scene, const Meter &meter, Directions directions);
-    Integrals(const Integrals &) = delete; // parts of it refer to each other
-    Integrals &operator=(const Integrals &) = delete;
+    PowerIntegrals(const Scene &scene, const StoredEnergyReader &reader, DirectionRule directionRule);
+    PowerIntegrals(const PowerIntegrals &) = delete; // parts of it refer to each other
+    PowerIntegrals &operator=(const PowerIntegrals &) = delete;
 
     /// A step of `h` frames from `before` to `after`, which tells its two ends only: along the polynomial of degree 5
     /// through them. How far that may be off the way is measured by the acceleration in its middle, against the one
@@ -27,22 +27,22 @@ public:
         explicit Begun(const State &state);
 
     private:
-        friend class Integrals;
+        friend class PowerIntegrals;
         State m_first;
         State m_now;
     };
     /// A lap of such a phase.
-    void lap(Begun &begun, const Lap &lap, Balance &into) const;
+    void addSegment(Begun &begun, const DenseSegment &segment, Balance &into) const;
 
 private:
     /// An island: its numbers are those of a Flow.
     struct Island
     {
-        const Flow &flow;
+        const OdeSystem &system;
         Eigen::ArrayXd rowMass; ///< of each number
         Eigen::ArrayXd rates;   ///< of damping, likewise: 1/frame
     };
-    static Island islandOf(const Flow &flow, const Meter &meter);
+    static Island islandOf(const OdeSystem &system, const StoredEnergyReader &reader);
 
     struct Sums
     {
@@ -59,7 +59,7 @@ private:
 
     /// The state at another time of a phase, with the points of an island at other places. It holds until the next call.
     State &at(Begun &begun, const Island &island, double time, const Eigen::ArrayXd &place) const;
-    Sums along(Begun &begun, const Island &island, double start, double end, const Way &way) const;
+    Sums along(Begun &begun, const Island &island, double start, double end, const Way &setup) const;
     void addPowers(State &state, const Island &island, const Moment &now, Sums &sums) const;
     void addForce(const Force &force, State &state, const Island &island, const Moment &now,
                   Sums &sums) const;
@@ -75,9 +75,9 @@ private:
     Vec2 pushOf(const Island &island, const Eigen::ArrayXd &rate) const;
     void book(const Sums &sums, Balance &into) const;
 
-    const Meter &m_meter;
-    Flow m_flow;
-    Directions m_directions;
+    const StoredEnergyReader &m_reader;
+    OdeSystem m_system;
+    DirectionRule m_directionRule;
     std::vector<EffectPtr> m_effects; ///< with which the flow goes
     Island m_all;                     ///< the whole scene
     bool m_ticks = false;             ///< whether clocks run
@@ -86,11 +86,11 @@ private:
 
 /// The account of what a force does: of its energy, if it has nothing stored, and of its momentum, if it does not
 /// balance.
-Account accountOf(const Effect &effect, const Meter &meter);
+Account accountOf(const Effect &effect, const StoredEnergyReader &reader);
 
 /// What the hand pushes with (mass px/frame^2) so that what it holds stays, against what a force that balances gives it
 /// when it is the turn of `movers`.
-Vec2 heldPush(const Force &force, const State &state, Points movers, const Meter &meter,
-              Directions directions);
+Vec2 heldPush(const Force &force, const State &state, PointRange movers, const StoredEnergyReader &reader,
+              DirectionRule directionRule);
 
 }

@@ -10,8 +10,8 @@ namespace {
 Eigen::ArrayXd inverseMassOf(const Scene &scene)
 {
     Eigen::ArrayXd inverse = scene.start.inverseMass;
-    for (int i = 0; i < scene.start.points(); ++i) {
-        if (!scene.hasInertia(i))
+    for (int i = 0; i < scene.start.pointCount(); ++i) {
+        if (!scene.movesByVelocity(i))
             inverse[i] = 0.0;
     }
     return inverse;
@@ -36,10 +36,10 @@ Eigen::ArrayXd inertiaOf(const Scene &scene)
 
 }
 
-std::optional<NoEnergy> Meter::whyNot(const Scene &scene)
+std::optional<NoEnergy> StoredEnergyReader::whyNot(const Scene &scene)
 {
     for (const Group &group : scene.groups) {
-        if (group.inertia == Inertia::none)
+        if (group.motion == Motion::prescribed)
             return NoEnergy::noInertia;
     }
     if ((inverseMassOf(scene) == 0.0).all())
@@ -49,81 +49,82 @@ std::optional<NoEnergy> Meter::whyNot(const Scene &scene)
     return {};
 }
 
-Meter::Meter(const Scene &scene) : m_turns(isTurning(scene)), m_inverseMass(inverseMassOf(scene))
+StoredEnergyReader::StoredEnergyReader(const Scene &scene)
+    : m_turns(isTurning(scene)), m_inverseMass(inverseMassOf(scene))
 {
     m_mass = m_turns ? inertiaOf(scene) : (m_inverseMass != 0.0).select(1.0 / m_inverseMass, 0.0);
     const State start = freed(scene.start);
     for (const EffectPtr &effect : scene.effects) {
         const auto *force = as<Force>(effect);
         const auto *torque = as<Torque>(effect);
-        if (force && !m_turns && force->energy(start))
-            m_stores.push_back({effect, force, nullptr, force->balances(start)});
-        else if (torque && m_turns && torque->energy(start))
+        if (force && !m_turns && force->potentialEnergy(start))
+            m_stores.push_back({effect, force, nullptr, force->conservesMomentum(start)});
+        else if (torque && m_turns && torque->potentialEnergy(start))
             m_stores.push_back({effect, nullptr, torque, false});
     }
 }
 
-double Meter::Store::energy(const State &state) const
+double StoredEnergyReader::Store::energy(const State &state) const
 {
-    return (force ? force->energy(state) : torque->energy(state)).value_or(0.0);
+    return (force ? force->potentialEnergy(state) : torque->potentialEnergy(state)).value_or(0.0);
 }
 
-State Meter::freed(State state) const
+State StoredEnergyReader::freed(State state) const
 {
     state.inverseMass = m_inverseMass;
     return state;
 }
 
-double Meter::moving(const State &state) const
+double StoredEnergyReader::moving(const State &state) const
 {
     if (m_turns)
         return 0.5 * (m_mass * state.spin.square()).sum();
     return 0.5 * (m_mass * (state.velocity.col(0).square() + state.velocity.col(1).square())).sum();
 }
 
-double Meter::moving(const State &state, int point) const
+double StoredEnergyReader::moving(const State &state, int point) const
 {
-    const Vec2 v = m_turns ? Vec2{state.spin[point], 0.0} : state.speed(point);
+    const Vec2 v = m_turns ? Vec2{state.spin[point], 0.0} : state.velocityOf(point);
     return 0.5 * m_mass[point] * dot(v, v);
 }
 
-Vec2 Meter::momentum(const State &state) const
+Vec2 StoredEnergyReader::momentum(const State &state) const
 {
     if (m_turns)
         return {};
     return {(m_mass * state.velocity.col(0)).sum(), (m_mass * state.velocity.col(1)).sum()};
 }
 
-double Meter::stored(const State &state) const
+double StoredEnergyReader::stored(const State &state) const
 {
-    const Stock stock = read(state);
-    return stock.springs + stock.gravity;
+    const StoredEnergy stored = read(state);
+    return stored.springs + stored.gravity;
 }
 
-Stock Meter::read(const State &state) const
+StoredEnergy StoredEnergyReader::read(const State &state) const
 {
-    Stock stock;
-    stock.moving = moving(state);
-    stock.momentum = momentum(state);
+    StoredEnergy stored;
+    stored.moving = moving(state);
+    stored.momentum = momentum(state);
     const State free = freed(state);
     for (const Store &store : m_stores)
-        (store.effect->kind() == Kind::gravity ? stock.gravity : stock.springs) += store.energy(free);
-    return stock;
+        (store.effect->kind() == EffectKind::gravity ? stored.gravity : stored.springs) += store.energy(free);
+    return stored;
 }
 
-const Meter::Store *Meter::find(const Effect &effect) const
+const StoredEnergyReader::Store *StoredEnergyReader::find(const Effect &effect) const
 {
     const auto found = std::find_if(m_stores.begin(), m_stores.end(),
                                     [&](const Store &store) { return store.effect.get() == &effect; });
     return found == m_stores.end() ? nullptr : &*found;
 }
 
-bool Meter::isStored(const Effect &effect) const
+bool StoredEnergyReader::isStored(const Effect &effect) const
 {
     return find(effect) != nullptr;
 }
 
-bool Meter::balances(const Effect &effect) const
+bool StoredEnergyReader::conservesMomentum(const Effect &effect) const
 {
     const Store *store = find(effect);
     return store && store->balances;

@@ -10,7 +10,7 @@ namespace sim {
 
 /// What a state holds. Energies in mass * px^2/frame^2 (where things turn: inertia * degrees^2/frame^2), momentum in
 /// mass * px/frame.
-struct Stock
+struct StoredEnergy
 {
     double moving = 0.0;  ///< kinetic: m v^2 / 2 of every point
     double springs = 0.0; ///< in what pulls back: springs, and joints that bend
@@ -29,15 +29,15 @@ enum class NoEnergy {
 
 /// Reads energy and momentum off the states of one scene. A body in the hand counts like any other, with the mass
 /// that it has when it is free: what the hand does to it is the hand's work.
-class Meter
+class StoredEnergyReader
 {
 public:
     /// `scene` must have energy: see whyNot().
-    explicit Meter(const Scene &scene);
+    explicit StoredEnergyReader(const Scene &scene);
 
     static std::optional<NoEnergy> whyNot(const Scene &scene);
 
-    Stock read(const State &state) const;
+    StoredEnergy read(const State &state) const;
     double moving(const State &state) const;
     /// Of one point alone.
     double moving(const State &state, int point) const;
@@ -50,7 +50,7 @@ public:
     /// Whether the ledger knows what `effect`, a Force or a Torque, has stored: so its work is no gain.
     bool isStored(const Effect &effect) const;
     /// Whether its pulls are nothing in sum, as long as nothing is held.
-    bool balances(const Effect &effect) const;
+    bool conservesMomentum(const Effect &effect) const;
     /// `state` as if nothing were held.
     State freed(State state) const;
 

@@ -34,11 +34,11 @@ double aFrame(double growth, double rounding, double h)
 }
 
 /// What a pattern does from step to step: its factor's direction in the plane tells.
-Manner mannerOf(std::complex<double> factor)
+GrowthKind mannerOf(std::complex<double> factor)
 {
     if (std::abs(factor.imag()) > 1e-6 * std::abs(factor))
-        return Manner::wider;
-    return factor.real() < 0.0 ? Manner::overAndBack : Manner::away;
+        return GrowthKind::oscillating;
+    return factor.real() < 0.0 ? GrowthKind::alternating : GrowthKind::monotonic;
 }
 
 /// A step at which what decides can be seen: the one in use if it grows there, else one just past the limit.
@@ -63,40 +63,40 @@ Stability stabilityOf(const Scene &scene, const State &state, const Method &meth
     Stability found;
     found.h = h;
     found.bound = boundOf(method);
-    if (found.bound == Bound::stiffness && state.points() > mostSwinging)
+    if (found.bound == Bound::stiffness && state.pointCount() > maxAnalysedPoints)
         found.bound = Bound::tooLarge;
     if (found.bound != Bound::stiffness)
         return found;
-    const Linear linear = linearise(scene, state, method);
-    found.leftOut = linear.leftOut;
-    if (!linear.finite) {
+    const LinearisedScene linearised = linearise(scene, state, method);
+    found.ignored = linearised.ignored;
+    if (!linearised.finite) {
         found.bound = Bound::unknown;
         return found;
     }
-    const std::unique_ptr<Steps> steps = stepsOf(linear, method);
-    found.stiffness = steps->stiffest();
+    const std::unique_ptr<StepAnalysis> analysis = stepAnalysisOf(linearised, method);
+    found.stiffness = analysis->stiffest();
     if (found.stiffness == 0.0) {
         found.bound = Bound::noSprings;
         return found;
     }
-    found.growth = aFrame(steps->growth(h), steps->rounding(), h);
-    found.limit = steps->limit();
-    const Pattern pattern = steps->pattern(tellingStep(found));
-    if (pattern.rows.size() > 0) {
-        found.manner = mannerOf(pattern.factor);
-        found.culprit = culpritIn(linear, pattern.rows);
-        found.points = moversIn(linear, pattern.rows);
+    found.growth = aFrame(analysis->growth(h), analysis->rounding(), h);
+    found.limit = analysis->limit();
+    const Mode mode = analysis->dominantMode(tellingStep(found));
+    if (mode.rows.size() > 0) {
+        found.growthKind = mannerOf(mode.factor);
+        found.dominant = dominantEffectOf(linearised, mode.rows);
+        found.points = largestMovers(linearised, mode.rows);
     }
     return found;
 }
 
 double growthOf(const Scene &scene, const State &state, const Method &method, double h)
 {
-    const Linear linear = linearise(scene, state, method);
-    const std::unique_ptr<Steps> steps = stepsOf(linear, method);
-    if (!linear.finite || steps->stiffest() == 0.0)
+    const LinearisedScene linearised = linearise(scene, state, method);
+    const std::unique_ptr<StepAnalysis> analysis = stepAnalysisOf(linearised, method);
+    if (!linearised.finite || analysis->stiffest() == 0.0)
         return 1.0;
-    return aFrame(steps->growth(h), steps->rounding(), h);
+    return aFrame(analysis->growth(h), analysis->rounding(), h);
 }
 
 }

@@ -13,17 +13,17 @@ enum class Bound {
     tolerance, ///< the method keeps its own steps short enough
     noSprings, ///< nothing here swings: what acts has no stiffness
     unknown,   ///< pulls are not finite here
-    tooLarge,  ///< more points than mostSwinging: it would take too long to find out
+    tooLarge,  ///< more points than maxAnalysedPoints: it would take too long to find out
 };
 
 /// The most points whose swings are looked for together.
-constexpr int mostSwinging = 20'000;
+constexpr int maxAnalysedPoints = 20'000;
 
 /// What growth looks like, from one step to the next.
-enum class Manner {
-    overAndBack, ///< to the other side at each step, farther each time
-    away,        ///< off in one direction, faster and faster
-    wider,       ///< round and round, or to and fro, wider each time
+enum class GrowthKind {
+    alternating, ///< to the other side at each step, farther each time
+    monotonic,   ///< off in one direction, faster and faster
+    oscillating, ///< round and round, or to and fro, wider each time
 };
 
 /// How far a fixed step is from where a method begins to fail, in one state.
@@ -33,10 +33,10 @@ struct Stability
     double h = 0.0;      ///< frames
     double limit = 0.0;  ///< frames; 0: it grows at any step; infinity: damping holds every step
     double growth = 1.0; ///< a frame, beyond what the motion itself does; at most 1 where the step holds
-    Manner manner = Manner::overAndBack; ///< at the limit, or of what grows
-    Culprit culprit;
+    GrowthKind growthKind = GrowthKind::alternating; ///< at the limit, or of what grows
+    DominantEffect dominant;
     std::vector<int> points;        ///< that move most in that pattern: up to three
-    std::vector<EffectPtr> leftOut; ///< that act here, and that this does not tell of
+    std::vector<EffectPtr> ignored; ///< that act here, and that this does not tell of
     double stiffness = 0.0;         ///< 1/frame^2, of the stiffest swing
 
     /// Of the limit: 1 is at it. Infinite where the limit is 0.

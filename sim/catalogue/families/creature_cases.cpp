@@ -12,7 +12,7 @@ constexpr double damp = 0.85;
 constexpr double radius = 50.0;
 
 /// All legs of a creature as one spring; see Stiffest.
-Stiffest legsAsOne(double feet, double apart)
+StiffestSpring legsAsOne(double feet, double apart)
 {
     return {apart, feet * k, 1.0 / feet, 1.0, damp};
 }
@@ -33,9 +33,9 @@ HardCase feetOnBody(const char *id, const char *title, const char *story, int fe
         id, title, story, creature,
         valuesOf({{"k", k}, {"damp", damp}, {"radius", radius}, {"feet", double(feet)}, {"out", 150}}), 400);
     one.brief.frames = brief;
-    one.asks = {Ask::swings, Ask::rests};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest};
     if (feet >= 1000)
-        one.asks.push_back(Ask::manyPoints);
+        one.requirements.push_back(Requirement::manyPoints);
     one.stiffest = legsAsOne(feet, 100.0);
     one.bound.reach = 300.0;
     one.rest = legsRight(feet, radius, 1e-3);
@@ -49,7 +49,8 @@ HardCase cramped(const char *id, const char *title, const char *story, Scene (*s
     HardCase one =
         caseOf(id, title, story, scene,
                valuesOf({{"k", k / 2}, {"damp", damp}, {"radius", length}, {"feet", feet}, {"out", 0}}), 400);
-    one.asks = {Ask::swings, Ask::rests, Ask::noDirection, Ask::middleStays};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::noDirection,
+                        Requirement::centreStays};
     one.stiffest = legsAsOne(feet, 100.0);
     one.stiffest->k /= 2.0;
     one.bound.reach = 300.0;
@@ -69,8 +70,8 @@ HardCase squeezed()
             "long: pressed together they turn over at a touch."),
         creature, valuesOf({{"k", stiff}, {"damp", damp}, {"radius", radius}, {"feet", feet}, {"out", 1}}),
         400);
-    one.asks = {Ask::swings, Ask::rests, Ask::noDirection};
-    one.stiffest = Stiffest{radius, feet * stiff, 1.0 / feet, 1.0, damp};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::noDirection};
+    one.stiffest = StiffestSpring{radius, feet * stiff, 1.0 / feet, 1.0, damp};
     one.bound.reach = 500.0;
     one.rest = legsRight(feet, radius, 1e-3);
     return one;
@@ -93,7 +94,7 @@ HardCase chargesInOnePlace()
         SIM_TEXT("Two like charges begin in one place, where the force between them is greatest "
                  "and has no direction."),
         chargesTogether, valuesOf({{"charge_strength", 1000}, {"softening", 10}, {"damp", damp}}), 400);
-    one.asks = {Ask::noDirection, Ask::middleStays};
+    one.requirements = {Requirement::noDirection, Requirement::centreStays};
     one.bound.reach = 200.0;
     one.bound.drift = 1e-6;
     return one;
@@ -107,8 +108,8 @@ HardCase runaway()
         SIM_TEXT("A foot and a body pull each other, but one after the other: so the pair drives itself on, "
                  "though nothing pushes it."),
         runawayPair, valuesOf({{"k", spring}, {"damp", keep}, {"radius", radius}}), 1000);
-    one.asks = {Ask::swings, Ask::rests, Ask::middleStays};
-    one.stiffest = Stiffest{50.0, spring, 1.0, 1.0, keep};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::centreStays};
+    one.stiffest = StiffestSpring{50.0, spring, 1.0, 1.0, keep};
     one.bound.reach = 200.0;
     one.bound.drift = 1e-6;
     one.rest = legsRight(1, radius, 1e-6);

@@ -18,8 +18,8 @@ HardCase held(const char *id, const char *title, const char *story, double k, do
         caseOf(id, title, story, creature,
                valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 60}}), 600);
     one.script.input = std::move(input);
-    one.asks = {Ask::swings, Ask::rests, Ask::hand};
-    one.stiffest = Stiffest{far, feet * k, 1.0 / feet, 1.0, damp};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::dragging};
+    one.stiffest = StiffestSpring{far, feet * k, 1.0 / feet, 1.0, damp};
     one.bound.reach =
         100.0 * far; // a throw goes 1 / (1 - damp) times its speed far, and may be overdone a few times
     one.rest = Rest{600, {}, {}, speed};
@@ -44,8 +44,8 @@ HardCase inRoom(const char *id, const char *title, const char *story, double gra
                                     {"floor", 380},
                                     {"bounce", bounce}}),
                           600);
-    one.asks = {Ask::swings, Ask::bounces};
-    one.stiffest = Stiffest{100.0, feet * k, 1.0 / feet, 1.0, damp};
+    one.requirements = {Requirement::oscillates, Requirement::bounces};
+    one.stiffest = StiffestSpring{100.0, feet * k, 1.0 / feet, 1.0, damp};
     return one;
 }
 
@@ -56,7 +56,7 @@ HardCase thrownIntoCorner()
                                    "be two thousand rooms away."),
                           0.0, 0.5);
     one.script.bodies = {{"body", {middle, Vec2{1e6, 1e6}}}};
-    one.stiffest->apart = 1e7;
+    one.stiffest->stretch = 1e7;
     one.bounces = 2000.0;
     one.bound.reach = 2e7; // there is no ceiling
     return one;
@@ -69,7 +69,7 @@ HardCase narrowRoom()
         SIM_TEXT("The body is 30 px wide and the room 15: wherever it is, it is in a wall."), 0.5, 1.0);
     one.script.values.set("left", 265.0);
     one.script.values.set("right", 280.0);
-    one.asks.push_back(Ask::noRoom);
+    one.requirements.push_back(Requirement::noRoom);
     one.bound.reach = 600.0;
     return one;
 }
@@ -81,7 +81,7 @@ HardCase heavyGravity()
                                    "gives nothing back."),
                           1e6, 0.0);
     one.brief.frames = one.full.frames = 1000;
-    one.stiffest->apart = 500.0;
+    one.stiffest->stretch = 500.0;
     one.bounces = 1.0;
     one.bound.reach = 1000.0;
     one.rest = Rest{1000, {}, {}, 1e-3};
@@ -92,8 +92,8 @@ HardCase walking(const char *id, const char *title, const char *story, double sp
 {
     HardCase one = caseOf(id, title, story, walker,
                           valuesOf({{"k", 0.1}, {"damp", 0.9}, {"gravity", 0.5}, {"speed", speed}}), 600);
-    one.asks = {Ask::swings, Ask::bounces, Ask::driven};
-    one.stiffest = Stiffest{100.0, 0.2, 0.5, 1.0, 0.9};
+    one.requirements = {Requirement::oscillates, Requirement::bounces, Requirement::driven};
+    one.stiffest = StiffestSpring{100.0, 0.2, 0.5, 1.0, 0.9};
     one.bounces = 2.0;
     one.driven = speed;
     one.bound.reach = 600.0 * 20.0; // no foot is pulled faster than 20 px a frame
@@ -107,7 +107,7 @@ HardCase notANumber(const char *id, const char *title, const char *story, Event 
         caseOf(id, title, story, creature,
                valuesOf({{"k", 0.2}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 60}}), 60);
     one.script.input = {{4, Grab{"body"}}, event};
-    one.asks = {Ask::refused, Ask::hand};
+    one.requirements = {Requirement::refused, Requirement::dragging};
     one.refusal = "input-not-finite";
     return one;
 }

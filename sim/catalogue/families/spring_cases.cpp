@@ -10,15 +10,15 @@ HardCase oneSpring(const char *id, const char *title, const char *story, double 
 {
     HardCase one = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 2000);
     one.brief.frames = 400;
-    one.asks = {Ask::swings};
-    one.stiffest = Stiffest{100.0, k, 1.0, 0.0, damp};
+    one.requirements = {Requirement::oscillates};
+    one.stiffest = StiffestSpring{100.0, k, 1.0, 0.0, damp};
     one.bound.reach = 150.0;
     return one;
 }
 
 HardCase comesToRest(HardCase one)
 {
-    one.asks.push_back(Ask::rests);
+    one.requirements.push_back(Requirement::comesToRest);
     one.rest = Rest{400, {{"foot", middle, 1e-6}}, {}, 1e-6};
     return one;
 }
@@ -36,8 +36,8 @@ HardCase unequal(const char *id, const char *title, const char *story, double k)
     const double ratio = 1e9, damp = 0.9;
     HardCase one =
         caseOf(id, title, story, unequalPair, valuesOf({{"k", k}, {"damp", damp}, {"ratio", ratio}}), 1000);
-    one.asks = {Ask::swings, Ask::rests, Ask::middleStays};
-    one.stiffest = Stiffest{100.0, k, 1.0, 1.0 / ratio, damp};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::centreStays};
+    one.stiffest = StiffestSpring{100.0, k, 1.0, 1.0 / ratio, damp};
     one.bound.reach = 150.0;
     one.bound.drift = 1e-6;
     one.rest = Rest{1000, {{"heavy", middle, 1e-3}}, {{"light", "heavy", 0.0, 1e-3}}, 1e-3};
@@ -52,8 +52,8 @@ HardCase suddenlyStiff()
                SIM_TEXT("In the middle of a run the stiffness goes from 0.2 to a million."), creature,
                valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 150}}), 400);
     one.script.input = {{30, Set{"k", stiff}}};
-    one.asks = {Ask::swings, Ask::rests, Ask::setsInRun};
-    one.stiffest = Stiffest{100.0, feet * stiff, 1.0 / feet, 1.0, damp};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::parameterJumps};
+    one.stiffest = StiffestSpring{100.0, feet * stiff, 1.0 / feet, 1.0, damp};
     one.bound.reach = 500.0;
     one.rest = Rest{400, {}, {}, 1e-3};
     for (const char *foot : {"foot0", "foot1", "foot2"})

@@ -11,7 +11,7 @@ HardCase hanging(const char *id, const char *title, const char *story, Scene (*s
                  const char *body, Vec2 rest)
 {
     HardCase one = caseOf(id, title, story, scene, valuesOf({{"damp", 0.9}, {"gravity", 0.5}}), 600);
-    one.asks = {Ask::sticks, Ask::rests};
+    one.requirements = {Requirement::constraints, Requirement::comesToRest};
     one.bound.reach = 200.0;
     one.stickError = 0.5;
     one.rest = Rest{600, {{body, rest, 0.5}}, {}, 0.01};
@@ -27,7 +27,7 @@ HardCase chain(const char *id, const char *title, const char *story, double stre
             {{"links", links}, {"stretched", stretched}, {"damp", 0.9}, {"gravity", 0.0}, {"passes", 20}}),
         300);
     one.brief.frames = 100;
-    one.asks = {Ask::sticks, Ask::manyPoints};
+    one.requirements = {Requirement::constraints, Requirement::manyPoints};
     one.bound.reach = 230.0;
     // What is missing in all, shared out evenly, and three times that for links next to where it is shared out.
     const double missing = 440.0 * (1.0 - 1.0 / stretched) / links;
@@ -58,7 +58,7 @@ HardCase heavyChain(const char *id, const char *title, const char *story, double
         300);
     one.brief.frames = 60;
     one.brief.h = one.full.h = h;
-    one.asks = {Ask::sticks, Ask::manyPoints};
+    one.requirements = {Requirement::constraints, Requirement::manyPoints};
     one.stickError = heavyError(links, each, gravity, h, passes);
     // No point is farther from the middle than half the chain is long.
     one.bound.reach = 0.5 * links * (each + *one.stickError);
@@ -71,7 +71,7 @@ HardCase contradictorySticks()
         "contradictory_triangle", SIM_TEXT("sticks that contradict each other"),
         SIM_TEXT("Three sticks of lengths 1, 1 and 10 make no triangle: whatever moves, one is wrong."),
         contradiction, valuesOf({{"damp", 0.9}}), 600);
-    one.asks = {Ask::sticks, Ask::noDirection};
+    one.requirements = {Requirement::constraints, Requirement::noDirection};
     one.bound.reach = 50.0;
     one.stickError = 8.0; // all of what is missing
     return one;
@@ -80,8 +80,8 @@ HardCase contradictorySticks()
 HardCase swims(const char *id, const char *title, const char *story, Values values)
 {
     HardCase one = caseOf(id, title, story, swimmer, std::move(values), 600);
-    one.asks = {Ask::sticks, Ask::swings, Ask::driven};
-    one.stiffest = Stiffest{100.0, 0.9 * 0.25 * 0.25, 1.0, 0.0, 0.7};
+    one.requirements = {Requirement::constraints, Requirement::oscillates, Requirement::driven};
+    one.stiffest = StiffestSpring{100.0, 0.9 * 0.25 * 0.25, 1.0, 0.0, 0.7};
     one.bound.reach = 300.0;
     return one;
 }
@@ -130,15 +130,17 @@ std::vector<HardCase> swimmers()
     through.bound.reach = 700.0;
     through.stickError = 1e-9;
     through.rest = atTarget({-200.0, 200.0}, 1e-6);
-    through.asks.insert(through.asks.end(), {Ask::noDirection, Ask::rests});
-    through.stiffest->apart = 500.0;
+    through.requirements.insert(through.requirements.end(),
+                                {Requirement::noDirection, Requirement::comesToRest});
+    through.stiffest->stretch = 500.0;
 
     HardCase inside =
         swims("tail_in_lead", SIM_TEXT("the tail is in the lead"),
               SIM_TEXT("Lead and tail begin in one place, on a soft stick that has no direction there."),
               valuesOf({{"keep", 0.7}, {"target_x", 400}, {"target_y", 200}, {"behind", 0}, {"soft", 1}}));
     inside.rest = atTarget({400.0, 200.0}, 1e-6);
-    inside.asks.insert(inside.asks.end(), {Ask::noDirection, Ask::rests});
+    inside.requirements.insert(inside.requirements.end(),
+                               {Requirement::noDirection, Requirement::comesToRest});
 
     HardCase far =
         swims("target_1e9", SIM_TEXT("a target beyond the horizon"),
@@ -147,8 +149,8 @@ std::vector<HardCase> swimmers()
     far.bound.reach = 3e9;
     far.stickError = 1e-5; // places have seven digits after the point there
     far.rest = atTarget({1e9, -1e9}, 1e-2);
-    far.asks.push_back(Ask::rests);
-    far.stiffest->apart = 1.5e9;
+    far.requirements.push_back(Requirement::comesToRest);
+    far.stiffest->stretch = 1.5e9;
     return {through, inside, far};
 }
 

@@ -17,7 +17,7 @@ Scene contradiction(const Values &values)
 Scene stretchedChain(const Values &values)
 {
     constexpr double apart = 440.0;
-    const int links = values.whole("links");
+    const int links = values.integer("links");
     const double each = apart / links;
     scenes::StickFigure chain;
     for (int i = 0; i <= links; ++i)
@@ -26,7 +26,7 @@ Scene stretchedChain(const Values &values)
     chain.pinned = {0, links};
     chain.gravity = values["gravity"];
     chain.damp = values["damp"];
-    chain.passes = values.whole("passes");
+    chain.passes = values.integer("passes");
     return scenes::fallingSticks(chain);
 }
 

@@ -12,15 +12,15 @@ HardCase stepped(const char *id, const char *title, const char *story, RunSize b
     HardCase one = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 0);
     one.brief = brief;
     one.full = full;
-    one.asks = {Ask::swings, Ask::oddStep};
-    one.stiffest = Stiffest{100.0, k, 1.0, 0.0, damp};
+    one.requirements = {Requirement::oscillates, Requirement::unusualStep};
+    one.stiffest = StiffestSpring{100.0, k, 1.0, 0.0, damp};
     one.bound.reach = 150.0;
     return one;
 }
 
 HardCase comesToRest(HardCase one)
 {
-    one.asks.push_back(Ask::rests);
+    one.requirements.push_back(Requirement::comesToRest);
     one.rest = Rest{600, {{"foot", middle, 1e-6}}, {}, 1e-6};
     return one;
 }
@@ -33,8 +33,8 @@ HardCase tenMillionFrames()
                         "add up."),
                footOnSpring, valuesOf({{"k", 0.2}, {"damp", 1}}), 10'000'000);
     one.brief.frames = 20'000;
-    one.asks = {Ask::swings, Ask::longRun};
-    one.stiffest = Stiffest{100.0, 0.2, 1.0, 0.0, 1.0};
+    one.requirements = {Requirement::oscillates, Requirement::longRun};
+    one.stiffest = StiffestSpring{100.0, 0.2, 1.0, 0.0, 1.0};
     one.bound.reach = 120.0;
     return one;
 }
@@ -49,8 +49,8 @@ HardCase atRest()
                creature, valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 100}}),
                1'000'000);
     one.brief.frames = 10'000;
-    one.asks = {Ask::swings, Ask::rests, Ask::longRun};
-    one.stiffest = Stiffest{50.0, feet * k, 1.0 / feet, 1.0, damp};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::longRun};
+    one.stiffest = StiffestSpring{50.0, feet * k, 1.0 / feet, 1.0, damp};
     one.bound.reach = 200.0;
     one.rest = Rest{10'000, {}, {}, 1e-9};
     for (const char *foot : {"foot0", "foot1"})

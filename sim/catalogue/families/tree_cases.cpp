@@ -12,7 +12,7 @@ HardCase blown(const char *id, const char *title, const char *story, Values valu
 {
     HardCase one = caseOf(id, title, story, windyTree, std::move(values), 300);
     one.script.input = {{1, Pointer{pointer, true}}};
-    one.asks = {Ask::driven, Ask::noDirection};
+    one.requirements = {Requirement::driven, Requirement::noDirection};
     one.bound = {1000.0, root, {}};
     return one;
 }
@@ -40,7 +40,7 @@ HardCase noDistancePublished()
     one.script.input = {{1, Pointer{root - Vec2{100.0, 0.0}, true}}};
     one.script.values.set("levels", 0);
     one.script.values.set("turned", 90);
-    one.asks = {Ask::ends};
+    one.requirements = {Requirement::overflows};
     return one;
 }
 
@@ -50,7 +50,7 @@ HardCase turned()
                           SIM_TEXT("The trunk turns to a pointer that is exactly where it begins."),
                           turningTree, valuesOf({{"levels", 4}, {"slope", 0.8}, {"base_length", 100}}), 60);
     one.script.input = {{1, Pointer{root, true}}};
-    one.asks = {Ask::driven, Ask::noDirection};
+    one.requirements = {Requirement::driven, Requirement::noDirection};
     one.bound = {600.0, root, {}};
     return one;
 }
@@ -64,7 +64,7 @@ HardCase deep()
     one.script.values.set("levels", 16);
     one.script.values.set("slope", 1);
     one.script.values.set("base_length", 20);
-    one.asks = {Ask::driven, Ask::manyPoints};
+    one.requirements = {Requirement::driven, Requirement::manyPoints};
     one.brief.frames = 1;
     return one;
 }
@@ -76,7 +76,7 @@ HardCase endless()
                SIM_TEXT("Branches that are as large as their parents never get small enough to stop "
                         "forking."),
                grownTree, valuesOf({{"slope", 1}, {"min_scale", 0.2}}), 60);
-    one.asks = {Ask::refused};
+    one.requirements = {Requirement::refused};
     one.refusal = "tree-too-big";
     return one;
 }
@@ -95,9 +95,9 @@ HardCase stiffTree()
                   {"wind", 0},
                   {"bent", 10}}),
         100);
-    one.asks = {Ask::swings, Ask::rests};
-    // Gershgorin's circles bound the fastest swing: see Torsion::stiffestPull().
-    one.stiffest = Stiffest{10.0, 10.0 * k, 1.0, 0.0, damp};
+    one.requirements = {Requirement::oscillates, Requirement::comesToRest};
+    // Gershgorin's circles bound the fastest swing: see Torsion::stiffnessBound().
+    one.stiffest = StiffestSpring{10.0, 10.0 * k, 1.0, 0.0, damp};
     one.bound = {600.0, root, {}};
     one.rest = Rest{100, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
     return one;

@@ -14,13 +14,13 @@ constexpr Vec2 root = {275.0, 400.0};
 
 TreeFormula formulaOf(const Values &values)
 {
-    return values.whole("formula") == 1 ? TreeFormula::published : TreeFormula::corrected;
+    return values.integer("formula") == 1 ? TreeFormula::published : TreeFormula::corrected;
 }
 
 TreePtr treeOf(const Values &values)
 {
     return make_shared<const Tree>(
-        scenes::forkedTree(values.whole("levels"), values["slope"], values["base_length"]));
+        scenes::forkedTree(values.integer("levels"), values["slope"], values["base_length"]));
 }
 
 }
@@ -31,7 +31,7 @@ Scene windyTree(const Values &values)
     const TreeFormula formula = formulaOf(values);
     Scene scene = scenes::standingTree(*tree, root, formula);
     scene.start.angle[0] += values["turned"];
-    const auto by = static_cast<Resistance::By>(values.whole("by"));
+    const auto by = static_cast<Resistance::By>(values.integer("by"));
     const Resistance resistance{by, by == Resistance::By::ease ? values["ease"] : values["wind"]};
     scene.effects = {make_shared<Joints>(tree, degreesOf(formula)),
                      make_shared<TreeWind>(tree, formula, resistance)};
@@ -53,7 +53,7 @@ Scene springyTree(const Values &values)
     Scene scene = scenes::standingTree(*tree, root, TreeFormula::corrected);
     scenes::letSwing(scene);
     scene.start.angle += values["bent"];
-    fromTheTrunk(*tree, scene.start, degreesPerRadian, [](int) {});
+    forEachFromTrunk(*tree, scene.start, degreesPerRadian, [](int) {});
     scenes::addSway(
         scene, tree,
         {.k = values["k"], .damp = values["damp"], .front = 20.0, .wind = values["wind"], .gusts = 0.5});

@@ -11,7 +11,8 @@ int lastOf(const AngleLimit &limit)
 
 JointEnds endsOf(const AngleLimit &limit, const State &state)
 {
-    return bendBack(state.at(limit.a), state.at(limit.joint), state.at(limit.b), limit.least, limit.most);
+    return bendBack(state.positionOf(limit.a), state.positionOf(limit.joint), state.positionOf(limit.b),
+                    limit.least, limit.most);
 }
 
 void put(State &state, const AngleLimit &limit, const JointEnds &ends)
@@ -19,7 +20,7 @@ void put(State &state, const AngleLimit &limit, const JointEnds &ends)
     if (ends.past == 0.0)
         return;
     const auto place = [&](int point, Vec2 x) {
-        if (state.feels(point))
+        if (state.isDynamic(point))
             state.place(point, x);
     };
     place(limit.a, ends.a);
@@ -29,26 +30,26 @@ void put(State &state, const AngleLimit &limit, const JointEnds &ends)
 
 }
 
-std::vector<Region> AngleLimits::regions(Directions) const
+std::vector<Region> AngleLimits::regions(DirectionRule) const
 {
     const std::string file = "sim/effects/constraints/angle_limits.h";
     return {{file, "angle_limit"}, {file, "past_limit"}, {file, "angle_between"}, {file, "turned"}};
 }
 
-int AngleLimits::count(const State &, Points points) const
+int AngleLimits::count(const State &, PointRange points) const
 {
     return static_cast<int>(std::count_if(m_limits.begin(), m_limits.end(), [&](const AngleLimit &limit) {
         return points.contains(lastOf(limit));
     }));
 }
 
-void AngleLimits::ties(std::vector<Tie> &into) const
+void AngleLimits::addCouplings(std::vector<Coupling> &into) const
 {
     for (const AngleLimit &limit : m_limits)
         into.insert(into.end(), {{limit.a, limit.joint}, {limit.joint, limit.b}});
 }
 
-void AngleLimits::enforce(State &state, Points points, Directions, double) const
+void AngleLimits::enforce(State &state, PointRange points, DirectionRule, double) const
 {
     for (const AngleLimit &limit : m_limits) {
         if (points.contains(lastOf(limit)))
@@ -56,10 +57,10 @@ void AngleLimits::enforce(State &state, Points points, Directions, double) const
     }
 }
 
-std::vector<Live> AngleLimits::explain(const State &before, const State &, int point) const
+std::vector<LiveValue> AngleLimits::explain(const State &before, const State &, int point) const
 {
     State state = before;
-    std::vector<Live> live;
+    std::vector<LiveValue> live;
     for (const AngleLimit &limit : m_limits) {
         const JointEnds ends = endsOf(limit, state);
         put(state, limit, ends);
@@ -69,9 +70,9 @@ std::vector<Live> AngleLimits::explain(const State &before, const State &, int p
     return live;
 }
 
-namespace described {
-constinit const Description angle_limits = {
-    "angle_limits", SIM_TEXT("joint limits"), Kind::stick,
+namespace descriptions {
+constinit const EffectDescription angle_limits = {
+    "angle_limits", SIM_TEXT("joint limits"), EffectKind::stick,
     SIM_TEXT("Keep joints from bending too far: a knee does not bend forwards.")};
 }
 

@@ -4,8 +4,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description angle_limits;
+namespace descriptions {
+extern const EffectDescription angle_limits;
 }
 
 /// How far a joint may bend: the angle at `joint` from the limb that ends at `a` to the limb that ends at `b`,
@@ -40,7 +40,7 @@ double angleBetween(Vec2 a, Vec2 b)
 // clang-format off
 inline
 //! [turned]
-Vec2 turned(Vec2 limb, double angle)
+Vec2 rotated(Vec2 limb, double angle)
 {
     double rad = angle / 57.29577951308232;
     double c = cos(rad), s = sin(rad);
@@ -95,8 +95,8 @@ JointEnds bendBack(
     double past =
         pastLimit(angle, least, most);
     if (past != 0) {
-        Vec2 new_a = turned(to_a, past / 2);
-        Vec2 new_b = turned(to_b, -past / 2);
+        Vec2 new_a = rotated(to_a, past / 2);
+        Vec2 new_b = rotated(to_b, -past / 2);
         Vec2 moved = new_a - to_a + new_b - to_b;
         joint = joint - (1.0 / 3) * moved;
         a = joint + new_a;
@@ -108,19 +108,19 @@ JointEnds bendBack(
 // clang-format on
 
 /// Joints that bend only so far: conditions that act only when they are broken.
-class AngleLimits : public Described<Constraint, described::angle_limits>
+class AngleLimits : public DescribedEffect<Constraint, descriptions::angle_limits>
 {
 public:
     explicit AngleLimits(std::vector<AngleLimit> limits) : m_limits(std::move(limits)) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void addCouplings(std::vector<Coupling> &into) const override;
     /// A limit has its turn with that of its points that has the highest number. Where one of them feels nothing,
     /// only the others move.
-    void enforce(State &state, Points points, Directions directions, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     std::vector<AngleLimit> m_limits;

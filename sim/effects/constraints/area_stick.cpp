@@ -2,17 +2,19 @@
 
 namespace sim {
 
-std::vector<Region> AreaStick::regions(Directions) const
+std::vector<Region> AreaStick::regions(DirectionRule) const
 {
     return {{"sim/effects/constraints/area_stick.h", "area_stick"}, {"sim/base/direction.h", "direction"}};
 }
 
-int AreaStick::count(const State &state, Points points) const
+int AreaStick::count(const State &state, PointRange points) const
 {
-    return points.contains(m_quad.right) && (state.feels(m_quad.left) || state.feels(m_quad.right)) ? 1 : 0;
+    return points.contains(m_quad.right) && (state.isDynamic(m_quad.left) || state.isDynamic(m_quad.right))
+               ? 1
+               : 0;
 }
 
-void AreaStick::ties(std::vector<Tie> &into) const
+void AreaStick::addCouplings(std::vector<Coupling> &into) const
 {
     into.insert(into.end(),
                 {{m_quad.front, m_quad.back}, {m_quad.back, m_quad.left}, {m_quad.left, m_quad.right}});
@@ -20,13 +22,14 @@ void AreaStick::ties(std::vector<Tie> &into) const
 
 Sides AreaStick::sidesOf(const State &state) const
 {
-    const Heading spine =
-        direction(state.at(m_quad.front) - state.at(m_quad.back), m_quad.back, m_quad.front);
-    const double share = !state.feels(m_quad.left) ? 0.0 : !state.feels(m_quad.right) ? 1.0 : 0.5;
-    return keepArea(state.at(m_quad.left), state.at(m_quad.right), spine, m_area, m_shortest, share);
+    const Direction spine =
+        direction(state.positionOf(m_quad.front) - state.positionOf(m_quad.back), m_quad.back, m_quad.front);
+    const double share = !state.isDynamic(m_quad.left) ? 0.0 : !state.isDynamic(m_quad.right) ? 1.0 : 0.5;
+    return keepArea(state.positionOf(m_quad.left), state.positionOf(m_quad.right), spine, m_area, m_shortest,
+                    share);
 }
 
-void AreaStick::enforce(State &state, Points points, Directions, double) const
+void AreaStick::enforce(State &state, PointRange points, DirectionRule, double) const
 {
     if (count(state, points) == 0)
         return;
@@ -35,7 +38,7 @@ void AreaStick::enforce(State &state, Points points, Directions, double) const
     state.place(m_quad.right, sides.right);
 }
 
-std::vector<Live> AreaStick::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> AreaStick::explain(const State &before, const State &after, int point) const
 {
     if (point != m_quad.left && point != m_quad.right)
         return {};
@@ -43,19 +46,19 @@ std::vector<Live> AreaStick::explain(const State &before, const State &after, in
     return {{"width", sides.width},
             {"wanted", sides.wanted},
             {"error", sides.error},
-            {point == m_quad.left ? "left" : "right", after.at(point), before.at(point)}};
+            {point == m_quad.left ? "left" : "right", after.positionOf(point), before.positionOf(point)}};
 }
 
 double areaOf(const State &state, const Quad &quad)
 {
-    const Vec2 spine = state.at(quad.front) - state.at(quad.back);
-    const Vec2 wide = state.at(quad.right) - state.at(quad.left);
+    const Vec2 spine = state.positionOf(quad.front) - state.positionOf(quad.back);
+    const Vec2 wide = state.positionOf(quad.right) - state.positionOf(quad.left);
     return 0.5 * (spine.x * wide.y - spine.y * wide.x);
 }
 
-namespace described {
-constinit const Description area_stick = {
-    "area_stick", SIM_TEXT("area"), Kind::stick,
+namespace descriptions {
+constinit const EffectDescription area_stick = {
+    "area_stick", SIM_TEXT("area"), EffectKind::stick,
     SIM_TEXT("Keeps the area of the body: what gets longer gets thinner.")};
 }
 

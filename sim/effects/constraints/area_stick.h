@@ -7,8 +7,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description area_stick;
+namespace descriptions {
+extern const EffectDescription area_stick;
 }
 
 /// A four-sided figure: front, right, back, left are its corners in order, clockwise on the screen.
@@ -39,7 +39,7 @@ struct Sides
 inline
 //! [area_stick]
 Sides keepArea(
-    Vec2 left, Vec2 right, Heading spine,
+    Vec2 left, Vec2 right, Direction spine,
     double area, double shortest,
     double share)
 {
@@ -60,18 +60,18 @@ Sides keepArea(
 // clang-format on
 
 /// Keeps the area of a figure with four corners by moving its two sides.
-class AreaStick : public Described<Constraint, described::area_stick>
+class AreaStick : public DescribedEffect<Constraint, descriptions::area_stick>
 {
 public:
     /// `area` in px^2, `shortest` in px.
     AreaStick(Quad quad, double area, double shortest) : m_quad(quad), m_area(area), m_shortest(shortest) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override;
-    void enforce(State &state, Points points, Directions directions, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void addCouplings(std::vector<Coupling> &into) const override;
+    void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     Sides sidesOf(const State &state) const;

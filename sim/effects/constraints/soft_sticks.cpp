@@ -20,65 +20,68 @@ Strengths strengthsIn(double h, Strengths perFrame)
     return {partIn(h, perFrame.soft), partIn(h, perFrame.hard)};
 }
 
-Heading wayOf(const SoftStick &stick, const State &state)
+Direction wayOf(const SoftStick &stick, const State &state)
 {
-    return direction(state.at(stick.anchor) - state.at(stick.mover), stick.mover, stick.anchor);
+    return direction(state.positionOf(stick.anchor) - state.positionOf(stick.mover), stick.mover,
+                     stick.anchor);
 }
 
 }
 
-std::vector<Region> SoftSticks::regions(Directions) const
+std::vector<Region> SoftSticks::regions(DirectionRule) const
 {
     return {{"sim/effects/constraints/soft_sticks.h", "soft_stick"},
             {"sim/effects/constraints/soft_sticks.cpp", "part_in_step"},
             {"sim/base/direction.h", "direction"}};
 }
 
-int SoftSticks::count(const State &state, Points points) const
+int SoftSticks::count(const State &state, PointRange points) const
 {
     return static_cast<int>(std::count_if(m_sticks.begin(), m_sticks.end(), [&](const SoftStick &stick) {
-        return points.contains(stick.mover) && state.feels(stick.mover);
+        return points.contains(stick.mover) && state.isDynamic(stick.mover);
     }));
 }
 
-void SoftSticks::ties(std::vector<Tie> &into) const
+void SoftSticks::addCouplings(std::vector<Coupling> &into) const
 {
     for (const SoftStick &stick : m_sticks)
         into.emplace_back(stick.mover, stick.anchor);
 }
 
-void SoftSticks::enforce(State &state, Points points, Directions, double h) const
+void SoftSticks::enforce(State &state, PointRange points, DirectionRule, double h) const
 {
     const Strengths strength = strengthsIn(h, m_perFrame);
     for (const SoftStick &stick : m_sticks) {
-        if (points.contains(stick.mover) && state.feels(stick.mover))
+        if (points.contains(stick.mover) && state.isDynamic(stick.mover))
             state.place(stick.mover,
-                        softStick(state.at(stick.mover), wayOf(stick, state), stick, strength).x);
+                        softStick(state.positionOf(stick.mover), wayOf(stick, state), stick, strength).x);
     }
 }
 
-std::vector<Live> SoftSticks::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> SoftSticks::explain(const State &before, const State &after, int point) const
 {
-    if (!before.feels(point))
+    if (!before.isDynamic(point))
         return {};
     const SoftStick *last = nullptr;
     for (const SoftStick &stick : m_sticks)
         last = stick.mover == point ? &stick : last;
     if (!last)
         return {};
-    const SoftEnd end = softStick(before.at(point), wayOf(*last, before), *last, m_perFrame);
-    return {{"length", end.length}, {"error", end.error}, {"x", after.at(point), before.at(point)}};
+    const SoftEnd end = softStick(before.positionOf(point), wayOf(*last, before), *last, m_perFrame);
+    return {{"length", end.length},
+            {"error", end.error},
+            {"x", after.positionOf(point), before.positionOf(point)}};
 }
 
-void SoftSticks::rests(const State &state, std::vector<RestEnd> &into) const
+void SoftSticks::addRestTargets(const State &state, std::vector<RestTarget> &into) const
 {
     for (const SoftStick &one : m_sticks)
-        into.push_back(restAt(state, one.mover, one.anchor, one.rest));
+        into.push_back(restTargetAt(state, one.mover, one.anchor, one.rest));
 }
 
-namespace described {
-constinit const Description soft_sticks = {
-    "soft_sticks", SIM_TEXT("soft sticks"), Kind::stick,
+namespace descriptions {
+constinit const EffectDescription soft_sticks = {
+    "soft_sticks", SIM_TEXT("soft sticks"), EffectKind::stick,
     SIM_TEXT("Keep a point near its distance, but let it lag behind for a while.")};
 }
 

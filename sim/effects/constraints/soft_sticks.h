@@ -8,8 +8,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description soft_sticks;
+namespace descriptions {
+extern const EffectDescription soft_sticks;
 }
 
 /// A stick that pulls one end only, and gives way: `mover` comes nearer to its place each frame, `anchor` feels
@@ -46,7 +46,7 @@ struct SoftEnd
 inline
 //! [soft_stick]
 SoftEnd softStick(
-    Vec2 x, Heading way,
+    Vec2 x, Direction way,
     const SoftStick &stick,
     Strengths strength)
 {
@@ -67,7 +67,7 @@ SoftEnd softStick(
 // clang-format on
 
 /// Soft sticks with one movable end, one after the other.
-class SoftSticks : public Described<Constraint, described::soft_sticks>
+class SoftSticks : public DescribedEffect<Constraint, descriptions::soft_sticks>
 {
 public:
     /// `perFrame`: what part of an error goes in a frame, 0 to 1 each.
@@ -76,15 +76,15 @@ public:
     {
     }
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void addCouplings(std::vector<Coupling> &into) const override;
     /// A stick has its turn with its mover.
-    void enforce(State &state, Points points, Directions directions, double h) const override;
+    void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override;
     /// The last stick that moved `point`.
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
-    void rests(const State &state, std::vector<RestEnd> &into) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
+    void addRestTargets(const State &state, std::vector<RestTarget> &into) const override;
 
 private:
     std::vector<SoftStick> m_sticks;

@@ -54,7 +54,7 @@ StickEnds publishedStick(
 inline
 //! [stick]
 StickEnds stick(
-    Vec2 a, Vec2 b, Heading from_b,
+    Vec2 a, Vec2 b, Direction from_b,
     double length, double share)
 {
     double distance = from_b.length;

@@ -8,11 +8,11 @@ namespace sim {
 namespace {
 
 /// What `stick` does to a state's points.
-StickEnds endsOf(const Stick &one, const State &state, Directions directions)
+StickEnds endsOf(const Stick &one, const State &state, DirectionRule directionRule)
 {
-    const Vec2 a = state.at(one.a), b = state.at(one.b);
-    const double share = !state.feels(one.a) ? 0.0 : !state.feels(one.b) ? 1.0 : one.share;
-    if (directions == Directions::published)
+    const Vec2 a = state.positionOf(one.a), b = state.positionOf(one.b);
+    const double share = !state.isDynamic(one.a) ? 0.0 : !state.isDynamic(one.b) ? 1.0 : one.share;
+    if (directionRule == DirectionRule::published)
         return publishedStick(a, b, one.length, share);
     return stick(a, b, direction(a - b, one.b, one.a), one.length, share);
 }
@@ -20,14 +20,14 @@ StickEnds endsOf(const Stick &one, const State &state, Directions directions)
 /// A stick from a point to itself is moved twice, one end after the other, as printed.
 void put(State &state, const Stick &one, const StickEnds &ends)
 {
-    const Vec2 way = ends.b - state.at(one.b);
+    const Vec2 way = ends.b - state.positionOf(one.b);
     state.place(one.a, ends.a);
     state.place(one.b, one.a == one.b ? ends.a + way : ends.b);
 }
 
 bool acts(const Stick &one, const State &state)
 {
-    return state.feels(one.a) || state.feels(one.b);
+    return state.isDynamic(one.a) || state.isDynamic(one.b);
 }
 
 }
@@ -45,10 +45,10 @@ Sticks::Sticks(std::vector<Stick> sticks, int points, int iterations)
     }
 }
 
-std::vector<Region> Sticks::regions(Directions directions) const
+std::vector<Region> Sticks::regions(DirectionRule directionRule) const
 {
     const Region loop = {"sim/effects/constraints/sticks.cpp", "sticks"};
-    if (directions == Directions::published)
+    if (directionRule == DirectionRule::published)
         return {loop, {"sim/effects/constraints/stick.h", "published_stick"}};
     return {loop, {"sim/effects/constraints/stick.h", "stick"}, {"sim/base/direction.h", "direction"}};
 }
@@ -58,7 +58,7 @@ std::vector<Region> Sticks::regions(Directions directions) const
 //! [sticks]
 template <class Visit>
 void Sticks::forEach(
-    Points points, Visit &&visit) const
+    PointRange points, Visit &&visit) const
 {
     for (int i = 0; i < m_iterations; ++i)
         for (const Stick &one : m_sticks)
@@ -69,7 +69,7 @@ void Sticks::forEach(
 //! [sticks]
 // clang-format on
 
-int Sticks::count(const State &state, Points points) const
+int Sticks::count(const State &state, PointRange points) const
 {
     int total = 0;
     for (const Stick &one : m_sticks)
@@ -77,48 +77,48 @@ int Sticks::count(const State &state, Points points) const
     return total;
 }
 
-void Sticks::ties(std::vector<Tie> &into) const
+void Sticks::addCouplings(std::vector<Coupling> &into) const
 {
     for (const Stick &one : m_sticks)
         into.emplace_back(one.a, one.b);
 }
 
-void Sticks::enforce(State &state, Points points, Directions directions, double) const
+void Sticks::enforce(State &state, PointRange points, DirectionRule directionRule, double) const
 {
     forEach(points, [&](const Stick &one) {
         if (acts(one, state))
-            put(state, one, endsOf(one, state, directions));
+            put(state, one, endsOf(one, state, directionRule));
     });
 }
 
-std::vector<Live> Sticks::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> Sticks::explain(const State &before, const State &after, int point) const
 {
-    const Points all = {0, before.points()};
-    for (const Directions directions : {Directions::apart, Directions::published}) {
+    const PointRange all = {0, before.pointCount()};
+    for (const DirectionRule directionRule : {DirectionRule::regularised, DirectionRule::published}) {
         State state = before;
-        std::vector<Live> live;
+        std::vector<LiveValue> live;
         forEach(all, [&](const Stick &one) {
             if (!acts(one, state))
                 return;
-            const StickEnds ends = endsOf(one, state, directions);
+            const StickEnds ends = endsOf(one, state, directionRule);
             const bool isA = one.a == point;
             if (isA || one.b == point)
                 live = {{"distance", ends.distance},
                         {"error", ends.error},
-                        {isA ? "a" : "b", isA ? ends.a : ends.b, state.at(point)}};
+                        {isA ? "a" : "b", isA ? ends.a : ends.b, state.positionOf(point)}};
             put(state, one, ends);
         });
-        if (state.at(point) == after.at(point))
+        if (state.positionOf(point) == after.positionOf(point))
             return live;
     }
     return {}; // it ran on a share of the points only
 }
 
-void Sticks::rests(const State &state, std::vector<RestEnd> &into) const
+void Sticks::addRestTargets(const State &state, std::vector<RestTarget> &into) const
 {
     for (const Stick &one : m_sticks) {
-        into.push_back(restAt(state, one.a, one.b, one.length));
-        into.push_back(restAt(state, one.b, one.a, one.length));
+        into.push_back(restTargetAt(state, one.a, one.b, one.length));
+        into.push_back(restTargetAt(state, one.b, one.a, one.length));
     }
 }
 
@@ -132,41 +132,41 @@ std::vector<const Sticks *> sticksAmong(const std::vector<EffectPtr> &effects)
     return found;
 }
 
-bool Sticks::takeInto(Taken &into) const
+bool Sticks::addToDraft(BlueprintDraft &draft) const
 {
     for (const Stick &one : m_sticks)
-        into.blueprint.sticks.push_back({one.a, one.b, one.length, one.share});
-    into.numbers["iterations"] = m_iterations;
+        draft.blueprint.sticks.push_back({one.a, one.b, one.length, one.share});
+    draft.parameters["iterations"] = m_iterations;
     return true;
 }
 
 namespace {
 
-constexpr Setting sticksSettings[] = {{
+constexpr ParameterSpec sticksSettings[] = {{
     .id = "iterations",
     .name = SIM_TEXT("Iterations"),
     .unit = SIM_TEXT("passes"),
     .help = SIM_TEXT("How often each frame goes through the list of sticks."),
-    .preset = 10.0,
+    .defaultValue = 10.0,
     .min = 1.0,
     .max = 1000.0,
     .sliderMin = 1.0,
     .sliderMax = 50.0,
     .decimals = 0,
-    .meaning = Meaning::passes,
-    .whole = true,
+    .role = ParameterRole::iterations,
+    .isInteger = true,
 }};
 
 }
 
-namespace described {
-constinit const Description sticks = {
+namespace descriptions {
+constinit const EffectDescription sticks = {
     .id = "sticks",
     .title = SIM_TEXT("sticks"),
-    .kind = Kind::stick,
+    .kind = EffectKind::stick,
     .purpose =
         SIM_TEXT("Give each pair of points its length back, by moving them: a stick does not stretch."),
-    .settings = sticksSettings};
+    .parameters = sticksSettings};
 }
 
 }

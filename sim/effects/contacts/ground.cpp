@@ -8,34 +8,34 @@
 
 namespace sim {
 
-Ground::Ground(std::vector<int> feet, Soil soil) : m_feet(std::move(feet)), m_soil(soil)
+Ground::Ground(std::vector<int> feet, GroundPlane plane) : m_feet(std::move(feet)), m_plane(plane)
 {
     std::sort(m_feet.begin(), m_feet.end());
     for (const int foot : m_feet) {
-        if (!m_runs.empty() && m_runs.back().end() == foot)
-            ++m_runs.back().count;
+        if (!m_ranges.empty() && m_ranges.back().end() == foot)
+            ++m_ranges.back().count;
         else
-            m_runs.push_back({foot, 1});
+            m_ranges.push_back({foot, 1});
     }
 }
 
-std::vector<Region> Ground::regions(Directions) const
+std::vector<Region> Ground::regions(DirectionRule) const
 {
     return {{"sim/effects/contacts/ground.h", "ground"}};
 }
 
 /// Calls `visit(foot)` for each foot among `points` that is not held.
 template <class Visit>
-void Ground::forEach(const State &state, Points points, Visit &&visit) const
+void Ground::forEach(const State &state, PointRange points, Visit &&visit) const
 {
     auto foot = std::lower_bound(m_feet.begin(), m_feet.end(), points.first);
     for (; foot != m_feet.end() && *foot < points.end(); ++foot) {
-        if (state.feels(*foot))
+        if (state.isDynamic(*foot))
             visit(*foot);
     }
 }
 
-int Ground::count(const State &state, Points points) const
+int Ground::count(const State &state, PointRange points) const
 {
     int total = 0;
     forEach(state, points, [&](int) { ++total; });
@@ -46,36 +46,37 @@ std::vector<Surface> Ground::surfaces(int point) const
 {
     if (!std::binary_search(m_feet.begin(), m_feet.end(), point))
         return {};
-    const Grip grip = m_soil.traction == Traction::full ? Grip::full : Grip::none;
-    return {{{0.0, -1.0}, -m_soil.ground, m_soil.bounce, grip}};
+    const Grip grip = m_plane.traction == Traction::full ? Grip::full : Grip::none;
+    return {{{0.0, -1.0}, -m_plane.ground, m_plane.bounce, grip}};
 }
 
-void Ground::resolve(State &state, Points points) const
+void Ground::resolve(State &state, PointRange points) const
 {
-    const Columns x(state.position), v(state.velocity);
-    for (const Points &run : m_runs)
-        replaceFreeMotion(state, common(run, points),
-                          [=, soil = m_soil](int foot) { return sim::ground(x.at(foot), v.at(foot), soil); });
+    const XyColumns x(state.position), v(state.velocity);
+    for (const PointRange &range : m_ranges)
+        updateDynamicMotion(state, intersection(range, points), [=, plane = m_plane](int foot) {
+            return sim::ground(x.at(foot), v.at(foot), plane);
+        });
 }
 
-bool Ground::takeInto(Taken &into) const
+bool Ground::addToDraft(BlueprintDraft &draft) const
 {
-    into.choose("ground", {{"ground", m_soil.ground}});
-    if (m_soil.bounce != 0.0)
-        into.leave(SIM_TEXT("the bounce of the ground"));
-    if (m_soil.traction != Traction::full)
-        into.leave(SIM_TEXT("ice on the ground"));
+    draft.addEffect("ground", {{"ground", m_plane.ground}});
+    if (m_plane.bounce != 0.0)
+        draft.omit(SIM_TEXT("the bounce of the ground"));
+    if (m_plane.traction != Traction::full)
+        draft.omit(SIM_TEXT("ice on the ground"));
     return true;
 }
 
 namespace {
 
-constexpr Setting groundSettings[] = {{
+constexpr ParameterSpec groundSettings[] = {{
     .id = "ground",
     .name = SIM_TEXT("Ground"),
     .unit = SIM_TEXT("px"),
     .help = SIM_TEXT("How far down the ground lies."),
-    .preset = 380.0,
+    .defaultValue = 380.0,
     .min = -1e6,
     .max = 1e6,
     .sliderMin = 0.0,
@@ -85,20 +86,20 @@ constexpr Setting groundSettings[] = {{
 
 EffectPtr buildGround(const Blueprint &plan, const Values &values)
 {
-    Soil soil;
-    soil.ground = values["ground"];
-    return std::make_shared<Ground>(feetOf(plan), soil);
+    GroundPlane plane;
+    plane.ground = values["ground"];
+    return std::make_shared<Ground>(feetOf(plan), plane);
 }
 
 }
 
-namespace described {
-constinit const Description ground = {
+namespace descriptions {
+constinit const EffectDescription ground = {
     .id = "ground",
     .title = SIM_TEXT("ground"),
-    .kind = Kind::contact,
+    .kind = EffectKind::contact,
     .purpose = SIM_TEXT("Keeps the feet from sinking in, and from slipping where it holds them."),
-    .settings = groundSettings,
+    .parameters = groundSettings,
     .make = buildGround};
 }
 

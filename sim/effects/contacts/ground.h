@@ -7,8 +7,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description ground;
+namespace descriptions {
+extern const EffectDescription ground;
 }
 
 /// What the ground does to the speed of a foot along it.
@@ -18,7 +18,7 @@ enum class Traction {
 };
 
 /// An endless level ground.
-struct Soil
+struct GroundPlane
 {
     double ground = 0.0; ///< px, how far down it lies
     double bounce = 0.0; ///< share of the speed into the ground that is kept, turned round
@@ -32,13 +32,13 @@ struct Soil
 // clang-format off
 inline
 //! [ground]
-Motion ground(
-    Vec2 x, Vec2 v, const Soil &soil)
+PointMotion ground(
+    Vec2 x, Vec2 v, const GroundPlane &plane)
 {
-    if (x.y > soil.ground) {
-        x.y = soil.ground;
-        v.y -= (1 + soil.bounce) * v.y;
-        if (soil.traction == Traction::full)
+    if (x.y > plane.ground) {
+        x.y = plane.ground;
+        v.y -= (1 + plane.bounce) * v.y;
+        if (plane.traction == Traction::full)
             v.x = 0;
     }
     return {x, v};
@@ -47,28 +47,28 @@ Motion ground(
 // clang-format on
 
 /// Ground for some points: the feet. Nothing else meets it.
-class Ground : public Described<Contact, described::ground>
+class Ground : public DescribedEffect<Contact, descriptions::ground>
 {
 public:
-    Ground(std::vector<int> feet, Soil soil);
+    Ground(std::vector<int> feet, GroundPlane plane);
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    bool idle() const override { return std::isinf(m_soil.ground) && m_soil.ground > 0.0; }
-    void resolve(State &state, Points points) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    bool isIdle() const override { return std::isinf(m_plane.ground) && m_plane.ground > 0.0; }
+    void resolve(State &state, PointRange points) const override;
     std::vector<Surface> surfaces(int point) const override;
-    bool takeInto(Taken &into) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
-    const Soil &soil() const { return m_soil; }
+    const GroundPlane &plane() const { return m_plane; }
 
 private:
     template <class Visit>
-    void forEach(const State &state, Points points, Visit &&visit) const;
+    void forEach(const State &state, PointRange points, Visit &&visit) const;
 
-    std::vector<int> m_feet;    ///< in order
-    std::vector<Points> m_runs; ///< the same feet
-    Soil m_soil;
+    std::vector<int> m_feet;          ///< in order
+    std::vector<PointRange> m_ranges; ///< the same feet
+    GroundPlane m_plane;
 };
 
 }

@@ -15,12 +15,12 @@ Incline inclineOf(Vec2 through, double angle, double bounce)
     return {through, {-std::sin(rad), -std::cos(rad)}, bounce};
 }
 
-std::vector<Region> Ramp::regions(Directions) const
+std::vector<Region> Ramp::regions(DirectionRule) const
 {
     return {{"sim/effects/contacts/ramp.h", "ramp"}, {"sim/effects/contacts/reflection.h", "reflection"}};
 }
 
-int Ramp::count(const State &state, Points points) const
+int Ramp::count(const State &state, PointRange points) const
 {
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
@@ -30,27 +30,27 @@ std::vector<Surface> Ramp::surfaces(int point) const
     return {{m_edge.normal, dot(m_edge.through, m_edge.normal) + m_half[point], m_edge.bounce, Grip::none}};
 }
 
-void Ramp::resolve(State &state, Points points) const
+void Ramp::resolve(State &state, PointRange points) const
 {
-    const Columns x(state.position), v(state.velocity);
-    replaceFreeMotion(state, points, [=, half = m_half.data(), edge = m_edge](int i) {
+    const XyColumns x(state.position), v(state.velocity);
+    updateDynamicMotion(state, points, [=, half = m_half.data(), edge = m_edge](int i) {
         return ramp(x.at(i), v.at(i), half[i], edge);
     });
 }
 
-bool Ramp::takeInto(Taken &into) const
+bool Ramp::addToDraft(BlueprintDraft &draft) const
 {
     const double angle = std::atan2(-m_edge.normal.x, -m_edge.normal.y) * 180.0 / std::numbers::pi;
-    into.choose("ramp", {{"ramp", angle},
-                         {"ramp_x", m_edge.through.x},
-                         {"ramp_y", m_edge.through.y},
-                         {"bounce", m_edge.bounce}});
+    draft.addEffect("ramp", {{"ramp", angle},
+                             {"ramp_x", m_edge.through.x},
+                             {"ramp_y", m_edge.through.y},
+                             {"bounce", m_edge.bounce}});
     return true;
 }
 
 namespace {
 
-constexpr Setting rampSettings[] = {
+constexpr ParameterSpec rampSettings[] = {
     settings::bounce,
     {
         .id = "ramp",
@@ -58,7 +58,7 @@ constexpr Setting rampSettings[] = {
         .unit = SIM_TEXT("°"),
         .help =
             SIM_TEXT("How steeply it rises to the right. 0: level. 90: a wall on the right. 180: a ceiling."),
-        .preset = 20.0,
+        .defaultValue = 20.0,
         .min = -180.0,
         .max = 180.0,
         .sliderMin = -180.0,
@@ -70,7 +70,7 @@ constexpr Setting rampSettings[] = {
         .name = SIM_TEXT("Ramp x"),
         .unit = SIM_TEXT("px"),
         .help = SIM_TEXT("How far to the right a place of the ramp is."),
-        .preset = 270.0,
+        .defaultValue = 270.0,
         .min = -1e6,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -82,7 +82,7 @@ constexpr Setting rampSettings[] = {
         .name = SIM_TEXT("Ramp y"),
         .unit = SIM_TEXT("px"),
         .help = SIM_TEXT("How far down that place is."),
-        .preset = 320.0,
+        .defaultValue = 320.0,
         .min = -1e6,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -98,13 +98,13 @@ EffectPtr buildRamp(const Blueprint &plan, const Values &values)
 
 }
 
-namespace described {
-constinit const Description ramp = {
+namespace descriptions {
+constinit const EffectDescription ramp = {
     .id = "ramp",
     .title = SIM_TEXT("ramp"),
-    .kind = Kind::contact,
+    .kind = EffectKind::contact,
     .purpose = SIM_TEXT("Keeps everything on one side of a straight line, which leans as you like."),
-    .settings = rampSettings,
+    .parameters = rampSettings,
     .make = buildRamp};
 }
 

@@ -5,8 +5,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description ramp;
+namespace descriptions {
+extern const EffectDescription ramp;
 }
 
 /// A straight edge without an end, which leans as it likes.
@@ -27,7 +27,7 @@ Incline inclineOf(Vec2 through, double angle, double bounce);
 // clang-format off
 inline
 //! [ramp]
-Motion ramp(
+PointMotion ramp(
     Vec2 x, Vec2 v, double half,
     const Incline &edge)
 {
@@ -44,18 +44,18 @@ Motion ramp(
 // clang-format on
 
 /// A slanted wall without friction, which bodies slide along.
-class Ramp : public Described<Contact, described::ramp>
+class Ramp : public DescribedEffect<Contact, descriptions::ramp>
 {
 public:
     /// `half`: half of each point's width in px, one row per point.
     Ramp(Incline edge, Eigen::ArrayXd half) : m_edge(edge), m_half(std::move(half)) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void resolve(State &state, Points points) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void resolve(State &state, PointRange points) const override;
     std::vector<Surface> surfaces(int point) const override;
-    bool takeInto(Taken &into) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
     const Incline &edge() const { return m_edge; }
 

@@ -5,39 +5,39 @@
 
 namespace sim {
 
-std::vector<Region> RoomLimits::regions(Directions) const
+std::vector<Region> RoomLimits::regions(DirectionRule) const
 {
     return {{"sim/effects/contacts/room_limits.h", "room_limits"},
             {"sim/effects/contacts/room_limits.h", "friction"}};
 }
 
-int RoomLimits::count(const State &state, Points points) const
+int RoomLimits::count(const State &state, PointRange points) const
 {
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
 
-void RoomLimits::enforce(State &state, Points points, Directions, double) const
+void RoomLimits::enforce(State &state, PointRange points, DirectionRule, double) const
 {
-    const bool remembers = state.previous.rows() == state.points();
+    const bool remembers = state.previous.rows() == state.pointCount();
     for (int i = points.first; i < points.end(); ++i) {
-        if (!state.feels(i))
+        if (!state.isDynamic(i))
             continue;
-        const Vec2 x = state.at(i);
+        const Vec2 x = state.positionOf(i);
         const Vec2 before = remembers ? Vec2{state.previous(i, 0), state.previous(i, 1)} : x;
         state.place(i, keepInside(x, before, m_half[i], m_room, m_friction));
     }
 }
 
-std::vector<Live> RoomLimits::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> RoomLimits::explain(const State &before, const State &after, int point) const
 {
-    if (before.at(point) == after.at(point))
+    if (before.positionOf(point) == after.positionOf(point))
         return {};
-    return {{"x", after.at(point), before.at(point)}};
+    return {{"x", after.positionOf(point), before.positionOf(point)}};
 }
 
-bool RoomLimits::takeInto(Taken &into) const
+bool RoomLimits::addToDraft(BlueprintDraft &draft) const
 {
-    into.choose(
+    draft.addEffect(
         "room",
         {{"left", m_room.left}, {"right", m_room.right}, {"floor", m_room.floor}, {"friction", m_friction}});
     return true;
@@ -45,7 +45,7 @@ bool RoomLimits::takeInto(Taken &into) const
 
 namespace {
 
-constexpr Setting roomSettings[] = {
+constexpr ParameterSpec roomSettings[] = {
     settings::left,
     settings::right,
     settings::floor,
@@ -53,7 +53,7 @@ constexpr Setting roomSettings[] = {
         .id = "friction",
         .name = SIM_TEXT("Friction"),
         .help = SIM_TEXT("How much a wall’s push holds back what slides along it. 0: like ice."),
-        .preset = 0.5,
+        .defaultValue = 0.5,
         .min = 0.0,
         .max = 10.0,
         .sliderMin = 0.0,
@@ -67,14 +67,14 @@ EffectPtr buildRoom(const Blueprint &plan, const Values &values)
 
 }
 
-namespace described {
-constinit const Description room = {
+namespace descriptions {
+constinit const EffectDescription room = {
     .id = "room",
     .title = SIM_TEXT("room"),
-    .kind = Kind::contact,
+    .kind = EffectKind::contact,
     .purpose =
         SIM_TEXT("Keeps everything between two walls and above a floor, with friction and without a bounce."),
-    .settings = roomSettings,
+    .parameters = roomSettings,
     .make = buildRoom};
 }
 

@@ -7,8 +7,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description room;
+namespace descriptions {
+extern const EffectDescription room;
 }
 
 /// A slide of `slide` px against a wall that a point was `deep` px inside: what friction leaves of it. The deeper,
@@ -19,7 +19,7 @@ extern const Description room;
 // clang-format off
 inline
 //! [friction]
-double rub(double slide, double deep,
+double slideAfterFriction(double slide, double deep,
            double friction)
 {
     double most = friction * deep;
@@ -43,14 +43,14 @@ Vec2 keepInside(
     double deep = x.y - (room.floor - half);
     if (deep > 0) {
         double slide = x.x - before.x;
-        slide = rub(slide, deep, friction);
+        slide = slideAfterFriction(slide, deep, friction);
         x = {before.x + slide, x.y - deep};
     }
     deep = x.x - (room.right - half);
     double deep2 = room.left + half - x.x;
     if (deep > 0 || deep2 > 0) {
         double slide = x.y - before.y;
-        slide = rub(slide,
+        slide = slideAfterFriction(slide,
             std::max(deep, deep2), friction);
         double wall = deep > 0
             ? x.x - deep : x.x + deep2;
@@ -63,7 +63,7 @@ Vec2 keepInside(
 
 /// Two walls and a floor as conditions on places: x may not be past a wall. What meets one does not bounce, and rubs
 /// along it.
-class RoomLimits : public Described<Constraint, described::room>
+class RoomLimits : public DescribedEffect<Constraint, descriptions::room>
 {
 public:
     /// `half`: half of each point's width in px, one row per point. `friction`: how much of the push of a wall can
@@ -73,12 +73,12 @@ public:
     {
     }
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void enforce(State &state, Points points, Directions directions, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
-    bool takeInto(Taken &into) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
     const Room &room() const { return m_room; }
     double friction() const { return m_friction; }

@@ -6,12 +6,12 @@
 
 namespace sim {
 
-std::vector<Region> Walls::regions(Directions) const
+std::vector<Region> Walls::regions(DirectionRule) const
 {
     return {{"sim/effects/contacts/walls.h", "walls"}};
 }
 
-int Walls::count(const State &state, Points points) const
+int Walls::count(const State &state, PointRange points) const
 {
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
@@ -24,10 +24,10 @@ std::vector<Surface> Walls::surfaces(int point) const
             {{0.0, -1.0}, half - m_room.floor, m_room.bounce, Grip::none}};
 }
 
-void Walls::resolve(State &state, Points points) const
+void Walls::resolve(State &state, PointRange points) const
 {
-    const Columns x(state.position), v(state.velocity);
-    replaceFreeMotion(state, points, [=, half = m_half.data(), room = m_room](int i) {
+    const XyColumns x(state.position), v(state.velocity);
+    updateDynamicMotion(state, points, [=, half = m_half.data(), room = m_room](int i) {
         return walls(x.at(i), v.at(i), half[i], room);
     });
 }
@@ -37,9 +37,9 @@ Room roomOf(const Values &values)
     return {values["left"], values["right"], values["floor"], values["bounce"]};
 }
 
-bool Walls::takeInto(Taken &into) const
+bool Walls::addToDraft(BlueprintDraft &draft) const
 {
-    into.choose(
+    draft.addEffect(
         "walls",
         {{"left", m_room.left}, {"right", m_room.right}, {"floor", m_room.floor}, {"bounce", m_room.bounce}});
     return true;
@@ -47,7 +47,8 @@ bool Walls::takeInto(Taken &into) const
 
 namespace {
 
-constexpr Setting wallsSettings[] = {settings::left, settings::right, settings::floor, settings::bounce};
+constexpr ParameterSpec wallsSettings[] = {settings::left, settings::right, settings::floor,
+                                           settings::bounce};
 
 EffectPtr buildWalls(const Blueprint &plan, const Values &values)
 {
@@ -56,13 +57,13 @@ EffectPtr buildWalls(const Blueprint &plan, const Values &values)
 
 }
 
-namespace described {
-constinit const Description walls = {
+namespace descriptions {
+constinit const EffectDescription walls = {
     .id = "walls",
     .title = SIM_TEXT("walls"),
-    .kind = Kind::contact,
+    .kind = EffectKind::contact,
     .purpose = SIM_TEXT("Put back what has gone past a wall or the floor, and turn its velocity round."),
-    .settings = wallsSettings,
+    .parameters = wallsSettings,
     .make = buildWalls};
 }
 

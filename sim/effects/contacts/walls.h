@@ -7,55 +7,55 @@
 
 namespace sim {
 
-namespace described {
-extern const Description walls;
+namespace descriptions {
+extern const EffectDescription walls;
 }
 
 // The settings of rooms, which several effects read.
 namespace settings {
 
-inline constexpr Setting left = {
+inline constexpr ParameterSpec left = {
     .id = "left",
     .name = SIM_TEXT("Left wall"),
     .unit = SIM_TEXT("px"),
     .help = SIM_TEXT("Where the left wall stands."),
-    .preset = 20.0,
+    .defaultValue = 20.0,
     .min = -1e6,
     .max = 1e6,
     .sliderMin = 0.0,
     .sliderMax = 540.0,
     .decimals = 0,
 };
-inline constexpr Setting right = {
+inline constexpr ParameterSpec right = {
     .id = "right",
     .name = SIM_TEXT("Right wall"),
     .unit = SIM_TEXT("px"),
     .help = SIM_TEXT("Where the right wall stands."),
-    .preset = 520.0,
+    .defaultValue = 520.0,
     .min = -1e6,
     .max = 1e6,
     .sliderMin = 0.0,
     .sliderMax = 540.0,
     .decimals = 0,
 };
-inline constexpr Setting floor = {
+inline constexpr ParameterSpec floor = {
     .id = "floor",
     .name = SIM_TEXT("Floor"),
     .unit = SIM_TEXT("px"),
     .help = SIM_TEXT("How far down the floor lies."),
-    .preset = 380.0,
+    .defaultValue = 380.0,
     .min = -1e6,
     .max = 1e6,
     .sliderMin = 0.0,
     .sliderMax = 400.0,
     .decimals = 0,
 };
-inline constexpr Setting bounce = {
+inline constexpr ParameterSpec bounce = {
     .id = "bounce",
     .name = SIM_TEXT("Bounce"),
     .unit = SIM_TEXT("kept"),
     .help = SIM_TEXT("The share of its speed that a body keeps at a wall."),
-    .preset = 0.5,
+    .defaultValue = 0.5,
 };
 
 }
@@ -64,7 +64,7 @@ inline constexpr Setting bounce = {
 Room roomOf(const Values &values);
 
 /// A point's position and velocity.
-struct Motion
+struct PointMotion
 {
     Vec2 x; ///< px
     Vec2 v; ///< px/frame
@@ -76,7 +76,7 @@ struct Motion
 // clang-format off
 inline
 //! [walls]
-Motion walls(
+PointMotion walls(
     Vec2 x, Vec2 v, double half,
     const Room &room)
 {
@@ -98,22 +98,22 @@ Motion walls(
 // clang-format on
 
 /// Two walls and a floor that bodies bounce off. There is no ceiling.
-class Walls : public Described<Contact, described::walls>
+class Walls : public DescribedEffect<Contact, descriptions::walls>
 {
 public:
     /// `half`: half of each point's width in px, one row per point.
     Walls(Room room, Eigen::ArrayXd half) : m_room(room), m_half(std::move(half)) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    bool idle() const override
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    bool isIdle() const override
     {
         return m_room.sidesAreFar() && std::isinf(m_room.floor) && m_room.floor > 0.0;
     }
-    void resolve(State &state, Points points) const override;
+    void resolve(State &state, PointRange points) const override;
     std::vector<Surface> surfaces(int point) const override;
-    bool takeInto(Taken &into) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
     const Room &room() const { return m_room; }
     /// Half of each point's width in px.

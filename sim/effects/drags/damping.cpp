@@ -23,96 +23,96 @@ double kept(double damp, double h)
 
 Damping::Damping(double damp) : m_damp(damp), m_keepInOne(kept(damp, 1.0)) {}
 
-Damping::Damping(double damp, Points only) : m_damp(damp), m_keepInOne(kept(damp, 1.0)), m_only(only) {}
+Damping::Damping(double damp, PointRange only) : m_damp(damp), m_keepInOne(kept(damp, 1.0)), m_only(only) {}
 
-std::vector<Region> Damping::regions(Directions) const
+std::vector<Region> Damping::regions(DirectionRule) const
 {
     return {{"sim/effects/drags/damping.cpp", "damping"}, {"sim/effects/drags/damping.h", "damp"}};
 }
 
-std::vector<Region> SpinDamping::regions(Directions) const
+std::vector<Region> SpinDamping::regions(DirectionRule) const
 {
     return {{"sim/effects/drags/damping.cpp", "damping"}, {"sim/effects/drags/damping.h", "damp_spin"}};
 }
 
-Points Damping::shareOf(Points points) const
+PointRange Damping::shareOf(PointRange points) const
 {
     const int first = std::max(points.first, m_only.first);
     const int count = std::min(points.end(), m_only.end()) - first;
-    return count > 0 ? Points{first, count} : Points{points.first, 0};
+    return count > 0 ? PointRange{first, count} : PointRange{points.first, 0};
 }
 
-int Damping::count(const State &state, Points points) const
+int Damping::count(const State &state, PointRange points) const
 {
     points = shareOf(points);
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
 
-void Damping::slow(State &state, Points points, double h) const
+void Damping::apply(State &state, PointRange points, double h) const
 {
-    const double share = keep(h);
+    const double share = velocityFactor(h);
     points = shareOf(points);
-    replaceFree(state.inverseMass, points, state.velocity,
-                [share, v = Columns(state.velocity)](int i) { return damp(v.at(i), share); });
+    updateDynamic(state.inverseMass, points, state.velocity,
+                  [share, v = XyColumns(state.velocity)](int i) { return damp(v.at(i), share); });
     if (state.spin.rows() > 0)
-        replaceFree(state.inverseMass, points, state.spin.data(),
-                    [share, spin = state.spin.data()](int i) { return dampSpin(spin[i], share); });
+        updateDynamic(state.inverseMass, points, state.spin.data(),
+                      [share, spin = state.spin.data()](int i) { return dampSpin(spin[i], share); });
 }
 
-std::optional<double> Damping::keep(Points points, double h) const
+std::optional<double> Damping::velocityFactor(PointRange points, double h) const
 {
     if (shareOf(points).count < points.count)
         return {};
-    return keep(h);
+    return velocityFactor(h);
 }
 
-std::optional<double> Damping::rate(int point) const
+std::optional<double> Damping::dampingRate(int point) const
 {
     if (!m_only.contains(point) || m_damp == 1.0)
         return 0.0;
     return -std::log(m_damp);
 }
 
-std::vector<Live> Damping::explain(const State &before, const State &after, int point, double h) const
+std::vector<LiveValue> Damping::explain(const State &before, const State &after, int point, double h) const
 {
     if (!m_only.contains(point))
         return {};
-    std::vector<Live> live = {{"keep", kept(m_damp, h), {}}};
+    std::vector<LiveValue> live = {{"keep", kept(m_damp, h), {}}};
     if (after.spin.rows() > 0)
         live.push_back({"spin", after.spin[point], before.spin[point]});
     else
-        live.push_back({"v", after.speed(point), before.speed(point)});
+        live.push_back({"v", after.velocityOf(point), before.velocityOf(point)});
     return live;
 }
 
-double Damping::keep(double h) const
+double Damping::velocityFactor(double h) const
 {
     return h == 1.0 ? m_keepInOne : kept(m_damp, h);
 }
 
-bool Damping::takeInto(Taken &into) const
+bool Damping::addToDraft(BlueprintDraft &draft) const
 {
-    for (int i = 1; i < into.now.points(); ++i) {
-        if (rate(i) != rate(0))
+    for (int i = 1; i < draft.state.pointCount(); ++i) {
+        if (dampingRate(i) != dampingRate(0))
             return false; // of some points only
     }
-    into.choose("damping", {{"damp", keep(1.0)}});
+    draft.addEffect("damping", {{"damp", velocityFactor(1.0)}});
     return true;
 }
 
 namespace {
 
-constexpr Setting dampingSettings[] = {{
+constexpr ParameterSpec dampingSettings[] = {{
     .id = "damp",
     .name = SIM_TEXT("Damping"),
     .unit = SIM_TEXT("per frame"),
     .help = SIM_TEXT("The share of its speed that everything keeps each frame. 1 keeps it all."),
-    .preset = 0.99,
+    .defaultValue = 0.99,
     .min = 0.0,
     .max = 1.0,
     .sliderMin = 0.0,
     .sliderMax = 1.0,
-    .meaning = Meaning::keptSpeed,
+    .role = ParameterRole::damping,
 }};
 
 EffectPtr buildDamping(const Blueprint &, const Values &values)
@@ -122,13 +122,13 @@ EffectPtr buildDamping(const Blueprint &, const Values &values)
 
 }
 
-namespace described {
-constinit const Description damping = {
+namespace descriptions {
+constinit const EffectDescription damping = {
     .id = "damping",
     .title = SIM_TEXT("damping"),
-    .kind = Kind::damping,
+    .kind = EffectKind::damping,
     .purpose = SIM_TEXT("Takes a share of every velocity each frame, so that things come to rest."),
-    .settings = dampingSettings,
+    .parameters = dampingSettings,
     .make = buildDamping};
 }
 

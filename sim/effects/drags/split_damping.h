@@ -5,8 +5,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description split_damping;
+namespace descriptions {
+extern const EffectDescription split_damping;
 }
 
 /// What is left of a velocity, and its two parts before they were damped.
@@ -37,7 +37,7 @@ SplitVelocity dampSplit(
 // clang-format on
 
 /// Drag on one point that differs along and across the line to another point.
-class SplitDamping : public Described<Drag, described::split_damping>
+class SplitDamping : public DescribedEffect<Drag, descriptions::split_damping>
 {
 public:
     /// `along` and `across`: the share that each part of the velocity keeps each frame, from 0 to 1.
@@ -46,12 +46,13 @@ public:
     {
     }
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override { into.emplace_back(m_mover, m_anchor); }
-    void slow(State &state, Points points, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point, double h) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void addCouplings(std::vector<Coupling> &into) const override { into.emplace_back(m_mover, m_anchor); }
+    void apply(State &state, PointRange points, double h) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point,
+                                   double h) const override;
 
 private:
     SplitVelocity split(const State &state, double h) const;

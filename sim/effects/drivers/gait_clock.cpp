@@ -2,12 +2,12 @@
 
 namespace sim {
 
-std::vector<Region> GaitClock::regions(Directions) const
+std::vector<Region> GaitClock::regions(DirectionRule) const
 {
     return {{"sim/effects/drivers/gait_clock.h", "gait_clock"}};
 }
 
-int GaitClock::count(const State &state, Points) const
+int GaitClock::count(const State &state, PointRange) const
 {
     return static_cast<int>(state.gait.rows());
 }
@@ -18,15 +18,15 @@ void GaitClock::drive(State &state, double h) const
         state.gait[i] = tick(state.gait[i], state.gaitSpeed[i], h);
 }
 
-std::vector<Live> GaitClock::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> GaitClock::explain(const State &before, const State &after, int point) const
 {
     const int clock = m_clockOf.empty() ? 0 : m_clockOf.at(static_cast<std::size_t>(point));
     return {{"speed", before.gaitSpeed[clock]}, {"gait", after.gait[clock], before.gait[clock]}};
 }
 
-namespace described {
-constinit const Description gait_clock = {
-    "gait_clock", SIM_TEXT("gait clock"), Kind::driver,
+namespace descriptions {
+constinit const EffectDescription gait_clock = {
+    "gait_clock", SIM_TEXT("gait clock"), EffectKind::driver,
     SIM_TEXT("Turns the angle that swings the legs on, a little each frame: the beat of the walk.")};
 }
 

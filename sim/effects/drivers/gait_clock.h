@@ -6,8 +6,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description gait_clock;
+namespace descriptions {
+extern const EffectDescription gait_clock;
 }
 
 /// A gait clock after `h` frames: `gait` in rad, `speed` in rad/frame. Published: Creatures II, step 9.
@@ -25,19 +25,19 @@ double tick(
 // clang-format on
 
 /// Turns every gait clock of the scene on, at the speed that State::gaitSpeed gives it.
-class GaitClock : public Described<Driver, described::gait_clock>
+class GaitClock : public DescribedEffect<Driver, descriptions::gait_clock>
 {
 public:
     /// `clockOf`: which clock each point goes by, one a point; empty: all by clock 0.
     explicit GaitClock(std::vector<int> clockOf = {}) : m_clockOf(std::move(clockOf)) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
     void drive(State &state, double h) const override;
-    Pace pace() const override { return Pace::flows; }
-    bool takeInto(Taken &) const override { return true; } // it comes with the legs
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    DriverTiming timing() const override { return DriverTiming::continuous; }
+    bool addToDraft(BlueprintDraft &) const override { return true; } // it comes with the legs
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     std::vector<int> m_clockOf;

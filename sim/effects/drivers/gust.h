@@ -8,8 +8,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description gust;
+namespace descriptions {
+extern const EffectDescription gust;
 }
 
 /// One step of a gust: while the button is down its front runs outwards; when it is let go its end follows. A new
@@ -18,18 +18,18 @@ extern const Description gust;
 // clang-format off
 inline
 //! [gust]
-Gale runOn(
-    Gale gale, bool down,
+GustExtent advanceGust(
+    GustExtent gust, bool down,
     double speed, double h)
 {
-    if (down && gale.end > 0)
-        gale = {}; // a new gust
-    bool blows = down || gale.front > 0;
+    if (down && gust.tail > 0)
+        gust = {}; // a new gust
+    bool blows = down || gust.front > 0;
     if (blows)
-        gale.front += h * speed;
+        gust.front += h * speed;
     if (blows && !down)
-        gale.end += h * speed;
-    return gale;
+        gust.tail += h * speed;
+    return gust;
 }
 //! [gust]
 // clang-format on
@@ -41,14 +41,14 @@ Gale runOn(
 inline
 //! [gust_at]
 double gustAt(
-    double distance, Gale gale,
+    double distance, GustExtent gust,
     double gusts)
 {
-    if (distance > gale.front)
+    if (distance > gust.front)
         return 0; // it has not come yet
-    if (distance < gale.end)
+    if (distance < gust.tail)
         return 0; // it is past
-    double behind = gale.front - distance;
+    double behind = gust.front - distance;
     double waves = behind / 300;
     double turn = 2 * std::numbers::pi;
     return 1 + gusts * std::sin(turn * waves);
@@ -57,28 +57,28 @@ double gustAt(
 // clang-format on
 
 /// How that share changes with the distance, 1/px; at the front and at the end, where it jumps, as inside.
-inline double gustSlope(double distance, Gale gale, double gusts)
+inline double gustDerivative(double distance, GustExtent gust, double gusts)
 {
-    if (distance > gale.front || distance < gale.end)
+    if (distance > gust.front || distance < gust.tail)
         return 0.0;
     const double turn = 2 * std::numbers::pi / 300;
-    return -gusts * turn * std::cos(turn * (gale.front - distance));
+    return -gusts * turn * std::cos(turn * (gust.front - distance));
 }
 
 /// Lets a gust run outwards from the pointer.
-class GustFront : public Described<Driver, described::gust>, public InputReader
+class GustFront : public DescribedEffect<Driver, descriptions::gust>, public InputReader
 {
 public:
     /// `speed` in px/frame.
     explicit GustFront(double speed) : m_speed(speed) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::pointer; }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
+    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
     void drive(State &state, double h) const override;
-    Pace pace() const override { return Pace::flows; }
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    DriverTiming timing() const override { return DriverTiming::continuous; }
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     double m_speed;

@@ -6,9 +6,9 @@
 
 namespace sim {
 
-namespace described {
-extern const Description motor;
-extern const Description anticipation;
+namespace descriptions {
+extern const EffectDescription motor;
+extern const EffectDescription anticipation;
 }
 
 /// A spring from one point to the target. The tutorial counts time in units of its own: a frame is `dt` of them, so
@@ -28,22 +28,22 @@ SpringPull motor(
 //! [motor]
 // clang-format on
 
-class Motor : public Described<Force, described::motor>, public InputReader
+class Motor : public DescribedEffect<Force, descriptions::motor>, public InputReader
 {
 public:
     /// k in 1 over the tutorial's unit of time squared, dt in those units per frame.
     Motor(int mover, double k, double dt) : m_mover(mover), m_k(k), m_dt(dt) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::target; }
-    bool idle() const override { return m_k * m_dt * m_dt == 0.0; }
-    void add(const State &state, Points movers, double scale, Directions directions,
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
+    bool reads(InputKind signal) const override { return signal == InputKind::target; }
+    bool isIdle() const override { return m_k * m_dt * m_dt == 0.0; }
+    void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    bool addJacobian(const State &state, PointRange movers, double scale, DirectionRule directionRule,
+                     Jacobian &jacobian) const override;
+    std::vector<LiveValue> explain(const State &state, int mover, DirectionRule directionRule) const override;
 
 private:
     int m_mover;
@@ -78,18 +78,18 @@ Shifted anticipate(
 // clang-format on
 
 /// Takes each new target in turn: before it goes there, `mover` is shifted the other way. List it first.
-class Anticipation : public Described<Driver, described::anticipation>, public InputReader
+class Anticipation : public DescribedEffect<Driver, descriptions::anticipation>, public InputReader
 {
 public:
     /// `anticipation`: the part of the way to the target that it is shifted.
     Anticipation(int mover, double anticipation) : m_mover(mover), m_anticipation(anticipation) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::target; }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
+    bool reads(InputKind signal) const override { return signal == InputKind::target; }
     void drive(State &state, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     int m_mover;

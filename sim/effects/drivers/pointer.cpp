@@ -20,32 +20,32 @@ Vec2 atPointer(
 
 }
 
-std::vector<Region> CarriedByPointer::regions(Directions) const
+std::vector<Region> CarriedByPointer::regions(DirectionRule) const
 {
     return {{"sim/effects/drivers/pointer.cpp", "pointer"}};
 }
 
-int CarriedByPointer::count(const State &state, Points points) const
+int CarriedByPointer::count(const State &state, PointRange points) const
 {
-    return points.contains(m_point) && m_point < state.points() ? 1 : 0;
+    return points.contains(m_point) && m_point < state.pointCount() ? 1 : 0;
 }
 
 void CarriedByPointer::drive(State &state, double) const
 {
-    if (state.feels(m_point))
-        state.place(m_point, atPointer(state.at(m_point), state.outside.pointer));
+    if (state.isDynamic(m_point))
+        state.place(m_point, atPointer(state.positionOf(m_point), state.input.pointer));
 }
 
-std::vector<Live> CarriedByPointer::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> CarriedByPointer::explain(const State &before, const State &after, int point) const
 {
-    if (point != m_point || before.at(point) == after.at(point))
+    if (point != m_point || before.positionOf(point) == after.positionOf(point))
         return {};
-    return {{"x", after.at(point), before.at(point)}};
+    return {{"x", after.positionOf(point), before.positionOf(point)}};
 }
 
-namespace described {
-constinit const Description pointer = {"pointer", SIM_TEXT("pointer"), Kind::driver,
-                                       SIM_TEXT("Carries a point to where the pointer is.")};
+namespace descriptions {
+constinit const EffectDescription pointer = {"pointer", SIM_TEXT("pointer"), EffectKind::driver,
+                                             SIM_TEXT("Carries a point to where the pointer is.")};
 }
 
 }

@@ -5,23 +5,23 @@
 
 namespace sim {
 
-namespace described {
-extern const Description pointer;
+namespace descriptions {
+extern const EffectDescription pointer;
 }
 
 /// Puts a point where the pointer is, from the first time that the pointer is known. List it first: the point then
 /// stands there before anything else looks.
-class CarriedByPointer : public Described<Driver, described::pointer>, public InputReader
+class CarriedByPointer : public DescribedEffect<Driver, descriptions::pointer>, public InputReader
 {
 public:
     explicit CarriedByPointer(int point) : m_point(point) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::pointer; }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
+    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
     void drive(State &state, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     int m_point;

@@ -2,7 +2,7 @@
 
 namespace sim {
 
-std::vector<Region> Steering::regions(Directions) const
+std::vector<Region> Steering::regions(DirectionRule) const
 {
     return {{"sim/effects/drivers/steering.h", "steer_by_keys"},
             {"sim/effects/drivers/steering.h", "steer_by_pointer"}};
@@ -10,22 +10,22 @@ std::vector<Region> Steering::regions(Directions) const
 
 void Steering::drive(State &state, double h) const
 {
-    const Outside &outside = state.outside;
+    const InputState &outside = state.input;
     double &speed = state.gaitSpeed[m_clock];
     if (outside.pointer && outside.pointerDown)
-        speed = steerByPointer(outside.pointer->x - state.at(m_body).x, m_reins);
+        speed = steerByPointer(outside.pointer->x - state.positionOf(m_body).x, m_limits);
     else if (outside.keys.right || outside.keys.left)
-        speed = steerByKeys(speed, outside.keys, m_reins, h);
+        speed = steerByKeys(speed, outside.keys, m_limits, h);
 }
 
-std::vector<Live> Steering::explain(const State &before, const State &after, int) const
+std::vector<LiveValue> Steering::explain(const State &before, const State &after, int) const
 {
     return {{"speed", after.gaitSpeed[m_clock], before.gaitSpeed[m_clock]}};
 }
 
-namespace described {
-constinit const Description steering = {
-    "steering", SIM_TEXT("steering"), Kind::driver,
+namespace descriptions {
+constinit const EffectDescription steering = {
+    "steering", SIM_TEXT("steering"), EffectKind::driver,
     SIM_TEXT("Lets the arrow keys and the pointer set how fast the legs swing.")};
 }
 

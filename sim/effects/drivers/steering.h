@@ -7,12 +7,12 @@
 
 namespace sim {
 
-namespace described {
-extern const Description steering;
+namespace descriptions {
+extern const EffectDescription steering;
 }
 
 /// How keys and pointer set the speed of a gait clock.
-struct Reins
+struct SteeringLimits
 {
     double top = 0.15;     ///< rad/frame, the fastest either way
     double change = 0.004; ///< rad/frame^2, what a key that is down adds each frame
@@ -28,13 +28,13 @@ inline
 //! [steer_by_keys]
 double steerByKeys(
     double speed, const Keys &keys,
-    const Reins &reins, double h)
+    const SteeringLimits &limits, double h)
 {
     if (keys.right)
-        speed += h * reins.change;
+        speed += h * limits.change;
     if (keys.left)
-        speed -= h * reins.change;
-    double top = reins.top;
+        speed -= h * limits.change;
+    double top = limits.top;
     return clamp(speed, -top, top);
 }
 //! [steer_by_keys]
@@ -46,10 +46,10 @@ double steerByKeys(
 inline
 //! [steer_by_pointer]
 double steerByPointer(
-    double way, const Reins &reins)
+    double way, const SteeringLimits &limits)
 {
-    double top = reins.top;
-    double speed = top * way / reins.reach;
+    double top = limits.top;
+    double speed = top * way / limits.reach;
     return clamp(speed, -top, top);
 }
 //! [steer_by_pointer]
@@ -57,23 +57,26 @@ double steerByPointer(
 
 /// Sets the speed of a gait clock: by the pointer while its button is down, else by the keys that are down. With
 /// neither the clock keeps the speed that it has.
-class Steering : public Described<Driver, described::steering>, public InputReader
+class Steering : public DescribedEffect<Driver, descriptions::steering>, public InputReader
 {
 public:
     /// The pointer's way is measured from point `body`.
-    Steering(int clock, int body, Reins reins) : m_clock(clock), m_body(body), m_reins(reins) {}
+    Steering(int clock, int body, SteeringLimits limits) : m_clock(clock), m_body(body), m_limits(limits) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &, Points points) const override { return points.contains(m_body) ? 1 : 0; }
-    Sees sees() const override { return Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::pointer || signal == Signal::keys; }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &, PointRange points) const override { return points.contains(m_body) ? 1 : 0; }
+    Dependence dependence() const override { return Dependence::scene; }
+    bool reads(InputKind signal) const override
+    {
+        return signal == InputKind::pointer || signal == InputKind::keys;
+    }
     void drive(State &state, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     int m_clock;
     int m_body;
-    Reins m_reins;
+    SteeringLimits m_limits;
 };
 
 }

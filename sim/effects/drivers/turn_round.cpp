@@ -5,24 +5,24 @@
 
 namespace sim {
 
-std::vector<Region> TurnRound::regions(Directions) const
+std::vector<Region> TurnRound::regions(DirectionRule) const
 {
     return {{"sim/effects/drivers/turn_round.h", "turn_round"}};
 }
 
-int TurnRound::count(const State &state, Points points) const
+int TurnRound::count(const State &state, PointRange points) const
 {
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
 
 void TurnRound::drive(State &state, double) const
 {
-    for (int i = 0; i < state.points(); ++i) {
-        if (!state.feels(i))
+    for (int i = 0; i < state.pointCount(); ++i) {
+        if (!state.isDynamic(i))
             continue;
         const auto turn = [&](int clock) {
             double &speed = state.gaitSpeed[clock];
-            speed = turnRound(speed, state.at(i).x, m_half[i], m_room);
+            speed = turnRound(speed, state.positionOf(i).x, m_half[i], m_room);
         };
         turn(clockOf(i));
         if (m_mates.empty())
@@ -32,36 +32,37 @@ void TurnRound::drive(State &state, double) const
     }
 }
 
-std::vector<Live> TurnRound::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> TurnRound::explain(const State &before, const State &after, int point) const
 {
     const int clock = clockOf(point);
     return {{"speed", after.gaitSpeed[clock], before.gaitSpeed[clock]}};
 }
 
-bool TurnRound::takeInto(Taken &into) const
+bool TurnRound::addToDraft(BlueprintDraft &draft) const
 {
-    into.choose("turn_round", {{"left", m_room.left}, {"right", m_room.right}});
+    draft.addEffect("turn_round", {{"left", m_room.left}, {"right", m_room.right}});
     return true;
 }
 
 namespace {
 
-constexpr Setting turnRoundSettings[] = {settings::left, settings::right, settings::floor};
+constexpr ParameterSpec turnRoundSettings[] = {settings::left, settings::right, settings::floor};
 
 EffectPtr buildTurnRound(const Blueprint &plan, const Values &values)
 {
-    return std::make_shared<TurnRound>(roomOf(values), halfWidths(plan), clockOf(plan), matesOf(plan));
+    return std::make_shared<TurnRound>(roomOf(values), halfWidths(plan), clockOf(plan),
+                                       partnerClocksOf(plan));
 }
 
 }
 
-namespace described {
-constinit const Description turn_round = {
+namespace descriptions {
+constinit const EffectDescription turn_round = {
     .id = "turn_round",
     .title = SIM_TEXT("turn round"),
-    .kind = Kind::driver,
+    .kind = EffectKind::driver,
     .purpose = SIM_TEXT("Makes a creature that meets a wall walk the other way."),
-    .settings = turnRoundSettings,
+    .parameters = turnRoundSettings,
     .make = buildTurnRound};
 }
 

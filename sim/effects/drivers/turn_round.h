@@ -7,8 +7,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description turn_round;
+namespace descriptions {
+extern const EffectDescription turn_round;
 }
 
 using std::abs;
@@ -33,7 +33,7 @@ double turnRound(
 // clang-format on
 
 /// Turns round each creature that touches a side wall with any point: its gait clocks run the other way.
-class TurnRound : public Described<Driver, described::turn_round>
+class TurnRound : public DescribedEffect<Driver, descriptions::turn_round>
 {
 public:
     /// `half`: half of each point's width in px; `clockOf`: which clock each point goes by; one row a point.
@@ -44,13 +44,13 @@ public:
     {
     }
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
-    bool idle() const override { return m_room.sidesAreFar(); }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
+    bool isIdle() const override { return m_room.sidesAreFar(); }
     void drive(State &state, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
-    bool takeInto(Taken &into) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
     const Room &room() const { return m_room; }
 

@@ -11,7 +11,7 @@ constexpr int pointerNumber = -1;
 
 }
 
-std::vector<Region> TurnToPointer::regions(Directions) const
+std::vector<Region> TurnToPointer::regions(DirectionRule) const
 {
     if (m_formula == TreeFormula::published)
         return {{"sim/effects/tree/tree.h", "sight_published"},
@@ -24,52 +24,53 @@ std::vector<Region> TurnToPointer::regions(Directions) const
             {"sim/effects/tree/tree.h", "end"}};
 }
 
-int TurnToPointer::count(const State &, Points points) const
+int TurnToPointer::count(const State &, PointRange points) const
 {
     return points.count;
 }
 
 void TurnToPointer::drive(State &state, double) const
 {
-    if (!state.outside.pointerDown || !state.outside.pointer)
+    if (!state.input.pointerDown || !state.input.pointer)
         return;
-    const Vec2 pointer = *state.outside.pointer;
+    const Vec2 pointer = *state.input.pointer;
     const double degrees = degreesOf(m_formula);
     if (m_formula == TreeFormula::published) {
-        fromTheTrunk(*m_tree, state, degrees, [&](int i) {
+        forEachFromTrunk(*m_tree, state, degrees, [&](int i) {
             const Vec2 reach = branchReach(state.angle[i], m_tree->baseLength, degrees);
             const double scale = m_tree->scale[static_cast<std::size_t>(i)];
-            state.angle[i] = turnToPointerPublished(sightPublished(pointer, state.at(i), reach, scale).d);
+            state.angle[i] =
+                turnToPointerPublished(pointerOffsetPublished(pointer, state.positionOf(i), reach, scale).d);
         });
     } else {
-        fromTheTrunk(*m_tree, state, degrees, [&](int i) {
-            state.angle[i] = turnToPointer(direction(pointer - state.at(i), i, pointerNumber).out);
+        forEachFromTrunk(*m_tree, state, degrees, [&](int i) {
+            state.angle[i] = turnToPointer(direction(pointer - state.positionOf(i), i, pointerNumber).out);
         });
     }
 }
 
-std::vector<Live> TurnToPointer::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> TurnToPointer::explain(const State &before, const State &after, int point) const
 {
-    if (!after.outside.pointerDown || !after.outside.pointer || !after.feels(point))
+    if (!after.input.pointerDown || !after.input.pointer || !after.isDynamic(point))
         return {};
-    const Vec2 pointer = *after.outside.pointer;
-    std::vector<Live> live;
+    const Vec2 pointer = *after.input.pointer;
+    std::vector<LiveValue> live;
     if (m_formula == TreeFormula::published) {
         const Vec2 reach = branchReach(before.angle[point], m_tree->baseLength, degreesOf(m_formula));
         const double scale = m_tree->scale[static_cast<std::size_t>(point)];
-        const Sight sight = sightPublished(pointer, after.at(point), reach, scale);
+        const PointerOffset sight = pointerOffsetPublished(pointer, after.positionOf(point), reach, scale);
         live = {{"reach", reach, {}}, {"mouse", sight.mouse, {}}, {"d", sight.d, {}}};
     } else {
-        const Heading heading = direction(pointer - after.at(point), point, pointerNumber);
+        const Direction heading = direction(pointer - after.positionOf(point), point, pointerNumber);
         live = {{"length", heading.length, {}}, {"out", heading.out, {}}};
     }
     live.push_back({"angle", after.angle[point], before.angle[point]});
     return live;
 }
 
-namespace described {
-constinit const Description turn_to_pointer = {
-    "turn_to_pointer", SIM_TEXT("turn to the pointer"), Kind::driver,
+namespace descriptions {
+constinit const EffectDescription turn_to_pointer = {
+    "turn_to_pointer", SIM_TEXT("turn to the pointer"), EffectKind::driver,
     SIM_TEXT("Turns every branch to the pointer while its button is down.")};
 }
 

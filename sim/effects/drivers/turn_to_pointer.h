@@ -6,8 +6,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description turn_to_pointer;
+namespace descriptions {
+extern const EffectDescription turn_to_pointer;
 }
 
 namespace tree_formulas {
@@ -49,17 +49,17 @@ using tree_formulas::turnToPointer;
 using tree_formulas::turnToPointerPublished;
 
 /// Turns every branch to the pointer at once while its button is down, from the trunk to the twigs.
-class TurnToPointer : public Described<Driver, described::turn_to_pointer>, public InputReader
+class TurnToPointer : public DescribedEffect<Driver, descriptions::turn_to_pointer>, public InputReader
 {
 public:
     TurnToPointer(TreePtr tree, TreeFormula formula) : m_tree(std::move(tree)), m_formula(formula) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::pointer; }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
+    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
     void drive(State &state, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     TreePtr m_tree;

@@ -7,59 +7,61 @@
 
 namespace sim {
 
-std::vector<Region> Breeze::regions(Directions) const
+std::vector<Region> Breeze::regions(DirectionRule) const
 {
     return {{"sim/effects/fields/breeze.h", "breeze"}};
 }
 
-int Breeze::count(const State &state, Points points) const
+int Breeze::count(const State &state, PointRange points) const
 {
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
 
-void Breeze::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
+void Breeze::add(const State &state, PointRange movers, double scale, DirectionRule,
+                 Eigen::ArrayX2d &into) const
 {
     double *sideways = into.data(); // the column of x
-    replaceFree(state.inverseMass, movers, sideways, [&](int i) {
+    updateDynamic(state.inverseMass, movers, sideways, [&](int i) {
         return sideways[i] + scale * (state.inverseMass[i] * pullOn(state, i).pull.x);
     });
 }
 
-bool Breeze::addSlopes(const State &state, Points movers, double scale, Directions, Slopes &into) const
+bool Breeze::addJacobian(const State &state, PointRange movers, double scale, DirectionRule,
+                         Jacobian &jacobian) const
 {
     for (int i = movers.first; i < movers.end(); ++i) {
-        if (!state.feels(i))
+        if (!state.isDynamic(i))
             continue;
-        const double turns = std::cos(state.gait[m_clock] - state.at(i).x / 100) / 100;
-        const double slope = -m_air.wind * m_air.gusts * turns * m_width[i] / 10;
-        addSlope(into, i, i, {scale * state.inverseMass[i] * slope, 0.0, 0.0, 0.0});
+        const double turns = std::cos(state.gait[m_clock] - state.positionOf(i).x / 100) / 100;
+        const double slope = -m_strength.wind * m_strength.gusts * turns * m_width[i] / 10;
+        addJacobianBlock(jacobian, i, i, {scale * state.inverseMass[i] * slope, 0.0, 0.0, 0.0});
     }
     return true;
 }
 
-std::vector<Live> Breeze::explain(const State &state, int mover, Directions) const
+std::vector<LiveValue> Breeze::explain(const State &state, int mover, DirectionRule) const
 {
-    if (!state.feels(mover))
+    if (!state.isDynamic(mover))
         return {};
     const BreezePull b = pullOn(state, mover);
     return {{"swell", b.swell}, {"pull", state.inverseMass[mover] * b.pull}};
 }
 
-bool Breeze::takeInto(Taken &into) const
+bool Breeze::addToDraft(BlueprintDraft &draft) const
 {
-    into.choose("breeze", {{"wind", m_air.wind}, {"gusts", m_air.gusts}});
+    draft.addEffect("breeze", {{"wind", m_strength.wind}, {"gusts", m_strength.gusts}});
     return true;
 }
 
 namespace {
 
-constexpr Setting breezeSettings[] = {
+constexpr ParameterSpec breezeSettings[] = {
     {
         .id = "wind",
         .name = SIM_TEXT("Wind"),
         .unit = SIM_TEXT("px/frame²"),
         .help = SIM_TEXT("How hard it blows to the right on a body 10 px wide. Below 0: to the left."),
-        .preset = 0.1,
+        .defaultValue = 0.1,
         .min = -1e6,
         .max = 1e6,
         .sliderMin = -1.0,
@@ -69,25 +71,26 @@ constexpr Setting breezeSettings[] = {
         .id = "gusts",
         .name = SIM_TEXT("Gusts"),
         .help = SIM_TEXT("The share by which the wind swells and ebbs."),
-        .preset = 0.5,
+        .defaultValue = 0.5,
         .min = 0.0,
         .max = 1.0,
     }};
 
 EffectPtr buildBreeze(const Blueprint &plan, const Values &values)
 {
-    return std::make_shared<Breeze>(Air{values["wind"], values["gusts"]}, widths(plan), windClockOf(plan));
+    return std::make_shared<Breeze>(BreezeStrength{values["wind"], values["gusts"]}, widths(plan),
+                                    windClockOf(plan));
 }
 
 }
 
-namespace described {
-constinit const Description breeze = {
+namespace descriptions {
+constinit const EffectDescription breeze = {
     .id = "breeze",
     .title = SIM_TEXT("wind"),
-    .kind = Kind::wind,
+    .kind = EffectKind::wind,
     .purpose = SIM_TEXT("Blows everything sideways, wide bodies more, and swells and ebbs."),
-    .settings = breezeSettings,
+    .parameters = breezeSettings,
     .make = buildBreeze};
 }
 

@@ -6,12 +6,12 @@
 
 namespace sim {
 
-namespace described {
-extern const Description breeze;
+namespace descriptions {
+extern const EffectDescription breeze;
 }
 
 /// A wind that blows sideways, and swells and ebbs.
-struct Air
+struct BreezeStrength
 {
     double wind =
         0.0; ///< px/frame^2, what it does to a body of mass 1 that is 10 px wide; below 0: to the left
@@ -35,7 +35,7 @@ inline
 //! [breeze]
 BreezePull breeze(
     Vec2 x, double width, double gait,
-    const Air &air)
+    const BreezeStrength &air)
 {
     // gusts travel to the right
     double swell =
@@ -49,34 +49,38 @@ BreezePull breeze(
 // clang-format on
 
 /// Wind over the whole scene: it pushes every body, the wide ones more. What it does is its work, and stored nowhere.
-class Breeze : public Described<Force, described::breeze>
+class Breeze : public DescribedEffect<Force, descriptions::breeze>
 {
 public:
     /// `width`: of each point in px, one row a point; `clock`: the gait clock that the gusts go by.
-    Breeze(Air air, Eigen::ArrayXd width, int clock) : m_air(air), m_width(std::move(width)), m_clock(clock)
+    Breeze(BreezeStrength air, Eigen::ArrayXd width, int clock)
+        : m_strength(air), m_width(std::move(width)), m_clock(clock)
     {
     }
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return m_air.gusts == 0.0 ? Sees::tied : Sees::scene; }
-    bool idle() const override { return m_air.wind == 0.0; }
-    void add(const State &state, Points movers, double scale, Directions directions,
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override
+    {
+        return m_strength.gusts == 0.0 ? Dependence::coupledPoints : Dependence::scene;
+    }
+    bool isIdle() const override { return m_strength.wind == 0.0; }
+    void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
-    bool takeInto(Taken &into) const override;
+    bool addJacobian(const State &state, PointRange movers, double scale, DirectionRule directionRule,
+                     Jacobian &jacobian) const override;
+    std::vector<LiveValue> explain(const State &state, int mover, DirectionRule directionRule) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
-    const Air &air() const { return m_air; }
+    const BreezeStrength &air() const { return m_strength; }
 
 private:
     BreezePull pullOn(const State &state, int point) const
     {
-        return breeze(state.at(point), m_width[point], state.gait[m_clock], m_air);
+        return breeze(state.positionOf(point), m_width[point], state.gait[m_clock], m_strength);
     }
 
-    Air m_air;
+    BreezeStrength m_strength;
     Eigen::ArrayXd m_width;
     int m_clock;
 };

@@ -10,9 +10,9 @@ template class PairForce<ChargeLaw>;
 namespace {
 
 /// Every two points that carry a charge.
-std::vector<Pair> chargedPairs(const Eigen::ArrayXd &charge)
+std::vector<PointPair> chargedPairs(const Eigen::ArrayXd &charge)
 {
-    std::vector<Pair> pairs;
+    std::vector<PointPair> pairs;
     for (int one = 0; one < charge.size(); ++one) {
         for (int other = one + 1; other < charge.size(); ++other) {
             if (charge[one] != 0.0 && charge[other] != 0.0)
@@ -22,10 +22,10 @@ std::vector<Pair> chargedPairs(const Eigen::ArrayXd &charge)
     return pairs;
 }
 
-std::vector<ChargeLaw::Numbers> numbersOf(const Eigen::ArrayXd &charge, const std::vector<Pair> &pairs)
+std::vector<ChargeLaw::Numbers> numbersOf(const Eigen::ArrayXd &charge, const std::vector<PointPair> &pairs)
 {
     std::vector<ChargeLaw::Numbers> numbers;
-    for (const Pair &pair : pairs)
+    for (const PointPair &pair : pairs)
         numbers.push_back({charge[pair.mover], charge[pair.anchor]});
     return numbers;
 }
@@ -33,21 +33,22 @@ std::vector<ChargeLaw::Numbers> numbersOf(const Eigen::ArrayXd &charge, const st
 }
 
 Charges::Charges(Eigen::ArrayXd charge, double strength, double softening)
-    : Described({strength, softening}, chargedPairs(charge), numbersOf(charge, chargedPairs(charge))),
+    : DescribedEffect({strength, softening}, chargedPairs(charge), numbersOf(charge, chargedPairs(charge))),
       m_charge(std::move(charge))
 {
 }
 
 Vec2 ChargeLaw::published(Vec2 one, Vec2 other, const Numbers &own) const
 {
-    const Pull found = pull(one, other, own);
-    return found.length < inOnePlace ? pullInOnePlace(publishedDirection({}).out, own) : found.pull;
+    const PairPull found = pull(one, other, own);
+    return found.length < coincidenceDistance ? pullWhenCoincident(publishedDirection({}).out, own)
+                                              : found.pull;
 }
 
-Slope ChargeLaw::slope(Vec2 one, Vec2 other, const Numbers &own) const
+PairJacobian ChargeLaw::jacobian(Vec2 one, Vec2 other, const Numbers &own) const
 {
-    const Heading way = direction(one - other);
-    if (way.length < inOnePlace)
+    const Direction way = direction(one - other);
+    if (way.length < coincidenceDistance)
         return {}; // the force turns round there: it has no derivative
     const double force = forceAt(way.length, own);
     const double across = force / way.length;
@@ -63,13 +64,13 @@ double ChargeLaw::energy(Vec2 one, Vec2 other, const Numbers &own) const
     return strength * own.q1 * own.q2 * std::atan2(softening, length(one - other)) / softening;
 }
 
-std::vector<Live> ChargeLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &own,
-                                  Directions directions) const
+std::vector<LiveValue> ChargeLaw::liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &own,
+                                             DirectionRule directionRule) const
 {
-    const Pull found = pull(one, other, own);
-    const Vec2 felt = directions == Directions::published ? published(one, other, own)
-                      : found.length < inOnePlace         ? pullInOnePlace(parting, own)
-                                                          : found.pull;
+    const PairPull found = pull(one, other, own);
+    const Vec2 felt = directionRule == DirectionRule::published ? published(one, other, own)
+                      : found.length < coincidenceDistance      ? pullWhenCoincident(parting, own)
+                                                                : found.pull;
     return {{"from", one - other},
             {"length", found.length},
             {"force", forceAt(found.length, own)},
@@ -78,13 +79,13 @@ std::vector<Live> ChargeLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Numb
 
 namespace {
 
-constexpr Setting chargeSettings[] = {
+constexpr ParameterSpec chargeSettings[] = {
     {
         .id = "charge_strength",
         .name = SIM_TEXT("Charge strength"),
         .unit = SIM_TEXT("px³/frame²"),
         .help = SIM_TEXT("How hard charges push and pull each other."),
-        .preset = 1000.0,
+        .defaultValue = 1000.0,
         .min = 0.0,
         .max = 1e9,
         .sliderMin = 0.0,
@@ -97,26 +98,26 @@ constexpr Setting chargeSettings[] = {
         .unit = SIM_TEXT("px"),
         .help =
             SIM_TEXT("Weakens the force where charges come closer than about this, so that it stays finite."),
-        .preset = 10.0,
+        .defaultValue = 10.0,
         .min = 1.0,
         .max = 1e6,
         .sliderMin = 1.0,
         .sliderMax = 50.0,
         .decimals = 0,
     }};
-constexpr Setting ofPoints[] = {{
+constexpr ParameterSpec ofPoints[] = {{
     .id = "charge",
     .name = SIM_TEXT("Charge"),
     .symbol = "q",
     .help = SIM_TEXT("Charges of the same sign repel each other, and others attract. 0: it carries none."),
-    .preset = 0.0,
+    .defaultValue = 0.0,
     .min = -100.0,
     .max = 100.0,
     .sliderMin = -10.0,
     .sliderMax = 10.0,
     .decimals = 1,
 }};
-constexpr Variable variables[] = {
+constexpr CodeVariable variables[] = {
     {"from", "px", SIM_TEXT("Where this charge is, seen from the other one.")},
     {"length", "px", SIM_TEXT("How far apart the two charges are.")},
     {"force", "px/frame²",
@@ -131,25 +132,25 @@ EffectPtr build(const Blueprint &plan, const Values &values)
 
 }
 
-bool Charges::takeInto(Taken &into) const
+bool Charges::addToDraft(BlueprintDraft &draft) const
 {
-    into.choose("charges", {{"charge_strength", law().strength}, {"softening", law().softening}});
-    for (int i = 0; i < into.now.points(); ++i)
-        setValue(into.blueprint.points[static_cast<std::size_t>(i)], ofPoints[0], m_charge[i]);
+    draft.addEffect("charges", {{"charge_strength", law().strength}, {"softening", law().softening}});
+    for (int i = 0; i < draft.state.pointCount(); ++i)
+        setValue(draft.blueprint.points[static_cast<std::size_t>(i)], ofPoints[0], m_charge[i]);
     return true;
 }
 
-namespace described {
-constinit const Description charges = {.id = "charges",
-                                       .title = SIM_TEXT("charges"),
-                                       .kind = Kind::spring,
-                                       .purpose =
-                                           SIM_TEXT("Push points with like charges apart, and pull unlike "
-                                                    "ones together: the harder, the closer they are."),
-                                       .settings = chargeSettings,
-                                       .ofPoints = ofPoints,
-                                       .variables = variables,
-                                       .make = build};
+namespace descriptions {
+constinit const EffectDescription charges = {
+    .id = "charges",
+    .title = SIM_TEXT("charges"),
+    .kind = EffectKind::spring,
+    .purpose = SIM_TEXT("Push points with like charges apart, and pull unlike "
+                        "ones together: the harder, the closer they are."),
+    .parameters = chargeSettings,
+    .pointProperties = ofPoints,
+    .variables = variables,
+    .make = build};
 }
 
 }

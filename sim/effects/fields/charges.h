@@ -4,8 +4,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description charges;
+namespace descriptions {
+extern const EffectDescription charges;
 }
 
 /// The force between two charges: it repels like charges and attracts unlike ones. strength in px^3/frame^2, softening in
@@ -15,7 +15,7 @@ extern const Description charges;
 // clang-format off
 inline
 //! [charges]
-Pull chargePull(
+PairPull chargePull(
     Vec2 one, Vec2 other,
     double strength,
     double q1, double q2,
@@ -46,20 +46,23 @@ struct ChargeLaw
         double q2 = 0.0; ///< the anchor's charge
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
-    static constexpr bool isMutual = true;
+    static constexpr bool isSymmetric = true;
 
-    Pull pull(Vec2 one, Vec2 other, const Numbers &own) const
+    PairPull pull(Vec2 one, Vec2 other, const Numbers &own) const
     {
         return chargePull(one, other, strength, own.q1, own.q2, softening);
     }
-    Vec2 pullInOnePlace(Vec2 out, const Numbers &own) const { return forceAt(0.0, own) * out; }
+    Vec2 pullWhenCoincident(Vec2 out, const Numbers &own) const { return forceAt(0.0, own) * out; }
     Vec2 published(Vec2 one, Vec2 other, const Numbers &own) const;
-    Slope slope(Vec2 one, Vec2 other, const Numbers &own) const;
+    PairJacobian jacobian(Vec2 one, Vec2 other, const Numbers &own) const;
     /// Returns the work that brought the two here from infinitely far away.
     double energy(Vec2 one, Vec2 other, const Numbers &own) const;
-    std::vector<Live> live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &own,
-                           Directions directions) const;
-    static std::vector<Region> regions(Directions) { return {{"sim/effects/fields/charges.h", "charges"}}; }
+    std::vector<LiveValue> liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &own,
+                                      DirectionRule directionRule) const;
+    static std::vector<Region> regions(DirectionRule)
+    {
+        return {{"sim/effects/fields/charges.h", "charges"}};
+    }
     bool isIdle(const Numbers &own) const { return forceAt(0.0, own) == 0.0; }
 
 private:
@@ -72,13 +75,13 @@ private:
 extern template class PairForce<ChargeLaw>;
 
 /// Points that carry a charge repel or attract every other one that does.
-class Charges : public Described<PairForce<ChargeLaw>, described::charges>
+class Charges : public DescribedEffect<PairForce<ChargeLaw>, descriptions::charges>
 {
 public:
     /// `charge`: one a point; a point with charge 0 takes no part. strength in px^3/frame^2, softening in px, above 0.
     Charges(Eigen::ArrayXd charge, double strength, double softening);
 
-    bool takeInto(Taken &into) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
 private:
     Eigen::ArrayXd m_charge;

@@ -16,66 +16,67 @@ static Vec2 fall(double gravity)
 }
 //! [gravity]
 
-std::vector<Region> Gravity::regions(Directions) const
+std::vector<Region> Gravity::regions(DirectionRule) const
 {
     return {{"sim/effects/fields/gravity.cpp", "gravity"}};
 }
 
-int Gravity::count(const State &state, Points points) const
+int Gravity::count(const State &state, PointRange points) const
 {
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
 
-void Gravity::add(const State &state, Points movers, double scale, Directions, Eigen::ArrayX2d &into) const
+void Gravity::add(const State &state, PointRange movers, double scale, DirectionRule,
+                  Eigen::ArrayX2d &into) const
 {
     double *down = into.data() + into.rows(); // the column of y
-    replaceFree(state.inverseMass, movers, down,
-                [=, gravity = m_gravity](int i) { return down[i] + scale * sim::fall(gravity).y; });
+    updateDynamic(state.inverseMass, movers, down,
+                  [=, gravity = m_gravity](int i) { return down[i] + scale * sim::fall(gravity).y; });
 }
 
-std::optional<double> Gravity::fall() const
+std::optional<double> Gravity::uniformGravity() const
 {
     return sim::fall(m_gravity).y;
 }
 
-bool Gravity::addSlopes(const State &, Points, double, Directions, Slopes &) const
+bool Gravity::addJacobian(const State &, PointRange, double, DirectionRule, Jacobian &) const
 {
     return true; // the same everywhere
 }
 
 /// Of what lies higher there is more: y points down, and y = 0 counts as 0.
-std::optional<double> Gravity::energy(const State &state) const
+std::optional<double> Gravity::potentialEnergy(const State &state) const
 {
     double sum = 0.0;
-    for (int i = 0; i < state.points(); ++i) {
-        if (state.feels(i))
+    for (int i = 0; i < state.pointCount(); ++i) {
+        if (state.isDynamic(i))
             sum -= sim::fall(m_gravity).y * state.position(i, 1) / state.inverseMass[i];
     }
     return sum;
 }
 
-std::vector<Live> Gravity::explain(const State &state, int mover, Directions) const
+std::vector<LiveValue> Gravity::explain(const State &state, int mover, DirectionRule) const
 {
-    if (!state.feels(mover))
+    if (!state.isDynamic(mover))
         return {};
     return {{"pull", sim::fall(m_gravity)}};
 }
 
-bool Gravity::takeInto(Taken &into) const
+bool Gravity::addToDraft(BlueprintDraft &draft) const
 {
-    into.choose("gravity", {{"gravity", m_gravity}});
+    draft.addEffect("gravity", {{"gravity", m_gravity}});
     return true;
 }
 
 namespace {
 
-constexpr Setting gravitySettings[] = {{
+constexpr ParameterSpec gravitySettings[] = {{
     .id = "gravity",
     .name = SIM_TEXT("Gravity"),
     .symbol = "g",
     .unit = SIM_TEXT("px/frame²"),
     .help = SIM_TEXT("How much speed everything gains downwards each frame."),
-    .preset = 0.3,
+    .defaultValue = 0.3,
     .min = -1e6,
     .max = 1e6,
     .sliderMin = 0.0,
@@ -89,13 +90,14 @@ EffectPtr buildGravity(const Blueprint &, const Values &values)
 
 }
 
-namespace described {
-constinit const Description gravity = {.id = "gravity",
-                                       .title = SIM_TEXT("gravity"),
-                                       .kind = Kind::gravity,
-                                       .purpose = SIM_TEXT("Pulls everything down, and everything alike."),
-                                       .settings = gravitySettings,
-                                       .make = buildGravity};
+namespace descriptions {
+constinit const EffectDescription gravity = {.id = "gravity",
+                                             .title = SIM_TEXT("gravity"),
+                                             .kind = EffectKind::gravity,
+                                             .purpose =
+                                                 SIM_TEXT("Pulls everything down, and everything alike."),
+                                             .parameters = gravitySettings,
+                                             .make = buildGravity};
 }
 
 }

@@ -4,29 +4,29 @@
 
 namespace sim {
 
-namespace described {
-extern const Description gravity;
+namespace descriptions {
+extern const EffectDescription gravity;
 }
 
 /// The same pull straight down on every point, whatever its mass.
-class Gravity : public Described<Force, described::gravity>
+class Gravity : public DescribedEffect<Force, descriptions::gravity>
 {
 public:
     /// `gravity` in px/frame^2.
     explicit Gravity(double gravity) : m_gravity(gravity) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    bool idle() const override { return m_gravity == 0.0; }
-    void add(const State &state, Points movers, double scale, Directions directions,
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    bool isIdle() const override { return m_gravity == 0.0; }
+    void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override;
-    std::optional<double> fall() const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
-    bool takeInto(Taken &into) const override;
+    std::optional<double> uniformGravity() const override;
+    bool addJacobian(const State &state, PointRange movers, double scale, DirectionRule directionRule,
+                     Jacobian &jacobian) const override;
+    std::optional<double> potentialEnergy(const State &state) const override;
+    std::vector<LiveValue> explain(const State &state, int mover, DirectionRule directionRule) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 
     double gravity() const { return m_gravity; }
 

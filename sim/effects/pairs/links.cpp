@@ -15,26 +15,26 @@ constexpr int shortestRow = 4;
 class Places
 {
 public:
-    explicit Places(const std::vector<Points> &runs) : m_runs(runs)
+    explicit Places(const std::vector<PointRange> &ranges) : m_ranges(ranges)
     {
         int count = 0;
-        for (const Points &run : runs) {
+        for (const PointRange &range : ranges) {
             m_firsts.push_back(count);
-            count += run.count;
+            count += range.count;
         }
         m_count = count;
     }
     int count() const { return m_count; }
     std::size_t of(int point) const
     {
-        const auto run = std::upper_bound(m_runs.begin(), m_runs.end(), point,
-                                          [](int at, const Points &one) { return at < one.end(); });
-        return static_cast<std::size_t>(m_firsts[static_cast<std::size_t>(run - m_runs.begin())] + point -
-                                        run->first);
+        const auto range = std::upper_bound(m_ranges.begin(), m_ranges.end(), point,
+                                            [](int at, const PointRange &one) { return at < one.end(); });
+        return static_cast<std::size_t>(m_firsts[static_cast<std::size_t>(range - m_ranges.begin())] + point -
+                                        range->first);
     }
 
 private:
-    const std::vector<Points> &m_runs;
+    const std::vector<PointRange> &m_ranges;
     std::vector<int> m_firsts;
     int m_count = 0;
 };
@@ -43,14 +43,14 @@ private:
 class Rows
 {
 public:
-    explicit Rows(const std::vector<Points> &runs)
-        : m_places(runs), m_last(static_cast<std::size_t>(m_places.count()), -1)
+    explicit Rows(const std::vector<PointRange> &ranges)
+        : m_places(ranges), m_last(static_cast<std::size_t>(m_places.count()), -1)
     {
     }
 
-    void add(const Pair &pair)
+    void add(const PointPair &pair)
     {
-        const auto open = m_open.find(key(pair.mover, pair.anchor, pair.bothWays));
+        const auto open = m_open.find(key(pair.mover, pair.anchor, pair.isReciprocal));
         int row = open == m_open.end() ? -1 : open->second;
         if (row < lastOf(pair)) {
             row = static_cast<int>(m_rows.size());
@@ -59,13 +59,13 @@ public:
         if (open != m_open.end() && open->second == row)
             m_open.erase(open);
         m_rows[static_cast<std::size_t>(row)].push_back(pair);
-        m_open.insert_or_assign(key(pair.mover + 1, pair.anchor + 1, pair.bothWays), row);
+        m_open.insert_or_assign(key(pair.mover + 1, pair.anchor + 1, pair.isReciprocal), row);
         m_last[m_places.of(pair.mover)] = row;
-        if (pair.bothWays)
+        if (pair.isReciprocal)
             m_last[m_places.of(pair.anchor)] = row;
     }
 
-    const std::vector<std::vector<Pair>> &rows() const { return m_rows; }
+    const std::vector<std::vector<PointPair>> &rows() const { return m_rows; }
 
 private:
     static std::uint64_t key(int mover, int anchor, bool bothWays)
@@ -75,31 +75,33 @@ private:
     }
 
     /// The last row that adds to a sum to which `pair` adds, or, for a pair that is the first, a row that is not there.
-    int lastOf(const Pair &pair) const
+    int lastOf(const PointPair &pair) const
     {
         const int ofMover = m_last[m_places.of(pair.mover)];
-        const int last = pair.bothWays ? std::max(ofMover, m_last[m_places.of(pair.anchor)]) : ofMover;
+        const int last = pair.isReciprocal ? std::max(ofMover, m_last[m_places.of(pair.anchor)]) : ofMover;
         return std::max(0, last);
     }
 
     Places m_places;
     std::vector<int> m_last;                       ///< of each point, the last row that adds to its sum
     std::unordered_map<std::uint64_t, int> m_open; ///< the row that a pair would continue
-    std::vector<std::vector<Pair>> m_rows;
+    std::vector<std::vector<PointPair>> m_rows;
 };
 
 /// Appends `pair` to the listed pairs, or to the fan, at the end of `list`.
-void append(PairList &list, Pair pair, bool mayTurn)
+void append(PairList &list, PointPair pair, bool mayTurn)
 {
-    const auto turned = [](const Pair &one) { return Pair{one.anchor, one.mover, one.number, one.bothWays}; };
-    const bool turns = mayTurn && pair.bothWays;
+    const auto turned = [](const PointPair &one) {
+        return PointPair{one.anchor, one.mover, one.index, one.isReciprocal};
+    };
+    const bool turns = mayTurn && pair.isReciprocal;
     PairBatch *last = list.batches.empty() ? nullptr : &list.batches.back();
-    const auto continues = [&](const Pair &one) {
-        return last && last->shape != PairBatch::Shape::row && last->bothWays == one.bothWays &&
+    const auto continues = [&](const PointPair &one) {
+        return last && last->shape != PairBatch::Shape::row && last->isReciprocal == one.isReciprocal &&
                one.mover == last->mover && one.anchor == last->anchor + last->count &&
                (last->count == 1 || last->shape == PairBatch::Shape::fan);
     };
-    if (last && last->count == 1 && last->shape == PairBatch::Shape::listed && turns && last->bothWays &&
+    if (last && last->count == 1 && last->shape == PairBatch::Shape::listed && turns && last->isReciprocal &&
         !continues(pair) && pair.anchor == last->anchor && pair.mover == last->mover + 1) {
         list.pairs.back() =
             turned(list.pairs.back()); // movers one after the other: the same fan from its other side
@@ -113,7 +115,8 @@ void append(PairList &list, Pair pair, bool mayTurn)
         last->shape = PairBatch::Shape::fan;
         ++last->count;
     } else {
-        list.batches.push_back({PairBatch::Shape::listed, pair.mover, pair.anchor, place, 1, pair.bothWays});
+        list.batches.push_back(
+            {PairBatch::Shape::listed, pair.mover, pair.anchor, place, 1, pair.isReciprocal});
     }
 }
 
@@ -133,9 +136,9 @@ void joinListed(std::vector<PairBatch> &batches)
 
 }
 
-std::vector<Pair> pairsOf(const std::vector<Link> &links)
+std::vector<PointPair> pairsOf(const std::vector<Link> &links)
 {
-    std::vector<Pair> pairs;
+    std::vector<PointPair> pairs;
     pairs.reserve(links.size());
     for (const Link &link : links)
         pairs.push_back({link.mover, link.anchor});
@@ -144,9 +147,9 @@ std::vector<Pair> pairsOf(const std::vector<Link> &links)
 
 void Links::index()
 {
-    for (const Pair &link : m_links)
+    for (const PointPair &link : m_links)
         m_points = std::max({m_points, link.mover + 1, link.anchor + 1});
-    const auto byMover = [](const Pair &a, const Pair &b) { return a.mover < b.mover; };
+    const auto byMover = [](const PointPair &a, const PointPair &b) { return a.mover < b.mover; };
     std::stable_sort(m_links.begin(), m_links.end(), byMover);
     m_byMover.resize(m_pairs.size());
     std::iota(m_byMover.begin(), m_byMover.end(), 0);
@@ -155,38 +158,38 @@ void Links::index()
     });
 }
 
-std::vector<Pair>::const_iterator Links::from(int mover) const
+std::vector<PointPair>::const_iterator Links::firstOf(int mover) const
 {
     return std::partition_point(m_links.begin(), m_links.end(),
-                                [mover](const Pair &link) { return link.mover < mover; });
+                                [mover](const PointPair &link) { return link.mover < mover; });
 }
 
-PairList Links::batches(const std::vector<Points> &runs, bool areMutual) const
+PairList Links::batches(const std::vector<PointRange> &ranges, bool areMutual) const
 {
     const auto before = [&](int place, int mover) {
         return m_pairs[static_cast<std::size_t>(place)].mover < mover;
     };
     std::vector<int> inside; // places in the order in which pulls are computed
-    for (const Points &run : runs) {
-        const auto first = std::lower_bound(m_byMover.begin(), m_byMover.end(), run.first, before);
-        const auto last = std::lower_bound(first, m_byMover.end(), run.end(), before);
+    for (const PointRange &range : ranges) {
+        const auto first = std::lower_bound(m_byMover.begin(), m_byMover.end(), range.first, before);
+        const auto last = std::lower_bound(first, m_byMover.end(), range.end(), before);
         inside.insert(inside.end(), first, last);
     }
     std::sort(inside.begin(), inside.end());
-    Rows rows(runs);
+    Rows rows(ranges);
     for (const int place : inside)
         rows.add(m_pairs[static_cast<std::size_t>(place)]);
-    PairList list{{}, {}, runs};
+    PairList list{{}, {}, ranges};
     list.pairs.reserve(inside.size());
-    for (const std::vector<Pair> &row : rows.rows()) {
+    for (const std::vector<PointPair> &row : rows.rows()) {
         if (static_cast<int>(row.size()) < shortestRow) {
-            for (const Pair &pair : row)
+            for (const PointPair &pair : row)
                 append(list, pair, areMutual);
             continue;
         }
         list.batches.push_back({PairBatch::Shape::row, row.front().mover, row.front().anchor,
                                 static_cast<int>(list.pairs.size()), static_cast<int>(row.size()),
-                                row.front().bothWays});
+                                row.front().isReciprocal});
         list.pairs.insert(list.pairs.end(), row.begin(), row.end());
     }
     joinListed(list.batches);

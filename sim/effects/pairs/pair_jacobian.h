@@ -5,17 +5,20 @@
 namespace sim {
 
 /// How a pull changes with the place of the point that it pulls: 1/frame^2.
-struct Slope
+struct PairJacobian
 {
     double xx = 0.0;
     double xy = 0.0; ///< the pull along x, by y
     double yx = 0.0;
     double yy = 0.0;
-    friend constexpr Slope operator*(double s, Slope a) { return {s * a.xx, s * a.xy, s * a.yx, s * a.yy}; }
+    friend constexpr PairJacobian operator*(double s, PairJacobian a)
+    {
+        return {s * a.xx, s * a.xy, s * a.yx, s * a.yy};
+    }
 };
 
 /// Of a spring to a place: the pull shrinks by k each pixel that the point comes nearer, whatever the direction.
-constexpr Slope slopeToPlace(double k)
+constexpr PairJacobian pointSpringJacobian(double k)
 {
     return {-k, 0.0, 0.0, -k};
 }
@@ -25,27 +28,27 @@ constexpr Slope slopeToPlace(double k)
 /// across: there it is -k in all directions.
 /// Source: the derivative of k (distance from/|from| - from); Baraff and Witkin, "Large steps in cloth simulation",
 /// 1998, section 4.
-inline Slope slopeToDistance(Vec2 from, double k, double distance)
+inline PairJacobian radialSpringJacobian(Vec2 from, double k, double distance)
 {
     const double far = length(from);
     if (far < 1e-150)
-        return slopeToPlace(k);
+        return pointSpringJacobian(k);
     const Vec2 out = {from.x / far, from.y / far};
     const double turns = k * distance / far;
     const double xy = -turns * out.x * out.y;
     return {turns * out.y * out.y - k, xy, xy, turns * out.x * out.x - k};
 }
 
-inline void addSlope(Slopes &into, int mover, int by, Slope slope)
+inline void addJacobianBlock(Jacobian &jacobian, int mover, int by, PairJacobian block)
 {
-    into.add(mover, by, slope.xx, slope.xy, slope.yx, slope.yy);
+    jacobian.add(mover, by, block.xx, block.xy, block.yx, block.yy);
 }
 
 /// Of a pull that depends on nothing but where `mover` is from `anchor`.
-inline void addSlopeBetween(Slopes &into, int mover, int anchor, Slope slope)
+inline void addPairJacobian(Jacobian &jacobian, int mover, int anchor, PairJacobian block)
 {
-    addSlope(into, mover, mover, slope);
-    addSlope(into, mover, anchor, -1.0 * slope);
+    addJacobianBlock(jacobian, mover, mover, block);
+    addJacobianBlock(jacobian, mover, anchor, -1.0 * block);
 }
 
 }

@@ -28,22 +28,22 @@ struct PullColumns
 
 /// Adds the pulls of pairs, batch by batch: the one loop of every force between two points. `masses`: whether any point
 /// has a mass other than 1. `pullOf(mover, anchor, place)` is the pull of the pair in that place of the list, from where
-/// its two points are; `pullInOnePlace(place)` that of two points in one place. Each pair is computed once for both of
+/// its two points are; `pullWhenCoincident(place)` that of two points in one place. Each pair is computed once for both of
 /// its ends, and the pulls of one point come in the order of the list.
 template <bool masses, class PullOf, class InOnePlace>
 class PairSum
 {
 public:
     PairSum(const PairList &list, const PullColumns &sum, const PullOf &pullOf,
-            const InOnePlace &pullInOnePlace)
-        : m_list(list), m_sum(sum), m_pullOf(pullOf), m_pullInOnePlace(pullInOnePlace)
+            const InOnePlace &pullWhenCoincident)
+        : m_list(list), m_sum(sum), m_pullOf(pullOf), m_pullInOnePlace(pullWhenCoincident)
     {
     }
 
     void addAll()
     {
         for (const PairBatch &batch : m_list.batches) {
-            if (batch.shape == PairBatch::Shape::row && batch.isDisjoint() && batch.bothWays) {
+            if (batch.shape == PairBatch::Shape::row && batch.isDisjoint() && batch.isReciprocal) {
                 addDisjointRow(batch);
                 continue;
             }
@@ -75,8 +75,8 @@ private:
         std::int64_t close = 0;
         SIM_TURNS_ARE_APART
         for (int i = 0; i < count; ++i) {
-            const Pull one = pullOf(Vec2{mx[i], my[i]}, Vec2{nx[i], ny[i]}, first + i);
-            const bool inOne = one.length < inOnePlace;
+            const PairPull one = pullOf(Vec2{mx[i], my[i]}, Vec2{nx[i], ny[i]}, first + i);
+            const bool inOne = one.length < coincidenceDistance;
             close |= inOne ? std::int64_t{1} : std::int64_t{0};
             const double x = inOne ? 0.0 : one.pull.x, y = inOne ? 0.0 : one.pull.y;
             px[i] = sumOf(px[i], mw[i], x);
@@ -85,7 +85,7 @@ private:
             qy[i] = sumOf(qy[i], nw[i], -y);
         }
         for (int i = 0; close != 0 && i < count; ++i) {
-            if (!(pullOf(Vec2{mx[i], my[i]}, Vec2{nx[i], ny[i]}, first + i).length < inOnePlace))
+            if (!(pullOf(Vec2{mx[i], my[i]}, Vec2{nx[i], ny[i]}, first + i).length < coincidenceDistance))
                 continue;
             const Vec2 pull = m_pullInOnePlace(first + i);
             addTo(row.mover + i, pull.x, pull.y);
@@ -107,10 +107,10 @@ private:
                 return Vec2{nx[i], ny[i]};
             });
         // A point that is the anchor of one pair and the mover of another gets first what comes first in the list.
-        if (row.bothWays && row.anchor > row.mover)
+        if (row.isReciprocal && row.anchor > row.mover)
             addToRow(anchor, count, -1.0);
         addToRow(mover, count, 1.0);
-        if (row.bothWays && row.anchor < row.mover)
+        if (row.isReciprocal && row.anchor < row.mover)
             addToRow(anchor, count, -1.0);
     }
 
@@ -124,7 +124,7 @@ private:
             [=](int i) {
                 return Vec2{nx[i], ny[i]};
             });
-        if (fan.bothWays)
+        if (fan.isReciprocal)
             addToRow(anchor, count, -1.0);
         const double share = m_sum.inverseMass[mover];
         double ax = m_sum.ax[mover], ay = m_sum.ay[mover];
@@ -138,7 +138,7 @@ private:
 
     void addListed(int first, int count)
     {
-        const Pair *pairs = m_list.pairs.data() + first;
+        const PointPair *pairs = m_list.pairs.data() + first;
         const double *x = m_sum.x, *y = m_sum.y;
         compute(
             first, count,
@@ -150,7 +150,7 @@ private:
             });
         for (int i = 0; i < count; ++i) {
             addTo(pairs[i].mover, m_x[i], m_y[i]);
-            if (pairs[i].bothWays)
+            if (pairs[i].isReciprocal)
                 addTo(pairs[i].anchor, -m_x[i], -m_y[i]);
         }
     }
@@ -163,13 +163,13 @@ private:
         std::int64_t close = 0;
         SIM_TURNS_ARE_APART
         for (int i = 0; i < count; ++i) {
-            const Pull one = pullOf(moverAt(i), anchorAt(i), first + i);
+            const PairPull one = pullOf(moverAt(i), anchorAt(i), first + i);
             m_x[i] = one.pull.x;
             m_y[i] = one.pull.y;
-            close |= one.length < inOnePlace ? std::int64_t{1} : std::int64_t{0};
+            close |= one.length < coincidenceDistance ? std::int64_t{1} : std::int64_t{0};
         }
         for (int i = 0; close != 0 && i < count; ++i) {
-            if (!(pullOf(moverAt(i), anchorAt(i), first + i).length < inOnePlace))
+            if (!(pullOf(moverAt(i), anchorAt(i), first + i).length < coincidenceDistance))
                 continue;
             const Vec2 pull = m_pullInOnePlace(first + i);
             m_x[i] = pull.x;
@@ -216,50 +216,50 @@ private:
 inline bool areOfMassOne(const double *inverseMass, const PairList &list)
 {
     std::int64_t others = 0;
-    for (const Points &run : list.runs) {
-        for (int i = run.first; i < run.end(); ++i)
+    for (const PointRange &range : list.ranges) {
+        for (int i = range.first; i < range.end(); ++i)
             others |= inverseMass[i] != 1.0 ? std::int64_t{1} : std::int64_t{0};
     }
     return others == 0;
 }
 
 template <class Law>
-PairForce<Law>::PairForce(Law law, std::vector<Pair> links, std::vector<Numbers> numbers)
+PairForce<Law>::PairForce(Law law, std::vector<PointPair> links, std::vector<Numbers> numbers)
     : m_law(std::move(law)), m_numbers(std::move(numbers)),
-      m_links(std::move(links), Law::isMutual, [this](int a, int b) { return of(a) == of(b); }),
+      m_links(std::move(links), Law::isSymmetric, [this](int a, int b) { return of(a) == of(b); }),
       m_all(listOf({{0, m_links.points()}}))
 {
 }
 
 template <class Law>
-std::vector<Region> PairForce<Law>::regions(Directions directions) const
+std::vector<Region> PairForce<Law>::regions(DirectionRule directionRule) const
 {
-    std::vector<Region> all = m_law.regions(directions);
-    if (std::any_of(links().begin(), links().end(), [](const Pair &link) { return link.bothWays; }))
-        all.push_back(reactionShown());
+    std::vector<Region> all = m_law.regions(directionRule);
+    if (std::any_of(links().begin(), links().end(), [](const PointPair &link) { return link.isReciprocal; }))
+        all.push_back(reactionRegion());
     return all;
 }
 template <class Law>
-bool PairForce<Law>::idle() const
+bool PairForce<Law>::isIdle() const
 {
     return std::all_of(m_numbers.begin(), m_numbers.end(),
                        [this](const Numbers &one) { return m_law.isIdle(one); });
 }
 template <class Law>
-int PairForce<Law>::count(const State &state, Points points) const
+int PairForce<Law>::count(const State &state, PointRange points) const
 {
     int total = 0;
-    forEach(state, points, [&](const Pair &) { ++total; });
+    forEach(state, points, [&](const PointPair &) { ++total; });
     return total;
 }
 template <class Law>
-void PairForce<Law>::ties(std::vector<Tie> &into) const
+void PairForce<Law>::addCouplings(std::vector<Coupling> &into) const
 {
-    for (const Pair &pair : m_links.pairs())
+    for (const PointPair &pair : m_links.pairs())
         into.emplace_back(pair.mover, pair.anchor);
 }
 template <class Law>
-void PairForce<Law>::add(const State &state, Points movers, double scale, Directions directions,
+void PairForce<Law>::add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
                          Eigen::ArrayX2d &into) const
 {
     const auto addTo = [&](int point, Vec2 pull) {
@@ -269,23 +269,23 @@ void PairForce<Law>::add(const State &state, Points movers, double scale, Direct
         into(point, 0) += scale * (share * pull.x);
         into(point, 1) += scale * (share * pull.y);
     };
-    if (directions == Directions::published) {
-        forEach(state, movers, [&](const Pair &link) {
-            const Vec2 pull =
-                m_law.published(state.at(link.mover), state.at(link.anchor), now(state, link.number));
+    if (directionRule == DirectionRule::published) {
+        forEach(state, movers, [&](const PointPair &link) {
+            const Vec2 pull = m_law.published(state.positionOf(link.mover), state.positionOf(link.anchor),
+                                              now(state, link.index));
             addTo(link.mover, pull);
-            if (link.bothWays)
+            if (link.isReciprocal)
                 addTo(link.anchor, -1.0 * pull);
         });
         return;
     }
-    if (scale == 1.0 && movers.first == 0 && movers.count >= state.points()) {
+    if (scale == 1.0 && movers.first == 0 && movers.count >= state.pointCount()) {
         addList(*m_all, state, into);
         return;
     }
-    for (const Pair &pair : m_all->pairs) {
+    for (const PointPair &pair : m_all->pairs) {
         const bool moves = movers.contains(pair.mover),
-                   answers = pair.bothWays && movers.contains(pair.anchor);
+                   answers = pair.isReciprocal && movers.contains(pair.anchor);
         if (!moves && !answers)
             continue;
         const Vec2 pull = pullOf(state, pair);
@@ -296,76 +296,80 @@ void PairForce<Law>::add(const State &state, Points movers, double scale, Direct
     }
 }
 template <class Law>
-AddPart PairForce<Law>::part(const std::vector<Points> &runs) const
+AccelerationAdder PairForce<Law>::adderFor(const std::vector<PointRange> &ranges) const
 {
-    return [this, list = listOf(runs)](const State &state, Eigen::ArrayX2d &into) {
+    return [this, list = listOf(ranges)](const State &state, Eigen::ArrayX2d &into) {
         addList(*list, state, into);
     };
 }
 template <class Law>
-bool PairForce<Law>::addSlopes(const State &state, Points movers, double scale, Directions directions,
-                               Slopes &into) const
+bool PairForce<Law>::addJacobian(const State &state, PointRange movers, double scale,
+                                 DirectionRule directionRule, Jacobian &jacobian) const
 {
-    const auto addEnd = [&](int end, int other, const Slope &slope) {
-        if (state.feels(end))
-            addSlopeBetween(into, end, other, (scale * state.inverseMass[end]) * slope);
+    const auto addEnd = [&](int end, int other, const PairJacobian &block) {
+        if (state.isDynamic(end))
+            addPairJacobian(jacobian, end, other, (scale * state.inverseMass[end]) * block);
     };
-    const auto addPair = [&](const Pair &pair, bool ofMover, bool ofAnchor) {
+    const auto addPair = [&](const PointPair &pair, bool ofMover, bool ofAnchor) {
         if (!ofMover && !ofAnchor)
             return;
-        const Slope slope = m_law.slope(state.at(pair.mover), state.at(pair.anchor), now(state, pair.number));
+        const PairJacobian block = m_law.jacobian(state.positionOf(pair.mover), state.positionOf(pair.anchor),
+                                                  now(state, pair.index));
         if (ofMover)
-            addEnd(pair.mover, pair.anchor, slope);
+            addEnd(pair.mover, pair.anchor, block);
         if (ofAnchor)
-            addEnd(pair.anchor, pair.mover, slope);
+            addEnd(pair.anchor, pair.mover, block);
     };
-    if (directions == Directions::published) {
-        forEach(state, movers, [&](const Pair &link) { addPair(link, true, link.bothWays); });
+    if (directionRule == DirectionRule::published) {
+        forEach(state, movers, [&](const PointPair &link) { addPair(link, true, link.isReciprocal); });
         return true;
     }
-    for (const Pair &pair : m_links.pairs())
-        addPair(pair, movers.contains(pair.mover), pair.bothWays && movers.contains(pair.anchor));
+    for (const PointPair &pair : m_links.pairs())
+        addPair(pair, movers.contains(pair.mover), pair.isReciprocal && movers.contains(pair.anchor));
     return true;
 }
 
 template <class Law>
-std::optional<double> PairForce<Law>::energy(const State &state) const
+std::optional<double> PairForce<Law>::potentialEnergy(const State &state) const
 {
     double sum = 0.0;
-    for (const Pair &pair : m_links.pairs()) {
-        const bool mover = state.feels(pair.mover), anchor = state.feels(pair.anchor);
-        if (mover && anchor && !pair.bothWays)
+    for (const PointPair &pair : m_links.pairs()) {
+        const bool mover = state.isDynamic(pair.mover), anchor = state.isDynamic(pair.anchor);
+        if (mover && anchor && !pair.isReciprocal)
             return {};
-        if (mover || (anchor && pair.bothWays))
-            sum += m_law.energy(state.at(pair.mover), state.at(pair.anchor), now(state, pair.number));
+        if (mover || (anchor && pair.isReciprocal))
+            sum += m_law.energy(state.positionOf(pair.mover), state.positionOf(pair.anchor),
+                                now(state, pair.index));
     }
     return sum;
 }
 template <class Law>
-bool PairForce<Law>::balances(const State &state) const
+bool PairForce<Law>::conservesMomentum(const State &state) const
 {
-    return std::all_of(m_links.pairs().begin(), m_links.pairs().end(), [&](const Pair &pair) {
-        return state.feels(pair.mover) == (pair.bothWays && state.feels(pair.anchor));
+    return std::all_of(m_links.pairs().begin(), m_links.pairs().end(), [&](const PointPair &pair) {
+        return state.isDynamic(pair.mover) == (pair.isReciprocal && state.isDynamic(pair.anchor));
     });
 }
 template <class Law>
-std::vector<Live> PairForce<Law>::explain(const State &state, int mover, Directions directions) const
+std::vector<LiveValue> PairForce<Law>::explain(const State &state, int mover,
+                                               DirectionRule directionRule) const
 {
-    std::vector<Live> last;
+    std::vector<LiveValue> last;
     Vec2 sum;
     int felt = 0;
-    const auto take = [&](const Pair &link, int end, double sign) {
-        last = m_law.live(state.at(link.mover), state.at(link.anchor),
-                          partingDirection(link.anchor, link.mover), now(state, link.number), directions);
+    const auto take = [&](const PointPair &link, int end, double sign) {
+        last = m_law.liveValues(state.positionOf(link.mover), state.positionOf(link.anchor),
+                                fallbackDirection(link.anchor, link.mover), now(state, link.index),
+                                directionRule);
         Vec2 &pull = std::get<Vec2>(last.back().value);
         pull = (sign * state.inverseMass[end]) * pull;
         sum = sum + pull;
         ++felt;
     };
-    for (const Pair &link : m_links.links()) {
-        if (link.mover == mover && state.feels(mover))
+    for (const PointPair &link : m_links.links()) {
+        if (link.mover == mover && state.isDynamic(mover))
             take(link, mover, 1.0);
-        else if (link.anchor == mover && link.bothWays && state.feels(mover))
+        else if (link.anchor == mover && link.isReciprocal && state.isDynamic(mover))
             take(link, mover, -1.0);
     }
     if (felt > 1)
@@ -373,20 +377,20 @@ std::vector<Live> PairForce<Law>::explain(const State &state, int mover, Directi
     return last;
 }
 template <class Law>
-void PairForce<Law>::rests(const State &state, std::vector<RestEnd> &into) const
+void PairForce<Law>::addRestTargets(const State &state, std::vector<RestTarget> &into) const
 {
-    if constexpr (requires(const Pair &link) { m_law.rest(state, link, of(0)); }) {
-        for (const Pair &link : links())
-            into.push_back(m_law.rest(state, link, now(state, link.number)));
+    if constexpr (requires(const PointPair &link) { m_law.rest(state, link, of(0)); }) {
+        for (const PointPair &link : links())
+            into.push_back(m_law.rest(state, link, now(state, link.index)));
     }
 }
 template <class Law>
-bool PairForce<Law>::takeInto(Taken &into) const
+bool PairForce<Law>::addToDraft(BlueprintDraft &draft) const
 {
     if constexpr (requires { m_law.restLength(of(0)); }) {
-        for (const Pair &pair : m_links.pairs()) {
-            const Numbers &own = of(pair.number);
-            into.addSpring({pair.mover, pair.anchor, own.k, m_law.restLength(own)}, pair.bothWays);
+        for (const PointPair &pair : m_links.pairs()) {
+            const Numbers &own = of(pair.index);
+            draft.addSpring({pair.mover, pair.anchor, own.k, m_law.restLength(own)}, pair.isReciprocal);
         }
         return true;
     }
@@ -395,31 +399,35 @@ bool PairForce<Law>::takeInto(Taken &into) const
 /// Calls `visit(link)` for each link whose mover is among `movers` and whose pull something feels.
 template <class Law>
 template <class Visit>
-void PairForce<Law>::forEach(const State &state, Points movers, Visit &&visit) const
+void PairForce<Law>::forEach(const State &state, PointRange movers, Visit &&visit) const
 {
-    for (auto link = m_links.from(movers.first); link != m_links.links().end() && link->mover < movers.end();
-         ++link) {
-        if (state.feels(link->mover) || (link->bothWays && state.feels(link->anchor)))
+    for (auto link = m_links.firstOf(movers.first);
+         link != m_links.links().end() && link->mover < movers.end(); ++link) {
+        if (state.isDynamic(link->mover) || (link->isReciprocal && state.isDynamic(link->anchor)))
             visit(*link);
     }
 }
 template <class Law>
-Vec2 PairForce<Law>::pullOf(const State &state, const Pair &pair) const
+Vec2 PairForce<Law>::pullOf(const State &state, const PointPair &pair) const
 {
-    const Numbers numbers = now(state, pair.number);
-    const Pull one = m_law.pull(state.at(pair.mover), state.at(pair.anchor), numbers);
-    return one.length < inOnePlace ? m_law.pullInOnePlace(partingDirection(pair.anchor, pair.mover), numbers)
-                                   : one.pull;
+    const Numbers numbers = now(state, pair.index);
+    const PairPull one = m_law.pull(state.positionOf(pair.mover), state.positionOf(pair.anchor), numbers);
+    return one.length < coincidenceDistance
+               ? m_law.pullWhenCoincident(fallbackDirection(pair.anchor, pair.mover), numbers)
+               : one.pull;
 }
 template <class Law>
-auto PairForce<Law>::listOf(const std::vector<Points> &runs) const -> std::shared_ptr<const NumberedList>
+auto PairForce<Law>::listOf(const std::vector<PointRange> &ranges) const
+    -> std::shared_ptr<const NumberedList>
 {
-    NumberedList list{{m_links.batches(runs, Law::isMutual)}, {}};
-    const auto isFirst = [&](const Pair &pair) { return of(pair.number) == of(list.pairs.front().number); };
+    NumberedList list{{m_links.batches(ranges, Law::isSymmetric)}, {}};
+    const auto isFirst = [&](const PointPair &pair) {
+        return of(pair.index) == of(list.pairs.front().index);
+    };
     const bool areEqual = std::all_of(list.pairs.begin(), list.pairs.end(), isFirst);
     for (std::size_t i = 0; i < (areEqual ? std::min<std::size_t>(1, list.pairs.size()) : list.pairs.size());
          ++i)
-        list.numbers.push_back(of(list.pairs[i].number));
+        list.numbers.push_back(of(list.pairs[i].index));
     return std::make_shared<const NumberedList>(std::move(list));
 }
 template <class Law>
@@ -429,12 +437,12 @@ void PairForce<Law>::addList(const NumberedList &list, const State &state, Eigen
         return;
     const PullColumns sum(state, into);
     const auto inOnePlaceOf = [&](int place) {
-        const Pair &pair = list.pairs[static_cast<std::size_t>(place)];
-        return m_law.pullInOnePlace(partingDirection(pair.anchor, pair.mover), now(state, pair.number));
+        const PointPair &pair = list.pairs[static_cast<std::size_t>(place)];
+        return m_law.pullWhenCoincident(fallbackDirection(pair.anchor, pair.mover), now(state, pair.index));
     };
     const auto addAll = [&]<class PullOf>(const PullOf &pullOf) {
         using InOnePlace = decltype(inOnePlaceOf);
-        runFast([&] {
+        dispatch([&] {
             if (areOfMassOne(state.inverseMass.data(), list))
                 PairSum<false, PullOf, InOnePlace>(list, sum, pullOf, inOnePlaceOf).addAll();
             else
@@ -443,7 +451,7 @@ void PairForce<Law>::addList(const NumberedList &list, const State &state, Eigen
     };
     if constexpr (requires { m_law.now(state, of(0)); }) {
         addAll([&](Vec2 mover, Vec2 anchor, int place) {
-            return m_law.pull(mover, anchor, now(state, list.pairs[static_cast<std::size_t>(place)].number));
+            return m_law.pull(mover, anchor, now(state, list.pairs[static_cast<std::size_t>(place)].index));
         });
     } else if (list.numbers.size() == 1) {
         addAll([law = m_law, same = list.numbers.front()](Vec2 mover, Vec2 anchor, int) {

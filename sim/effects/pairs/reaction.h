@@ -25,7 +25,7 @@ Vec2 reaction(Vec2 pull)
 // clang-format on
 
 /// Where its source stands.
-inline Region reactionShown()
+inline Region reactionRegion()
 {
     return {"sim/effects/pairs/reaction.h", "reaction"};
 }

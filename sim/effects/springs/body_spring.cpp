@@ -6,9 +6,9 @@ namespace sim {
 
 template class PairForce<BodyLaw>;
 
-namespace described {
-constinit const Description body_spring = {"body_spring", SIM_TEXT("spring"), Kind::spring,
-                                           SIM_TEXT("Pulls a foot to the body, wherever that is.")};
+namespace descriptions {
+constinit const EffectDescription body_spring = {"body_spring", SIM_TEXT("spring"), EffectKind::spring,
+                                                 SIM_TEXT("Pulls a foot to the body, wherever that is.")};
 }
 
 }

@@ -5,8 +5,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description body_spring;
+namespace descriptions {
+extern const EffectDescription body_spring;
 }
 
 /// Springs from points to other points, wherever those are.
@@ -17,23 +17,26 @@ struct BodyLaw
         double k = 0.0; ///< 1/frame^2
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
-    static constexpr bool isMutual = true;
+    static constexpr bool isSymmetric = true;
 
-    static Pull pull(Vec2 mover, Vec2 anchor, const Numbers &one) { return {published(mover, anchor, one)}; }
-    static Vec2 pullInOnePlace(Vec2, const Numbers &) { return {}; }
+    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &one)
+    {
+        return {published(mover, anchor, one)};
+    }
+    static Vec2 pullWhenCoincident(Vec2, const Numbers &) { return {}; }
     static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
         return spring(mover, anchor, one.k).pull;
     }
-    static std::vector<Region> regions(Directions) { return {{"sim/effects/pairs/spring.h", "spring"}}; }
+    static std::vector<Region> regions(DirectionRule) { return {{"sim/effects/pairs/spring.h", "spring"}}; }
     static bool isIdle(const Numbers &one) { return one.k == 0.0; }
     static double restLength(const Numbers &) { return 0.0; }
-    static Slope slope(Vec2, Vec2, const Numbers &one) { return slopeToPlace(one.k); }
+    static PairJacobian jacobian(Vec2, Vec2, const Numbers &one) { return pointSpringJacobian(one.k); }
     static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
         return springEnergy(length(anchor - mover), one.k);
     }
-    static std::vector<Live> live(Vec2 mover, Vec2 anchor, Vec2, const Numbers &one, Directions)
+    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2, const Numbers &one, DirectionRule)
     {
         const SpringPull s = spring(mover, anchor, one.k);
         return {{"d", s.d}, {"pull", s.pull}};
@@ -42,11 +45,11 @@ struct BodyLaw
 
 extern template class PairForce<BodyLaw>;
 
-class BodySpring : public Described<PairForce<BodyLaw>, described::body_spring>
+class BodySpring : public DescribedEffect<PairForce<BodyLaw>, descriptions::body_spring>
 {
 public:
     /// k in 1/frame^2.
-    BodySpring(const std::vector<Link> &links, double k) : Described({}, pairsOf(links), {{k}}) {}
+    BodySpring(const std::vector<Link> &links, double k) : DescribedEffect({}, pairsOf(links), {{k}}) {}
 };
 
 }

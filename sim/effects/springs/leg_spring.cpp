@@ -25,9 +25,9 @@ std::vector<Leg> inOrder(std::vector<Leg> legs)
     return legs;
 }
 
-std::vector<Pair> pairsOf(const std::vector<Leg> &legs, Reaction reaction)
+std::vector<PointPair> pairsOf(const std::vector<Leg> &legs, Reaction reaction)
 {
-    std::vector<Pair> pairs;
+    std::vector<PointPair> pairs;
     for (const Leg &leg : legs)
         pairs.push_back({leg.foot, leg.body, static_cast<int>(pairs.size()), reaction == Reaction::equal});
     return pairs;
@@ -44,11 +44,11 @@ std::vector<LegLaw::Numbers> numbersOf(const std::vector<Leg> &legs)
 }
 
 LegSpring::LegSpring(const std::vector<Leg> &legs, LegRule rule)
-    : Described({rule}, pairsOf(inOrder(legs), rule.reaction), numbersOf(inOrder(legs)))
+    : DescribedEffect({rule}, pairsOf(inOrder(legs), rule.reaction), numbersOf(inOrder(legs)))
 {
 }
 
-std::vector<Region> LegLaw::regions(Directions) const
+std::vector<Region> LegLaw::regions(DirectionRule) const
 {
     std::vector<Region> all;
     if (aim == Aim::swing)
@@ -62,23 +62,23 @@ std::vector<Region> LegLaw::regions(Directions) const
 
 Vec2 LegSpring::target(const State &state, int number) const
 {
-    const Pair &leg = links().at(static_cast<std::size_t>(number));
-    return law().target(state.at(leg.anchor), now(state, leg.number));
+    const PointPair &leg = links().at(static_cast<std::size_t>(number));
+    return law().target(state.positionOf(leg.anchor), now(state, leg.index));
 }
 
 std::vector<Leg> LegSpring::legs() const
 {
     std::vector<Leg> all;
-    for (const Pair &leg : links()) {
-        const LegLaw::Numbers &own = numbers()[static_cast<std::size_t>(leg.number)];
+    for (const PointPair &leg : links()) {
+        const LegLaw::Numbers &own = numbers()[static_cast<std::size_t>(leg.index)];
         all.push_back({leg.mover, leg.anchor, own.angle, own.clock});
     }
     return all;
 }
 
-std::vector<Live> LegLaw::live(Vec2 foot, Vec2 body, Vec2, const Numbers &one, Directions) const
+std::vector<LiveValue> LegLaw::liveValues(Vec2 foot, Vec2 body, Vec2, const Numbers &one, DirectionRule) const
 {
-    std::vector<Live> all;
+    std::vector<LiveValue> all;
     if (aim == Aim::swing)
         all.push_back({"turned", one.angle});
     const Vec2 to = target(body, one);
@@ -90,9 +90,9 @@ std::vector<Live> LegLaw::live(Vec2 foot, Vec2 body, Vec2, const Numbers &one, D
 namespace {
 
 /// The group of legs that go by the clock numbered `clock`, as it stands in `now`.
-BuiltGait gaitOf(const LegRule &rule, int clock, const State &now)
+BlueprintGait gaitOf(const LegRule &rule, int clock, const State &now)
 {
-    BuiltGait gait;
+    BlueprintGait gait;
     gait.k = rule.k;
     gait.leg = rule.leg;
     gait.drop = rule.aim == Aim::bone ? 0.0 : rule.drop;
@@ -106,29 +106,29 @@ BuiltGait gaitOf(const LegRule &rule, int clock, const State &now)
 
 }
 
-bool LegSpring::takeInto(Taken &into) const
+bool LegSpring::addToDraft(BlueprintDraft &draft) const
 {
-    const std::vector<int> before = feetOf(into.blueprint);
+    const std::vector<int> before = feetOf(draft.blueprint);
     std::set<int> feet(before.begin(), before.end());
-    std::vector<BuiltGait> &gaits = into.blueprint.gaits;
+    std::vector<BlueprintGait> &gaits = draft.blueprint.gaits;
     std::map<int, int> groups; // by clock
     for (const Leg &leg : legs()) {
         if (!feet.insert(leg.foot).second) {
-            into.leave(SIM_TEXT("feet with more than one leg"));
+            draft.omit(SIM_TEXT("feet with more than one leg"));
             continue;
         }
         const auto [group, isNew] = groups.emplace(leg.clock, static_cast<int>(gaits.size()));
         if (isNew)
-            gaits.push_back(gaitOf(rule(), leg.clock, into.now));
-        into.blueprint.feet.push_back(
+            gaits.push_back(gaitOf(rule(), leg.clock, draft.state));
+        draft.blueprint.feet.push_back(
             {leg.foot, leg.body, leg.angle * 180.0 / std::numbers::pi, group->second});
     }
     return true;
 }
 
-namespace described {
-constinit const Description leg_spring = {
-    "leg_spring", SIM_TEXT("legs"), Kind::spring,
+namespace descriptions {
+constinit const EffectDescription leg_spring = {
+    "leg_spring", SIM_TEXT("legs"), EffectKind::spring,
     SIM_TEXT("Pull each foot to its own place, as seen from the body.")};
 }
 

@@ -9,8 +9,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description leg_spring;
+namespace descriptions {
+extern const EffectDescription leg_spring;
 }
 
 /// A leg that knows where its foot belongs: at an angle of its own, seen from the body.
@@ -91,7 +91,7 @@ struct LegLaw : LegRule
         int clock = 0;
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
-    static constexpr bool isMutual = false;
+    static constexpr bool isSymmetric = false;
 
     /// With the angle to which the gait clock has turned the leg.
     Numbers now(const State &state, const Numbers &one) const
@@ -102,37 +102,40 @@ struct LegLaw : LegRule
     {
         return aim == Aim::bone ? boneTarget(body, one.angle, leg) : belowTarget(body, one.angle, leg, drop);
     }
-    Pull pull(Vec2 foot, Vec2 body, const Numbers &one) const { return {published(foot, body, one)}; }
-    static Vec2 pullInOnePlace(Vec2, const Numbers &) { return {}; }
+    PairPull pull(Vec2 foot, Vec2 body, const Numbers &one) const { return {published(foot, body, one)}; }
+    static Vec2 pullWhenCoincident(Vec2, const Numbers &) { return {}; }
     Vec2 published(Vec2 foot, Vec2 body, const Numbers &one) const
     {
         return spring(foot, target(body, one), k).pull;
     }
-    Slope slope(Vec2, Vec2, const Numbers &) const { return slopeToPlace(k); }
+    PairJacobian jacobian(Vec2, Vec2, const Numbers &) const { return pointSpringJacobian(k); }
     /// Where the clock turns a leg it lifts what the leg has stored, too: that is the clock's work.
     double energy(Vec2 foot, Vec2 body, const Numbers &one) const
     {
         return springEnergy(length(target(body, one) - foot), k);
     }
-    std::vector<Region> regions(Directions directions) const;
+    std::vector<Region> regions(DirectionRule directionRule) const;
     bool isIdle(const Numbers &) const { return k == 0.0; }
-    std::vector<Live> live(Vec2 foot, Vec2 body, Vec2 parting, const Numbers &one,
-                           Directions directions) const;
-    RestEnd rest(const State &state, const Pair &legPair, const Numbers &one) const
+    std::vector<LiveValue> liveValues(Vec2 foot, Vec2 body, Vec2 parting, const Numbers &one,
+                                      DirectionRule directionRule) const;
+    RestTarget rest(const State &state, const PointPair &legPair, const Numbers &one) const
     {
-        return {legPair.mover, legPair.anchor, target(state.at(legPair.anchor), one), false};
+        return {legPair.mover, legPair.anchor, target(state.positionOf(legPair.anchor), one), false};
     }
 };
 
 extern template class PairForce<LegLaw>;
 
-class LegSpring : public Described<PairForce<LegLaw>, described::leg_spring>
+class LegSpring : public DescribedEffect<PairForce<LegLaw>, descriptions::leg_spring>
 {
 public:
     LegSpring(const std::vector<Leg> &legs, LegRule rule);
 
-    Sees sees() const override { return rule().aim == Aim::swing ? Sees::scene : Sees::tied; }
-    bool takeInto(Taken &into) const override;
+    Dependence dependence() const override
+    {
+        return rule().aim == Aim::swing ? Dependence::scene : Dependence::coupledPoints;
+    }
+    bool addToDraft(BlueprintDraft &draft) const override;
 
     /// Where the foot of the leg numbered `number` belongs, px.
     Vec2 target(const State &state, int number) const;

@@ -6,9 +6,9 @@ namespace sim {
 
 template class PairForce<OffsetLaw>;
 
-namespace described {
-constinit const Description offset_spring = {"offset_spring", SIM_TEXT("spring"), Kind::spring,
-                                             SIM_TEXT("Pulls a foot to a place beside the body.")};
+namespace descriptions {
+constinit const EffectDescription offset_spring = {"offset_spring", SIM_TEXT("spring"), EffectKind::spring,
+                                                   SIM_TEXT("Pulls a foot to a place beside the body.")};
 }
 
 }

@@ -4,28 +4,28 @@
 
 namespace sim {
 
-namespace described {
-extern const Description point_spring;
+namespace descriptions {
+extern const EffectDescription point_spring;
 }
 
 /// A spring from one point to a fixed place.
-class PointSpring : public Described<Force, described::point_spring>
+class PointSpring : public DescribedEffect<Force, descriptions::point_spring>
 {
 public:
     /// k in 1/frame^2, centre in px.
     PointSpring(int mover, Vec2 centre, double k) : m_mover(mover), m_centre(centre), m_k(k) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    bool idle() const override { return m_k == 0.0; }
-    void add(const State &state, Points movers, double scale, Directions directions,
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    bool isIdle() const override { return m_k == 0.0; }
+    void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Directions directions,
-                   Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override;
-    bool takeInto(Taken &into) const override;
-    std::vector<Live> explain(const State &state, int mover, Directions directions) const override;
+    bool addJacobian(const State &state, PointRange movers, double scale, DirectionRule directionRule,
+                     Jacobian &jacobian) const override;
+    std::optional<double> potentialEnergy(const State &state) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
+    std::vector<LiveValue> explain(const State &state, int mover, DirectionRule directionRule) const override;
 
     int mover() const { return m_mover; }
     Vec2 centre() const { return m_centre; }

@@ -13,10 +13,10 @@ template class PairForce<PushLaw>;
 namespace {
 
 /// Every two of `points`, the one with the lower number as the mover.
-std::vector<Pair> everyTwo(std::vector<int> points, Reaction reaction)
+std::vector<PointPair> everyTwo(std::vector<int> points, Reaction reaction)
 {
     std::sort(points.begin(), points.end());
-    std::vector<Pair> pairs;
+    std::vector<PointPair> pairs;
     for (auto one = points.begin(); one != points.end(); ++one) {
         for (auto other = std::next(one); other != points.end(); ++other)
             pairs.push_back({*one, *other, 0, reaction == Reaction::equal});
@@ -27,48 +27,48 @@ std::vector<Pair> everyTwo(std::vector<int> points, Reaction reaction)
 }
 
 Push::Push(const std::vector<int> &points, double k, double distance, Reaction reaction)
-    : Described({k, distance}, everyTwo(points, reaction), {{}})
+    : DescribedEffect({k, distance}, everyTwo(points, reaction), {{}})
 {
 }
 
-bool Push::takeInto(Taken &into) const
+bool Push::addToDraft(BlueprintDraft &draft) const
 {
-    const auto points = static_cast<std::size_t>(into.now.points());
+    const auto points = static_cast<std::size_t>(draft.state.pointCount());
     if (2 * links().size() != points * (points - 1))
         return false; // of some points only
-    into.choose("push", {{"push", law().k}, {"distance", law().distance}});
+    draft.addEffect("push", {{"push", law().k}, {"distance", law().distance}});
     return true;
 }
 
-std::vector<Region> PushLaw::regions(Directions directions)
+std::vector<Region> PushLaw::regions(DirectionRule directionRule)
 {
-    return {
-        {"sim/effects/springs/push.h", "push"},
-        {"sim/base/direction.h", directions == Directions::published ? "published_direction" : "direction"}};
+    return {{"sim/effects/springs/push.h", "push"},
+            {"sim/base/direction.h",
+             directionRule == DirectionRule::published ? "published_direction" : "direction"}};
 }
 
-std::vector<Live> PushLaw::live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &,
-                                Directions directions) const
+std::vector<LiveValue> PushLaw::liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &,
+                                           DirectionRule directionRule) const
 {
     const PushPull found = push(one, other, k, distance, [&](Vec2 d) {
-        if (directions == Directions::published)
+        if (directionRule == DirectionRule::published)
             return publishedHeading(d);
-        const Heading heading = direction(d);
-        return heading.length < inOnePlace ? Heading{heading.length, parting} : heading;
+        const Direction heading = direction(d);
+        return heading.length < coincidenceDistance ? Direction{heading.length, parting} : heading;
     });
     return {{"from", found.from}, {"missing", found.missing}, {"pull", found.pull}};
 }
 
 namespace {
 
-constexpr Setting pushSettings[] = {
+constexpr ParameterSpec pushSettings[] = {
     {
         .id = "push",
         .name = SIM_TEXT("Push"),
         .symbol = "k",
         .unit = SIM_TEXT("1/frame²"),
         .help = SIM_TEXT("How hard two bodies push: this share of the missing distance, each frame."),
-        .preset = 0.2,
+        .defaultValue = 0.2,
         .min = 0.0,
         .max = 1e9,
     },
@@ -77,7 +77,7 @@ constexpr Setting pushSettings[] = {
         .name = SIM_TEXT("Distance"),
         .unit = SIM_TEXT("px"),
         .help = SIM_TEXT("Two bodies closer than this push each other."),
-        .preset = 20.0,
+        .defaultValue = 20.0,
         .min = 0.0,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -94,14 +94,14 @@ EffectPtr buildPush(const Blueprint &plan, const Values &values)
 
 }
 
-namespace described {
-constinit const Description push = {
+namespace descriptions {
+constinit const EffectDescription push = {
     .id = "push",
     .title = SIM_TEXT("push"),
-    .kind = Kind::spring,
+    .kind = EffectKind::spring,
     .purpose =
         SIM_TEXT("Pushes apart what comes too close, so that creatures do not walk through each other."),
-    .settings = pushSettings,
+    .parameters = pushSettings,
     .make = buildPush};
 }
 

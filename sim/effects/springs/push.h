@@ -8,8 +8,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description push;
+namespace descriptions {
+extern const EffectDescription push;
 }
 
 /// A push between two points, with what it was found from.
@@ -52,44 +52,45 @@ struct PushLaw
     {
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
-    static constexpr bool isMutual = true;
+    static constexpr bool isSymmetric = true;
 
-    Pull pull(Vec2 one, Vec2 other, const Numbers &) const
+    PairPull pull(Vec2 one, Vec2 other, const Numbers &) const
     {
-        Heading way;
+        Direction way;
         const Vec2 pull = push(one, other, k, distance, [&](Vec2 d) { return way = direction(d); }).pull;
         return {pull, way.length};
     }
-    Vec2 pullInOnePlace(Vec2 out, const Numbers &) const { return k * distance * out; }
+    Vec2 pullWhenCoincident(Vec2 out, const Numbers &) const { return k * distance * out; }
     Vec2 published(Vec2 one, Vec2 other, const Numbers &) const
     {
         return push(one, other, k, distance, publishedHeading).pull;
     }
-    Slope slope(Vec2 one, Vec2 other, const Numbers &) const
+    PairJacobian jacobian(Vec2 one, Vec2 other, const Numbers &) const
     {
         const Vec2 from = one - other;
-        return length(from) < distance ? slopeToDistance(from, k, distance) : Slope();
+        return length(from) < distance ? radialSpringJacobian(from, k, distance) : PairJacobian();
     }
     double energy(Vec2 one, Vec2 other, const Numbers &) const
     {
         return springEnergy(std::max(0.0, distance - length(one - other)), k);
     }
-    static std::vector<Region> regions(Directions directions);
+    static std::vector<Region> regions(DirectionRule directionRule);
     bool isIdle(const Numbers &) const { return k == 0.0 || distance <= 0.0; }
-    static Heading publishedHeading(Vec2 d) { return {length(d), publishedDirection(d).out}; }
-    std::vector<Live> live(Vec2 one, Vec2 other, Vec2 parting, const Numbers &, Directions directions) const;
+    static Direction publishedHeading(Vec2 d) { return {length(d), publishedDirection(d).out}; }
+    std::vector<LiveValue> liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &,
+                                      DirectionRule directionRule) const;
 };
 
 extern template class PairForce<PushLaw>;
 
 /// Pushes apart every two of some points that come too close to each other.
-class Push : public Described<PairForce<PushLaw>, described::push>
+class Push : public DescribedEffect<PairForce<PushLaw>, descriptions::push>
 {
 public:
     /// k in 1/frame^2, distance in px. With Reaction::none only the one with the lower number is pushed.
     Push(const std::vector<int> &points, double k, double distance, Reaction reaction);
 
-    bool takeInto(Taken &into) const override;
+    bool addToDraft(BlueprintDraft &draft) const override;
 };
 
 }

@@ -7,8 +7,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description radial_spring;
+namespace descriptions {
+extern const EffectDescription radial_spring;
 }
 
 /// A radial spring's pull as published, with what it was found from.
@@ -41,13 +41,13 @@ RadialPull radialSpring(
 // clang-format on
 
 /// The same pull with one root and one division, and with the exact opposite for the other end. k in 1/frame^2, radius in
-/// px. Points in one place have no direction: see partingDirection().
+/// px. Points in one place have no direction: see fallbackDirection().
 /// Source: k (radius out - from) with out = from / length; Published: Creatures I, step 7.
 // Shown lines are short.
 // clang-format off
 inline
 //! [spring_pull]
-Pull springPull(
+PairPull springPull(
     Vec2 mover, Vec2 anchor, double k,
     double radius)
 {
@@ -72,34 +72,34 @@ struct RadialLaw
         double radius = 0.0; ///< px, the length at which it neither pulls nor pushes
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
-    static constexpr bool isMutual = true;
+    static constexpr bool isSymmetric = true;
 
-    static Pull pull(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
         return springPull(mover, anchor, one.k, one.radius);
     }
-    static Vec2 pullInOnePlace(Vec2 out, const Numbers &one) { return one.k * one.radius * out; }
+    static Vec2 pullWhenCoincident(Vec2 out, const Numbers &one) { return one.k * one.radius * out; }
     static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
         return radialSpring(mover, anchor, one.k, one.radius,
                             [](Vec2 d) { return publishedDirection(d).out; })
             .end.pull;
     }
-    static Slope slope(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static PairJacobian jacobian(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
-        return slopeToDistance(mover - anchor, one.k, one.radius);
+        return radialSpringJacobian(mover - anchor, one.k, one.radius);
     }
     static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
     {
         return springEnergy(length(mover - anchor) - one.radius, one.k);
     }
-    static std::vector<Live> live(Vec2 mover, Vec2 anchor, Vec2 parting, const Numbers &one,
-                                  Directions directions);
-    static RestEnd rest(const State &state, const Pair &link, const Numbers &one)
+    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2 parting, const Numbers &one,
+                                             DirectionRule directionRule);
+    static RestTarget rest(const State &state, const PointPair &link, const Numbers &one)
     {
-        return restAt(state, link.mover, link.anchor, one.radius);
+        return restTargetAt(state, link.mover, link.anchor, one.radius);
     }
-    static std::vector<Region> regions(Directions directions);
+    static std::vector<Region> regions(DirectionRule directionRule);
     static bool isIdle(const Numbers &one) { return one.k == 0.0; }
     static double restLength(const Numbers &one) { return one.radius; }
 };
@@ -107,12 +107,12 @@ struct RadialLaw
 extern template class PairForce<RadialLaw>;
 
 /// Radial springs that are all alike.
-class RadialSpring : public Described<PairForce<RadialLaw>, described::radial_spring>
+class RadialSpring : public DescribedEffect<PairForce<RadialLaw>, descriptions::radial_spring>
 {
 public:
     /// k in 1/frame^2, radius (the rest length) in px.
     RadialSpring(const std::vector<Link> &links, double k, double radius)
-        : Described({}, pairsOf(links), {{k, radius}})
+        : DescribedEffect({}, pairsOf(links), {{k, radius}})
     {
     }
 };

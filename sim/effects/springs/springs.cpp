@@ -7,9 +7,9 @@ namespace sim {
 namespace {
 
 /// Each spring as both of its ends see it.
-std::vector<Pair> endsOf(const std::vector<Spring> &springs, int points)
+std::vector<PointPair> endsOf(const std::vector<Spring> &springs, int points)
 {
-    std::vector<Pair> ends;
+    std::vector<PointPair> ends;
     for (std::size_t i = 0; i < springs.size(); ++i) {
         const Spring &one = springs[i];
         for (const int end : {one.a, one.b}) {
@@ -35,13 +35,13 @@ std::vector<RadialLaw::Numbers> numbersOf(const std::vector<Spring> &springs)
 }
 
 Springs::Springs(const std::vector<Spring> &springs, int points)
-    : Described({}, endsOf(springs, points), numbersOf(springs))
+    : DescribedEffect({}, endsOf(springs, points), numbersOf(springs))
 {
 }
 
-namespace described {
-constinit const Description springs = {
-    "springs", SIM_TEXT("springs"), Kind::spring,
+namespace descriptions {
+constinit const EffectDescription springs = {
+    "springs", SIM_TEXT("springs"), EffectKind::spring,
     SIM_TEXT("Keep two points a length apart: they pull when it is more, and push when it is less.")};
 }
 

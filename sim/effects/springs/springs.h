@@ -4,8 +4,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description springs;
+namespace descriptions {
+extern const EffectDescription springs;
 }
 
 /// A spring between two points, with its own stiffness and length. Both points feel it.
@@ -19,7 +19,7 @@ struct Spring
 };
 
 /// Springs of which each has its own stiffness and its own length: radial springs that pull both ends.
-class Springs : public Described<PairForce<RadialLaw>, described::springs>
+class Springs : public DescribedEffect<PairForce<RadialLaw>, descriptions::springs>
 {
 public:
     /// @throws Error "spring-without-end" (spring, end, points) when a spring ends at a point that is not there

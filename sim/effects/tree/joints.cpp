@@ -4,12 +4,12 @@
 
 namespace sim {
 
-std::vector<Region> Joints::regions(Directions) const
+std::vector<Region> Joints::regions(DirectionRule) const
 {
     return {{"sim/effects/tree/tree.h", "reach"}, {"sim/effects/tree/tree.h", "end"}};
 }
 
-int Joints::count(const State &, Points points) const
+int Joints::count(const State &, PointRange points) const
 {
     return points.count;
 }
@@ -17,13 +17,13 @@ int Joints::count(const State &, Points points) const
 void Joints::drive(State &state, double) const
 {
     TreeWalk walk(*m_tree, state, m_degrees);
-    for (Points run = walk.next({}); run.count > 0; run = walk.next(run))
-        walk.carry(run);
+    for (PointRange range = walk.next({}); range.count > 0; range = walk.next(range))
+        walk.moveChildren(range);
     if (state.spin.rows() > 0)
         state.spin = (state.inverseMass == 0.0).select(0.0, state.spin);
 }
 
-std::vector<Live> Joints::explain(const State &, const State &after, int point) const
+std::vector<LiveValue> Joints::explain(const State &, const State &after, int point) const
 {
     const double scale = m_tree->scale[static_cast<std::size_t>(point)];
     const Vec2 reach = branchReach(after.angle[point], m_tree->baseLength, m_degrees);
@@ -31,12 +31,13 @@ std::vector<Live> Joints::explain(const State &, const State &after, int point) 
             {"rad", after.angle[point] / m_degrees, {}},
             {"reach", reach, {}},
             {"scale", scale, {}},
-            {"end", branchEnd(after.at(point), reach, scale), {}}};
+            {"end", branchEnd(after.positionOf(point), reach, scale), {}}};
 }
 
-namespace described {
-constinit const Description joints = {"joints", SIM_TEXT("joints"), Kind::stick,
-                                      SIM_TEXT("Set each branch on the end of the branch that carries it.")};
+namespace descriptions {
+constinit const EffectDescription joints = {
+    "joints", SIM_TEXT("joints"), EffectKind::stick,
+    SIM_TEXT("Set each branch on the end of the branch that carries it.")};
 }
 
 }

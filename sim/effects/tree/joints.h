@@ -5,25 +5,25 @@
 
 namespace sim {
 
-namespace described {
-extern const Description joints;
+namespace descriptions {
+extern const EffectDescription joints;
 }
 
 /// Moves each branch of a tree to the end of its parent. Published: swaying tree, positionChildren().
-class Joints : public Described<Driver, described::joints>
+class Joints : public DescribedEffect<Driver, descriptions::joints>
 {
 public:
     /// `degrees`: how many of them are a radian.
     Joints(TreePtr tree, double degrees) : m_tree(std::move(tree)), m_degrees(degrees) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override { m_tree->ties(into); }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void addCouplings(std::vector<Coupling> &into) const override { m_tree->addCouplings(into); }
     /// A branch that feels nothing does not turn on either: it loses its spin.
     void drive(State &state, double h) const override;
-    Pace pace() const override { return Pace::follows; }
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    DriverTiming timing() const override { return DriverTiming::dependent; }
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
     const Tree &tree() const { return *m_tree; }
 

@@ -4,12 +4,12 @@
 
 namespace sim {
 
-std::vector<Region> ReturnToRest::regions(Directions) const
+std::vector<Region> ReturnToRest::regions(DirectionRule) const
 {
     return {{"sim/effects/tree/return_to_rest.h", "return_to_rest"}};
 }
 
-int ReturnToRest::count(const State &, Points points) const
+int ReturnToRest::count(const State &, PointRange points) const
 {
     return points.count;
 }
@@ -18,13 +18,13 @@ void ReturnToRest::drive(State &state, double h) const
 {
     const double *rest = m_tree->rest.data();
     double *angle = state.angle.data();
-    replaceFree(state.inverseMass, {0, m_tree->branches()}, angle,
-                [=, ease = m_ease](int i) { return returnToRest(angle[i], rest[i], ease, h); });
+    updateDynamic(state.inverseMass, {0, m_tree->branchCount()}, angle,
+                  [=, ease = m_ease](int i) { return returnToRest(angle[i], rest[i], ease, h); });
 }
 
-std::vector<Live> ReturnToRest::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> ReturnToRest::explain(const State &before, const State &after, int point) const
 {
-    if (!before.feels(point))
+    if (!before.isDynamic(point))
         return {};
     const double rest = m_tree->rest[static_cast<std::size_t>(point)];
     return {{"rest", rest, {}},
@@ -32,9 +32,9 @@ std::vector<Live> ReturnToRest::explain(const State &before, const State &after,
             {"angle", after.angle[point], before.angle[point]}};
 }
 
-namespace described {
-constinit const Description return_to_rest = {
-    "return_to_rest", SIM_TEXT("return to rest"), Kind::spring,
+namespace descriptions {
+constinit const EffectDescription return_to_rest = {
+    "return_to_rest", SIM_TEXT("return to rest"), EffectKind::spring,
     SIM_TEXT("Turns each branch a part of the way back to where it grew.")};
 }
 

@@ -7,8 +7,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description return_to_rest;
+namespace descriptions {
+extern const EffectDescription return_to_rest;
 }
 
 /// Turns a branch a share of the way back to the angle at which it grew, if more than one degree is missing:
@@ -32,18 +32,18 @@ double returnToRest(
 // clang-format on
 
 /// Lets every branch return to where it grew.
-class ReturnToRest : public Described<Driver, described::return_to_rest>
+class ReturnToRest : public DescribedEffect<Driver, descriptions::return_to_rest>
 {
 public:
     /// `ease` in frames.
     ReturnToRest(TreePtr tree, double ease) : m_tree(std::move(tree)), m_ease(ease) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    bool idle() const override { return std::isinf(m_ease); }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    bool isIdle() const override { return std::isinf(m_ease); }
     void drive(State &state, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:
     TreePtr m_tree;

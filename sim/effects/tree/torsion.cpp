@@ -8,11 +8,11 @@ const char *const here = "sim/effects/tree/torsion.h";
 
 }
 
-Limbs limbsOf(const Tree &tree, double k)
+BranchMechanics branchMechanicsOf(const Tree &tree, double k)
 {
-    const int branches = tree.branches();
+    const int branches = tree.branchCount();
     std::vector<double> carried(static_cast<std::size_t>(branches), 0.0);
-    Limbs limbs{Eigen::ArrayXd(branches), Eigen::ArrayXd(branches)};
+    BranchMechanics limbs{Eigen::ArrayXd(branches), Eigen::ArrayXd(branches)};
     for (int i = branches - 1; i >= 0; --i) { // children come after their parents
         const auto row = static_cast<std::size_t>(i);
         const double scale = tree.scale[row];
@@ -24,12 +24,12 @@ Limbs limbsOf(const Tree &tree, double k)
     return limbs;
 }
 
-std::vector<Region> Torsion::regions(Directions) const
+std::vector<Region> Torsion::regions(DirectionRule) const
 {
     return {{here, "torsion"}, {here, "turned_by"}, {here, "branch_inertia"}, {here, "branch_stiffness"}};
 }
 
-int Torsion::count(const State &, Points points) const
+int Torsion::count(const State &, PointRange points) const
 {
     return points.count;
 }
@@ -55,37 +55,37 @@ double Torsion::reactionOn(const State &state, int branch) const
     return sum;
 }
 
-void Torsion::add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const
+void Torsion::add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const
 {
     for (int i = movers.first; i < movers.end(); ++i) {
-        if (state.feels(i))
+        if (state.isDynamic(i))
             into[i] += scale * turnedBy(torqueOn(state, i), reactionOn(state, i), m_limbs.inertia[i]);
     }
 }
 
-bool Torsion::addSlopes(const State &state, Points movers, double scale, Slopes &into) const
+bool Torsion::addJacobian(const State &state, PointRange movers, double scale, Jacobian &jacobian) const
 {
     for (int i = movers.first; i < movers.end(); ++i) {
-        if (!state.feels(i))
+        if (!state.isDynamic(i))
             continue;
         const auto row = static_cast<std::size_t>(i);
         const double share = scale / m_limbs.inertia[i];
         double stiffness = m_limbs.stiffness[i];
         if (m_tree->parent[row] >= 0)
-            into.addTurn(i, m_tree->parent[row], share * stiffness);
+            jacobian.addAngular(i, m_tree->parent[row], share * stiffness);
         const int first = m_tree->firstChild[row];
         for (int child = first; child < first + m_tree->children[row]; ++child) {
-            into.addTurn(i, child, share * m_limbs.stiffness[child]);
+            jacobian.addAngular(i, child, share * m_limbs.stiffness[child]);
             stiffness += m_limbs.stiffness[child];
         }
-        into.addTurn(i, i, -share * stiffness);
+        jacobian.addAngular(i, i, -share * stiffness);
     }
     return true;
 }
 
-std::vector<Live> Torsion::explain(const State &state, int mover) const
+std::vector<LiveValue> Torsion::explain(const State &state, int mover) const
 {
-    if (!state.feels(mover))
+    if (!state.isDynamic(mover))
         return {};
     const double torque = torqueOn(state, mover), reaction = reactionOn(state, mover);
     return {{"bend", bend(state, mover), {}},
@@ -96,7 +96,7 @@ std::vector<Live> Torsion::explain(const State &state, int mover) const
             {"pull", turnedBy(torque, reaction, m_limbs.inertia[mover]), {}}};
 }
 
-double Torsion::motionEnergy(const State &state) const
+double Torsion::kineticEnergy(const State &state) const
 {
     return 0.5 * (m_limbs.inertia * state.spin.square()).sum();
 }
@@ -104,7 +104,7 @@ double Torsion::motionEnergy(const State &state) const
 double Torsion::springEnergy(const State &state) const
 {
     double sum = 0.0;
-    for (int i = 0; i < m_tree->branches(); ++i) {
+    for (int i = 0; i < m_tree->branchCount(); ++i) {
         const double torque = torqueOn(state, i);
         if (torque != 0.0) // a joint without stiffness has no energy
             sum += 0.5 * torque * torque / m_limbs.stiffness[i];
@@ -112,10 +112,10 @@ double Torsion::springEnergy(const State &state) const
     return sum;
 }
 
-double Torsion::stiffestPull() const
+double Torsion::stiffnessBound() const
 {
     double most = 0.0;
-    for (int i = 0; i < m_tree->branches(); ++i) {
+    for (int i = 0; i < m_tree->branchCount(); ++i) {
         const auto row = static_cast<std::size_t>(i);
         const bool onGround = m_tree->parent[row] < 0;
         double circle = (onGround ? 1.0 : 2.0) * m_limbs.stiffness[i];
@@ -127,9 +127,9 @@ double Torsion::stiffestPull() const
     return most;
 }
 
-namespace described {
-constinit const Description torsion = {
-    "torsion", SIM_TEXT("springs"), Kind::spring,
+namespace descriptions {
+constinit const EffectDescription torsion = {
+    "torsion", SIM_TEXT("springs"), EffectKind::spring,
     SIM_TEXT("Bend each joint back: the harder, the farther a branch has turned from where it grew.")};
 }
 

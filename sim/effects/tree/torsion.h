@@ -5,12 +5,12 @@
 
 namespace sim {
 
-namespace described {
-extern const Description torsion;
+namespace descriptions {
+extern const EffectDescription torsion;
 }
 
 /// What each branch of a tree has to be turned by, and how stiff its joint is. One entry a branch.
-struct Limbs
+struct BranchMechanics
 {
     Eigen::ArrayXd inertia;   ///< rotary, of the branch and what it carries; a lone trunk has 1
     Eigen::ArrayXd stiffness; ///< of the joint at its origin: inertia/frame^2
@@ -55,7 +55,7 @@ double branchStiffness(
 // clang-format on
 
 /// Inertia and stiffness of each branch of `tree`.
-Limbs limbsOf(const Tree &tree, double k);
+BranchMechanics branchMechanicsOf(const Tree &tree, double k);
 
 /// Hooke's law for a joint: the torque on the branch, in inertia * degrees/frame^2. A bend is how far a branch is
 /// turned from its angle of rest, in degrees. The parent feels the opposite.
@@ -94,29 +94,29 @@ double turnedBy(
 /// Springs that turn: one in the joint of each branch with its parent, and of the trunk with the ground.
 /// With the angle and spin of each branch as coordinates the energy is a sum of one part of the spins and one of
 /// the angles, so semi-implicit Euler keeps it bounded as long as h < 2 / sqrt(the largest eigenvalue of
-/// stiffness/inertia); stiffestPull() bounds that eigenvalue.
-class Torsion : public Described<Torque, described::torsion>
+/// stiffness/inertia); stiffnessBound() bounds that eigenvalue.
+class Torsion : public DescribedEffect<Torque, descriptions::torsion>
 {
 public:
-    Torsion(TreePtr tree, Limbs limbs) : m_tree(std::move(tree)), m_limbs(std::move(limbs)) {}
+    Torsion(TreePtr tree, BranchMechanics limbs) : m_tree(std::move(tree)), m_limbs(std::move(limbs)) {}
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::tied; }
-    void ties(std::vector<Tie> &into) const override { m_tree->ties(into); }
-    bool idle() const override { return (m_limbs.stiffness == 0.0).all(); }
-    void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
-    bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override;
-    std::optional<double> energy(const State &state) const override { return springEnergy(state); }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::coupledPoints; }
+    void addCouplings(std::vector<Coupling> &into) const override { m_tree->addCouplings(into); }
+    bool isIdle() const override { return (m_limbs.stiffness == 0.0).all(); }
+    void add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const override;
+    bool addJacobian(const State &state, PointRange movers, double scale, Jacobian &jacobian) const override;
+    std::optional<double> potentialEnergy(const State &state) const override { return springEnergy(state); }
     Eigen::ArrayXd inertia() const override { return m_limbs.inertia; }
-    std::vector<Live> explain(const State &state, int mover) const override;
+    std::vector<LiveValue> explain(const State &state, int mover) const override;
 
-    const Limbs &limbs() const { return m_limbs; }
+    const BranchMechanics &mechanics() const { return m_limbs; }
     /// Of the spins, and of the bent joints: inertia * (degrees/frame)^2, where a lone trunk's inertia is 1.
-    double motionEnergy(const State &state) const;
+    double kineticEnergy(const State &state) const;
     double springEnergy(const State &state) const;
     /// An upper bound of the largest eigenvalue, 1/frame^2: by Gershgorin's circles.
-    double stiffestPull() const;
+    double stiffnessBound() const;
 
 private:
     double bend(const State &state, int branch) const;
@@ -124,7 +124,7 @@ private:
     double reactionOn(const State &state, int branch) const;
 
     TreePtr m_tree;
-    Limbs m_limbs;
+    BranchMechanics m_limbs;
 };
 
 }

@@ -21,13 +21,13 @@ Tree Tree::ofTrunk(double baseLength)
 {
     Tree tree;
     tree.baseLength = baseLength;
-    tree.sprout(-1, -90.0, 1.0);
+    tree.addBranch(-1, -90.0, 1.0);
     return tree;
 }
 
-void Tree::sprout(int from, double angle, double branchScale)
+void Tree::addBranch(int from, double angle, double branchScale)
 {
-    const int number = branches();
+    const int number = branchCount();
     parent.push_back(from);
     firstChild.push_back(-1);
     children.push_back(0);
@@ -39,12 +39,12 @@ void Tree::sprout(int from, double angle, double branchScale)
     if (firstChild[row] < 0)
         firstChild[row] = number;
     ++children[row];
-    carriers = from + 1;
+    firstTwig = from + 1;
 }
 
-void Tree::ties(std::vector<std::pair<int, int>> &into) const
+void Tree::addCouplings(std::vector<std::pair<int, int>> &into) const
 {
-    for (int i = 0; i < branches(); ++i) {
+    for (int i = 0; i < branchCount(); ++i) {
         if (const int from = parent[static_cast<std::size_t>(i)]; from >= 0)
             into.emplace_back(i, from);
     }
@@ -56,10 +56,9 @@ void checkGrowth(double slope, double minScale)
     for (double scale = slope; scale > minScale; scale *= slope) {
         level *= 2;
         branches += level;
-        if (branches > mostBranches)
-            throw Error(
-                "tree-too-big",
-                {{"most", text(mostBranches)}, {"slope", text(slope)}, {"min_scale", text(minScale)}});
+        if (branches > maxBranches)
+            throw Error("tree-too-big",
+                        {{"most", text(maxBranches)}, {"slope", text(slope)}, {"min_scale", text(minScale)}});
     }
 }
 

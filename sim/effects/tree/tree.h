@@ -19,27 +19,27 @@ struct Tree
     std::vector<int> children;   ///< how many
     std::vector<double> rest;    ///< degrees, clockwise from the x axis; -90 is straight up
     std::vector<double> scale;   ///< length and thickness as a share of the trunk's
-    int carriers = 0;            ///< all branches from this one on are twigs
+    int firstTwig = 0;           ///< all branches from this one on are twigs
     double baseLength = 100.0;   ///< px, of a branch of scale 1
 
     /// A trunk that stands straight up, of scale 1.
     static Tree ofTrunk(double baseLength);
     /// Adds a branch at the end of branch `from`. All children of a branch are added before those of the next.
-    void sprout(int from, double angle, double branchScale);
-    int branches() const { return static_cast<int>(parent.size()); }
+    void addBranch(int from, double angle, double branchScale);
+    int branchCount() const { return static_cast<int>(parent.size()); }
     /// Each branch with the one that it grows from.
-    void ties(std::vector<std::pair<int, int>> &into) const;
+    void addCouplings(std::vector<std::pair<int, int>> &into) const;
 };
 
 using TreePtr = std::shared_ptr<const Tree>;
 
 /// No tree that grows by numbers which a learner sets has more branches than this: 2^17 - 1, which is 17 levels that
 /// double. It bounds time and memory; a tree that is built in code can be as large as these allow.
-constexpr int mostBranches = 131'071;
+constexpr int maxBranches = 131'071;
 
 /// Refuses a tree in which each branch has two children, `slope` times as large, as long as they are larger than
 /// `minScale`, before it is grown.
-/// @throws Error "tree-too-big" (most, slope, min_scale) when it has more than mostBranches, or no end
+/// @throws Error "tree-too-big" (most, slope, min_scale) when it has more than maxBranches, or no end
 void checkGrowth(double slope, double minScale);
 
 /// Degrees to the radian, and the number that the tutorial uses for it.
@@ -60,8 +60,8 @@ constexpr double degreesOf(TreeFormula formula)
 /// Formulas of trees, with the functions of alike.h.
 namespace tree_formulas {
 
-using alike::atan2;
-using alike::remainder;
+using portable::atan2;
+using portable::remainder;
 
 /// The way from a branch's origin to its end before the branch is scaled: px. Angle in degrees; `degrees` are how
 /// many of them are a radian. Published: swaying tree, getEndPoint().
@@ -90,10 +90,10 @@ auto withReach(double degrees, const Work &work)
 {
     if (degrees == publishedDegrees)
         return work([](double angle, double length) {
-            return tree_formulas::branchReach(angle, length, publishedDegrees, alike::cos, alike::sin);
+            return tree_formulas::branchReach(angle, length, publishedDegrees, portable::cos, portable::sin);
         });
     return work([degrees](double angle, double length) {
-        return tree_formulas::branchReach(angle, length, degrees, alike::fast::cos, alike::fast::sin);
+        return tree_formulas::branchReach(angle, length, degrees, portable::fast::cos, portable::fast::sin);
     });
 }
 
@@ -118,7 +118,7 @@ Vec2 branchEnd(
 // clang-format on
 
 /// What a branch sees of the pointer.
-struct Sight
+struct PointerOffset
 {
     Vec2 mouse; ///< the pointer in the branch's frame, in px of a branch of scale 1
     Vec2 d;     ///< to the pointer, as the formula has it; likewise
@@ -131,7 +131,7 @@ struct Sight
 // clang-format off
 inline
 //! [sight_published]
-Sight sightPublished(
+PointerOffset pointerOffsetPublished(
     Vec2 pointer, Vec2 origin,
     Vec2 reach, double scale)
 {
@@ -150,24 +150,24 @@ Sight sightPublished(
 inline Vec2 endOf(const Tree &tree, const State &state, int i, double degrees)
 {
     const Vec2 reach = branchReach(state.angle[i], tree.baseLength, degrees);
-    return branchEnd(state.at(i), reach, tree.scale[static_cast<std::size_t>(i)]);
+    return branchEnd(state.positionOf(i), reach, tree.scale[static_cast<std::size_t>(i)]);
 }
 
 /// Goes through the tree from the trunk to the twigs: calls `turn(i)` for each branch that feels anything, when it
 /// stands where it belongs, then moves its children to its end. A branch in a hand stays where the hand is.
 /// TreeWalk does it for many.
 template <class Turn>
-void fromTheTrunk(const Tree &tree, State &state, double degrees, Turn &&turn)
+void forEachFromTrunk(const Tree &tree, State &state, double degrees, Turn &&turn)
 {
-    for (int i = 0; i < tree.branches(); ++i) {
-        if (state.feels(i))
+    for (int i = 0; i < tree.branchCount(); ++i) {
+        if (state.isDynamic(i))
             turn(i);
         const int first = tree.firstChild[static_cast<std::size_t>(i)];
         if (first < 0)
             continue;
         const Vec2 end = endOf(tree, state, i, degrees);
         for (int child = first; child < first + tree.children[static_cast<std::size_t>(i)]; ++child) {
-            if (state.feels(child))
+            if (state.isDynamic(child))
                 state.place(child, end);
         }
     }

@@ -6,10 +6,10 @@
 
 namespace sim {
 
-Points TreeWalk::next(Points run) const
+PointRange TreeWalk::next(PointRange range) const
 {
-    const int first = run.end(), most = std::min(first + mostTogether, m_tree.branches());
-    for (int i = first; i < std::min(most, m_tree.carriers); ++i) {
+    const int first = range.end(), most = std::min(first + maxBatch, m_tree.branchCount());
+    for (int i = first; i < std::min(most, m_tree.firstTwig); ++i) {
         // children of later branches come after those of earlier ones
         if (const int child = m_tree.firstChild[static_cast<std::size_t>(i)]; child >= 0)
             return {first, std::min(child, most) - first};
@@ -17,31 +17,31 @@ Points TreeWalk::next(Points run) const
     return {first, most - first};
 }
 
-void TreeWalk::carry(Points run)
+void TreeWalk::moveChildren(PointRange range)
 {
-    run = common(run, {0, m_tree.carriers});
+    range = intersection(range, {0, m_tree.firstTwig});
     const auto carries = [this](int i) { return m_tree.firstChild[static_cast<std::size_t>(i)] >= 0; };
-    while (run.count > 0 && !carries(run.end() - 1))
-        --run.count;
-    if (run.count == 0)
+    while (range.count > 0 && !carries(range.end() - 1))
+        --range.count;
+    if (range.count == 0)
         return;
-    int first = run.first;
+    int first = range.first;
     while (!carries(first))
         ++first;
-    const auto last = static_cast<std::size_t>(run.end() - 1);
+    const auto last = static_cast<std::size_t>(range.end() - 1);
     const int from = m_tree.firstChild[static_cast<std::size_t>(first)];
-    const Points children = {from, m_tree.firstChild[last] + m_tree.children[last] - from};
-    TreeRow endX, endY; // each number is written before it is read
-    const Columns at(m_state.position);
-    forEachReach(run, [at, first = run.first, scale = m_tree.scale.data(), x = endX.data(),
-                       y = endY.data()](int i, Vec2 reach) {
+    const PointRange children = {from, m_tree.firstChild[last] + m_tree.children[last] - from};
+    BranchBuffer endX, endY; // each number is written before it is read
+    const XyColumns at(m_state.position);
+    forEachReach(range, [at, first = range.first, scale = m_tree.scale.data(), x = endX.data(),
+                         y = endY.data()](int i, Vec2 reach) {
         const Vec2 end = branchEnd(at.at(i), reach, scale[i]);
         x[i - first] = end.x;
         y[i - first] = end.y;
     });
-    replaceFree(
+    updateDynamic(
         m_state.inverseMass, children, m_state.position,
-        [first = run.first, parent = m_tree.parent.data(), x = endX.data(), y = endY.data()](int child) {
+        [first = range.first, parent = m_tree.parent.data(), x = endX.data(), y = endY.data()](int child) {
             const int i = parent[child] - first;
             return Vec2{x[i], y[i]};
         });

@@ -9,13 +9,13 @@
 namespace sim {
 
 /// So many branches are computed in one go. With 128 a tree that fits no cache took a tenth to a third longer.
-constexpr int mostTogether = 48;
+constexpr int maxBatch = 48;
 
 /// One number for each branch of a run.
-using TreeRow = std::array<double, mostTogether>;
+using BranchBuffer = std::array<double, maxBatch>;
 
 /// Goes through a tree from the trunk to the twigs, several branches at once. The order of loops is that of
-/// fromTheTrunk(); each loop is short, so that a processor can begin with the next branches before it is done.
+/// forEachFromTrunk(); each loop is short, so that a processor can begin with the next branches before it is done.
 class TreeWalk
 {
 public:
@@ -26,24 +26,24 @@ public:
     }
 
     /// The branches after `run` that are computed together: none of them carries another. Empty at the end.
-    Points next(Points run) const;
+    PointRange next(PointRange range) const;
     /// Calls `use(branch, reach)` for each branch of `run`, several at once, with its reach at its angle in the state.
     template <class Use>
-    void forEachReach(Points run, const Use &use) const
+    void forEachReach(PointRange range, const Use &use) const
     {
         withReach(m_degrees, [&](const auto &reachOf) {
-            runFast([this, run, use, reachOf] {
+            dispatch([this, range, use, reachOf] {
                 const double *angle = m_state.angle.data();
                 const double length = m_tree.baseLength;
-                const int end = run.end();
+                const int end = range.end();
                 SIM_TURNS_ARE_APART
-                for (int i = run.first; i < end; ++i)
+                for (int i = range.first; i < end; ++i)
                     use(i, reachOf(angle[i], length));
             });
         });
     }
     /// Moves the children of `run` to where it ends. What a hand holds stays there.
-    void carry(Points run);
+    void moveChildren(PointRange range);
 
 private:
     const Tree &m_tree;

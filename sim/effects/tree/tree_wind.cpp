@@ -50,7 +50,7 @@ struct AsPrinted
 
     BranchWind breeze(Vec2 origin, Vec2 reach, double scale) const
     {
-        return windPublished(sightPublished(pointer, origin, reach, scale).d);
+        return windPublished(pointerOffsetPublished(pointer, origin, reach, scale).d);
     }
     double turn(double angle, double wind, double strength, double h) const
     {
@@ -62,23 +62,23 @@ struct AsPrinted
 struct Breezes
 {
     // These begin without values: each number is written before it is read.
-    TreeRow reachX, reachY, wind, distance;
+    BranchBuffer reachX, reachY, wind, distance;
 };
 
 /// Computes the wind at each branch of `run`, as if the pointer were on no branch's end.
 template <class Bend>
-void findBreezes(const TreeWalk &walk, State &state, const double *scale, Points run, const Bend &bendBy,
-                 Breezes &into)
+void findBreezes(const TreeWalk &walk, State &state, const double *scale, PointRange range,
+                 const Bend &bendBy, Breezes &into)
 {
     double *reachX = into.reachX.data(), *reachY = into.reachY.data();
-    walk.forEachReach(run, [=, first = run.first](int i, Vec2 reach) {
+    walk.forEachReach(range, [=, first = range.first](int i, Vec2 reach) {
         reachX[i - first] = reach.x;
         reachY[i - first] = reach.y;
     });
     // Two short loops: in a long one a processor could not begin with the next branches early enough.
-    runFast([=, &into, at = Columns(state.position)] {
+    dispatch([=, &into, at = XyColumns(state.position)] {
         double *wind = into.wind.data(), *distance = into.distance.data();
-        const int first = run.first, count = run.count;
+        const int first = range.first, count = range.count;
         SIM_TURNS_ARE_APART
         for (int i = 0; i < count; ++i) {
             const BranchWind breeze =
@@ -91,7 +91,7 @@ void findBreezes(const TreeWalk &walk, State &state, const double *scale, Points
 
 }
 
-std::vector<Region> TreeWind::regions(Directions) const
+std::vector<Region> TreeWind::regions(DirectionRule) const
 {
     const bool asPrinted = m_formula == TreeFormula::published;
     std::vector<Region> shown = {{tree, "reach"}};
@@ -111,7 +111,7 @@ std::vector<Region> TreeWind::regions(Directions) const
     return shown;
 }
 
-int TreeWind::count(const State &, Points points) const
+int TreeWind::count(const State &, PointRange points) const
 {
     return points.count;
 }
@@ -121,7 +121,7 @@ BranchWind TreeWind::breezeAt(TreeFormula formula, int point, Vec2 origin, doubl
     const double scale = m_tree->scale[static_cast<std::size_t>(point)];
     const Vec2 reach = branchReach(angle, m_tree->baseLength, degreesOf(formula));
     if (formula == TreeFormula::published)
-        return windPublished(sightPublished(pointer, origin, reach, scale).d);
+        return windPublished(pointerOffsetPublished(pointer, origin, reach, scale).d);
     return windAt(branchEnd(origin, reach, scale), pointer, point);
 }
 
@@ -129,8 +129,8 @@ double TreeWind::gustNow(const State &state) const
 {
     if (!m_turbulence)
         return 0.0;
-    if (state.outside.gust)
-        return *state.outside.gust;
+    if (state.input.gust)
+        return *state.input.gust;
     const auto frame = static_cast<std::uint64_t>(state.frame);
     return gustOf(m_turbulence->degrees, uniform(m_turbulence->seed, frame, 0));
 }
@@ -148,24 +148,25 @@ void TreeWind::bendAll(State &state, double h, const Bend &bendBy) const
     double *angle = state.angle.data();
     TreeWalk walk(*m_tree, state, degreesOf(m_formula));
     Breezes breezes;
-    for (Points run = walk.next({}); run.count > 0; run = walk.next(run)) {
-        findBreezes(walk, state, scale, run, bendBy, breezes);
-        const int first = run.first;
+    for (PointRange range = walk.next({}); range.count > 0; range = walk.next(range)) {
+        findBreezes(walk, state, scale, range, bendBy, breezes);
+        const int first = range.first;
         double *wind = breezes.wind.data(), *distance = breezes.distance.data();
-        for (int i = 0; i < run.count; ++i) {
+        for (int i = 0; i < range.count; ++i) {
             const int branch = first + i;
-            if (distance[i] < inOnePlace)
+            if (distance[i] < coincidenceDistance)
                 wind[i] =
-                    breezeAt(m_formula, branch, state.at(branch), angle[branch], *state.outside.pointer).wind;
+                    breezeAt(m_formula, branch, state.positionOf(branch), angle[branch], *state.input.pointer)
+                        .wind;
         }
         resisted(m_resistance.by, [&](auto strengthOf) {
-            replaceFree(state.inverseMass, run, angle, [=, resistance = m_resistance](int branch) {
+            updateDynamic(state.inverseMass, range, angle, [=, resistance = m_resistance](int branch) {
                 const int i = branch - first;
                 const double strength = strengthOf(resistance, distance[i], scale[branch]);
                 return bendBy.turn(angle[branch], gusty(wind[i], gust), strength, h);
             });
         });
-        walk.carry(run);
+        walk.moveChildren(range);
     }
 }
 
@@ -174,20 +175,20 @@ void TreeWind::drive(State &state, double h) const
     if (!blows(state))
         return;
     if (m_formula == TreeFormula::published)
-        bendAll(state, h, AsPrinted{*state.outside.pointer});
+        bendAll(state, h, AsPrinted{*state.input.pointer});
     else
-        bendAll(state, h, Corrected{*state.outside.pointer});
+        bendAll(state, h, Corrected{*state.input.pointer});
 }
 
-std::vector<Live> TreeWind::explain(const State &before, const State &after, int point) const
+std::vector<LiveValue> TreeWind::explain(const State &before, const State &after, int point) const
 {
-    if (!blows(after) || !after.feels(point))
+    if (!blows(after) || !after.isDynamic(point))
         return {};
     // In this phase the branch was moved first and turned then.
     const BranchWind breeze =
-        breezeAt(m_formula, point, after.at(point), before.angle[point], *after.outside.pointer);
+        breezeAt(m_formula, point, after.positionOf(point), before.angle[point], *after.input.pointer);
     const double gust = gustNow(after);
-    std::vector<Live> live = {{"d", breeze.d, {}}, {"distance", breeze.distance, {}}};
+    std::vector<LiveValue> live = {{"d", breeze.d, {}}, {"distance", breeze.distance, {}}};
     if (m_turbulence)
         live.push_back({"gust", gust, {}});
     live.push_back({"wind", gusty(breeze.wind, gust), {}});
@@ -196,9 +197,9 @@ std::vector<Live> TreeWind::explain(const State &before, const State &after, int
     return live;
 }
 
-namespace described {
-constinit const Description wind = {
-    "wind", SIM_TEXT("wind"), Kind::wind,
+namespace descriptions {
+constinit const EffectDescription wind = {
+    "wind", SIM_TEXT("wind"), EffectKind::wind,
     SIM_TEXT("Turns the branches away from the pointer while its button is down.")};
 }
 

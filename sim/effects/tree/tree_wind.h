@@ -12,8 +12,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description wind;
+namespace descriptions {
+extern const EffectDescription wind;
 }
 
 /// How wind comes to a branch.
@@ -26,7 +26,7 @@ struct BranchWind
 
 namespace tree_formulas::fast {
 
-using alike::fast::atan2;
+using portable::fast::atan2;
 
 /// The wind at a branch's end, away from the pointer; px and degrees. The first function is all of it where the pointer
 /// is not on the very end.
@@ -49,10 +49,10 @@ inline BranchWind windAt(
 {
     BranchWind found =
         windAt(end, pointer);
-    if (found.distance < inOnePlace) {
+    if (found.distance < coincidenceDistance) {
         // -1 stands for the pointer
         Vec2 out =
-            partingDirection(-1, branch);
+            fallbackDirection(-1, branch);
         found.wind =
             windAt(out, {0, 0}).wind;
     }
@@ -213,7 +213,7 @@ struct Turbulence
 };
 
 /// Wind that blows from the pointer while its button is down, and turns each branch, from the trunk to the twigs.
-class TreeWind : public Described<Driver, described::wind>, public InputReader
+class TreeWind : public DescribedEffect<Driver, descriptions::wind>, public InputReader
 {
 public:
     TreeWind(TreePtr tree, TreeFormula formula, Resistance resistance,
@@ -222,21 +222,21 @@ public:
     {
     }
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return m_turbulence ? Sees::time : Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::pointer; }
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return m_turbulence ? Dependence::time : Dependence::scene; }
+    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
     /// Only while it blows is turbulence drawn.
-    bool isTimeless(const State &state) const override { return !m_turbulence || !blows(state); }
+    bool isTimeIndependent(const State &state) const override { return !m_turbulence || !blows(state); }
     void drive(State &state, double h) const override;
-    std::vector<Live> explain(const State &before, const State &after, int point) const override;
+    std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
     /// How the wind from `pointer` comes to branch `point`, which stands at `origin` at `angle` degrees, by either
     /// formula, without turbulence.
     BranchWind breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const;
 
 private:
-    static bool blows(const State &state) { return state.outside.pointerDown && state.outside.pointer; }
+    static bool blows(const State &state) { return state.input.pointerDown && state.input.pointer; }
     double gustNow(const State &state) const;
     double strength(double distance, int point) const;
     /// Turns all branches, by a formula for how the wind comes to a branch and how that turns.

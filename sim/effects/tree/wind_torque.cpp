@@ -11,19 +11,19 @@ constexpr int pointerNumber = -1;
 
 bool blows(const State &state)
 {
-    return state.outside.pointer && state.gale.front > 0.0;
+    return state.input.pointer && state.gustExtent.front > 0.0;
 }
 
 }
 
-std::vector<Region> WindTorque::regions(Directions) const
+std::vector<Region> WindTorque::regions(DirectionRule) const
 {
     return {{"sim/effects/tree/wind_torque.h", "wind_push"},
             {"sim/effects/drivers/gust.h", "gust_at"},
             {"sim/base/direction.h", "direction"}};
 }
 
-int WindTorque::count(const State &, Points points) const
+int WindTorque::count(const State &, PointRange points) const
 {
     return points.count;
 }
@@ -32,19 +32,19 @@ WindTorque::Found WindTorque::pushOn(const State &state, int branch) const
 {
     const double scale = m_tree->scale[static_cast<std::size_t>(branch)];
     const Vec2 along = branchReach(state.angle[branch], 1.0, degreesPerRadian);
-    const Vec2 end = branchEnd(state.at(branch), along, m_tree->baseLength * scale);
-    const Heading heading = direction(end - *state.outside.pointer, pointerNumber, branch);
-    const double share = gustAt(heading.length, state.gale, m_gusts);
+    const Vec2 end = branchEnd(state.positionOf(branch), along, m_tree->baseLength * scale);
+    const Direction heading = direction(end - *state.input.pointer, pointerNumber, branch);
+    const double share = gustAt(heading.length, state.gustExtent, m_gusts);
     return {heading.length, heading.out, share,
             windPush(heading.out, along, heading.length, m_wind, share, scale, m_inertia[branch])};
 }
 
-void WindTorque::add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const
+void WindTorque::add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const
 {
     if (!blows(state))
         return;
     for (int i = movers.first; i < movers.end(); ++i) {
-        if (state.feels(i))
+        if (state.isDynamic(i))
             into[i] += scale * pushOn(state, i).push.pull;
     }
 }
@@ -60,7 +60,7 @@ WindTorque::Change WindTorque::changeOf(const State &state, int branch) const
     const double far = std::max(distance, 100.0);
     const double strength = times * share / far;
     const double nearer = distance > 100.0 ? strength / far : 0.0;
-    const double farther = times * gustSlope(distance, state.gale, m_gusts) / far - nearer;
+    const double farther = times * gustDerivative(distance, state.gustExtent, m_gusts) / far - nearer;
     // across the wind the push turns with it: along x (out by a px across) is along . out
     const double facing = dot(along, out);
     const double turns = strength * facing / std::max(distance, 1e-150);
@@ -68,30 +68,30 @@ WindTorque::Change WindTorque::changeOf(const State &state, int branch) const
     return {(farther * push.turn) * out + turns * across, -strength * facing / degreesPerRadian};
 }
 
-bool WindTorque::addSlopes(const State &state, Points movers, double scale, Slopes &into) const
+bool WindTorque::addJacobian(const State &state, PointRange movers, double scale, Jacobian &jacobian) const
 {
     if (!blows(state))
         return true;
     for (int i = movers.first; i < movers.end(); ++i) {
-        if (!state.feels(i))
+        if (!state.isDynamic(i))
             continue;
         const Change change = changeOf(state, i);
-        into.addTurn(i, i, scale * change.byTurning);
+        jacobian.addAngular(i, i, scale * change.byTurning);
         for (int branch = i; branch >= 0; branch = m_tree->parent[static_cast<std::size_t>(branch)]) {
             const double length = m_tree->baseLength * m_tree->scale[static_cast<std::size_t>(branch)];
             const Vec2 reach = branchReach(state.angle[branch], length, degreesPerRadian);
             const double turned = change.byEnd.y * reach.x - change.byEnd.x * reach.y;
-            into.addTurn(i, branch, scale * turned / degreesPerRadian);
-            if (!state.feels(branch)) // a hand holds its origin
+            jacobian.addAngular(i, branch, scale * turned / degreesPerRadian);
+            if (!state.isDynamic(branch)) // a hand holds its origin
                 break;
         }
     }
     return true;
 }
 
-std::vector<Live> WindTorque::explain(const State &state, int mover) const
+std::vector<LiveValue> WindTorque::explain(const State &state, int mover) const
 {
-    if (!state.feels(mover) || !blows(state))
+    if (!state.isDynamic(mover) || !blows(state))
         return {};
     const Found found = pushOn(state, mover);
     return {{"distance", found.distance, {}}, {"out", found.out, {}},        {"share", found.share, {}},

@@ -10,8 +10,8 @@
 
 namespace sim {
 
-namespace described {
-extern const Description wind;
+namespace descriptions {
+extern const EffectDescription wind;
 }
 
 /// What the wind does to a branch, with what it was found from.
@@ -53,7 +53,7 @@ WindPush windPush(
 // clang-format on
 
 /// Wind that pushes each branch away from the pointer, as a gust that runs outwards (see GustFront).
-class WindTorque : public Described<Torque, described::wind>, public InputReader
+class WindTorque : public DescribedEffect<Torque, descriptions::wind>, public InputReader
 {
 public:
     /// `wind`: its strength; `gusts`: the share by which it swells and ebbs.
@@ -62,17 +62,17 @@ public:
     {
     }
 
-    std::vector<Region> regions(Directions directions) const override;
-    int count(const State &state, Points points) const override;
-    Sees sees() const override { return Sees::scene; }
-    bool reads(Signal signal) const override { return signal == Signal::pointer; }
-    bool idle() const override { return m_wind == 0.0; }
-    void add(const State &state, Points movers, double scale, Eigen::ArrayXd &into) const override;
+    std::vector<Region> regions(DirectionRule directionRule) const override;
+    int count(const State &state, PointRange points) const override;
+    Dependence dependence() const override { return Dependence::scene; }
+    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
+    bool isIdle() const override { return m_wind == 0.0; }
+    void add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const override;
     /// A branch is pushed where it ends, so what it is pushed by depends on the angles of all branches below it, too:
     /// down to the trunk, or to one that a hand holds. The places of the origins follow from the angles (Joints).
-    bool addSlopes(const State &state, Points movers, double scale, Slopes &into) const override;
+    bool addJacobian(const State &state, PointRange movers, double scale, Jacobian &jacobian) const override;
     Eigen::ArrayXd inertia() const override { return m_inertia; }
-    std::vector<Live> explain(const State &state, int mover) const override;
+    std::vector<LiveValue> explain(const State &state, int mover) const override;
 
 private:
     struct Found

@@ -17,9 +17,9 @@ std::string firstDrag(const Scene &scene)
 }
 
 /// What the equations have in them, and contacts.
-std::vector<EffectPtr> effectsWithin(const Flow &flow, const Scene &scene)
+std::vector<EffectPtr> effectsWithin(const OdeSystem &system, const Scene &scene)
 {
-    std::vector<EffectPtr> all = flow.effects();
+    std::vector<EffectPtr> all = system.effects();
     for (const EffectPtr &effect : scene.effects) {
         if (as<Contact>(effect))
             all.push_back(effect);
@@ -34,62 +34,64 @@ int Adaptive::order() const
     return m_rule.order();
 }
 
-std::vector<std::string> Adaptive::needs() const
+std::vector<std::string> Adaptive::requirements() const
 {
-    std::vector<std::string> all = m_rule.needs();
+    std::vector<std::string> all = m_rule.requirements();
     all.insert(all.begin(), "smooth");
     return all;
 }
 
-void Adaptive::prepare(State &state) const
+void Adaptive::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
-    state.stages.setZero(2 * state.points() + state.spin.rows(), Course::columns(m_rule));
-    state.resting.setZero(state.points());
-    state.ahead.clear();
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
+    state.stages.setZero(2 * state.pointCount() + state.spin.rows(), IslandIntegrator::columns(m_rule));
+    state.restingContacts.setZero(state.pointCount());
+    state.adaptiveSteps.clear();
 }
 
 std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
 {
-    if (const EffectPtr jump = Flow::firstJump(scene, Flow::Contacts::fit))
+    if (const EffectPtr jump = OdeSystem::firstDiscontinuity(scene, OdeSystem::Contacts::allowed))
         throw Error("method-does-not-fit", {{"method", id()}, {"effect", jump->id()}});
     for (const Group &group : scene.groups) {
-        if (group.inertia == Inertia::none)
+        if (group.motion == Motion::prescribed)
             throw Error("needs-inertia", {{"method", id()}, {"group", group.title}});
     }
-    const Flow whole(scene, directions());
+    const OdeSystem whole(scene, directionRule());
     if (!m_rule.fits(whole))
         throw Error("method-does-not-fit", {{"method", id()}, {"effect", firstDrag(scene)}});
     Phase phase;
     phase.id = "integrate";
     phase.title = SIM_TEXT("steps of its own");
-    phase.points = {0, scene.start.points()};
-    phase.moves = true;
+    phase.points = {0, scene.start.pointCount()};
+    phase.consumesAcceleration = true;
     phase.integrates = true;
-    phase.within = effectsWithin(whole, scene);
+    phase.innerEffects = effectsWithin(whole, scene);
     phase.regions = {{"sim/methods/adaptive/adaptive_stepper.cpp", "try_step"},
                      {"sim/methods/adaptive/adaptive_stepper.cpp", "next_step"},
                      {"sim/methods/adaptive/adaptive_stepper.cpp", "read_off"}};
     phase.regions.insert(phase.regions.end(), m_shown.begin(), m_shown.end());
-    for (const EffectPtr &effect : phase.within) {
-        for (const Region &region : effect->regions(directions()))
+    for (const EffectPtr &effect : phase.innerEffects) {
+        for (const Region &region : effect->regions(directionRule()))
             phase.regions.push_back(region);
     }
-    const auto courses = std::make_shared<const Courses>(scene, m_rule, directions(), size.tolerance);
-    phase.kernels = {{[courses](State &state) { courses->toNextFrame(state, [] { return true; }); }, {}}};
-    phase.runWhile = [courses](State &state, const GoesOn &goesOn) {
-        return courses->toNextFrame(state, goesOn);
+    const auto integrators =
+        std::make_shared<const IslandIntegrators>(scene, m_rule, directionRule(), size.tolerance);
+    phase.kernels = {
+        {[integrators](State &state) { integrators->toNextFrame(state, [] { return true; }); }, {}}};
+    phase.runInterruptible = [integrators](State &state, const ShouldContinue &shouldContinue) {
+        return integrators->toNextFrame(state, shouldContinue);
     };
-    phase.runByLaps = [courses](State &state, const LapVisit &visit) {
-        courses->toNextFrame(
+    phase.runBySegments = [integrators](State &state, const SegmentVisitor &visit) {
+        integrators->toNextFrame(
             state, [] { return true; }, visit);
     };
-    phase.explain = [courses](const State &before, const State &after, int point) {
-        std::vector<Live> live = changeOf(before, after, point);
-        const Course *course = courses->of(point);
-        if (course && course->number < after.ahead.size())
-            live.push_back({"h", after.ahead[course->number].length});
+    phase.explain = [integrators](const State &before, const State &after, int point) {
+        std::vector<LiveValue> live = motionChange(before, after, point);
+        const IslandIntegrator *integrator = integrators->of(point);
+        if (integrator && integrator->islandIndex < after.adaptiveSteps.size())
+            live.push_back({"h", after.adaptiveSteps[integrator->islandIndex].length});
         return live;
     };
     if (scene.groups.empty() || (scene.start.inverseMass == 0.0).all())

@@ -15,11 +15,11 @@ public:
     int order() const override;
     Stepping stepping() const override { return Stepping::adaptive; }
     StepLimit stepLimit() const override { return StepLimit::tolerance; }
-    int evaluations() const override { return 0; }
-    std::vector<std::string> needs() const override;
-    Directions directions() const override { return Directions::apart; }
+    int evaluationsPerStep() const override { return 0; }
+    std::vector<std::string> requirements() const override;
+    DirectionRule directionRule() const override { return DirectionRule::regularised; }
     Region region() const override { return {"sim/methods/adaptive/adaptive_stepper.cpp", "adaptive_order"}; }
-    void prepare(State &state) const override;
+    void prepareState(State &state) const override;
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 
 protected:

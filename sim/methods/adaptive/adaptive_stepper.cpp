@@ -11,7 +11,7 @@ namespace sim {
 
 namespace {
 
-constexpr double longestStep = 10.0; ///< frames
+constexpr double maxStep = 10.0; ///< frames
 /// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
 /// e^(c t), which the error at its end does not show.
 constexpr double mostDamping = 2.0;
@@ -56,22 +56,24 @@ double nextStep(
 
 }
 
-Course::Course(const Scene &scene, Flow island, const StepRule &how, double within)
-    : flow(std::move(island)), rule(how), tolerance(within), longest(longestStep),
-      touching(scene, flow.runs())
+IslandIntegrator::IslandIntegrator(const Scene &scene, OdeSystem island, const StepRule &how, double within)
+    : system(std::move(island)), rule(how), tolerance(within), longestStep(maxStep),
+      contacts(scene, system.ranges())
 {
-    for (const Flow::Stretch &rows : flow.stretches()) {
+    for (const OdeSystem::RateRange &rows : system.rateRanges()) {
         if (rows.rate > 0.0 && std::isfinite(rows.rate))
-            longest = std::min(longest, mostDamping / rows.rate);
+            longestStep = std::min(longestStep, mostDamping / rows.rate);
     }
 }
 
-Advance::Advance(const Course &course, State &state)
-    : m_course(course), m_state(state), m_ahead(state.ahead[course.number]), m_size(course.flow.size()),
-      m_points(course.flow.points()), m_pulls(course.flow, course.touching, state)
+AdaptiveStepper::AdaptiveStepper(const IslandIntegrator &integrator, State &state)
+    : m_integrator(integrator), m_state(state), m_lastStep(state.adaptiveSteps[integrator.islandIndex]),
+      m_size(integrator.system.size()), m_points(integrator.system.points()),
+      m_accelerations(integrator.system, integrator.contacts, state)
 {
-    const int columns = 6 + course.rule.scratchColumns();
-    Scratch &numbers = scratch(static_cast<std::size_t>(m_size * columns), course.flow.stretches().size());
+    const int columns = 6 + integrator.rule.scratchColumns();
+    Scratch &numbers =
+        scratch(static_cast<std::size_t>(m_size * columns), integrator.system.rateRanges().size());
     m_place = numbers.numbers.data();
     m_speed = m_place + m_size;
     m_slope = m_speed + m_size;
@@ -80,9 +82,9 @@ Advance::Advance(const Course &course, State &state)
     m_nystrom = &numbers.nystrom;
 }
 
-Attempt Advance::attemptOf(double start, double h)
+StepAttempt AdaptiveStepper::attemptOf(double start, double h)
 {
-    Attempt step = {m_pulls, m_course.flow, start, h, m_place, m_speed, m_slope};
+    StepAttempt step = {m_accelerations, m_integrator.system, start, h, m_place, m_speed, m_slope};
     step.endPlace = m_trial;
     step.endSpeed = m_trial + m_size;
     step.endSlope = m_trial + 2 * m_size;
@@ -93,67 +95,67 @@ Attempt Advance::attemptOf(double start, double h)
     return step;
 }
 
-bool Advance::toNextFrame(Patient &patient)
+bool AdaptiveStepper::toNextFrame(StepBudget &budget)
 {
-    Ahead &ahead = m_ahead;
+    AdaptiveStep &lastStep = m_lastStep;
     //! [adaptive_order]
-    if (ahead.to <= 0)
+    if (lastStep.end <= 0)
         begin();
     // until a step ends past the frame
-    for (int i = 0; ahead.to < 1; ++i) {
-        if (patient.leavesOff(m_points))
+    for (int i = 0; lastStep.end < 1; ++i) {
+        if (budget.isCancelled(m_points))
             return false;
-        if (i == Patient::mostOfOne || patient.isSpent()) {
+        if (i == StepBudget::maxTriesOfIsland || budget.isExhausted()) {
             giveUp();
             return true;
         }
         tryStep();
     }
     // then the frame is read off it
-    readOff();
+    writeOutput();
     //! [adaptive_order]
-    ahead.from -= 1.0;
-    ahead.to -= 1.0;
+    lastStep.start -= 1.0;
+    lastStep.end -= 1.0;
     return true;
 }
 
-void Advance::begin()
+void AdaptiveStepper::begin()
 {
-    m_course.flow.read(m_state, endPlace(), endSpeed());
-    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+    m_integrator.system.readState(m_state, endPlace(), endSpeed());
+    for (const OdeSystem::RateRange &rows : m_integrator.system.rateRanges()) {
         if (std::isinf(rows.rate)) // damping stops it at once
             std::fill(endSpeed() + rows.first, endSpeed() + rows.end(), 0.0);
     }
-    m_ahead.from = m_ahead.to = 0.0;
-    for (const Points &run : m_course.flow.runs())
-        m_state.resting.segment(run.first, run.count).setZero();
+    m_lastStep.start = m_lastStep.end = 0.0;
+    for (const PointRange &range : m_integrator.system.ranges())
+        m_state.restingContacts.segment(range.first, range.count).setZero();
     const Eigen::ArrayXd place = Eigen::Map<Eigen::ArrayXd>(endPlace(), m_visit ? m_size : 0);
     const Eigen::ArrayXd speed = Eigen::Map<Eigen::ArrayXd>(endSpeed(), m_visit ? m_size : 0);
     bounce();
     settle();
     if (m_visit)
-        tellBegun(place, speed);
-    if (m_ahead.next > 0.0)
+        reportFromStart(place, speed);
+    if (m_lastStep.nextLength > 0.0)
         return;
     // A guess; the first error estimate puts it right.
-    const double pull = largest(endSlope(), m_size) + 1e-10;
-    const double share =
-        std::pow(m_course.tolerance / (pull + m_course.tolerance), 1.0 / m_course.rule.errorOrder());
-    m_ahead.next = std::min(m_course.longest, std::clamp(0.5 * share, 1e-6, 1.0));
+    const double pull = maxAbs(endSlope(), m_size) + 1e-10;
+    const double share = std::pow(m_integrator.tolerance / (pull + m_integrator.tolerance),
+                                  1.0 / m_integrator.rule.errorOrder());
+    m_lastStep.nextLength = std::min(m_integrator.longestStep, std::clamp(0.5 * share, 1e-6, 1.0));
 }
 
 // Shown lines are short.
 // clang-format off
 //! [try_step]
-void Advance::tryStep()
+void AdaptiveStepper::tryStep()
 {
-    double start = m_ahead.to;
-    double h = m_ahead.next;
+    double start = m_lastStep.end;
+    double h = m_lastStep.nextLength;
     std::copy_n(endPlace(), m_size, m_place);
     std::copy_n(endSpeed(), m_size, m_speed);
     std::copy_n(endSlope(), m_size, m_slope);
-    Attempt step = attemptOf(start, h);
-    const StepRule &rule = m_course.rule;
+    StepAttempt step = attemptOf(start, h);
+    const StepRule &rule = m_integrator.rule;
     double off = rule.attempt(step);
     double share = off / exactness();
     if (share <= 1) // exact enough
@@ -162,55 +164,55 @@ void Advance::tryStep()
         share = std::min(share, 1e9);
     double next = nextStep(h,
         share + 1e-12, rule.errorOrder());
-    m_ahead.next =
-        std::min(next, m_course.longest);
-    if (m_ahead.to == start)
+    m_lastStep.nextLength =
+        std::min(next, m_integrator.longestStep);
+    if (m_lastStep.end == start)
         shorten(h); // it led nowhere
 }
 //! [try_step]
 // clang-format on
 
-void Advance::shorten(double h)
+void AdaptiveStepper::shorten(double h)
 {
     // Besides rejected steps: a contact at the very start that left all as it was. The polynomial is too rough there.
-    m_ahead.next = std::min(m_ahead.next, 0.5 * h);
+    m_lastStep.nextLength = std::min(m_lastStep.nextLength, 0.5 * h);
 }
 
-double Advance::exactness() const
+double AdaptiveStepper::exactness() const
 {
     // Nothing is more exact than the digits of a place allow.
-    const double digits = 8.0 * std::numeric_limits<double>::epsilon() * largest(m_place, m_size);
-    return std::max(m_course.tolerance, digits);
+    const double digits = 8.0 * std::numeric_limits<double>::epsilon() * maxAbs(m_place, m_size);
+    return std::max(m_integrator.tolerance, digits);
 }
 
-void Advance::accept(const Attempt &step)
+void AdaptiveStepper::accept(const StepAttempt &step)
 {
-    Ahead &ahead = m_ahead;
-    ahead.from = step.start;
-    ahead.length = step.h;
-    ahead.to = step.start + step.h;
+    AdaptiveStep &lastStep = m_lastStep;
+    lastStep.start = step.start;
+    lastStep.length = step.h;
+    lastStep.end = step.start + step.h;
     std::copy_n(step.endPlace, m_size, endPlace());
     std::copy_n(step.endSpeed, m_size, endSpeed());
     std::copy_n(step.endSlope, m_size, endSlope());
-    const bool readsFrame = step.start < 1.0 && ahead.to > 1.0;
+    const bool readsFrame = step.start < 1.0 && lastStep.end > 1.0;
     const bool meets = mayMeet();
     if (readsFrame || meets || m_visit)
-        m_course.rule.makeDense(step);
+        m_integrator.rule.makeDense(step);
     if (meets)
         end(step.start, step.h);
     if (m_visit)
-        tell(step.start);
+        reportStep(step.start);
 }
 
-Advance::Moving Advance::dense(int row, double h, double theta) const
+AdaptiveStepper::PointAt AdaptiveStepper::dense(int row, double h, double theta) const
 {
-    Moving at;
+    PointAt at;
     const auto find = [&](int i, double &place, double &speed) {
-        for (const Flow::Stretch &rows : m_course.flow.stretches()) {
+        for (const OdeSystem::RateRange &rows : m_integrator.system.rateRanges()) {
             if (i < rows.first || i >= rows.end())
                 continue;
-            m_course.rule.dense(denseColumns(), m_size, i, i + 1, m_course.rule.instant(rows.rate, h, theta),
-                                &place, &speed);
+            m_integrator.rule.dense(denseColumns(), m_size, i, i + 1,
+                                    m_integrator.rule.instant(rows.rate, h, theta), &place, &speed);
         }
     };
     find(row, at.x.x, at.v.x);
@@ -218,45 +220,46 @@ Advance::Moving Advance::dense(int row, double h, double theta) const
     return at;
 }
 
-void Advance::denseAll(double h, double theta, double *x, double *v) const
+void AdaptiveStepper::denseAll(double h, double theta, double *x, double *v) const
 {
-    for (const Flow::Stretch &rows : m_course.flow.stretches()) {
-        m_course.rule.dense(denseColumns(), m_size, rows.first, rows.end(),
-                            m_course.rule.instant(rows.rate, h, theta), x + rows.first, v + rows.first);
+    for (const OdeSystem::RateRange &rows : m_integrator.system.rateRanges()) {
+        m_integrator.rule.dense(denseColumns(), m_size, rows.first, rows.end(),
+                                m_integrator.rule.instant(rows.rate, h, theta), x + rows.first,
+                                v + rows.first);
     }
 }
 
 // Shown lines are short.
 // clang-format off
 //! [read_off]
-void Advance::readOff()
+void AdaptiveStepper::writeOutput()
 {
-    Ahead &ahead = m_ahead;
+    AdaptiveStep &lastStep = m_lastStep;
     double *x = endPlace();
     double *v = endSpeed();
-    if (ahead.to > 1) {
+    if (lastStep.end > 1) {
         // inside the step
-        double h = ahead.length;
-        double part = (1 - ahead.from) / h;
+        double h = lastStep.length;
+        double part = (1 - lastStep.start) / h;
         x = m_place;
         v = m_speed;
         denseAll(h, part, x, v);
     }
-    m_pulls.clockTo(1);
-    m_course.flow.place(x, m_state);
-    m_course.flow.push(v, m_state);
+    m_accelerations.advanceDriversTo(1);
+    m_integrator.system.writePositions(x, m_state);
+    m_integrator.system.writeVelocities(v, m_state);
 }
 //! [read_off]
 // clang-format on
 
-void Advance::giveUp()
+void AdaptiveStepper::giveUp()
 {
     int worst = 0;
     for (int i = 0; i < m_points; ++i) {
         if (!(length(at(endSlope(), i)) <= length(at(endSlope(), worst))))
             worst = i;
     }
-    m_ahead.stuck = m_course.flow.pointAt(worst);
+    m_lastStep.stuckPoint = m_integrator.system.pointAt(worst);
 }
 
 namespace {
@@ -266,7 +269,7 @@ constexpr double none = 2.0;       ///< past the end of the step
 
 }
 
-void Advance::end(double start, double h)
+void AdaptiveStepper::end(double start, double h)
 {
     const double touchAt = firstTouch(h);
     const double liftAt = firstLift(start, h);
@@ -274,38 +277,40 @@ void Advance::end(double start, double h)
     if (first > 1.0)
         return;
     denseAll(h, first, endPlace(), endSpeed());
-    m_ahead.to = start + first * h;
+    m_lastStep.end = start + first * h;
     if (liftAt > first) {
         m_lifted = -1;
     } else {
-        for (const Touching::Place &place : m_course.touching.places()) {
-            if (rests(place) && m_lifted == place.point)
-                m_state.resting[place.point] &= ~place.bit;
+        for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
+            if (isResting(place) && m_lifted == place.point)
+                m_state.restingContacts[place.point] &= ~place.bit;
         }
     }
     bounce();
     settle();
 }
 
-bool Advance::mayTouch(const Touching::Place &place) const
+bool AdaptiveStepper::mayTouch(const ContactCandidates::Candidate &place) const
 {
     const Surface &surface = place.surface;
     if (gap(surface, at(endPlace(), place.row)) < 0.0)
         return true;
-    return away(surface, at(m_speed, place.row)) <= 0.0 && away(surface, at(endSpeed(), place.row)) > 0.0;
+    return normalVelocity(surface, at(m_speed, place.row)) <= 0.0 &&
+           normalVelocity(surface, at(endSpeed(), place.row)) > 0.0;
 }
 
-bool Advance::mayMeet() const
+bool AdaptiveStepper::mayMeet() const
 {
-    const std::vector<Touching::Place> &places = m_course.touching.places();
-    return std::any_of(places.begin(), places.end(),
-                       [&](const Touching::Place &place) { return rests(place) || mayTouch(place); });
+    const std::vector<ContactCandidates::Candidate> &places = m_integrator.contacts.all();
+    return std::any_of(places.begin(), places.end(), [&](const ContactCandidates::Candidate &place) {
+        return isResting(place) || mayTouch(place);
+    });
 }
 
-double Advance::firstTouch(double h) const
+double AdaptiveStepper::firstTouch(double h) const
 {
     double first = none;
-    for (const Touching::Place &place : m_course.touching.places()) {
+    for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
         if (!free(place) || !mayTouch(place))
             continue;
         // One look spares the search for what is still in the air when another has touched.
@@ -316,15 +321,15 @@ double Advance::firstTouch(double h) const
     return first;
 }
 
-double Advance::touch(const Touching::Place &place, double h) const
+double AdaptiveStepper::touch(const ContactCandidates::Candidate &place, double h) const
 {
     const Surface &surface = place.surface;
     const auto gapAt = [&](double theta) { return gap(surface, dense(place.row, h, theta).x); };
-    const auto speedAt = [&](double theta) { return away(surface, dense(place.row, h, theta).v); };
+    const auto speedAt = [&](double theta) { return normalVelocity(surface, dense(place.row, h, theta).v); };
     if (gap(surface, at(endPlace(), place.row)) < 0.0) {
         // What has just bounced stands on the surface: it can only come back after its highest point.
-        const bool leaves = away(surface, at(m_speed, place.row)) > 0.0;
-        const bool returns = away(surface, at(endSpeed(), place.row)) > 0.0;
+        const bool leaves = normalVelocity(surface, at(m_speed, place.row)) > 0.0;
+        const bool returns = normalVelocity(surface, at(endSpeed(), place.row)) > 0.0;
         const double highest = leaves && !returns ? firstRoot(speedAt, 0.0, 1.0) : 0.0;
         if (gapAt(highest) <= 0.0)
             return highest;
@@ -337,24 +342,27 @@ double Advance::touch(const Touching::Place &place, double h) const
     return firstRoot(gapAt, 0.0, lowest);
 }
 
-double Advance::firstLift(double start, double h)
+double AdaptiveStepper::firstLift(double start, double h)
 {
     m_lifted = -1;
     double *x = m_trial, *a = m_trial + m_size;
     const auto pullAt = [&](double theta) {
         denseAll(h, theta, x, a);
-        m_pulls.whole(x, start + theta * h, a);
+        m_accelerations.unconstrained(x, start + theta * h, a);
     };
     // The pull of a place's surface less what it takes up: below 0 it lifts.
-    const auto press = [&](const Touching::Place &place) { return -away(place.surface, at(a, place.row)); };
-    std::vector<const Touching::Place *> lifting; // the last is looked at first
+    const auto press = [&](const ContactCandidates::Candidate &place) {
+        return -normalVelocity(place.surface, at(a, place.row));
+    };
+    std::vector<const ContactCandidates::Candidate *> lifting; // the last is looked at first
     const auto keepLifting = [&](double theta) {
         pullAt(theta);
-        std::erase_if(lifting, [&](const Touching::Place *place) { return press(*place) >= 0.0; });
+        std::erase_if(lifting,
+                      [&](const ContactCandidates::Candidate *place) { return press(*place) >= 0.0; });
     };
-    const std::vector<Touching::Place> &places = m_course.touching.places();
+    const std::vector<ContactCandidates::Candidate> &places = m_integrator.contacts.all();
     for (auto place = places.rbegin(); place != places.rend(); ++place) {
-        if (rests(*place))
+        if (isResting(*place))
             lifting.push_back(&*place);
     }
     if (lifting.empty())
@@ -363,7 +371,7 @@ double Advance::firstLift(double start, double h)
     double first = none;
     // Each search takes all forces many times: what still rests when another has lifted is not searched for.
     while (!lifting.empty()) {
-        const Touching::Place &place = *lifting.back();
+        const ContactCandidates::Candidate &place = *lifting.back();
         lifting.pop_back();
         const auto pressAt = [&](double theta) {
             pullAt(theta);
@@ -380,9 +388,9 @@ double Advance::firstLift(double start, double h)
     return first;
 }
 
-void Advance::bounce()
+void AdaptiveStepper::bounce()
 {
-    for (const Touching::Place &place : m_course.touching.places()) {
+    for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
         if (!free(place))
             continue;
         const Surface &surface = place.surface;
@@ -390,74 +398,75 @@ void Advance::bounce()
         const double distance = gap(surface, x);
         if (distance < 0.0)
             put(endPlace(), place.row, x - distance * surface.normal);
-        if (distance <= touching && away(surface, v) < 0.0)
+        if (distance <= touching && normalVelocity(surface, v) < 0.0)
             put(endSpeed(), place.row, bounced(surface, v));
     }
 }
 
-void Advance::settle()
+void AdaptiveStepper::settle()
 {
-    m_pulls.whole(endPlace(), m_ahead.to, endSlope());
-    for (const Touching::Place &place : m_course.touching.places()) {
-        if (!m_state.feels(place.point))
+    m_accelerations.unconstrained(endPlace(), m_lastStep.end, endSlope());
+    for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
+        if (!m_state.isDynamic(place.point))
             continue;
         const Surface &surface = place.surface;
-        const double pull = away(surface, at(endSlope(), place.row));
+        const double pull = normalVelocity(surface, at(endSlope(), place.row));
         const Vec2 x = at(endPlace(), place.row), v = at(endSpeed(), place.row);
         const double into = std::max(0.0, -pull);
-        const bool slow = std::abs(away(surface, v)) <= restingSpeed(into, m_course.tolerance) &&
-                          gap(surface, x) <= touching;
-        if (rests(place) && pull > 0.0)
-            m_state.resting[place.point] &= ~place.bit;
-        else if (!rests(place) && slow && pull <= 0.0 && place.point != m_lifted)
-            m_state.resting[place.point] |= place.bit;
-        if (rests(place))
-            put(endSpeed(), place.row, held(surface, v));
+        const bool slow =
+            std::abs(normalVelocity(surface, v)) <= restingSpeed(into, m_integrator.tolerance) &&
+            gap(surface, x) <= touching;
+        if (isResting(place) && pull > 0.0)
+            m_state.restingContacts[place.point] &= ~place.bit;
+        else if (!isResting(place) && slow && pull <= 0.0 && place.point != m_lifted)
+            m_state.restingContacts[place.point] |= place.bit;
+        if (isResting(place))
+            put(endSpeed(), place.row, restingAcceleration(surface, v));
     }
-    m_pulls.hold(endSlope());
+    m_accelerations.removeConstrained(endSlope());
 }
 
-bool Advance::toNextFrame(Patient &patient, const LapVisit &visit)
+bool AdaptiveStepper::toNextFrame(StepBudget &budget, const SegmentVisitor &visit)
 {
     m_visit = &visit;
-    if (m_ahead.to > 0.0)
-        tell(0.0);
-    return toNextFrame(patient);
+    if (m_lastStep.end > 0.0)
+        reportStep(0.0);
+    return toNextFrame(budget);
 }
 
-void Advance::tell(double start) const
+void AdaptiveStepper::reportStep(double start) const
 {
-    const Ahead &ahead = m_ahead;
-    Lap lap;
-    lap.flow = &m_course.flow;
-    lap.start = start;
-    lap.end = std::min(ahead.to, 1.0);
-    lap.at = [this, from = ahead.from, h = ahead.length](double time, Eigen::ArrayXd &place,
-                                                         Eigen::ArrayXd &speed) {
+    const AdaptiveStep &lastStep = m_lastStep;
+    DenseSegment segment;
+    segment.system = &m_integrator.system;
+    segment.start = start;
+    segment.end = std::min(lastStep.end, 1.0);
+    segment.evaluate = [this, from = lastStep.start, h = lastStep.length](double time, Eigen::ArrayXd &place,
+                                                                          Eigen::ArrayXd &speed) {
         place.resize(m_size);
         speed.resize(m_size);
         denseAll(h, (time - from) / h, place.data(), speed.data());
     };
-    if (ahead.to > 1.0) {
-        lap.at(1.0, lap.nextPlace, lap.nextSpeed);
+    if (lastStep.end > 1.0) {
+        segment.evaluate(1.0, segment.positionAfter, segment.velocityAfter);
     } else {
-        lap.nextPlace = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
-        lap.nextSpeed = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
+        segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
+        segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
     }
-    (*m_visit)(lap);
+    (*m_visit)(segment);
 }
 
-void Advance::tellBegun(const Eigen::ArrayXd &place, const Eigen::ArrayXd &speed) const
+void AdaptiveStepper::reportFromStart(const Eigen::ArrayXd &place, const Eigen::ArrayXd &speed) const
 {
-    Lap lap; // of no length: what stood past a surface is put onto it
-    lap.flow = &m_course.flow;
-    lap.at = [&](double, Eigen::ArrayXd &x, Eigen::ArrayXd &v) {
+    DenseSegment segment; // of no length: what stood past a surface is put onto it
+    segment.system = &m_integrator.system;
+    segment.evaluate = [&](double, Eigen::ArrayXd &x, Eigen::ArrayXd &v) {
         x = place;
         v = speed;
     };
-    lap.nextPlace = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
-    lap.nextSpeed = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
-    (*m_visit)(lap);
+    segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
+    segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
+    (*m_visit)(segment);
 }
 
 }

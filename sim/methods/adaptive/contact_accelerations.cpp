@@ -5,41 +5,42 @@
 
 namespace sim {
 
-void Pulls::clockTo(double time)
+void ContactAccelerations::advanceDriversTo(double time)
 {
     if (time == m_clock)
         return;
-    m_flow.tick(m_state, time - m_clock);
+    m_system.advanceDrivers(m_state, time - m_clock);
     m_clock = time;
 }
 
-void Pulls::whole(const double *place, double time, double *into)
+void ContactAccelerations::unconstrained(const double *place, double time, double *into)
 {
-    clockTo(time);
-    m_flow.place(place, m_state);
-    m_flow.accelerations(m_state, into);
-    m_state.evaluations += m_flow.points();
+    advanceDriversTo(time);
+    m_system.writePositions(place, m_state);
+    m_system.accelerations(m_state, into);
+    m_state.pointEvaluations += m_system.points();
 }
 
-void Pulls::at(const double *place, double time, double *into)
+void ContactAccelerations::at(const double *place, double time, double *into)
 {
-    whole(place, time, into);
-    hold(into);
+    unconstrained(place, time, into);
+    removeConstrained(into);
 }
 
-void Pulls::hold(double *numbers) const
+void ContactAccelerations::removeConstrained(double *numbers) const
 {
-    for (const Flow::Stretch &rows : m_flow.stretches()) {
+    for (const OdeSystem::RateRange &rows : m_system.rateRanges()) {
         if (std::isinf(rows.rate))
             std::fill(numbers + rows.first, numbers + rows.end(), 0.0);
     }
-    if (!m_touching.any())
+    if (!m_contacts.any())
         return;
-    const int points = m_flow.points();
-    for (const Touching::Place &place : m_touching.places()) {
-        if (!rests(place))
+    const int points = m_system.points();
+    for (const ContactCandidates::Candidate &place : m_contacts.all()) {
+        if (!isResting(place))
             continue;
-        const Vec2 left = held(place.surface, {numbers[place.row], numbers[points + place.row]});
+        const Vec2 left =
+            restingAcceleration(place.surface, {numbers[place.row], numbers[points + place.row]});
         numbers[place.row] = left.x;
         numbers[points + place.row] = left.y;
     }

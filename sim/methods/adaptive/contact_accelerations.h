@@ -6,12 +6,12 @@
 namespace sim {
 
 /// The accelerations along a step: of the equations, less what surfaces take up of points that rest on them.
-class Pulls
+class ContactAccelerations
 {
 public:
     /// Between two frames: `state` stands at a whole one.
-    Pulls(const Flow &flow, const Touching &touching, State &state)
-        : m_flow(flow), m_touching(touching), m_state(state)
+    ContactAccelerations(const OdeSystem &system, const ContactCandidates &contacts, State &state)
+        : m_system(system), m_contacts(contacts), m_state(state)
     {
     }
 
@@ -19,16 +19,19 @@ public:
     /// up. Flow::size() numbers each.
     void at(const double *place, double time, double *into);
     /// The same with what surfaces take up.
-    void whole(const double *place, double time, double *into);
+    void unconstrained(const double *place, double time, double *into);
     /// Takes the drivers to `time`.
-    void clockTo(double time);
+    void advanceDriversTo(double time);
     /// Takes out what surfaces take up, and what damping stops at once.
-    void hold(double *numbers) const;
-    bool rests(const Touching::Place &place) const { return (m_state.resting[place.point] & place.bit) != 0; }
+    void removeConstrained(double *numbers) const;
+    bool isResting(const ContactCandidates::Candidate &place) const
+    {
+        return (m_state.restingContacts[place.point] & place.bit) != 0;
+    }
 
 private:
-    const Flow &m_flow;
-    const Touching &m_touching;
+    const OdeSystem &m_system;
+    const ContactCandidates &m_contacts;
     State &m_state;
     double m_clock = 0.0; ///< frames since the last whole one, to which the drivers have been taken
 };

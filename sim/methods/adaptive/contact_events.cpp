@@ -7,7 +7,7 @@
 
 namespace sim {
 
-Touching::Touching(const Scene &scene, const std::vector<Points> &runs)
+ContactCandidates::ContactCandidates(const Scene &scene, const std::vector<PointRange> &ranges)
 {
     std::vector<const Contact *> contacts;
     for (const EffectPtr &effect : scene.effects) {
@@ -15,11 +15,11 @@ Touching::Touching(const Scene &scene, const std::vector<Points> &runs)
             contacts.push_back(contact);
     }
     int row = 0;
-    for (const Points &run : runs) {
-        for (int point = run.first; point < run.end(); ++point, ++row) {
+    for (const PointRange &range : ranges) {
+        for (int point = range.first; point < range.end(); ++point, ++row) {
             int number = 0;
             for (const Contact *contact : contacts) {
-                if (!scene.hasInertia(point))
+                if (!scene.movesByVelocity(point))
                     continue;
                 for (const Surface &surface : contact->surfaces(point))
                     m_places.push_back({point, row, 1 << number++, surface});
@@ -36,15 +36,15 @@ double restingSpeed(double pull, double tolerance)
 Vec2 bounced(const Surface &surface, Vec2 v)
 {
     if (surface.grip == Grip::full)
-        v = away(surface, v) * surface.normal;
+        v = normalVelocity(surface, v) * surface.normal;
     return reflected(v, surface.normal, surface.bounce);
 }
 
-Vec2 held(const Surface &surface, Vec2 a)
+Vec2 restingAcceleration(const Surface &surface, Vec2 a)
 {
     if (surface.grip == Grip::full)
         return {0.0, 0.0};
-    return a - away(surface, a) * surface.normal;
+    return a - normalVelocity(surface, a) * surface.normal;
 }
 
 }

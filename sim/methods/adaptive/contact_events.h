@@ -12,24 +12,24 @@ namespace sim {
 double restingSpeed(double pull, double tolerance);
 
 /// The surfaces that the points of an island meet.
-class Touching
+class ContactCandidates
 {
 public:
     /// `runs`: as those of the island's Flow.
-    Touching(const Scene &scene, const std::vector<Points> &runs);
+    ContactCandidates(const Scene &scene, const std::vector<PointRange> &ranges);
 
-    struct Place
+    struct Candidate
     {
         int point = 0;
         int row = 0; ///< of the point among the numbers of the island's Flow
         int bit = 0; ///< of State::resting
         Surface surface;
     };
-    const std::vector<Place> &places() const { return m_places; }
+    const std::vector<Candidate> &all() const { return m_places; }
     bool any() const { return !m_places.empty(); }
 
 private:
-    std::vector<Place> m_places;
+    std::vector<Candidate> m_places;
 };
 
 /// How far `x` is from a surface: px, negative past it.
@@ -39,7 +39,7 @@ inline double gap(const Surface &surface, Vec2 x)
 }
 
 /// The part of `v` along a surface's normal: positive away from it.
-inline double away(const Surface &surface, Vec2 v)
+inline double normalVelocity(const Surface &surface, Vec2 v)
 {
     return dot(surface.normal, v);
 }
@@ -47,7 +47,7 @@ inline double away(const Surface &surface, Vec2 v)
 /// The velocity of a point that touches a surface with velocity `v`.
 Vec2 bounced(const Surface &surface, Vec2 v);
 /// What is left of an acceleration (or a velocity) of a point that rests on a surface.
-Vec2 held(const Surface &surface, Vec2 a);
+Vec2 restingAcceleration(const Surface &surface, Vec2 a);
 
 /// Where `f` goes through 0 between `low`, where it is not negative, and `high`, where it is; to 1e-15.
 template <class Function>

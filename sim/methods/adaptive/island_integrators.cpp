@@ -12,24 +12,24 @@ namespace {
 bool isOneIsland(const Scene &scene)
 {
     const auto drives = [&](const EffectPtr &effect) {
-        return as<Driver>(effect) && effect->count(scene.start, {0, scene.start.points()}) > 0;
+        return as<Driver>(effect) && effect->count(scene.start, {0, scene.start.pointCount()}) > 0;
     };
     return scene.start.spin.rows() > 0 || std::any_of(scene.effects.begin(), scene.effects.end(), drives);
 }
 
-std::vector<std::vector<Points>> partsOf(const Scene &scene)
+std::vector<std::vector<PointRange>> partsOf(const Scene &scene)
 {
     if (isOneIsland(scene))
-        return {{{0, scene.start.points()}}};
+        return {{{0, scene.start.pointCount()}}};
     return islandsOf(scene);
 }
 
 /// Whether any of its points can move, held or not.
-bool canMove(const Scene &scene, const std::vector<Points> &runs)
+bool canMove(const Scene &scene, const std::vector<PointRange> &ranges)
 {
-    for (const Points &run : runs) {
-        for (int point = run.first; point < run.end(); ++point) {
-            if (scene.start.feels(point) && scene.hasInertia(point))
+    for (const PointRange &range : ranges) {
+        for (int point = range.first; point < range.end(); ++point) {
+            if (scene.start.isDynamic(point) && scene.movesByVelocity(point))
                 return true;
         }
     }
@@ -38,52 +38,57 @@ bool canMove(const Scene &scene, const std::vector<Points> &runs)
 
 }
 
-Courses::Courses(const Scene &scene, const StepRule &rule, Directions directions, double tolerance)
+IslandIntegrators::IslandIntegrators(const Scene &scene, const StepRule &rule, DirectionRule directionRule,
+                                     double tolerance)
 {
     Eigen::Index column = 0;
-    for (std::vector<Points> &runs : partsOf(scene)) {
-        if (!canMove(scene, runs))
+    for (std::vector<PointRange> &ranges : partsOf(scene)) {
+        if (!canMove(scene, ranges))
             continue;
-        Course &course =
-            m_courses.emplace_back(scene, Flow(scene, directions, std::move(runs)), rule, tolerance);
-        course.number = m_courses.size() - 1;
-        course.column = column;
-        column += static_cast<Eigen::Index>(course.flow.size()) * Course::columns(rule);
+        IslandIntegrator &integrator = m_integrators.emplace_back(
+            scene, OdeSystem(scene, directionRule, std::move(ranges)), rule, tolerance);
+        integrator.islandIndex = m_integrators.size() - 1;
+        integrator.column = column;
+        column += static_cast<Eigen::Index>(integrator.system.size()) * IslandIntegrator::columns(rule);
     }
 }
 
 template <class One>
-bool Courses::each(State &state, One &&advance) const
+bool IslandIntegrators::each(State &state, One &&advance) const
 {
-    state.ahead.resize(m_courses.size());
-    for (const Course &course : m_courses) {
-        if (!advance(course))
+    state.adaptiveSteps.resize(m_integrators.size());
+    for (const IslandIntegrator &integrator : m_integrators) {
+        if (!advance(integrator))
             return false;
-        if (state.ahead[course.number].stuck >= 0)
+        if (state.adaptiveSteps[integrator.islandIndex].stuckPoint >= 0)
             return true;
     }
     return true;
 }
 
-bool Courses::toNextFrame(State &state, const GoesOn &goesOn) const
+bool IslandIntegrators::toNextFrame(State &state, const ShouldContinue &shouldContinue) const
 {
-    Patient patient(goesOn, state.points());
-    return each(state, [&](const Course &course) { return Advance(course, state).toNextFrame(patient); });
+    StepBudget budget(shouldContinue, state.pointCount());
+    return each(state, [&](const IslandIntegrator &integrator) {
+        return AdaptiveStepper(integrator, state).toNextFrame(budget);
+    });
 }
 
-bool Courses::toNextFrame(State &state, const GoesOn &goesOn, const LapVisit &visit) const
+bool IslandIntegrators::toNextFrame(State &state, const ShouldContinue &shouldContinue,
+                                    const SegmentVisitor &visit) const
 {
-    Patient patient(goesOn, state.points());
-    return each(state,
-                [&](const Course &course) { return Advance(course, state).toNextFrame(patient, visit); });
+    StepBudget budget(shouldContinue, state.pointCount());
+    return each(state, [&](const IslandIntegrator &integrator) {
+        return AdaptiveStepper(integrator, state).toNextFrame(budget, visit);
+    });
 }
 
-const Course *Courses::of(int point) const
+const IslandIntegrator *IslandIntegrators::of(int point) const
 {
-    for (const Course &course : m_courses) {
-        for (const Points &run : course.flow.runs()) {
-            if (run.contains(point))
-                return &course;
+    for (const IslandIntegrator &integrator : m_integrators) {
+        for (const PointRange &range : integrator.system.ranges()) {
+            if (range.contains(point))
+                return &integrator;
         }
     }
     return nullptr;

@@ -4,28 +4,28 @@
 
 namespace sim {
 
-void ExplicitEuler::prepare(State &state) const
+void ExplicitEuler::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
 }
 
 std::vector<Phase> ExplicitEuler::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), size.h);
+    PhaseBuilder step(scene, directionRule(), size.h);
     //! [explicit_euler_order]
     // move by the old velocity
-    Share all = step.everything();
-    step.jumpsFirst();
-    step.gather(all);
+    PhasePoints all = step.allPoints();
+    step.leadingImpulses();
+    step.accumulateForces(all);
     step.move(all);
-    step.flow(1);
+    step.continuousDrivers(1);
     step.kick(all);
     step.damping(all);
-    step.comeFrom(all);
+    step.rewindPrevious(all);
     step.constraints(all);
     step.contacts(all);
-    step.jumpsLast();
+    step.trailingImpulses();
     //! [explicit_euler_order]
     return step.take();
 }

@@ -13,13 +13,13 @@ public:
     std::string id() const override { return "explicit_euler"; }
     std::string title() const override { return SIM_TEXT("Explicit Euler"); }
     int order() const override { return 1; }
-    std::vector<std::string> needs() const override { return {}; }
-    Directions directions() const override { return Directions::apart; }
+    std::vector<std::string> requirements() const override { return {}; }
+    DirectionRule directionRule() const override { return DirectionRule::regularised; }
     Region region() const override
     {
         return {"sim/methods/fixed/explicit_euler.cpp", "explicit_euler_order"};
     }
-    void prepare(State &state) const override;
+    void prepareState(State &state) const override;
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 };
 

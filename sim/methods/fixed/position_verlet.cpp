@@ -4,31 +4,31 @@
 
 namespace sim {
 
-void PositionVerlet::prepare(State &state) const
+void PositionVerlet::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
 }
 
 std::vector<Phase> PositionVerlet::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), size.h);
+    PhaseBuilder step(scene, directionRule(), size.h);
     //! [position_verlet_order]
     // half a move, kick, half a move
-    Share all = step.everything();
-    step.jumpsFirst();
+    PhasePoints all = step.allPoints();
+    step.leadingImpulses();
     step.move(all, 0.5);
-    step.flow(0.5);
+    step.continuousDrivers(0.5);
     step.damping(all, 0.5);
-    step.gather(all);
+    step.accumulateForces(all);
     step.kick(all);
     step.damping(all, 0.5);
     step.move(all, 0.5);
-    step.flow(0.5);
-    step.comeFrom(all);
+    step.continuousDrivers(0.5);
+    step.rewindPrevious(all);
     step.constraints(all);
     step.contacts(all);
-    step.jumpsLast();
+    step.trailingImpulses();
     //! [position_verlet_order]
     return step.take();
 }

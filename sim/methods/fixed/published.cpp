@@ -13,11 +13,11 @@ namespace {
 //! [published_forces]
 void pullAtOnce(
     const Force &force, State &state,
-    Points movers, double h)
+    PointRange movers, double h)
 {
     // onto the velocity, pull after pull
     force.add(state, movers, h,
-        Directions::published,
+        DirectionRule::published,
         state.velocity);
 }
 //! [published_forces]
@@ -29,7 +29,7 @@ void pullAtOnce(
 //! [published_torques]
 void turnAtOnce(
     const Torque &torque, State &state,
-    Points movers, double h)
+    PointRange movers, double h)
 {
     // onto the spin, at once
     torque.add(state, movers, h,
@@ -40,31 +40,31 @@ void turnAtOnce(
 
 }
 
-void Published::prepare(State &state) const
+void Published::prepareState(State &state) const
 {
     state.acceleration.resize(0, 2);
-    state.turning.resize(0);
+    state.angularAcceleration.resize(0);
 }
 
 std::vector<Phase> Published::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), size.h);
-    const Adding pull = {pullAtOnce,
-                         turnAtOnce,
-                         {"sim/methods/fixed/published.cpp", "published_forces"},
-                         {"sim/methods/fixed/published.cpp", "published_torques"},
-                         Onto::velocity};
+    PhaseBuilder step(scene, directionRule(), size.h);
+    const ForceAccumulation pull = {pullAtOnce,
+                                    turnAtOnce,
+                                    {"sim/methods/fixed/published.cpp", "published_forces"},
+                                    {"sim/methods/fixed/published.cpp", "published_torques"},
+                                    AccumulationTarget::velocity};
     //! [published_order]
-    step.driversFirst();
+    step.leadingDrivers();
     // each group sees what has already moved
-    for (const Share &group : step.groups()) {
+    for (const PhasePoints &group : step.groups()) {
         // forces and damping
-        step.asListed(group, pull);
+        step.inSceneOrder(group, pull);
         step.move(group);
         step.constraints(group);
         step.contacts(group);
     }
-    step.driversLast();
+    step.trailingDrivers();
     //! [published_order]
     return step.take();
 }

@@ -12,10 +12,10 @@ public:
     std::string id() const override { return "published"; }
     std::string title() const override { return SIM_TEXT("Published"); }
     int order() const override { return 1; }
-    std::vector<std::string> needs() const override { return {"groups"}; }
-    Directions directions() const override { return Directions::published; }
+    std::vector<std::string> requirements() const override { return {"groups"}; }
+    DirectionRule directionRule() const override { return DirectionRule::published; }
     Region region() const override { return {"sim/methods/fixed/published.cpp", "published_order"}; }
-    void prepare(State &state) const override;
+    void prepareState(State &state) const override;
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 };
 

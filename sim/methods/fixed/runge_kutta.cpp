@@ -52,14 +52,14 @@ struct Columns
 /// A scene's equations and the tableau's weights for them, as all phases of a step share them.
 struct Plan
 {
-    Plan(const Scene &scene, const Tableau &tableau, Directions directions, double step)
-        : flow(scene, directions), c(tableau.c), columns{tableau.stages}, h(step)
+    Plan(const Scene &scene, const Tableau &tableau, DirectionRule directionRule, double step)
+        : system(scene, directionRule), c(tableau.c), columns{tableau.stages}, h(step)
     {
-        for (const Flow::Stretch &stretch : flow.stretches())
-            weights.emplace_back().set(tableau, stretch.rate, h, tableau.stages);
+        for (const OdeSystem::RateRange &range : system.rateRanges())
+            weights.emplace_back().set(tableau, range.rate, h, tableau.stages);
     }
 
-    Flow flow;
+    OdeSystem system;
     Tableau::Row c;
     std::vector<StageWeights> weights; ///< one a stretch of the flow
     Columns columns;
@@ -70,7 +70,10 @@ struct Plan
         return stage < columns.stages ? h * c[static_cast<std::size_t>(stage)] : h;
     }
     /// Takes time on from the stage before.
-    void tickTo(State &state, int stage) const { flow.tick(state, timeOf(stage) - timeOf(stage - 1)); }
+    void tickTo(State &state, int stage) const
+    {
+        system.advanceDrivers(state, timeOf(stage) - timeOf(stage - 1));
+    }
 };
 
 double *column(State &state, int number)
@@ -83,10 +86,10 @@ double *placeOf(State &state, const Plan &plan, int stage)
 {
     const Columns &at = plan.columns;
     for (std::size_t i = 0; i < plan.weights.size(); ++i) {
-        const Flow::Stretch &rows = plan.flow.stretches()[i];
+        const OdeSystem::RateRange &rows = plan.system.rateRanges()[i];
         const double *weights = plan.weights[i].place[static_cast<std::size_t>(stage)].data();
         blendRows(column(state, at.place()), column(state, at.startPlace()), 1.0, column(state, at.speed(0)),
-                  weights, stage, rows.first, rows.end(), plan.flow.size());
+                  weights, stage, rows.first, rows.end(), plan.system.size());
     }
     return column(state, at.place());
 }
@@ -96,11 +99,11 @@ double *velocityOf(State &state, const Plan &plan, int stage, int out)
 {
     const Columns &at = plan.columns;
     for (std::size_t i = 0; i < plan.weights.size(); ++i) {
-        const Flow::Stretch &rows = plan.flow.stretches()[i];
+        const OdeSystem::RateRange &rows = plan.system.rateRanges()[i];
         const auto row = static_cast<std::size_t>(stage);
         const double *weights = plan.weights[i].speed[row].data();
         blendRows(column(state, out), column(state, at.startSpeed()), plan.weights[i].keep[row],
-                  column(state, at.slope(0)), weights, stage, rows.first, rows.end(), plan.flow.size());
+                  column(state, at.slope(0)), weights, stage, rows.first, rows.end(), plan.system.size());
     }
     return column(state, out);
 }
@@ -110,8 +113,8 @@ void keepSlope(State &state, const Plan &plan, int stage)
 {
     const Columns &at = plan.columns;
     if (stage == 0)
-        plan.flow.read(state, column(state, at.startPlace()), column(state, at.startSpeed()));
-    plan.flow.gathered(state, column(state, at.slope(stage)));
+        plan.system.readState(state, column(state, at.startPlace()), column(state, at.startSpeed()));
+    plan.system.readAccumulated(state, column(state, at.slope(stage)));
     velocityOf(state, plan, stage, at.speed(stage));
 }
 
@@ -126,7 +129,7 @@ void goTo(State &state,
     double *x =
         placeOf(state, plan, stage);
     plan.tickTo(state, stage);
-    plan.flow.place(x, state);
+    plan.system.writePositions(x, state);
 }
 //! [trial_place]
 
@@ -141,7 +144,7 @@ void finish(State &state,
     int out = plan.columns.place();
     double *v = velocityOf(
         state, plan, end, out);
-    plan.flow.push(v, state);
+    plan.system.writeVelocities(v, state);
 }
 //! [step_end]
 // clang-format on
@@ -151,25 +154,25 @@ Phase stagePhase(const char *id, const char *title, const Scene &scene, const ch
     Phase phase;
     phase.id = id;
     phase.title = title;
-    phase.points = {0, scene.start.points()};
+    phase.points = {0, scene.start.pointCount()};
     phase.regions = {
         {here, "trial_place"}, {here, "step_end"}, {here, tableau}, {"sim/methods/fixed/tableau.h", "blend"}};
-    phase.moves = true;
+    phase.consumesAcceleration = true;
     phase.integrates = true;
     phase.explain = [](const State &before, const State &after, int point) {
-        return changeOf(before, after, point);
+        return motionChange(before, after, point);
     };
     return phase;
 }
 
 /// What else the equations have besides forces: the phase computes it on its way.
-void nameOthers(Phase &phase, const Plan &plan, Directions directions)
+void nameOthers(Phase &phase, const Plan &plan, DirectionRule directionRule)
 {
-    for (const EffectPtr &effect : plan.flow.effects()) {
+    for (const EffectPtr &effect : plan.system.effects()) {
         if (as<Force>(effect) || as<Torque>(effect))
             continue;
-        phase.within.push_back(effect);
-        for (const Region &region : effect->regions(directions))
+        phase.innerEffects.push_back(effect);
+        for (const Region &region : effect->regions(directionRule))
             phase.regions.push_back(region);
     }
 }
@@ -180,17 +183,17 @@ Midpoint::Midpoint() : RungeKutta(midpoint(), 2, "midpoint_tableau") {}
 
 RungeKutta4::RungeKutta4() : RungeKutta(classical(), 4, "rk4_tableau") {}
 
-void RungeKutta::prepare(State &state) const
+void RungeKutta::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
-    state.stages.setZero(2 * state.points() + state.spin.rows(), Columns{m_tableau.stages}.count());
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
+    state.stages.setZero(2 * state.pointCount() + state.spin.rows(), Columns{m_tableau.stages}.count());
 }
 
 std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), size.h);
-    const auto plan = std::make_shared<const Plan>(scene, m_tableau, directions(), size.h);
+    PhaseBuilder step(scene, directionRule(), size.h);
+    const auto plan = std::make_shared<const Plan>(scene, m_tableau, directionRule(), size.h);
     const auto trial = [&](int stage) {
         Phase phase = stagePhase("trial", SIM_TEXT("try a place"), scene, m_shown);
         phase.kernels = {{[plan, stage](State &state) {
@@ -198,7 +201,7 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
                               goTo(state, *plan, stage);
                           },
                           {}}};
-        nameOthers(phase, *plan, directions());
+        nameOthers(phase, *plan, directionRule());
         return phase;
     };
     const auto move = [&] {
@@ -212,24 +215,24 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
     };
     const int stages = step.anyMoves() ? m_tableau.stages : 0;
     if (stages == 0)
-        step.flow(1);
+        step.continuousDrivers(1);
     //! [runge_kutta_order]
     // forces at one trial place after
     // another, then one step from all
-    Share all = step.everything();
-    step.jumpsFirst();
+    PhasePoints all = step.allPoints();
+    step.leadingImpulses();
     for (int i = 0; i < stages; ++i) {
         if (i > 0)
-            step.own(trial(i));
-        step.gather(all);
+            step.add(trial(i));
+        step.accumulateForces(all);
     }
     if (stages > 0)
-        step.own(move());
+        step.add(move());
     step.dampingWithoutRate(all);
-    step.comeFrom(all);
+    step.rewindPrevious(all);
     step.constraints(all);
     step.contacts(all);
-    step.jumpsLast();
+    step.trailingImpulses();
     //! [runge_kutta_order]
     return step.take();
 }

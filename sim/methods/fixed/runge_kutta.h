@@ -11,11 +11,11 @@ class RungeKutta : public Method
 {
 public:
     int order() const override { return m_order; }
-    int evaluations() const override { return m_tableau.stages; }
-    std::vector<std::string> needs() const override { return {}; }
-    Directions directions() const override { return Directions::apart; }
+    int evaluationsPerStep() const override { return m_tableau.stages; }
+    std::vector<std::string> requirements() const override { return {}; }
+    DirectionRule directionRule() const override { return DirectionRule::regularised; }
     Region region() const override { return {"sim/methods/fixed/runge_kutta.cpp", "runge_kutta_order"}; }
-    void prepare(State &state) const override;
+    void prepareState(State &state) const override;
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 
 protected:

@@ -4,26 +4,26 @@
 
 namespace sim {
 
-void SemiImplicitEuler::prepare(State &state) const
+void SemiImplicitEuler::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
 }
 
 std::vector<Phase> SemiImplicitEuler::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), size.h);
+    PhaseBuilder step(scene, directionRule(), size.h);
     //! [semi_implicit_order]
     // every force sees the same positions
-    Share all = step.everything();
-    step.driversFirst();
-    step.gather(all);
+    PhasePoints all = step.allPoints();
+    step.leadingDrivers();
+    step.accumulateForces(all);
     step.kick(all);
     step.damping(all);
     step.move(all);
     step.constraints(all);
     step.contacts(all);
-    step.driversLast();
+    step.trailingDrivers();
     //! [semi_implicit_order]
     return step.take();
 }

@@ -14,13 +14,13 @@ public:
     std::string title() const override { return SIM_TEXT("Semi-implicit Euler"); }
     int order() const override { return 1; }
     Symplectic symplectic() const override { return Symplectic::yes; }
-    std::vector<std::string> needs() const override { return {}; }
-    Directions directions() const override { return Directions::apart; }
+    std::vector<std::string> requirements() const override { return {}; }
+    DirectionRule directionRule() const override { return DirectionRule::regularised; }
     Region region() const override
     {
         return {"sim/methods/fixed/semi_implicit_euler.cpp", "semi_implicit_order"};
     }
-    void prepare(State &state) const override;
+    void prepareState(State &state) const override;
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 };
 

@@ -4,31 +4,31 @@
 
 namespace sim {
 
-void VelocityVerlet::prepare(State &state) const
+void VelocityVerlet::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
 }
 
 std::vector<Phase> VelocityVerlet::phases(const Scene &scene, StepSize size) const
 {
-    PhaseList step(scene, directions(), size.h);
+    PhaseBuilder step(scene, directionRule(), size.h);
     //! [velocity_verlet_order]
     // half a kick, move, half a kick
-    Share all = step.everything();
-    step.jumpsFirst();
-    step.gather(all);
+    PhasePoints all = step.allPoints();
+    step.leadingImpulses();
+    step.accumulateForces(all);
     step.kick(all, 0.5);
     step.damping(all, 0.5);
     step.move(all);
-    step.flow(1);
-    step.gather(all);
+    step.continuousDrivers(1);
+    step.accumulateForces(all);
     step.damping(all, 0.5);
     step.kick(all, 0.5);
-    step.comeFrom(all);
+    step.rewindPrevious(all);
     step.constraints(all);
     step.contacts(all);
-    step.jumpsLast();
+    step.trailingImpulses();
     //! [velocity_verlet_order]
     return step.take();
 }

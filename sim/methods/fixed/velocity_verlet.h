@@ -15,14 +15,14 @@ public:
     std::string title() const override { return SIM_TEXT("Velocity Verlet"); }
     int order() const override { return 2; }
     Symplectic symplectic() const override { return Symplectic::yes; }
-    int evaluations() const override { return 2; }
-    std::vector<std::string> needs() const override { return {}; }
-    Directions directions() const override { return Directions::apart; }
+    int evaluationsPerStep() const override { return 2; }
+    std::vector<std::string> requirements() const override { return {}; }
+    DirectionRule directionRule() const override { return DirectionRule::regularised; }
     Region region() const override
     {
         return {"sim/methods/fixed/velocity_verlet.cpp", "velocity_verlet_order"};
     }
-    void prepare(State &state) const override;
+    void prepareState(State &state) const override;
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 };
 

@@ -8,7 +8,7 @@ namespace sim {
 /// bounded at any step and stiffness, and damps what swings faster than the step follows, stiff or not.
 /// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.3; in animation: Baraff and
 /// Witkin, "Large steps in cloth simulation", 1998.
-class BackwardEuler : public Implicit
+class BackwardEuler : public ImplicitMethod
 {
 public:
     std::string id() const override { return "backward_euler"; }

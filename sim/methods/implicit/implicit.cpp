@@ -8,30 +8,30 @@ namespace sim {
 
 namespace {
 
-Points everything(const Scene &scene)
+PointRange everything(const Scene &scene)
 {
-    return {0, scene.start.points()};
+    return {0, scene.start.pointCount()};
 }
 
 /// Whether what a driver does is a phase of its own: the others go with time, and that is in the equations.
 bool jumps(const Effect &effect)
 {
     const auto *driver = as<Driver>(effect);
-    return driver && driver->pace() == Pace::once;
+    return driver && driver->timing() == DriverTiming::impulsive;
 }
 
 /// Whether `effect` can be computed by a method that needs slopes.
 bool fits(const Effect &effect, const State &state)
 {
-    const Points all = {0, state.points()};
-    Slopes slopes(state.points());
+    const PointRange all = {0, state.pointCount()};
+    Jacobian jacobian(state.pointCount());
     if (const auto *force = as<Force>(effect))
-        return force->addSlopes(state, all, 1.0, Directions::apart, slopes);
+        return force->addJacobian(state, all, 1.0, DirectionRule::regularised, jacobian);
     if (const auto *torque = as<Torque>(effect))
-        return torque->addSlopes(state, all, 1.0, slopes);
+        return torque->addJacobian(state, all, 1.0, jacobian);
     if (const auto *drag = as<Drag>(effect)) {
-        for (int i = 0; i < state.points(); ++i) {
-            if (!drag->rate(i))
+        for (int i = 0; i < state.pointCount(); ++i) {
+            if (!drag->dampingRate(i))
                 return false;
         }
         return true;
@@ -47,7 +47,7 @@ Phase phaseOf(const EffectPtr &effect, const Scene &scene)
     phase.kind = effect->kind();
     phase.effect = effect;
     phase.points = everything(scene);
-    phase.regions = effect->regions(Directions::apart);
+    phase.regions = effect->regions(DirectionRule::regularised);
     return phase;
 }
 
@@ -66,55 +66,56 @@ Phase touching(const std::shared_ptr<const Contact> &contact, const Scene &scene
     Phase phase = phaseOf(contact, scene);
     phase.kernels = {
         {[contact, all = everything(scene)](State &state) { contact->resolve(state, all); }, {}}};
-    phase.explain = changeOf;
+    phase.explain = motionChange;
     return phase;
 }
 
 /// Where a point (or a branch) went, by the names of the shown code.
-std::vector<Live> explainSolved(const State &before, const State &after, int point)
+std::vector<LiveValue> explainSolved(const State &before, const State &after, int point)
 {
-    if (!after.feels(point))
+    if (!after.isDynamic(point))
         return {};
     if (after.spin.rows() > 0)
         return {{"x", after.angle[point], before.angle[point]}, {"v", after.spin[point], before.spin[point]}};
-    return {{"x", after.at(point), before.at(point)}, {"v", after.speed(point), before.speed(point)}};
+    return {{"x", after.positionOf(point), before.positionOf(point)},
+            {"v", after.velocityOf(point), before.velocityOf(point)}};
 }
 
 }
 
-void Implicit::prepare(State &state) const
+void ImplicitMethod::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.points(), 2);
-    state.turning.setZero(state.spin.rows());
+    state.acceleration.setZero(state.pointCount(), 2);
+    state.angularAcceleration.setZero(state.spin.rows());
 }
 
-void Implicit::checkFit(const Scene &scene) const
+void ImplicitMethod::checkFit(const Scene &scene) const
 {
     for (const EffectPtr &effect : scene.effects) {
         if (effect->count(scene.start, everything(scene)) > 0 && !fits(*effect, scene.start))
             throw Error("method-does-not-fit", {{"method", id()}, {"effect", effect->id()}});
     }
     for (const Group &group : scene.groups) {
-        if (group.inertia == Inertia::none)
+        if (group.motion == Motion::prescribed)
             throw Error("needs-inertia", {{"method", id()}});
     }
 }
 
-Phase Implicit::solving(const Scene &scene, double h) const
+Phase ImplicitMethod::solving(const Scene &scene, double h) const
 {
     Phase phase;
     phase.id = "solve";
     phase.title = SIM_TEXT("solve for the new place");
     phase.points = everything(scene);
-    phase.moves = true;
+    phase.consumesAcceleration = true;
     phase.integrates = true;
     phase.regions = {shown(), {"sim/methods/implicit/newton.cpp", "newton"}};
-    const auto equations = std::make_shared<const Equations>(scene, directions());
+    const auto equations = std::make_shared<const Equations>(scene, directionRule());
     for (const EffectPtr &effect : equations->flow().effects()) {
         if (effect->count(scene.start, everything(scene)) == 0)
             continue;
-        phase.within.push_back(effect);
-        for (const Region &shown : effect->regions(directions())) {
+        phase.innerEffects.push_back(effect);
+        for (const Region &shown : effect->regions(directionRule())) {
             if (std::find(phase.regions.begin(), phase.regions.end(), shown) == phase.regions.end())
                 phase.regions.push_back(shown);
         }
@@ -129,26 +130,26 @@ Phase Implicit::solving(const Scene &scene, double h) const
     return phase;
 }
 
-std::vector<Phase> Implicit::phases(const Scene &scene, StepSize size) const
+std::vector<Phase> ImplicitMethod::phases(const Scene &scene, StepSize size) const
 {
     checkFit(scene);
     std::vector<Phase> driversFirst, solve, contacts, driversLast;
     bool leading = true;
     for (const EffectPtr &effect : scene.effects) {
-        const auto driver = shared<Driver>(effect);
+        const auto driver = sharedAs<Driver>(effect);
         leading = leading && driver;
         if (effect->count(scene.start, everything(scene)) == 0)
             continue;
         if (driver && jumps(*driver))
             (leading ? driversFirst : driversLast).push_back(driving(driver, scene, size.h));
-        else if (const auto contact = shared<Contact>(effect))
+        else if (const auto contact = sharedAs<Contact>(effect))
             contacts.push_back(touching(contact, scene));
     }
     Phase whole = solving(scene, size.h);
     bool anyFree = false;
-    for (int i = 0; i < scene.start.points(); ++i)
-        anyFree = anyFree || (scene.start.feels(i) && scene.hasInertia(i));
-    if (anyFree || !whole.within.empty())
+    for (int i = 0; i < scene.start.pointCount(); ++i)
+        anyFree = anyFree || (scene.start.isDynamic(i) && scene.movesByVelocity(i));
+    if (anyFree || !whole.innerEffects.empty())
         solve.push_back(std::move(whole));
     std::vector<Phase> phases;
     const auto add = [&phases](const std::vector<Phase> &more) {

@@ -9,7 +9,7 @@ namespace sim {
 /// spring to rounding at any step. What is stiff it does not damp. Damping enters exactly, half before and half after
 /// (Strang's splitting), which keeps the order.
 /// Source: Hairer, Lubich and Wanner, "Geometric numerical integration", sections II.1.3 and IV.2.1.
-class ImplicitMidpoint : public Implicit
+class ImplicitMidpoint : public ImplicitMethod
 {
 public:
     std::string id() const override { return "implicit_midpoint"; }

@@ -40,22 +40,22 @@ bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbe
 
 }
 
-Equations::Equations(const Scene &scene, Directions directions)
-    : m_flow(scene, directions), m_points(scene.start.points())
+Equations::Equations(const Scene &scene, DirectionRule directionRule)
+    : m_system(scene, directionRule), m_points(scene.start.pointCount())
 {
     const bool turns = scene.start.spin.rows() > 0; // then places follow from angles
-    for (const Flow::Stretch &stretch : m_flow.stretches()) {
-        for (int row = stretch.first; row < stretch.end(); ++row)
-            m_movable.push_back(std::isfinite(stretch.rate) && scene.hasInertia(row % m_points) &&
+    for (const OdeSystem::RateRange &range : m_system.rateRanges()) {
+        for (int row = range.first; row < range.end(); ++row)
+            m_movable.push_back(std::isfinite(range.rate) && scene.movesByVelocity(row % m_points) &&
                                 (!turns || row >= 2 * m_points));
     }
 }
 
 Numbers Equations::kept(double h) const
 {
-    Numbers keep(m_flow.size());
-    for (const Flow::Stretch &stretch : m_flow.stretches())
-        keep.segment(stretch.first, stretch.count) = std::exp(-stretch.rate * h);
+    Numbers keep(m_system.size());
+    for (const OdeSystem::RateRange &range : m_system.rateRanges())
+        keep.segment(range.first, range.count) = std::exp(-range.rate * h);
     return keep;
 }
 
@@ -63,9 +63,9 @@ std::vector<int> Equations::unknowns(const State &state) const
 {
     std::vector<int> numbers(m_movable.size(), -1);
     int next = 0;
-    for (int row = 0; row < m_flow.size(); ++row) {
+    for (int row = 0; row < m_system.size(); ++row) {
         const auto at = static_cast<std::size_t>(row);
-        if (m_movable[at] && state.feels(row % m_points))
+        if (m_movable[at] && state.isDynamic(row % m_points))
             numbers[at] = next++;
     }
     return numbers;
@@ -80,11 +80,11 @@ struct ImplicitStep::Wanted
     const Numbers &share;
 };
 
-ImplicitStep::ImplicitStep(const Equations &equations, State &state, Effort effort)
+ImplicitStep::ImplicitStep(const Equations &equations, State &state, JacobianKind effort)
     : motion{Numbers(equations.flow().size()), Numbers(equations.flow().size())}, m_equations(equations),
       m_state(state), m_effort(effort), m_unknowns(equations.unknowns(state))
 {
-    equations.flow().read(state, motion.x.data(), motion.v.data());
+    equations.flow().readState(state, motion.x.data(), motion.v.data());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] < 0)
             motion.v[static_cast<Eigen::Index>(row)] = 0.0;
@@ -96,9 +96,9 @@ ImplicitStep::ImplicitStep(const Equations &equations, State &state, Effort effo
 Numbers ImplicitStep::pulls(const Numbers &place)
 {
     Numbers a(place.size());
-    m_equations.flow().place(place.data(), m_state);
+    m_equations.flow().writePositions(place.data(), m_state);
     m_equations.flow().accelerations(m_state, a.data());
-    m_state.evaluations += m_state.points();
+    m_state.pointEvaluations += m_state.pointCount();
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] < 0)
             a[static_cast<Eigen::Index>(row)] = 0.0;
@@ -109,8 +109,8 @@ Numbers ImplicitStep::pulls(const Numbers &place)
 /// The velocity that leads to where the state is.
 Numbers ImplicitStep::standing(const Wanted &wanted) const
 {
-    Moving now = motion;
-    m_equations.flow().read(m_state, now.x.data(), now.v.data());
+    UnknownMotion now = motion;
+    m_equations.flow().readState(m_state, now.x.data(), now.v.data());
     Numbers u = Numbers::Zero(now.x.size());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         const auto i = static_cast<Eigen::Index>(row);
@@ -127,16 +127,17 @@ Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
 }
 
 /// How fast what u misses changes with u, where the state is: with 1 on the diagonal, the entries of that matrix.
-std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept) const
+std::vector<Jacobian::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept) const
 {
-    Slopes slopes(m_state.points());
-    m_equations.flow().slopes(m_state, slopes);
-    const std::vector<Slopes::Entry> calm =
-        kept == Kept::calm ? negativeParts(slopes, m_state.points()) : std::vector<Slopes::Entry>();
-    const std::vector<Slopes::Entry> &given = kept == Kept::calm ? calm : slopes.entries();
-    std::vector<Slopes::Entry> entries;
+    Jacobian jacobian(m_state.pointCount());
+    m_equations.flow().jacobian(m_state, jacobian);
+    const std::vector<Jacobian::Entry> calm =
+        kept == Kept::calm ? nearestNegativeSemidefiniteBlocks(jacobian, m_state.pointCount())
+                           : std::vector<Jacobian::Entry>();
+    const std::vector<Jacobian::Entry> &given = kept == Kept::calm ? calm : jacobian.entries();
+    std::vector<Jacobian::Entry> entries;
     entries.reserve(given.size());
-    for (const Slopes::Entry &entry : given) {
+    for (const Jacobian::Entry &entry : given) {
         const int row = m_unknowns[static_cast<std::size_t>(entry.row)];
         const int column = m_unknowns[static_cast<std::size_t>(entry.column)];
         if (row >= 0 && column >= 0)
@@ -147,9 +148,9 @@ std::vector<Slopes::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept
 
 /// What to take off u for what it misses, if that changes by `entries`.
 Numbers ImplicitStep::stepFor(const Numbers &wrong, const Numbers &share,
-                              const std::vector<Slopes::Entry> &entries) const
+                              const std::vector<Jacobian::Entry> &entries) const
 {
-    const int points = m_state.points();
+    const int points = m_state.pointCount();
     Eigen::VectorXd right(m_count), weights(m_count);
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         const auto i = static_cast<Eigen::Index>(row);
@@ -177,7 +178,7 @@ Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
 }
 
 /// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see
-/// negativeParts()), so that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
+/// nearestNegativeSemidefiniteBlocks()), so that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
 /// what misses least of all this and `plain`; see lost() where every way from the start leads out of the finite numbers.
 Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain)
 {
@@ -185,7 +186,7 @@ Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const N
     double least = misses(wanted, plain).abs().maxCoeff();
     Numbers last = Numbers::Constant(u.size(), std::numeric_limits<double>::infinity());
     bool metNoNumber = false;
-    for (int i = 0; i < m_effort.calm; ++i) {
+    for (int i = 0; i < m_effort.projected; ++i) {
         const Numbers wrong = misses(wanted, u);
         const double most = wrong.abs().maxCoeff();
         if (std::isfinite(most) && !(most >= least)) { // also where nothing was finite so far
@@ -236,7 +237,7 @@ Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &s
 Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
 {
     const Wanted wanted{from, drift, reach, share};
-    const int plain = m_effort.plain;
+    const int plain = m_effort.exact;
     // Shown lines are short.
     // clang-format off
     //! [newton]
@@ -267,8 +268,8 @@ Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double re
 
 void ImplicitStep::finish()
 {
-    m_equations.flow().place(motion.x.data(), m_state);
-    m_equations.flow().push(motion.v.data(), m_state);
+    m_equations.flow().writePositions(motion.x.data(), m_state);
+    m_equations.flow().writeVelocities(motion.v.data(), m_state);
 }
 
 }

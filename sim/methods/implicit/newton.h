@@ -13,44 +13,44 @@ using Numbers = Eigen::ArrayXd;
 class Equations
 {
 public:
-    Equations(const Scene &scene, Directions directions);
+    Equations(const Scene &scene, DirectionRule directionRule);
 
-    const Flow &flow() const { return m_flow; }
+    const OdeSystem &flow() const { return m_system; }
     /// What damping leaves of each velocity over `h` frames: e^(-c h), 0 where it stops at once.
     Numbers kept(double h) const;
     /// For each number of q its number among the unknowns, or -1.
     std::vector<int> unknowns(const State &state) const;
 
 private:
-    Flow m_flow;
+    OdeSystem m_system;
     int m_points;
     std::vector<char> m_movable; ///< a number of q each
 };
 
 /// Places (px, degrees) and velocities, in the order of Flow.
-struct Moving
+struct UnknownMotion
 {
     Numbers x;
     Numbers v;
 };
 
 /// How often a step is corrected before it is given up: bounds, as nothing else bounds them.
-struct Effort
+struct JacobianKind
 {
-    int plain = 20; ///< corrections by Newton's method
-    int calm = 60;  ///< then, if those lead nowhere, corrections that leave out what pushes
+    int exact = 20;     ///< corrections by Newton's method
+    int projected = 60; ///< then, if those lead nowhere, corrections that leave out what pushes
 };
 
 /// One step of an implicit method under way.
 class ImplicitStep
 {
 public:
-    ImplicitStep(const Equations &equations, State &state, Effort effort = {});
+    ImplicitStep(const Equations &equations, State &state, JacobianKind effort = {});
 
-    Moving motion;
+    UnknownMotion motion;
 
     /// Takes time on by `h` frames.
-    void tick(double h) { m_equations.flow().tick(m_state, h); }
+    void tick(double h) { m_equations.flow().advanceDrivers(m_state, h); }
     /// What damping leaves of each velocity over `h` frames.
     Numbers kept(double h) const { return m_equations.kept(h); }
     /// All pulls where things are at `place`: px/frame^2, degrees/frame^2.
@@ -79,16 +79,16 @@ private:
         all,  ///< slopes as they are
         calm, ///< those that push left out
     };
-    std::vector<Slopes::Entry> changes(const Wanted &wanted, Kept kept) const;
+    std::vector<Jacobian::Entry> changes(const Wanted &wanted, Kept kept) const;
     Numbers stepFor(const Numbers &wrong, const Numbers &share,
-                    const std::vector<Slopes::Entry> &entries) const;
+                    const std::vector<Jacobian::Entry> &entries) const;
     Numbers calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain);
     Numbers lost(const Wanted &wanted, const Numbers &start);
     Numbers advance(const Wanted &wanted, Numbers &u, const Numbers &step);
 
     const Equations &m_equations;
     State &m_state;
-    Effort m_effort;
+    JacobianKind m_effort;
     std::vector<int> m_unknowns;
     int m_count = 0;
 };

@@ -9,7 +9,7 @@ namespace sim {
 /// can follow hardly at all. Damping enters exactly, half before and half after (Strang's splitting).
 /// Source: Bank et al., "Transient simulation of silicon devices and circuits", 1985; Hosea and Shampine, "Analysis and
 /// implementation of TR-BDF2", 1996.
-class TrBdf2 : public Implicit
+class TrBdf2 : public ImplicitMethod
 {
 public:
     std::string id() const override { return "tr_bdf2"; }

@@ -7,7 +7,7 @@
 namespace sim {
 
 /// A stretch of a run in which no parameter changes: the scene, composed.
-struct Segment
+struct ComposedInterval
 {
     Values values;
     Scene scene;

@@ -22,33 +22,33 @@ bool makeTheSame(const Values &a, const Values &b)
 
 }
 
-Segments::Segments(const Script &script) : m_changes{{0, 0}}
+ComposedIntervals::ComposedIntervals(const Script &script) : m_changes{{0, 0}}
 {
     for (std::size_t i = 0; i < script.input.size(); ++i) {
         const Event &event = script.input[i];
         if (!std::holds_alternative<Set>(event.what))
             continue;
-        const std::int64_t rowEnd = rowEndOf(event.frame, script.step.rowFrames);
-        if (m_changes.back().frame != rowEnd)
-            m_changes.push_back({rowEnd, 0});
+        const std::int64_t outputEnd = outputStepEnd(event.frame, script.step.framesPerOutput);
+        if (m_changes.back().frame != outputEnd)
+            m_changes.push_back({outputEnd, 0});
         m_changes.back().end = i + 1;
     }
 }
 
-void Segments::replace(const Script &script)
+void ComposedIntervals::replace(const Script &script)
 {
-    m_changes = Segments(script).m_changes;
+    m_changes = ComposedIntervals(script).m_changes;
     m_isBegun = false;
     for (Composed &one : m_composed) {
         const Change &change = changeBefore(std::max<std::int64_t>(0, one.from));
-        const bool stays = one.segment && change.frame == one.from &&
-                           makeTheSame(valuesAt(script, change), one.segment->values);
+        const bool stays = one.interval && change.frame == one.from &&
+                           makeTheSame(valuesAt(script, change), one.interval->values);
         if (!stays)
             one = {};
     }
 }
 
-void Segments::check(const Script &script, std::int64_t frame) const
+void ComposedIntervals::check(const Script &script, std::int64_t frame) const
 {
     std::set<std::vector<double>> checked;
     for (const Change &change : m_changes) {
@@ -62,19 +62,19 @@ void Segments::check(const Script &script, std::int64_t frame) const
     }
 }
 
-const Segments::Change &Segments::changeBefore(std::int64_t rowEnd) const
+const ComposedIntervals::Change &ComposedIntervals::changeBefore(std::int64_t outputEnd) const
 {
-    const auto past = std::upper_bound(m_changes.begin(), m_changes.end(), rowEnd,
+    const auto past = std::upper_bound(m_changes.begin(), m_changes.end(), outputEnd,
                                        [](std::int64_t frame, const Change &c) { return frame < c.frame; });
     return *std::prev(past);
 }
 
-bool Segments::isSameStretch(std::int64_t one, std::int64_t other) const
+bool ComposedIntervals::areInSameInterval(std::int64_t one, std::int64_t other) const
 {
     return changeBefore(one).frame == changeBefore(other).frame;
 }
 
-const Values &Segments::valuesAt(const Script &script, const Change &change) const
+const Values &ComposedIntervals::valuesAt(const Script &script, const Change &change) const
 {
     if (!m_isBegun || change.end < m_end) {
         m_values = script.values;
@@ -88,25 +88,26 @@ const Values &Segments::valuesAt(const Script &script, const Change &change) con
     return m_values;
 }
 
-std::shared_ptr<const Segment> Segments::at(const Script &script, std::int64_t rowEnd) const
+std::shared_ptr<const ComposedInterval> ComposedIntervals::at(const Script &script,
+                                                              std::int64_t outputEnd) const
 {
-    const Change &change = changeBefore(rowEnd);
+    const Change &change = changeBefore(outputEnd);
     if (m_composed[0].from == change.frame)
-        return m_composed[0].segment;
+        return m_composed[0].interval;
     std::swap(m_composed[0], m_composed[1]);
     if (m_composed[0].from == change.frame)
-        return m_composed[0].segment;
+        return m_composed[0].interval;
     const Values &values = valuesAt(script, change);
     for (const Composed &one : m_composed) {
-        if (one.segment && makeTheSame(one.segment->values, values)) {
-            m_composed[0] = {change.frame, one.segment};
-            return m_composed[0].segment;
+        if (one.interval && makeTheSame(one.interval->values, values)) {
+            m_composed[0] = {change.frame, one.interval};
+            return m_composed[0].interval;
         }
     }
-    Segment segment{values, sceneOf(script, values), {}};
-    segment.pipeline = compose(segment.scene, *script.method, script.step);
-    m_composed[0] = {change.frame, std::make_shared<const Segment>(std::move(segment))};
-    return m_composed[0].segment;
+    ComposedInterval interval{values, sceneOf(script, values), {}};
+    interval.pipeline = compose(interval.scene, *script.method, script.step);
+    m_composed[0] = {change.frame, std::make_shared<const ComposedInterval>(std::move(interval))};
+    return m_composed[0].interval;
 }
 
 }

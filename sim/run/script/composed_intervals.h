@@ -11,11 +11,11 @@ namespace sim {
 
 /// The segments of a run, each composed when it is asked for: once for all those in which the values are the same, as long
 /// as they are among the last ones.
-class Segments
+class ComposedIntervals
 {
 public:
-    Segments() = default;
-    explicit Segments(const Script &script);
+    ComposedIntervals() = default;
+    explicit ComposedIntervals(const Script &script);
 
     /// Those of `script`, which differs from the one before in its input alone. What stays as it was is not composed
     /// again.
@@ -24,9 +24,9 @@ public:
     /// @throws Error when one does not fit its method
     void check(const Script &script, std::int64_t frame) const;
     /// The segment of the row that ends at `rowEnd`. `script` is the one that these are of.
-    std::shared_ptr<const Segment> at(const Script &script, std::int64_t rowEnd) const;
+    std::shared_ptr<const ComposedInterval> at(const Script &script, std::int64_t outputEnd) const;
     /// Whether no parameter is set between the rows that end at `one` and at `other`.
-    bool isSameStretch(std::int64_t one, std::int64_t other) const;
+    bool areInSameInterval(std::int64_t one, std::int64_t other) const;
 
 private:
     /// Parameters change with the row that ends at `frame`: all events before `end` of the script's input have happened.
@@ -35,7 +35,7 @@ private:
         std::int64_t frame = 0;
         std::size_t end = 0;
     };
-    const Change &changeBefore(std::int64_t rowEnd) const;
+    const Change &changeBefore(std::int64_t outputEnd) const;
     /// The values from `change` on.
     const Values &valuesAt(const Script &script, const Change &change) const;
 
@@ -43,7 +43,7 @@ private:
     struct Composed
     {
         std::int64_t from = -1; ///< frame of its change
-        std::shared_ptr<const Segment> segment;
+        std::shared_ptr<const ComposedInterval> interval;
     };
     /// The segments last asked for, the latest first: those before and after a change are asked for in turn.
     mutable std::array<Composed, 2> m_composed;

@@ -12,9 +12,9 @@ namespace {
 /// What a method has computed ahead holds as long as nothing comes in from outside.
 void forgetAhead(State &state)
 {
-    for (Ahead &ahead : state.ahead)
-        ahead.from = ahead.to = 0.0;
-    state.resting.setZero();
+    for (AdaptiveStep &lastStep : state.adaptiveSteps)
+        lastStep.start = lastStep.end = 0.0;
+    state.restingContacts.setZero();
 }
 
 void letGo(State &state, const Scene &scene)
@@ -34,7 +34,7 @@ void applyHand(State &state, const Scene &scene, const Event &event)
         const int point = scene.find(grab->body);
         if (point < 0)
             return;
-        state.hold = {point, state.at(point)};
+        state.hold = {point, state.positionOf(point)};
         state.inverseMass[point] = 0.0;
     } else if (const Move *move = std::get_if<Move>(&event.what)) {
         if (state.hold.point >= 0)
@@ -47,15 +47,15 @@ void applyHand(State &state, const Scene &scene, const Event &event)
 void apply(State &state, const Scene &scene, const Event &event)
 {
     if (const auto *pointer = std::get_if<Pointer>(&event.what)) {
-        state.outside.pointer = pointer->at;
-        state.outside.pointerDown = pointer->down;
+        state.input.pointer = pointer->at;
+        state.input.pointerDown = pointer->down;
     } else if (const auto *target = std::get_if<Target>(&event.what)) {
-        state.outside.target = target->at;
-        state.outside.newTargets.push_back(target->at);
+        state.input.target = target->at;
+        state.input.newTargets.push_back(target->at);
     } else if (const auto *gust = std::get_if<Gust>(&event.what)) {
-        state.outside.gust = gust->degrees;
+        state.input.gust = gust->degrees;
     } else if (const auto *key = std::get_if<Key>(&event.what)) {
-        state.outside.keys.*key->key = key->down;
+        state.input.keys.*key->key = key->down;
     } else {
         applyHand(state, scene, event);
     }
@@ -70,58 +70,59 @@ auto firstAfter(const Script &script, std::int64_t frame)
 
 }
 
-bool setsParameters(const Script &script, std::int64_t rowEnd)
+bool setsParameters(const Script &script, std::int64_t outputEnd)
 {
-    for (auto event = firstAfter(script, rowEnd - script.step.rowFrames);
-         event != script.input.end() && event->frame <= rowEnd; ++event) {
+    for (auto event = firstAfter(script, outputEnd - script.step.framesPerOutput);
+         event != script.input.end() && event->frame <= outputEnd; ++event) {
         if (std::holds_alternative<Set>(event->what))
             return true;
     }
     return false;
 }
 
-void beginRow(State &state, const Script &script, const std::shared_ptr<const Segment> &before,
-              const std::shared_ptr<const Segment> &now, std::int64_t rowEnd)
+void beginOutputStep(State &state, const Script &script,
+                     const std::shared_ptr<const ComposedInterval> &before,
+                     const std::shared_ptr<const ComposedInterval> &now, std::int64_t outputEnd)
 {
-    const int rowFrames = script.step.rowFrames;
+    const int framesPerOutput = script.step.framesPerOutput;
     if (before != now ||
-        setsParameters(script, rowEnd)) // to the values that it has: they start anew all the same
-        state = carryOver(state, before->scene, now->scene);
+        setsParameters(script, outputEnd)) // to the values that it has: they start anew all the same
+        state = transferState(state, before->scene, now->scene);
     if (state.hold.point >= 0)
         forgetAhead(state);
-    state.frame = rowEnd;
-    state.outside.gust.reset();
-    state.outside.newTargets.clear();
-    for (auto event = firstAfter(script, rowEnd - rowFrames);
-         event != script.input.end() && event->frame <= rowEnd; ++event) {
+    state.frame = outputEnd;
+    state.input.gust.reset();
+    state.input.newTargets.clear();
+    for (auto event = firstAfter(script, outputEnd - framesPerOutput);
+         event != script.input.end() && event->frame <= outputEnd; ++event) {
         apply(state, now->scene, *event);
         forgetAhead(state);
     }
     const int held = state.hold.point;
     if (held < 0)
         return;
-    if (now->scene.start.feels(held) && now->scene.hasInertia(held))
-        state.push(held, (1.0 / rowFrames) * (state.hold.hand - state.at(held)));
+    if (now->scene.start.isDynamic(held) && now->scene.movesByVelocity(held))
+        state.setVelocity(held, (1.0 / framesPerOutput) * (state.hold.hand - state.positionOf(held)));
     state.place(held, state.hold.hand);
 }
 
-std::vector<int> grabbedIn(const Script &script, const Scene &scene, std::int64_t rowEnd)
+std::vector<int> grabbedPoints(const Script &script, const Scene &scene, std::int64_t outputEnd)
 {
     std::vector<int> points;
-    for (auto event = firstAfter(script, rowEnd - script.step.rowFrames);
-         event != script.input.end() && event->frame <= rowEnd; ++event) {
+    for (auto event = firstAfter(script, outputEnd - script.step.framesPerOutput);
+         event != script.input.end() && event->frame <= outputEnd; ++event) {
         if (const Grab *grab = std::get_if<Grab>(&event->what))
             points.push_back(scene.find(grab->body));
     }
     return points;
 }
 
-std::optional<std::int64_t> nextInput(const Script &script, std::int64_t frame)
+std::optional<std::int64_t> nextInputFrame(const Script &script, std::int64_t frame)
 {
     const auto event = firstAfter(script, frame);
     if (event == script.input.end())
         return {};
-    return rowEndOf(event->frame, script.step.rowFrames);
+    return outputStepEnd(event->frame, script.step.framesPerOutput);
 }
 
 }

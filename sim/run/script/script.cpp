@@ -34,9 +34,9 @@ struct Unfit
 
 }
 
-std::int64_t rowEndOf(std::int64_t frame, int rowFrames)
+std::int64_t outputStepEnd(std::int64_t frame, int framesPerOutput)
 {
-    return std::max<std::int64_t>(1, (frame + rowFrames - 1) / rowFrames) * rowFrames;
+    return std::max<std::int64_t>(1, (frame + framesPerOutput - 1) / framesPerOutput) * framesPerOutput;
 }
 
 Scene sceneOf(const Script &script, const Values &values)
@@ -49,14 +49,14 @@ Scene sceneOf(const Script &script, const Values &values)
         if (point < 0)
             continue;
         scene.start.place(point, start.x);
-        if (start.v && scene.start.feels(point) && scene.hasInertia(point))
-            scene.start.push(point, *start.v);
+        if (start.v && scene.start.isDynamic(point) && scene.movesByVelocity(point))
+            scene.start.setVelocity(point, *start.v);
     }
     std::erase_if(scene.effects, [&](const EffectPtr &effect) {
         return std::find(script.effectsOff.begin(), script.effectsOff.end(), effect->id()) !=
                script.effectsOff.end();
     });
-    script.method->prepare(scene.start);
+    script.method->prepareState(scene.start);
     return scene;
 }
 

@@ -101,7 +101,7 @@ struct Script
 
 /// The end of the row whose computation an event of `frame` precedes. Frame 0 is the start: its events come with the first
 /// row.
-std::int64_t rowEndOf(std::int64_t frame, int rowFrames);
+std::int64_t outputStepEnd(std::int64_t frame, int framesPerOutput);
 
 /// The scene of `script` for `values`: built, with its bodies' starts, without the effects that are off.
 /// @throws Error "start-not-finite" (body) when a body's start is no place or no velocity; what build() throws

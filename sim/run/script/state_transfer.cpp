@@ -47,8 +47,8 @@ void carrySpeeds(const State &state, const State &from, State &next)
 /// The motion of point `old` of `state`, for point `row` of `next`.
 void carryMotion(const State &state, int old, State &next, int row)
 {
-    forEachColumn([&](Column kind, auto values) {
-        if (kind == Column::motion)
+    forEachColumn([&](ColumnKind kind, auto values) {
+        if (kind == ColumnKind::motion)
             carryRow(state.*values, old, next.*values, row);
     });
 }
@@ -66,20 +66,20 @@ void turnByStart(const Scene &from, int old, const Scene &to, State &next, int r
 
 }
 
-State carryOver(const State &state, const Scene &from, const Scene &to)
+State transferState(const State &state, const Scene &from, const Scene &to)
 {
     State next = to.start;
     const std::vector<int> olds = sameNames(from, to);
     Vec2 shift;
     int common = 0;
-    for (int i = 0; i < next.points(); ++i) {
+    for (int i = 0; i < next.pointCount(); ++i) {
         const int old = olds[static_cast<std::size_t>(i)];
         if (old < 0)
             continue;
-        shift = shift + (state.at(old) - to.start.at(i));
+        shift = shift + (state.positionOf(old) - to.start.positionOf(i));
         ++common;
     }
-    for (int i = 0; i < next.points(); ++i) {
+    for (int i = 0; i < next.pointCount(); ++i) {
         const int old = olds[static_cast<std::size_t>(i)];
         if (old >= 0) {
             carryMotion(state, old, next, i);
@@ -87,7 +87,7 @@ State carryOver(const State &state, const Scene &from, const Scene &to)
             if (state.hold.point == old)
                 next.hold = {i, state.hold.hand};
         } else if (common > 0) {
-            next.place(i, next.at(i) + (1.0 / common) * shift);
+            next.place(i, next.positionOf(i) + (1.0 / common) * shift);
         }
     }
     if (next.hold.point >= 0)
@@ -95,13 +95,13 @@ State carryOver(const State &state, const Scene &from, const Scene &to)
     for (int i = 0; i < static_cast<int>(next.gait.rows()); ++i)
         carryRow(state.gait, i, next.gait, i);
     carrySpeeds(state, from.start, next);
-    next.gale = state.gale;
+    next.gustExtent = state.gustExtent;
     next.frame = state.frame;
-    next.evaluations = state.evaluations;
-    const bool targetMoved = from.start.outside.target != to.start.outside.target;
-    next.outside = state.outside;
+    next.pointEvaluations = state.pointEvaluations;
+    const bool targetMoved = from.start.input.target != to.start.input.target;
+    next.input = state.input;
     if (targetMoved)
-        next.outside.target = to.start.outside.target;
+        next.input.target = to.start.input.target;
     return next;
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 /// Whether the rows of `points` are the same in two arrays that have one row a point, or none at all.
 template <class Array>
-bool sameRows(const Array &a, const Array &b, Points points)
+bool sameRows(const Array &a, const Array &b, PointRange points)
 {
     if (a.rows() != b.rows() || a.cols() != b.cols())
         return false;
@@ -24,18 +24,18 @@ bool sameRows(const Array &a, const Array &b, Points points)
     return true;
 }
 
-bool sameRows(const State &a, const State &b, Points points)
+bool sameRows(const State &a, const State &b, PointRange points)
 {
     bool same = true;
-    forEachColumn([&](Column kind, auto values) {
-        same = same && (kind == Column::scratch || sameRows(a.*values, b.*values, points));
+    forEachColumn([&](ColumnKind kind, auto values) {
+        same = same && (kind == ColumnKind::scratch || sameRows(a.*values, b.*values, points));
     });
     return same;
 }
 
 }
 
-void BlockSleep::look(const Pipeline &pipeline, const State &before, const State &after)
+void BlockCycleDetector::check(const Pipeline &pipeline, const State &before, const State &after)
 {
     wakeAll();
     if (after.stages.size() > 0)
@@ -43,10 +43,11 @@ void BlockSleep::look(const Pipeline &pipeline, const State &before, const State
     m_asleep.assign(pipeline.blocks.size(), 0);
     bool any = false;
     for (std::size_t i = 0; i < m_asleep.size(); ++i) {
-        const Block &block = pipeline.blocks[i];
+        const CacheBlock &block = pipeline.blocks[i];
         const bool held = block.contains(before.hold.point) || block.contains(after.hold.point);
-        const bool rests = !held && std::all_of(block.runs.begin(), block.runs.end(),
-                                                [&](Points run) { return sameRows(before, after, run); });
+        const bool rests =
+            !held && std::all_of(block.ranges.begin(), block.ranges.end(),
+                                 [&](PointRange range) { return sameRows(before, after, range); });
         m_asleep[i] = rests ? 1 : 0;
         any = any || rests;
     }
@@ -54,7 +55,7 @@ void BlockSleep::look(const Pipeline &pipeline, const State &before, const State
         wakeAll();
 }
 
-void BlockSleep::wake(const Pipeline &pipeline, int point)
+void BlockCycleDetector::wake(const Pipeline &pipeline, int point)
 {
     for (std::size_t i = 0; point >= 0 && i < m_asleep.size(); ++i) {
         if (m_asleep[i] != 0 && pipeline.blocks[i].contains(point))

@@ -16,8 +16,8 @@ double apart(const State &a, const State &b)
         return x.size() == 0 ? 0.0 : static_cast<double>((x - y).abs().maxCoeff());
     };
     double largest = most(a.gait, b.gait);
-    forEachColumn([&](Column kind, auto values) {
-        if (kind == Column::motion)
+    forEachColumn([&](ColumnKind kind, auto values) {
+        if (kind == ColumnKind::motion)
             largest = std::max(largest, most(a.*values, b.*values));
     });
     return largest;
@@ -33,8 +33,8 @@ bool sameNumbers(const Array &a, const Array &b)
 
 }
 
-Sleep::Sleep(std::vector<std::shared_ptr<const State>> states, int rowFrames, std::int64_t evaluations)
-    : m_states(std::move(states)), m_rowFrames(rowFrames), m_evaluations(evaluations),
+Sleep::Sleep(std::vector<std::shared_ptr<const State>> states, int framesPerOutput, std::int64_t evaluations)
+    : m_states(std::move(states)), m_framesPerOutput(framesPerOutput), m_evaluations(evaluations),
       m_isStill(std::all_of(m_states.begin(), m_states.end(), [this](const auto &state) {
           constexpr double seen = 1e-6;
           return apart(*state, *m_states.front()) <= seen;
@@ -44,7 +44,7 @@ Sleep::Sleep(std::vector<std::shared_ptr<const State>> states, int rowFrames, st
 
 std::size_t Sleep::indexAt(std::int64_t frame) const
 {
-    return static_cast<std::size_t>((frame - from()) / m_rowFrames % period());
+    return static_cast<std::size_t>((frame - from()) / m_framesPerOutput % period());
 }
 
 State Sleep::at(std::int64_t frame) const
@@ -59,57 +59,57 @@ void Sleep::take(State &state, std::int64_t frame) const
     const std::size_t index = indexAt(frame);
     if (indexAt(state.frame) != index)
         state = *m_states[index];
-    const std::int64_t rounds = (frame - from()) / m_rowFrames / period();
+    const std::int64_t rounds = (frame - from()) / m_framesPerOutput / period();
     state.frame = frame;
-    state.evaluations = m_states[index]->evaluations + rounds * m_evaluations;
+    state.pointEvaluations = m_states[index]->pointEvaluations + rounds * m_evaluations;
 }
 
 std::size_t Sleep::bytes() const
 {
     std::size_t total = 0;
     for (const auto &state : m_states)
-        total += memoryOf(*state);
+        total += byteSize(*state);
     return total;
 }
 
-std::optional<SleepWatch::Again> SleepWatch::look(const State &state, int rowFrames)
+std::optional<CycleDetector::Again> CycleDetector::check(const State &state, int framesPerOutput)
 {
-    const std::int64_t rows = m_mark ? (state.frame - m_mark->frame) / rowFrames : 0;
-    if (rows > 0 && rows <= longest && runOnAlike(*m_mark, state))
-        return Again{m_mark->frame, state.evaluations - m_mark->evaluations};
+    const std::int64_t rows = m_mark ? (state.frame - m_mark->frame) / framesPerOutput : 0;
+    if (rows > 0 && rows <= longest && continueIdentically(*m_mark, state))
+        return Again{m_mark->frame, state.pointEvaluations - m_mark->pointEvaluations};
     if (rows <= 0 || rows >= longest)
         m_mark = state;
     return {};
 }
 
-void SleepWatch::forget(std::int64_t frame)
+void CycleDetector::forget(std::int64_t frame)
 {
     if (m_mark && m_mark->frame >= frame)
         m_mark.reset();
 }
 
-bool runOnAlike(const State &a, const State &b)
+bool continueIdentically(const State &a, const State &b)
 {
     // First what differs while anything moves: it costs next to nothing.
     bool same = true;
-    forEachColumn([&](Column kind, auto values) {
-        same = same && (kind != Column::motion || sameNumbers(a.*values, b.*values));
+    forEachColumn([&](ColumnKind kind, auto values) {
+        same = same && (kind != ColumnKind::motion || sameNumbers(a.*values, b.*values));
     });
-    if (!same || !sameNumbers(a.gait, b.gait) || a.ahead != b.ahead)
+    if (!same || !sameNumbers(a.gait, b.gait) || a.adaptiveSteps != b.adaptiveSteps)
         return false;
     State later = b;
     later.frame = a.frame;
-    later.evaluations = a.evaluations;
+    later.pointEvaluations = a.pointEvaluations;
     return sameBits(a, later);
 }
 
-EffectPtr keepsAwake(const Pipeline &pipeline, const State &state)
+EffectPtr preventsSleep(const Pipeline &pipeline, const State &state)
 {
     for (const Phase &phase : pipeline.phases) {
-        if (phase.effect && !phase.effect->isTimeless(state))
+        if (phase.effect && !phase.effect->isTimeIndependent(state))
             return phase.effect;
-        for (const EffectPtr &effect : phase.within) {
-            if (!effect->isTimeless(state))
+        for (const EffectPtr &effect : phase.innerEffects) {
+            if (!effect->isTimeIndependent(state))
                 return effect;
         }
     }

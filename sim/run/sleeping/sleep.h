@@ -22,7 +22,7 @@ class Sleep
 public:
     /// `states`: those of one round, at the ends of neighbouring rows. `evaluations`: by how much a round raises
     /// State::evaluations.
-    Sleep(std::vector<std::shared_ptr<const State>> states, int rowFrames, std::int64_t evaluations);
+    Sleep(std::vector<std::shared_ptr<const State>> states, int framesPerOutput, std::int64_t evaluations);
 
     /// The frame at which the round is first seen to begin.
     std::int64_t from() const { return m_states.front()->frame; }
@@ -42,7 +42,7 @@ private:
     std::size_t indexAt(std::int64_t frame) const;
 
     std::vector<std::shared_ptr<const State>> m_states;
-    int m_rowFrames;
+    int m_framesPerOutput;
     std::int64_t m_evaluations;
     bool m_isStill;
 };
@@ -50,7 +50,7 @@ private:
 /// Finds out that a run has come to rest. It remembers one state and compares each that follows with it; after `longest`
 /// rows it takes another one. The comparison mostly ends at the first number.
 /// Source: Brent, "An improved Monte Carlo factorization algorithm", BIT 20, 1980, section 2, with the period bounded.
-class SleepWatch
+class CycleDetector
 {
 public:
     /// The longest round that is noticed, in rows.
@@ -64,7 +64,7 @@ public:
             0; ///< how often forces were computed from there on, see State::evaluations
     };
     /// Looks at `state`, which a run is in at the end of a row of `rowFrames` frames.
-    std::optional<Again> look(const State &state, int rowFrames);
+    std::optional<Again> check(const State &state, int framesPerOutput);
     /// The state that it remembers; null if none.
     const State *mark() const { return m_mark ? &*m_mark : nullptr; }
     /// Forgets what it remembers from `frame` on.
@@ -75,10 +75,10 @@ private:
 };
 
 /// Whether two states run on alike: all bits are the same, but for the number of the frame and State::evaluations.
-bool runOnAlike(const State &a, const State &b);
+bool continueIdentically(const State &a, const State &b);
 
 /// The first effect in `pipeline` that looks at the number of the frame when the scene is in `state`: it keeps awake
 /// what rests. Null if there is none.
-EffectPtr keepsAwake(const Pipeline &pipeline, const State &state);
+EffectPtr preventsSleep(const Pipeline &pipeline, const State &state);
 
 }

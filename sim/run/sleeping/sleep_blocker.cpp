@@ -4,11 +4,12 @@
 
 namespace sim {
 
-Awake awakeBy(const Pipeline &pipeline, const State &state)
+SleepBlocker sleepBlockerOf(const Pipeline &pipeline, const State &state)
 {
-    if (const EffectPtr effect = keepsAwake(pipeline, state))
-        return {Awake::Why::time, effect};
-    return {pipeline.step.adaptive() ? Awake::Why::ownSteps : Awake::Why::nothing, nullptr};
+    if (const EffectPtr effect = preventsSleep(pipeline, state))
+        return {SleepBlocker::Reason::time, effect};
+    return {pipeline.step.isAdaptive() ? SleepBlocker::Reason::adaptiveSteps : SleepBlocker::Reason::nothing,
+            nullptr};
 }
 
 }

@@ -5,18 +5,18 @@
 namespace sim {
 
 /// What keeps a scene from falling asleep when it has come to rest.
-struct Awake
+struct SleepBlocker
 {
-    enum class Why {
-        nothing,  ///< it falls asleep
-        time,     ///< an effect looks at the number of the frame: what is random, say
-        ownSteps, ///< the method chooses its steps: at rest, too, they hardly ever lead to the same bits again
+    enum class Reason {
+        nothing,       ///< it falls asleep
+        time,          ///< an effect looks at the number of the frame: what is random, say
+        adaptiveSteps, ///< the method chooses its steps: at rest, too, they hardly ever lead to the same bits again
     };
-    Why why = Why::nothing;
+    Reason reason = Reason::nothing;
     EffectPtr effect; ///< the one that looks; else null
 };
 
 /// What keeps awake what is computed by `pipeline` and rests in `state`.
-Awake awakeBy(const Pipeline &pipeline, const State &state);
+SleepBlocker sleepBlockerOf(const Pipeline &pipeline, const State &state);
 
 }

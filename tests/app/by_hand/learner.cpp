@@ -217,7 +217,7 @@ void Learner::letGo()
 
 QPoint Learner::freePlaceNear(QPoint place) const
 {
-    const int pointed = m_view.shown().picture.look->pointed;
+    const int pointed = m_view.shown().picture.look->pointerPoint;
     for (const QPoint &way : {QPoint(0, 0), QPoint(0, -1), QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1)}) {
         const QPoint free = place + awayFromBody * way;
         const int body = bodyAt(free);

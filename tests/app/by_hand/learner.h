@@ -54,7 +54,7 @@ public:
     void useMethod(const std::string &id) override;
     void useStep(double h) override;
     void useTolerance(double tolerance) override;
-    void useTiming(lessons::Timing timing) override;
+    void useTiming(lessons::TimeMeasurement timing) override;
     void goTo(std::int64_t frame) override;
     void stepPhases(int count) override;
 

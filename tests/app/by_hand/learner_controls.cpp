@@ -72,13 +72,13 @@ QAbstractButton &Learner::button(const QWidget *part, const QString &name) const
 
 void Learner::step(bool byPhase)
 {
-    const bool mayClick =
-        !m_session.step().can(lessons::Does::pointer) && !m_session.step().can(lessons::Does::target);
+    const bool mayClick = !m_session.step().accepts(lessons::Interaction::pointer) &&
+                          !m_session.step().accepts(lessons::Interaction::target);
     if (!m_view.hasFocus() && mayClick) {
         press(freePlaceNear({awayFromBody, awayFromBody})); // out of a field, and into the picture
         release();
     }
-    if (m_session.isPlaying() && m_session.step().can(lessons::Does::keys))
+    if (m_session.isPlaying() && m_session.step().accepts(lessons::Interaction::keys))
         QTest::keyClick(&m_view,
                         Qt::Key_Space); // a hand has started time, and the arrow keys steer while it runs
     // With the mouse only where the picture does not have the keys.
@@ -103,8 +103,9 @@ void Learner::play(int frames)
 
 void Learner::playInTime(int frames)
 {
-    const std::int64_t end = run().at().frame + frames;
-    const bool arrived = QTest::qWaitFor([&] { return run().at().frame >= end || done(); }, mostMilliseconds);
+    const std::int64_t end = run().cursor().frame + frames;
+    const bool arrived =
+        QTest::qWaitFor([&] { return run().cursor().frame >= end || done(); }, mostMilliseconds);
     if (!arrived)
         throw std::runtime_error("it does not play");
 }
@@ -250,7 +251,7 @@ void Learner::useTolerance(double tolerance)
         throw std::runtime_error("the menu does not have that tolerance");
 }
 
-void Learner::useTiming(lessons::Timing timing)
+void Learner::useTiming(lessons::TimeMeasurement timing)
 {
     m_session.setTiming(std::move(timing));
 }

@@ -13,31 +13,31 @@ namespace {
 constexpr std::size_t mostMovers = 3;
 
 /// The pattern for all rows of q: what does not go on by itself stays.
-Eigen::VectorXcd spread(const Linear &linear, const Eigen::VectorXcd &rows)
+Eigen::VectorXcd spread(const LinearisedScene &linearised, const Eigen::VectorXcd &rows)
 {
-    const State &start = linear.scene.start;
-    Eigen::VectorXcd all = Eigen::VectorXcd::Zero(2 * start.points() + start.angle.rows());
-    for (std::size_t i = 0; i < linear.rows.size(); ++i)
-        all[linear.rows[i]] = rows[static_cast<Eigen::Index>(i)];
+    const State &start = linearised.scene.start;
+    Eigen::VectorXcd all = Eigen::VectorXcd::Zero(2 * start.pointCount() + start.angle.rows());
+    for (std::size_t i = 0; i < linearised.rows.size(); ++i)
+        all[linearised.rows[i]] = rows[static_cast<Eigen::Index>(i)];
     return all;
 }
 
 }
 
-Culprit culpritIn(const Linear &linear, const Eigen::VectorXcd &rows)
+DominantEffect dominantEffectOf(const LinearisedScene &linearised, const Eigen::VectorXcd &rows)
 {
-    const int points = linear.scene.start.points();
-    const Eigen::VectorXcd q = spread(linear, rows);
+    const int points = linearised.scene.start.pointCount();
+    const Eigen::VectorXcd q = spread(linearised, rows);
     // Where a point `of` is from a point `from`, on the axis of `row`.
     const auto apart = [&](int row, int of, int from) {
         const int axis = row / points * points;
         return q[axis + of] - (from < 0 ? 0.0 : q[axis + from]);
     };
     std::map<std::tuple<std::size_t, int, int>, double> work;
-    for (std::size_t i = 0; i < linear.parts.size(); ++i) {
+    for (std::size_t i = 0; i < linearised.parts.size(); ++i) {
         // A link's entry for its own point and the one for its other end add up to nothing; what is left of them pulls to
         // a place.
-        for (const Slopes::Entry &one : linear.parts[i].entries) {
+        for (const Jacobian::Entry &one : linearised.parts[i].entries) {
             const int point = one.row % points, other = one.column % points;
             const auto alone = apart(one.row, point, -1), by = apart(one.column, point, -1);
             work[{i, point, -1}] -= (std::conj(alone) * one.value * by).real();
@@ -53,13 +53,13 @@ Culprit culpritIn(const Linear &linear, const Eigen::VectorXcd &rows)
     if (most == work.end() || !(most->second > 0.0))
         return {};
     const auto &[part, point, other] = most->first;
-    return {linear.parts[part].effect, point, other};
+    return {linearised.parts[part].effect, point, other};
 }
 
-std::vector<int> moversIn(const Linear &linear, const Eigen::VectorXcd &rows)
+std::vector<int> largestMovers(const LinearisedScene &linearised, const Eigen::VectorXcd &rows)
 {
-    const int points = linear.scene.start.points();
-    const Eigen::VectorXcd q = spread(linear, rows);
+    const int points = linearised.scene.start.pointCount();
+    const Eigen::VectorXcd q = spread(linearised, rows);
     std::vector<double> far(static_cast<std::size_t>(points), 0.0);
     for (Eigen::Index row = 0; row < q.size(); ++row)
         far[static_cast<std::size_t>(row % points)] += std::norm(q[row]);

@@ -7,7 +7,7 @@
 namespace sim {
 
 /// The spring, or other effect, that does most in a pattern of motion.
-struct Culprit
+struct DominantEffect
 {
     EffectPtr effect; ///< null where no effect pulls in it
     int point = -1;
@@ -16,9 +16,9 @@ struct Culprit
 
 /// Whose pull does most against the pattern `rows` (of Linear::rows): along a link, how far its ends go apart times the
 /// pull that this makes.
-Culprit culpritIn(const Linear &linear, const Eigen::VectorXcd &rows);
+DominantEffect dominantEffectOf(const LinearisedScene &linearised, const Eigen::VectorXcd &rows);
 
 /// The points that go at least half as far as the one that goes farthest, that one first; three at most.
-std::vector<int> moversIn(const Linear &linear, const Eigen::VectorXcd &rows);
+std::vector<int> largestMovers(const LinearisedScene &linearised, const Eigen::VectorXcd &rows);
 
 }

@@ -41,7 +41,7 @@ Spectrum::Spectrum(int size, const Product &product)
     for (int i = 0; i < rounds; ++i) {
         round(product, start);
         const double off = m_left * std::abs(m_small(m_small.rows() - 1, 0));
-        if (size <= whole || off <= settled * std::abs(m_values.front()))
+        if (size <= maxDenseSize || off <= settled * std::abs(m_values.front()))
             return;
         start.setZero();
         for (Eigen::Index k = 0; k < std::min(blended, m_small.cols()); ++k) {
@@ -66,7 +66,7 @@ void Spectrum::columnByColumn(int size, const Product &product)
 void Spectrum::round(const Product &product, Vector start)
 {
     const Eigen::Index size = start.size();
-    const Eigen::Index most = std::min<Eigen::Index>(size, whole);
+    const Eigen::Index most = std::min<Eigen::Index>(size, maxDenseSize);
     m_basis.resize(size, most);
     Eigen::MatrixXd small = Eigen::MatrixXd::Zero(most, most);
     m_basis.col(0) = start.normalized();

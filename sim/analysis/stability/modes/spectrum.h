@@ -16,7 +16,7 @@ public:
     using Product = std::function<void(const Vector &in, Vector &out)>;
 
     /// Up to this size all eigenvalues are found, exactly but for rounding.
-    static constexpr int whole = 60;
+    static constexpr int maxDenseSize = 60;
 
     /// Of the matrix of `size` rows that `product` multiplies by: the method of Arnoldi from a start that is the same
     /// every time, begun again from the largest ones until they settle (to 1e-6) or for 8 rounds. Where eigenvalues

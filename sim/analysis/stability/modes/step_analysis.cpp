@@ -23,33 +23,33 @@ double ownRateOf(Complex lambda, double c)
     return std::max(0.0, (0.5 * (std::sqrt(c * c + 4.0 * lambda) - c)).real());
 }
 
-Spectrum slopesOf(const Linear &linear)
+Spectrum slopesOf(const LinearisedScene &linearised)
 {
-    const State &start = linear.scene.start;
-    std::vector<int> place(static_cast<std::size_t>(2 * start.points() + start.angle.rows()), -1);
-    for (std::size_t i = 0; i < linear.rows.size(); ++i)
-        place[static_cast<std::size_t>(linear.rows[i])] = static_cast<int>(i);
-    std::vector<Slopes::Entry> entries;
-    for (const LinearPart &part : linear.parts) {
-        for (const Slopes::Entry &one : part.entries) {
+    const State &start = linearised.scene.start;
+    std::vector<int> place(static_cast<std::size_t>(2 * start.pointCount() + start.angle.rows()), -1);
+    for (std::size_t i = 0; i < linearised.rows.size(); ++i)
+        place[static_cast<std::size_t>(linearised.rows[i])] = static_cast<int>(i);
+    std::vector<Jacobian::Entry> entries;
+    for (const LinearPart &part : linearised.parts) {
+        for (const Jacobian::Entry &one : part.entries) {
             const int row = place[static_cast<std::size_t>(one.row)];
             const int column = place[static_cast<std::size_t>(one.column)];
             if (row >= 0 && column >= 0)
                 entries.push_back({row, column, one.value});
         }
     }
-    return {static_cast<int>(linear.rows.size()), [&](const Eigen::VectorXd &in, Eigen::VectorXd &out) {
+    return {static_cast<int>(linearised.rows.size()), [&](const Eigen::VectorXd &in, Eigen::VectorXd &out) {
                 out.setZero(in.size());
-                for (const Slopes::Entry &one : entries)
+                for (const Jacobian::Entry &one : entries)
                     out[one.row] += one.value * in[one.column];
             }};
 }
 
 /// The swings of a scene, one by one.
-class Probed : public Steps
+class ModalAnalysis : public StepAnalysis
 {
 public:
-    Probed(const Linear &linear, const Method &method) : Steps(linear, method)
+    ModalAnalysis(const LinearisedScene &linearised, const Method &method) : StepAnalysis(linearised, method)
     {
         // Of real ones the stiffest decides: it swings fastest, and all are slowed alike. What pushes apart grows in
         // the motion itself.
@@ -81,7 +81,7 @@ public:
         }
         return least;
     }
-    Pattern pattern(double h) const override
+    Mode dominantMode(double h) const override
     {
         if (m_probed.empty())
             return {};
@@ -89,24 +89,24 @@ public:
             *std::max_element(m_probed.begin(), m_probed.end(),
                               [&](std::size_t a, std::size_t b) { return growthOf(a, h) < growthOf(b, h); });
         return {m_slopes.vector(index),
-                probe(m_method, swing(index), m_linear.leastRate(), h).values().front()};
+                modeSpectrum(m_method, swing(index), m_linearised.leastRate(), h).values().front()};
     }
 
 private:
     double growthOf(std::size_t index, double h) const
     {
-        const double c = m_linear.leastRate();
-        return std::log(probe(m_method, swing(index), c, h).radius()) - h * ownRateOf(swing(index), c);
+        const double c = m_linearised.leastRate();
+        return std::log(modeSpectrum(m_method, swing(index), c, h).radius()) - h * ownRateOf(swing(index), c);
     }
 
     std::vector<std::size_t> m_probed;
 };
 
 /// One step of all of it.
-class Whole : public Steps
+class WholeSceneAnalysis : public StepAnalysis
 {
 public:
-    using Steps::Steps;
+    using StepAnalysis::StepAnalysis;
     double growth(double h) const override { return std::log(spectrum(h).radius()) - h * ownRate(); }
     /// Where nothing slows a drift, its place and its velocity share one eigenvalue, and rounding moves such a pair by the
     /// root of its own size.
@@ -115,30 +115,30 @@ public:
     {
         return findLimit([&](double h) { return growth(h); }, std::sqrt(stiffest()), rounding(), 1.25);
     }
-    Pattern pattern(double h) const override
+    Mode dominantMode(double h) const override
     {
         const Spectrum found = spectrum(h);
-        const auto rows = static_cast<Eigen::Index>(m_linear.rows.size());
+        const auto rows = static_cast<Eigen::Index>(m_linearised.rows.size());
         return {found.vector(0).head(rows), found.values().front()};
     }
 
 private:
     Spectrum spectrum(double h) const
     {
-        return StepMap(m_linear, m_method, h, std::sqrt(stiffest())).spectrum();
+        return StepMap(m_linearised, m_method, h, std::sqrt(stiffest())).spectrum();
     }
 };
 
 bool takesGroups(const Method &method)
 {
-    const std::vector<std::string> needs = method.needs();
+    const std::vector<std::string> needs = method.requirements();
     return std::find(needs.begin(), needs.end(), "groups") != needs.end();
 }
 
 }
 
-Steps::Steps(const Linear &linear, const Method &method)
-    : m_linear(linear), m_method(method), m_slopes(slopesOf(linear))
+StepAnalysis::StepAnalysis(const LinearisedScene &linearised, const Method &method)
+    : m_linearised(linearised), m_method(method), m_slopes(slopesOf(linearised))
 {
     const std::vector<Complex> &values = m_slopes.values();
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -150,21 +150,21 @@ Steps::Steps(const Linear &linear, const Method &method)
         if (std::abs(values[i]) <= near || std::any_of(m_swings.begin(), m_swings.end(), isCopy))
             continue;
         m_swings.push_back(i);
-        m_ownRate = std::max(m_ownRate, ownRateOf(swing(i), linear.leastRate()));
+        m_ownRate = std::max(m_ownRate, ownRateOf(swing(i), linearised.leastRate()));
     }
 }
 
-std::complex<double> Steps::swing(std::size_t index) const
+std::complex<double> StepAnalysis::swing(std::size_t index) const
 {
     const Complex value = m_slopes.values()[index];
     return std::abs(value.imag()) <= nearness * std::abs(value) ? Complex(value.real()) : value;
 }
 
-std::unique_ptr<Steps> stepsOf(const Linear &linear, const Method &method)
+std::unique_ptr<StepAnalysis> stepAnalysisOf(const LinearisedScene &linearised, const Method &method)
 {
-    if (takesGroups(method) || !linear.sameRate())
-        return std::make_unique<Whole>(linear, method);
-    return std::make_unique<Probed>(linear, method);
+    if (takesGroups(method) || !linearised.sameRate())
+        return std::make_unique<WholeSceneAnalysis>(linearised, method);
+    return std::make_unique<ModalAnalysis>(linearised, method);
 }
 
 }

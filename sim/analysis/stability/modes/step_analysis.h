@@ -8,18 +8,18 @@
 namespace sim {
 
 /// A pattern of motion, and what one step multiplies it by.
-struct Pattern
+struct Mode
 {
     Eigen::VectorXcd rows; ///< how far each of Linear::rows goes
     std::complex<double> factor;
 };
 
 /// How steps of one method treat the disturbances of one scene. `linear` and `method` must outlive it.
-class Steps
+class StepAnalysis
 {
 public:
-    Steps(const Linear &linear, const Method &method);
-    virtual ~Steps() = default;
+    StepAnalysis(const LinearisedScene &linearised, const Method &method);
+    virtual ~StepAnalysis() = default;
 
     /// The largest |lambda| of the pulls' slopes, in 1/frame^2; 0 where nothing swings.
     double stiffest() const { return m_swings.empty() ? 0.0 : std::abs(m_slopes.values()[m_swings.front()]); }
@@ -32,13 +32,13 @@ public:
     /// The smallest step at which disturbances grow: see findLimit().
     virtual double limit() const = 0;
     /// What grows most, or fades least, at steps of `h` frames.
-    virtual Pattern pattern(double h) const = 0;
+    virtual Mode dominantMode(double h) const = 0;
 
 protected:
     /// 1/frame^2; what is real but for rounding is real.
     std::complex<double> swing(std::size_t index) const;
 
-    const Linear &m_linear;
+    const LinearisedScene &m_linearised;
     const Method &m_method;
     Spectrum m_slopes;                 ///< of the pulls' slopes
     std::vector<std::size_t> m_swings; ///< those of its values that are not 0, and no copies of others
@@ -49,6 +49,6 @@ private:
 
 /// For a method that takes all points at once under one drag: each swing of the scene probed by itself, since such
 /// steps keep them apart. For all others: one step of the whole scene.
-std::unique_ptr<Steps> stepsOf(const Linear &linear, const Method &method);
+std::unique_ptr<StepAnalysis> stepAnalysisOf(const LinearisedScene &linearised, const Method &method);
 
 }

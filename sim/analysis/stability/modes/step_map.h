@@ -14,10 +14,10 @@ public:
     /// Steps of `h` frames, any positive number. Places count `balance` (1/frame) times: with about the fastest swing's
     /// speed, places and velocities are of one size.
     /// @throws Error when the method cannot compute `linear`
-    StepMap(const Linear &linear, const Method &method, double h, double balance);
+    StepMap(const LinearisedScene &linearised, const Method &method, double h, double balance);
 
     /// Numbers in and out: the places of Linear::rows, then their velocities.
-    int size() const { return 2 * static_cast<int>(m_linear.rows.size()); }
+    int size() const { return 2 * static_cast<int>(m_linearised.rows.size()); }
     void operator()(const Eigen::VectorXd &in, Eigen::VectorXd &out);
     /// Its eigenvalues: what a step multiplies each pattern of motion by.
     Spectrum spectrum();
@@ -26,7 +26,7 @@ private:
     double &placeOf(int row);
     double &speedOf(int row);
 
-    const Linear &m_linear;
+    const LinearisedScene &m_linearised;
     Pipeline m_pipeline;
     State m_state;
     double m_balance;
@@ -34,6 +34,6 @@ private:
 
 /// What a step of `h` frames does to a swing x'' = lambda x - c x': the eigenvalues of the method's own step. lambda in
 /// 1/frame^2, c in 1/frame.
-Spectrum probe(const Method &method, std::complex<double> lambda, double c, double h);
+Spectrum modeSpectrum(const Method &method, std::complex<double> lambda, double c, double h);
 
 }

@@ -34,7 +34,7 @@ std::optional<Remedy> smallerStep(const Case &about, const Stability &now)
     found.kind = Remedy::Kind::smallerStep;
     found.method = about.script.method;
     for (const StepSize step : shorterSteps(now.h)) {
-        if (step.h > wellHeld * now.limit)
+        if (step.h > safeShare * now.limit)
             continue;
         found.step = step;
         found.share = step.h / now.limit;
@@ -59,12 +59,12 @@ std::optional<Remedy> moreDamping(const Case &about, const DampRange &range)
     if (held >= grown)
         return {};
     Stability best = withDamping(about, range.parameter, gridded(held));
-    if (!reaches(best, justHeld))
+    if (!reaches(best, marginalShare))
         return {};
     while (grown - held > 1) {
         const int middle = (held + grown) / 2;
         const Stability found = withDamping(about, range.parameter, gridded(middle));
-        if (reaches(found, justHeld)) {
+        if (reaches(found, marginalShare)) {
             held = middle;
             best = found;
         } else {
@@ -99,27 +99,27 @@ std::optional<Remedy> holdingMethod(const Case &about)
     const StepSize step = about.script.step;
     for (const MethodPtr &method : allMethods()) {
         if (method->stepLimit() != StepLimit::stiffness || method->id() == about.script.method->id() ||
-            !method->needs().empty() || !fits(about, *method, step))
+            !method->requirements().empty() || !fits(about, *method, step))
             continue;
         const Stability found =
             stabilityOf(sceneOf(about.script, about.values), about.state, *method, step.h);
-        if (!reaches(found, wellHeld))
+        if (!reaches(found, safeShare))
             continue;
-        const bool better =
-            !best || method->evaluations() < best->method->evaluations() ||
-            (method->evaluations() == best->method->evaluations() && found.share() < best->share - 1e-9);
+        const bool better = !best || method->evaluationsPerStep() < best->method->evaluationsPerStep() ||
+                            (method->evaluationsPerStep() == best->method->evaluationsPerStep() &&
+                             found.share() < best->share - 1e-9);
         if (better)
-            best = Remedy::of(Remedy::Kind::holdingMethod, method, step, found.share());
+            best = Remedy::of(Remedy::Kind::stableMethod, method, step, found.share());
     }
     return best;
 }
 
 std::optional<Remedy> boundlessMethod(const Case &about)
 {
-    for (const MethodPtr &method : boundlessMethods()) {
+    for (const MethodPtr &method : unlimitedMethods()) {
         const StepSize step = stepFor(*method, about.script.step);
         if (fits(about, *method, step))
-            return Remedy::of(Remedy::Kind::boundlessMethod, method, step);
+            return Remedy::of(Remedy::Kind::unlimitedMethod, method, step);
     }
     return {};
 }
@@ -141,12 +141,12 @@ std::vector<StepSize> shorterSteps(double h)
     std::vector<StepSize> steps;
     for (int power = longestStep; power >= shortestStep; --power) {
         if (std::ldexp(1.0, power) < h)
-            steps.push_back(StepSize::of(std::ldexp(1.0, power)));
+            steps.push_back(StepSize::ofLength(std::ldexp(1.0, power)));
     }
     return steps;
 }
 
-std::vector<MethodPtr> boundlessMethods()
+std::vector<MethodPtr> unlimitedMethods()
 {
     std::vector<MethodPtr> methods = allMethods();
     std::erase_if(methods,
@@ -161,7 +161,7 @@ std::vector<MethodPtr> boundlessMethods()
     return methods;
 }
 
-Script mended(const Script &script, const Remedy &remedy)
+Script withRemedy(const Script &script, const Remedy &remedy)
 {
     Script other = script;
     if (!remedy.setsParameter()) {
@@ -187,7 +187,7 @@ std::vector<Remedy> remediesFor(const Script &script, const Values &values, cons
                                 const Stability &now, const DampRange *damp)
 {
     std::vector<Remedy> found;
-    if (now.bound != Bound::stiffness || reaches(now, wellHeld))
+    if (now.bound != Bound::stiffness || reaches(now, safeShare))
         return found;
     const Case about{script, values, state};
     const auto take = [&](const std::optional<Remedy> &one) {

@@ -18,23 +18,24 @@ constexpr double shortestStep = 1.0 / 64; ///< frames, of those that are tried
 double workOf(const Script &script, std::int64_t frame)
 {
     const Scene scene = sceneOf(script, script.values);
-    double perStep = scene.start.points();
+    double perStep = scene.start.pointCount();
     for (const Sticks *sticks : sticksAmong(scene.effects))
         perStep += static_cast<double>(sticks->list().size()) * sticks->iterations();
     return perStep * static_cast<double>(frame) / script.step.h;
 }
 
 /// The worst stick of the last rows up to `frame`.
-std::optional<StickFit> worstOf(const Script &script, std::int64_t frame, const GoesOn &goesOn)
+std::optional<StickFit> worstOf(const Script &script, std::int64_t frame,
+                                const ShouldContinue &shouldContinue)
 try {
     if (workOf(script, frame) > mostWork)
         return {};
     Track track(script, 0);
     StickFit worst;
     for (std::int64_t at = std::max<std::int64_t>(0, frame - fitFrames); at <= frame; ++at) {
-        if (!track.seek({at, 0}, goesOn) || track.stop())
+        if (!track.seek({at, 0}, shouldContinue) || track.stop())
             return {};
-        const StickFit fit = worstStick(track.shown().scene, track.now());
+        const StickFit fit = worstStick(track.interval().scene, track.state());
         if (worst.a < 0 || std::abs(fit.error) > std::abs(worst.error))
             worst = fit;
     }
@@ -53,11 +54,11 @@ std::vector<Remedy> smallerSteps(const Script &script)
     return all;
 }
 
-std::vector<Remedy> morePasses(const Script &script, const PassRange &range)
+std::vector<Remedy> morePasses(const Script &script, const IterationRange &range)
 {
     std::vector<Remedy> all;
     for (double passes = 2.0 * script.values[range.parameter]; passes <= range.most; passes *= 2.0) {
-        all.push_back(Remedy::of(Remedy::Kind::morePasses, script.method, script.step));
+        all.push_back(Remedy::of(Remedy::Kind::moreIterations, script.method, script.step));
         all.back().parameter = range.parameter;
         all.back().value = passes;
     }
@@ -66,11 +67,11 @@ std::vector<Remedy> morePasses(const Script &script, const PassRange &range)
 
 /// The first that leaves sticks as they should be, or else the best if it is worth it.
 void addBest(const std::vector<Remedy> &candidates, const Script &script, std::int64_t frame,
-             const StickFit &now, const GoesOn &goesOn, std::vector<Remedy> &into)
+             const StickFit &now, const ShouldContinue &shouldContinue, std::vector<Remedy> &into)
 {
     std::optional<Remedy> best;
     for (Remedy one : candidates) {
-        const std::optional<StickFit> fit = worstOf(mended(script, one), frame, goesOn);
+        const std::optional<StickFit> fit = worstOf(withRemedy(script, one), frame, shouldContinue);
         if (!fit)
             continue;
         one.stickError = std::abs(fit->error);
@@ -90,7 +91,7 @@ StickFit worstStick(const Scene &scene, const State &state)
     StickFit worst;
     for (const Sticks *sticks : sticksAmong(scene.effects)) {
         for (const Stick &one : sticks->list()) {
-            if (!state.feels(one.a) && !state.feels(one.b))
+            if (!state.isDynamic(one.a) && !state.isDynamic(one.b))
                 continue;
             const double error = stickError(one, state);
             // What is no number is worse than any.
@@ -103,21 +104,21 @@ StickFit worstStick(const Scene &scene, const State &state)
     return worst;
 }
 
-std::optional<StickAdvice> adviseOnSticks(const Script &script, std::int64_t frame, const PassRange *passes,
-                                          const GoesOn &goesOn)
+std::optional<StickAdvice> adviseOnSticks(const Script &script, std::int64_t frame,
+                                          const IterationRange *passes, const ShouldContinue &shouldContinue)
 {
-    const std::optional<StickFit> now = worstOf(script, frame, goesOn);
+    const std::optional<StickFit> now = worstOf(script, frame, shouldContinue);
     if (!now || now->a < 0)
         return {};
     StickAdvice advice;
     advice.now = *now;
     if (std::abs(now->error) <= fitting)
         return advice;
-    if (!script.step.adaptive())
-        addBest(smallerSteps(script), script, frame, *now, goesOn, advice.remedies);
+    if (!script.step.isAdaptive())
+        addBest(smallerSteps(script), script, frame, *now, shouldContinue, advice.remedies);
     if (passes)
-        addBest(morePasses(script, *passes), script, frame, *now, goesOn, advice.remedies);
-    return goesOn() ? std::optional(advice) : std::nullopt;
+        addBest(morePasses(script, *passes), script, frame, *now, shouldContinue, advice.remedies);
+    return shouldContinue() ? std::optional(advice) : std::nullopt;
 }
 
 }

@@ -37,7 +37,7 @@ struct StickAdvice
 /// more passes over the list of sticks, too. Empty where there are no sticks, where a trial would take too long, where the
 /// run does not come to that frame, and when `goesOn` says no.
 /// @param passes the parameter that counts passes; null where the scene has none
-std::optional<StickAdvice> adviseOnSticks(const Script &script, std::int64_t frame, const PassRange *passes,
-                                          const GoesOn &goesOn);
+std::optional<StickAdvice> adviseOnSticks(const Script &script, std::int64_t frame,
+                                          const IterationRange *passes, const ShouldContinue &shouldContinue);
 
 }

@@ -36,21 +36,21 @@ double fastest(const State &state)
 /// radial springs tumbling about at great speed, never farther out and never still: that holds nothing. What grows by a
 /// constant factor a frame, and had left all numbers by then, would be 10^6 times as far out even if its rate were a
 /// fiftieth: the logarithm of the largest number is 709.
-Trial tried(const Script &script, std::int64_t frames, const GoesOn &goesOn)
+Trial tried(const Script &script, std::int64_t frames, const ShouldContinue &shouldContinue)
 try {
     Track track(script, 0);
-    const double far = std::max(calm, 10.0 * farthest(track.now()));
-    const double fast = hurry * std::max({leastExtent, farthest(track.now()), fastest(track.now())});
-    const double points = std::max(1, track.now().points());
+    const double far = std::max(calm, 10.0 * farthest(track.state()));
+    const double fast = hurry * std::max({leastExtent, farthest(track.state()), fastest(track.state())});
+    const double points = std::max(1, track.state().pointCount());
     double phases = 0.0;
     const bool isThere = track.seek({frames, 0}, [&] {
         phases += 1.0;
-        const double forces = static_cast<double>(track.now().evaluations);
-        return points * phases + forces < mostWork && goesOn();
+        const double forces = static_cast<double>(track.state().pointEvaluations);
+        return points * phases + forces < mostWork && shouldContinue();
     });
     if (!isThere)
         return Trial::takesTooLong;
-    const bool isCalm = farthest(track.now()) < far && fastest(track.now()) < fast;
+    const bool isCalm = farthest(track.state()) < far && fastest(track.state()) < fast;
     return !track.stop() && isCalm ? Trial::holds : Trial::fails;
 } catch (const Error &) {
     return Trial::fails; // it does not compose
@@ -69,16 +69,17 @@ std::vector<Remedy> largerTolerances(const Script &script)
     std::vector<Remedy> all;
     double tolerance = toleranceFactor * script.step.tolerance;
     for (; tolerance <= mostTolerance; tolerance *= toleranceFactor)
-        all.push_back(Remedy::of(Remedy::Kind::largerTolerance, script.method, StepSize::within(tolerance)));
+        all.push_back(
+            Remedy::of(Remedy::Kind::largerTolerance, script.method, StepSize::withTolerance(tolerance)));
     return all;
 }
 
 std::vector<Remedy> otherMethods(const Script &script)
 {
     std::vector<Remedy> all;
-    for (const MethodPtr &method : boundlessMethods()) {
+    for (const MethodPtr &method : unlimitedMethods()) {
         if (method->id() != script.method->id())
-            all.push_back(Remedy::of(Remedy::Kind::boundlessMethod, method, stepFor(*method, script.step)));
+            all.push_back(Remedy::of(Remedy::Kind::unlimitedMethod, method, stepFor(*method, script.step)));
     }
     return all;
 }
@@ -122,16 +123,16 @@ std::vector<Remedy> moreDamping(const Script &script, const DampRange &range)
 
 /// The first of `remedies` that is not known to fail: one that holds, or whose trial would take too long.
 void addFirst(const std::vector<Remedy> &remedies, const Script &script, std::int64_t frames,
-              const GoesOn &goesOn, std::vector<Remedy> &into)
+              const ShouldContinue &shouldContinue, std::vector<Remedy> &into)
 {
     for (const Remedy &one : remedies) {
-        const Trial trial = tried(mended(script, one), frames, goesOn);
-        if (!goesOn())
+        const Trial trial = tried(withRemedy(script, one), frames, shouldContinue);
+        if (!shouldContinue())
             return;
         if (trial == Trial::fails)
             continue;
         into.push_back(one);
-        into.back().heldFor = trial == Trial::holds ? frames : 0;
+        into.back().stableFrames = trial == Trial::holds ? frames : 0;
         return;
     }
 }
@@ -139,17 +140,17 @@ void addFirst(const std::vector<Remedy> &remedies, const Script &script, std::in
 }
 
 std::vector<Remedy> remediesAfter(const Script &script, const Stop &stop, const DampRange *damp,
-                                  const GoesOn &goesOn)
+                                  const ShouldContinue &shouldContinue)
 {
     std::vector<Remedy> all;
     const std::int64_t frames = stop.frame + beyond;
-    if (!script.step.adaptive())
-        addFirst(smallerSteps(script), script, frames, goesOn, all);
+    if (!script.step.isAdaptive())
+        addFirst(smallerSteps(script), script, frames, shouldContinue, all);
     else if (stop.reason == StopReason::tooManySteps)
-        addFirst(largerTolerances(script), script, frames, goesOn, all);
+        addFirst(largerTolerances(script), script, frames, shouldContinue, all);
     if (damp)
-        addFirst(moreDamping(script, *damp), script, frames, goesOn, all);
-    addFirst(otherMethods(script), script, frames, goesOn, all);
+        addFirst(moreDamping(script, *damp), script, frames, shouldContinue, all);
+    addFirst(otherMethods(script), script, frames, shouldContinue, all);
     return all;
 }
 

@@ -176,7 +176,7 @@ constexpr std::array<Tableau::Row, 4> middle = {
       96.32455395918828, -39.17726167561544, -149.72683625798564}}};
 
 /// The polynomial of degree 7 in u and x, from both ends and all stages.
-class Dop853Pair : public Pair
+class Dop853Pair : public EmbeddedPair
 {
 public:
     const Tableau &tableau() const override { return m_tableau; }
@@ -199,7 +199,7 @@ public:
         fill(step, step.speed, endSpeed, undamped[12], step.slopes, undamped, columns + 8 * step.size);
     }
 
-    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+    void dense(const double *columns, int size, int first, int end, const DenseTime &when, double *place,
                double *speed) const override
     {
         for (int i = first; i < end; ++i) {
@@ -246,7 +246,7 @@ private:
 
 }
 
-const Pair &dop853Pair()
+const EmbeddedPair &dop853Pair()
 {
     static const Dop853Pair pair;
     return pair;
@@ -256,7 +256,7 @@ namespace {
 
 const StepRule &rule()
 {
-    static const Embedded one(dop853Pair());
+    static const EmbeddedRungeKutta one(dop853Pair());
     return one;
 }
 

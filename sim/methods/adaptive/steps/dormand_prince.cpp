@@ -32,7 +32,7 @@ constexpr Tableau::Row fifthLessFourth = {71. / 57600,      0,         -71. / 16
 constexpr Tableau::Row none{};
 
 /// The polynomial of degree 5 through places, velocities and accelerations at both ends.
-class DormandPrincePair : public Pair
+class DormandPrincePair : public EmbeddedPair
 {
 public:
     const Tableau &tableau() const override { return m_tableau; }
@@ -59,13 +59,13 @@ public:
         }
     }
 
-    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+    void dense(const double *columns, int size, int first, int end, const DenseTime &when, double *place,
                double *speed) const override
     {
         for (int i = first; i < end; ++i) {
-            const Newton at = Newton::at<6>(columns + i, size, when.theta);
+            const NewtonPolynomial at = NewtonPolynomial::at<6>(columns + i, size, when.theta);
             place[i - first] = at.value;
-            speed[i - first] = at.slope / when.h;
+            speed[i - first] = at.derivative / when.h;
         }
     }
 
@@ -75,7 +75,7 @@ private:
 
 }
 
-const Pair &dormandPrincePair()
+const EmbeddedPair &dormandPrincePair()
 {
     static const DormandPrincePair pair;
     return pair;
@@ -85,7 +85,7 @@ namespace {
 
 const StepRule &rule()
 {
-    static const Embedded one(dormandPrincePair());
+    static const EmbeddedRungeKutta one(dormandPrincePair());
     return one;
 }
 

@@ -23,10 +23,10 @@ struct StepData
 
 /// What makes an adaptive Runge-Kutta method: a tableau whose last stage stands at the end of the step, an estimate
 /// of the step's error, and a polynomial between its ends.
-class Pair
+class EmbeddedPair
 {
 public:
-    virtual ~Pair() = default;
+    virtual ~EmbeddedPair() = default;
     virtual const Tableau &tableau() const = 0;
     /// The order of the step.
     virtual int order() const = 0;
@@ -45,18 +45,18 @@ public:
     virtual void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
                            double *columns) const = 0;
     /// As StepRule has it.
-    virtual void dense(const double *columns, int size, int first, int end, const Instant &when,
+    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &when,
                        double *place, double *speed) const = 0;
 };
 
 /// Dormand and Prince's pair of orders 5 and 4; between the ends of a step the polynomial of degree 5 that has their
 /// places, velocities and accelerations.
 /// Source: Dormand and Prince, "A family of embedded Runge-Kutta formulae", 1980.
-const Pair &dormandPrincePair();
+const EmbeddedPair &dormandPrincePair();
 
 /// Hairer and Wanner's pair of order 8, with error estimates of orders 5 and 3, and their polynomial of order 7.
 /// Source: Hairer, Norsett and Wanner, "Solving ordinary differential equations I", sections II.5 and II.6; the
 /// numbers are those of their program DOP853.
-const Pair &dop853Pair();
+const EmbeddedPair &dop853Pair();
 
 }

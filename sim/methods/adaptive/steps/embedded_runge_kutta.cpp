@@ -7,10 +7,10 @@
 namespace sim {
 
 /// The place of a stage, the pull there, and the velocity that belongs to it.
-void Embedded::stage(const Attempt &step, int number, double *place) const
+void EmbeddedRungeKutta::stage(const StepAttempt &step, int number, double *place) const
 {
-    const std::vector<Flow::Stretch> &stretches = step.flow.stretches();
-    const int size = step.flow.size();
+    const std::vector<OdeSystem::RateRange> &stretches = step.system.rateRanges();
+    const int size = step.system.size();
     const auto row = static_cast<std::size_t>(number);
     for (std::size_t i = 0; i < stretches.size(); ++i) {
         const StageWeights &weights = (*step.weights)[i];
@@ -19,22 +19,22 @@ void Embedded::stage(const Attempt &step, int number, double *place) const
         blendRows(speeds(step) + number * size, step.speed, weights.keep[row], slopes(step),
                   weights.speed[row].data(), number, stretches[i].first, stretches[i].end(), size);
     }
-    step.pulls.at(place, step.start + m_pair.tableau().c[row] * step.h, slopes(step) + number * size);
+    step.accelerations.at(place, step.start + m_pair.tableau().c[row] * step.h, slopes(step) + number * size);
 }
 
 // Shown lines are short.
 // clang-format off
 //! [embedded_step]
-double Embedded::attempt(
-    const Attempt &step) const
+double EmbeddedRungeKutta::attempt(
+    const StepAttempt &step) const
 {
-    int size = step.flow.size();
+    int size = step.system.size();
     std::copy_n(step.speed, size,
                 speeds(step));
     std::copy_n(step.slope, size,
                 slopes(step));
     const auto &rows =
-        step.flow.stretches();
+        step.system.rateRanges();
     const auto &table = m_pair.tableau();
     for (std::size_t i = 0;
          i < rows.size(); ++i)
@@ -54,7 +54,7 @@ double Embedded::attempt(
 //! [embedded_step]
 // clang-format on
 
-double Embedded::error(const Attempt &step) const
+double EmbeddedRungeKutta::error(const StepAttempt &step) const
 {
     const double most = estimate(step, m_pair.error());
     if (!std::isfinite(most))
@@ -67,10 +67,10 @@ double Embedded::error(const Attempt &step) const
     return step.h * (lower > 0.0 ? both : most);
 }
 
-double Embedded::estimate(const Attempt &step, const Tableau::Row &weights) const
+double EmbeddedRungeKutta::estimate(const StepAttempt &step, const Tableau::Row &weights) const
 {
-    const std::vector<Flow::Stretch> &stretches = step.flow.stretches();
-    const int steps = m_pair.tableau().stages, size = step.flow.size();
+    const std::vector<OdeSystem::RateRange> &stretches = step.system.rateRanges();
+    const int steps = m_pair.tableau().stages, size = step.system.size();
     double *sum = step.scratch;
     double most = 0.0;
     for (std::size_t n = 0; n < stretches.size(); ++n) {
@@ -81,21 +81,21 @@ double Embedded::estimate(const Attempt &step, const Tableau::Row &weights) cons
             since[j] = keep[j] > 0.0 ? weights[j] * keep[static_cast<std::size_t>(steps) - 1] / keep[j] : 0.0;
         const double *v = speeds(step), *a = slopes(step);
         blendRows(sum, v, 0.0, v, weights.data(), steps, first, end, size);
-        most = std::max(most, largest(sum + first, end - first));
+        most = std::max(most, maxAbs(sum + first, end - first));
         blendRows(sum, a, 0.0, a, since.data(), steps, first, end, size);
-        most = std::max(most, largest(sum + first, end - first));
+        most = std::max(most, maxAbs(sum + first, end - first));
     }
     return most;
 }
 
-void Embedded::makeDense(const Attempt &step) const
+void EmbeddedRungeKutta::makeDense(const StepAttempt &step) const
 {
-    const int size = step.flow.size();
+    const int size = step.system.size();
     for (int i = m_pair.tableau().stages; i < stages(); ++i)
         stage(step, i, step.scratch + size);
     StepData data{step.place, step.speed, speeds(step), slopes(step), size, 0, 0, 0.0, step.h, nullptr};
-    for (std::size_t n = 0; n < step.flow.stretches().size(); ++n) {
-        const Flow::Stretch &rows = step.flow.stretches()[n];
+    for (std::size_t n = 0; n < step.system.rateRanges().size(); ++n) {
+        const OdeSystem::RateRange &rows = step.system.rateRanges()[n];
         data.keep = (*step.weights)[n].keep.data();
         data.first = rows.first;
         data.end = rows.end();
@@ -104,9 +104,9 @@ void Embedded::makeDense(const Attempt &step) const
     }
 }
 
-Instant Embedded::instant(double rate, double h, double theta) const
+DenseTime EmbeddedRungeKutta::instant(double rate, double h, double theta) const
 {
-    return {h, theta, keptOf(rate, h * theta), 0.0, 0.0};
+    return {h, theta, dampingFactor(rate, h * theta), 0.0, 0.0};
 }
 
 }

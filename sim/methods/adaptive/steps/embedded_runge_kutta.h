@@ -7,19 +7,19 @@ namespace sim {
 
 /// Steps by an embedded pair of explicit Runge-Kutta methods. Damping is exact, at any rate of each row: see
 /// StageWeights.
-class Embedded : public StepRule
+class EmbeddedRungeKutta : public StepRule
 {
 public:
-    explicit Embedded(const Pair &pair) : m_pair(pair) {}
+    explicit EmbeddedRungeKutta(const EmbeddedPair &pair) : m_pair(pair) {}
 
     int order() const override { return m_pair.order(); }
     /// The place of a stage; velocity and acceleration of each.
     int scratchColumns() const override { return 2 + 2 * stages(); }
     int denseColumns() const override { return m_pair.denseColumns(); }
-    double attempt(const Attempt &step) const override;
-    void makeDense(const Attempt &step) const override;
-    Instant instant(double rate, double h, double theta) const override;
-    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+    double attempt(const StepAttempt &step) const override;
+    void makeDense(const StepAttempt &step) const override;
+    DenseTime instant(double rate, double h, double theta) const override;
+    void dense(const double *columns, int size, int first, int end, const DenseTime &when, double *place,
                double *speed) const override
     {
         m_pair.dense(columns, size, first, end, when, place, speed);
@@ -27,15 +27,18 @@ public:
 
 private:
     int stages() const { return m_pair.tableau().stages + m_pair.extraStages(); }
-    double *speeds(const Attempt &step) const { return step.scratch + 2 * step.flow.size(); }
-    double *slopes(const Attempt &step) const { return step.scratch + (2 + stages()) * step.flow.size(); }
+    double *speeds(const StepAttempt &step) const { return step.scratch + 2 * step.system.size(); }
+    double *slopes(const StepAttempt &step) const
+    {
+        return step.scratch + (2 + stages()) * step.system.size();
+    }
     /// A stage's velocity and acceleration, at the place that it leaves in `place`.
-    void stage(const Attempt &step, int number, double *place) const;
-    double error(const Attempt &step) const;
+    void stage(const StepAttempt &step, int number, double *place) const;
+    double error(const StepAttempt &step) const;
     /// The largest number that the stages' slopes come to with these weights, px/frame; infinite if one is not finite.
-    double estimate(const Attempt &step, const Tableau::Row &weights) const;
+    double estimate(const StepAttempt &step, const Tableau::Row &weights) const;
 
-    const Pair &m_pair;
+    const EmbeddedPair &m_pair;
 };
 
 }

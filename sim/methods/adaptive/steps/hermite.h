@@ -23,20 +23,20 @@ struct Quintic
 
 /// Value and derivative at s of a polynomial in that form with `terms` coefficients, `apart` numbers apart in memory.
 /// The seventh belongs to s^3 (s - 1)^3.
-struct Newton
+struct NewtonPolynomial
 {
     double value = 0.0;
-    double slope = 0.0;
+    double derivative = 0.0;
 
     template <int terms>
-    static Newton at(const double *coefficients, int apart, double s)
+    static NewtonPolynomial at(const double *coefficients, int apart, double s)
     {
         const double back = s - 1;
         const double nodes[] = {s, s, s, back, back, back};
-        Newton sum = {coefficients[(terms - 1) * apart], 0.0};
+        NewtonPolynomial sum = {coefficients[(terms - 1) * apart], 0.0};
 #pragma GCC unroll 8 // so that several polynomials run side by side
         for (int j = terms - 2; j >= 0; --j) {
-            sum.slope = sum.slope * nodes[j] + sum.value;
+            sum.derivative = sum.derivative * nodes[j] + sum.value;
             sum.value = sum.value * nodes[j] + coefficients[j * apart];
         }
         return sum;

@@ -60,14 +60,14 @@ double growth(double s, double c)
 }
 
 /// Frames since the last whole one when s has passed in `step`; where nothing asks for it, not computed.
-double momentOf(const Attempt &step, double s)
+double momentOf(const StepAttempt &step, double s)
 {
-    return step.flow.ticks() ? step.start + timeOf(s, step.nystrom->rate) : step.start;
+    return step.system.hasContinuousDrivers() ? step.start + timeOf(s, step.nystrom->rate) : step.start;
 }
 
-double *stagesOf(const Attempt &step)
+double *stagesOf(const StepAttempt &step)
 {
-    return step.scratch + 2 * step.flow.size();
+    return step.scratch + 2 * step.system.size();
 }
 
 }
@@ -98,12 +98,12 @@ RungeKuttaNystrom::RungeKuttaNystrom() : m_tableau(eighthOrder()) {}
 // clang-format off
 //! [nystrom_step]
 double RungeKuttaNystrom::attempt(
-    const Attempt &step) const
+    const StepAttempt &step) const
 {
-    int n = step.flow.size();
+    int n = step.system.size();
     NystromWeights &w = *step.nystrom;
     w.set(m_tableau,
-          *step.flow.oneRate(), step.h);
+          *step.system.uniformRate(), step.h);
     double *v = step.scratch + n;
     double *a = stagesOf(step);
     std::copy_n(step.speed, n, v);
@@ -117,7 +117,7 @@ double RungeKuttaNystrom::attempt(
             v, w.place[row].data(),
             i + 1, 0, n, n);
         double s = w.place[row][0];
-        step.pulls.at(x,
+        step.accelerations.at(x,
             momentOf(step, s), a + i * n);
     }
     blendRows(step.endSpeed,
@@ -130,15 +130,15 @@ double RungeKuttaNystrom::attempt(
     //! [nystrom_step]
     double *off = step.scratch;
     blendRows(off, a, 0.0, a, w.placeOff.data(), w.stages, 0, n, n);
-    const double ofPlace = largest(off, n);
+    const double ofPlace = maxAbs(off, n);
     blendRows(off, a, 0.0, a, w.speedOff.data(), w.stages, 0, n, n);
-    return std::max(ofPlace, largest(off, n));
+    return std::max(ofPlace, maxAbs(off, n));
 }
 // clang-format on
 
-void RungeKuttaNystrom::makeDense(const Attempt &step) const
+void RungeKuttaNystrom::makeDense(const StepAttempt &step) const
 {
-    const int n = step.flow.size();
+    const int n = step.system.size();
     const NystromWeights &w = *step.nystrom;
     const double square = w.whole * w.whole;
     const double kept = 1.0 - w.rate * w.whole, grown = growth(w.whole, w.rate);
@@ -154,13 +154,13 @@ void RungeKuttaNystrom::makeDense(const Attempt &step) const
     }
     // With the acceleration in the middle the polynomial has one degree more.
     double *bend = step.scratch + (2 + w.stages) * n;
-    step.pulls.at(middle, momentOf(step, 0.5 * w.whole), bend);
+    step.accelerations.at(middle, momentOf(step, 0.5 * w.whole), bend);
     const double there = square * growth(0.5 * w.whole, w.rate);
     for (int i = 0; i < n; ++i)
-        step.columns[6 * n + i] = Newton::seventh(step.columns + i, n, there * bend[i]);
+        step.columns[6 * n + i] = NewtonPolynomial::seventh(step.columns + i, n, there * bend[i]);
 }
 
-Instant RungeKuttaNystrom::instant(double rate, double h, double theta) const
+DenseTime RungeKuttaNystrom::instant(double rate, double h, double theta) const
 {
     if (rate == 0.0 || std::isinf(rate)) // what is stopped at once stands still
         return {h, theta, 1.0, h, theta};
@@ -168,15 +168,15 @@ Instant RungeKuttaNystrom::instant(double rate, double h, double theta) const
     return {h, theta, 1.0 + until, -all / rate, until / all};
 }
 
-void RungeKuttaNystrom::dense(const double *columns, int size, int first, int end, const Instant &when,
+void RungeKuttaNystrom::dense(const double *columns, int size, int first, int end, const DenseTime &when,
                               double *place, double *speed) const
 {
-    runFast([=] {
+    dispatch([=] {
         SIM_TURNS_ARE_APART
         for (int i = 0; i < end - first; ++i) {
-            const Newton at = Newton::at<7>(columns + first + i, size, when.share);
+            const NewtonPolynomial at = NewtonPolynomial::at<7>(columns + first + i, size, when.share);
             place[i] = at.value;
-            speed[i] = when.kept * at.slope / when.whole;
+            speed[i] = when.kept * at.derivative / when.whole;
         }
     });
 }

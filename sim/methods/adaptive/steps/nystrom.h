@@ -50,12 +50,12 @@ public:
     /// A place, the velocity at the start, the acceleration of each stage, and that in the middle.
     int scratchColumns() const override { return 3 + NystromTableau::stages; }
     int denseColumns() const override { return 7; }
-    std::vector<std::string> needs() const override { return {"one_damping"}; }
-    bool fits(const Flow &flow) const override { return flow.oneRate().has_value(); }
-    double attempt(const Attempt &step) const override;
-    void makeDense(const Attempt &step) const override;
-    Instant instant(double rate, double h, double theta) const override;
-    void dense(const double *columns, int size, int first, int end, const Instant &when, double *place,
+    std::vector<std::string> requirements() const override { return {"one_damping"}; }
+    bool fits(const OdeSystem &system) const override { return system.uniformRate().has_value(); }
+    double attempt(const StepAttempt &step) const override;
+    void makeDense(const StepAttempt &step) const override;
+    DenseTime instant(double rate, double h, double theta) const override;
+    void dense(const double *columns, int size, int first, int end, const DenseTime &when, double *place,
                double *speed) const override;
 
 private:

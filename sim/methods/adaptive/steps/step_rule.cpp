@@ -6,12 +6,12 @@
 
 namespace sim {
 
-double keptOf(double rate, double time)
+double dampingFactor(double rate, double time)
 {
     return rate == 0.0 || std::isinf(rate) ? 1.0 : std::exp(-rate * time);
 }
 
-double largest(const double *numbers, int size)
+double maxAbs(const double *numbers, int size)
 {
     double most = 0.0, sum = 0.0;
     for (int i = 0; i < size; ++i) {

@@ -12,10 +12,10 @@ namespace sim {
 struct NystromWeights;
 
 /// A step in the making. Each pointer leads to Flow::size() numbers, if nothing else is said.
-struct Attempt
+struct StepAttempt
 {
-    Pulls &pulls;
-    const Flow &flow;
+    ContactAccelerations &accelerations;
+    const OdeSystem &system;
     double start = 0.0; ///< frames since the last whole one
     double h = 0.0;     ///< frames
 
@@ -33,7 +33,7 @@ struct Attempt
 };
 
 /// A moment inside a step, as a polynomial needs it.
-struct Instant
+struct DenseTime
 {
     double h = 0.0;     ///< frames, the step's length
     double theta = 0.0; ///< share of it that is over
@@ -56,24 +56,24 @@ public:
     virtual int scratchColumns() const = 0;
     virtual int denseColumns() const = 0;
     /// What it asks of a scene besides smooth equations, as in Method::needs(), and whether these equations have it.
-    virtual std::vector<std::string> needs() const { return {}; }
-    virtual bool fits(const Flow &) const { return true; }
+    virtual std::vector<std::string> requirements() const { return {}; }
+    virtual bool fits(const OdeSystem &) const { return true; }
 
     /// Computes where the step ends. Returns how far it may be off in a place, or in the way of a frame: px; infinite
     /// where numbers stop being finite.
-    virtual double attempt(const Attempt &step) const = 0;
+    virtual double attempt(const StepAttempt &step) const = 0;
     /// Computes the polynomial's columns of a step that attempt() has made, to its ends as they are in `step` now.
-    virtual void makeDense(const Attempt &step) const = 0;
-    virtual Instant instant(double rate, double h, double theta) const = 0;
+    virtual void makeDense(const StepAttempt &step) const = 0;
+    virtual DenseTime instant(double rate, double h, double theta) const = 0;
     /// Place and velocity of the rows from `first` to before `end`, into one number each.
-    virtual void dense(const double *columns, int size, int first, int end, const Instant &when,
+    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &when,
                        double *place, double *speed) const = 0;
 };
 
 /// What damping leaves of a velocity after `time` frames. Rows that it stops at once stand still, so nothing is taken.
-double keptOf(double rate, double time);
+double dampingFactor(double rate, double time);
 
 /// The largest of `size` numbers without their signs; infinite where one is not finite.
-double largest(const double *numbers, int size);
+double maxAbs(const double *numbers, int size);
 
 }

@@ -22,7 +22,7 @@ Eigen::VectorXd probe(Eigen::Index size, std::uint64_t seed)
 
 }
 
-std::optional<SpringMatrix> SpringMatrix::of(const std::vector<Slopes::Entry> &entries,
+std::optional<SpringMatrix> SpringMatrix::of(const std::vector<Jacobian::Entry> &entries,
                                              const Eigen::VectorXd &weights)
 {
     SpringMatrix matrix;
@@ -34,11 +34,11 @@ std::optional<SpringMatrix> SpringMatrix::of(const std::vector<Slopes::Entry> &e
 
 /// Whether both sides of the diagonal give u A v the same sum as v A u, for two vectors that have nothing to do with
 /// any scene.
-bool SpringMatrix::mirrors(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &weights) const
+bool SpringMatrix::mirrors(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &weights) const
 {
     const Eigen::VectorXd u = probe(weights.size(), 1), v = probe(weights.size(), 2);
     double difference = 0.0, all = 0.0;
-    for (const Slopes::Entry &entry : entries) {
+    for (const Jacobian::Entry &entry : entries) {
         const double value = weights[entry.row] * entry.value;
         difference += value * (u[entry.row] * v[entry.column] - v[entry.row] * u[entry.column]);
         all += std::abs(value);
@@ -46,7 +46,7 @@ bool SpringMatrix::mirrors(const std::vector<Slopes::Entry> &entries, const Eige
     return std::abs(difference) <= 1e-12 * all;
 }
 
-void SpringMatrix::gather(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &weights)
+void SpringMatrix::gather(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &weights)
 {
     const auto points = static_cast<int>(weights.size() / 2);
     m_own.resize(static_cast<std::size_t>(points));
@@ -57,7 +57,7 @@ void SpringMatrix::gather(const std::vector<Slopes::Entry> &entries, const Eigen
     const auto add = [](auto &block, bool ofY, bool byY, double value) {
         (ofY ? (byY ? block.yy : block.yx) : (byY ? block.xy : block.xx)) += value;
     };
-    for (const Slopes::Entry &entry : entries) {
+    for (const Jacobian::Entry &entry : entries) {
         const int a = entry.row % points, b = entry.column % points;
         const bool ofY = entry.row >= points, byY = entry.column >= points;
         const double value = weights[entry.row] * entry.value;

@@ -18,7 +18,7 @@ class SpringMatrix
 public:
     /// Rows: x of each point, then y of each. `weights`: what each row is multiplied by. Empty where the two sides of
     /// the diagonal differ by more than rounding, and where a weight is not finite.
-    static std::optional<SpringMatrix> of(const std::vector<Slopes::Entry> &entries,
+    static std::optional<SpringMatrix> of(const std::vector<Jacobian::Entry> &entries,
                                           const Eigen::VectorXd &weights);
 
     int points() const { return static_cast<int>(m_own.size()); }
@@ -41,8 +41,8 @@ private:
         double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
     };
 
-    void gather(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &weights);
-    bool mirrors(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &weights) const;
+    void gather(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &weights);
+    bool mirrors(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &weights) const;
 
     std::vector<Own> m_own;
     std::vector<Between> m_between;

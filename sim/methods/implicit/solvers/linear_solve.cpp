@@ -22,28 +22,28 @@ using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMa
 using Sparse = Eigen::SparseMatrix<double>;
 
 /// 1 on the diagonal, and entries that add up.
-Small denseOf(const std::vector<Slopes::Entry> &entries, int size)
+Small denseOf(const std::vector<Jacobian::Entry> &entries, int size)
 {
     Small matrix = Small::Identity(size, size);
-    for (const Slopes::Entry &entry : entries)
+    for (const Jacobian::Entry &entry : entries)
         matrix(entry.row, entry.column) += entry.value;
     return matrix;
 }
 
-Sparse sparseOf(const std::vector<Slopes::Entry> &entries, int size)
+Sparse sparseOf(const std::vector<Jacobian::Entry> &entries, int size)
 {
     std::vector<Eigen::Triplet<double>> all;
     all.reserve(entries.size() + static_cast<std::size_t>(size));
     for (int i = 0; i < size; ++i)
         all.emplace_back(i, i, 1.0);
-    for (const Slopes::Entry &entry : entries)
+    for (const Jacobian::Entry &entry : entries)
         all.emplace_back(entry.row, entry.column, entry.value);
     Sparse matrix(size, size);
     matrix.setFromTriplets(all.begin(), all.end());
     return matrix;
 }
 
-Eigen::VectorXd byFactors(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right)
+Eigen::VectorXd byFactors(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &right)
 {
     const auto size = static_cast<int>(right.size());
     const Eigen::SparseLU<Sparse> factors(sparseOf(entries, size));
@@ -54,7 +54,7 @@ Eigen::VectorXd byFactors(const std::vector<Slopes::Entry> &entries, const Eigen
 
 }
 
-Solver solverFor(const std::vector<Slopes::Entry> &entries, int size)
+Solver solverFor(const std::vector<Jacobian::Entry> &entries, int size)
 {
     if (size <= mostDense)
         return Solver::dense;
@@ -65,7 +65,7 @@ Solver solverFor(const std::vector<Slopes::Entry> &entries, int size)
     return springs > points + points / 2 ? Solver::conjugate : Solver::sparse;
 }
 
-Eigen::VectorXd solved(const std::vector<Slopes::Entry> &entries, const Eigen::VectorXd &right,
+Eigen::VectorXd solved(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &right,
                        const Eigen::VectorXd &weights)
 {
     const auto size = static_cast<int>(right.size());

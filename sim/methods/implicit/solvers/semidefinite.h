@@ -10,10 +10,10 @@ namespace sim {
 /// rounding, gives the same as the exact one. Units as those of `slope`. A slope that is not finite gives one that is
 /// not finite either.
 /// Source: Higham, "Computing a nearest symmetric positive semidefinite matrix", 1988, theorem 2.1.
-Slope negativePart(Slope slope);
+PairJacobian nearestNegativeSemidefinite(PairJacobian jacobian);
 
-/// Returns the entries of `slopes` (of a scene of `points` points), each pull's block replaced by its negativePart(); in
-/// the order of Slopes::entries(). How a point's pull changes with another point's place has the opposite sign. Angles
+/// Returns the entries of `slopes` (of a scene of `points` points), each pull's block replaced by its nearestNegativeSemidefinite(); in
+/// the order of Jacobian::entries(). How a point's pull changes with another point's place has the opposite sign. Angles
 /// stay as they are.
 ///
 /// A spring that is pressed together pushes its ends further sideways the farther they are off. Without that part the
@@ -21,6 +21,6 @@ Slope negativePart(Slope slope);
 /// that the masses make), and the stability of a step is not mixed up with a motion that grows by itself.
 /// Source: Teran et al., "Robust quasistatic finite elements and flesh simulation", 2005, section 5 (the same for
 /// elements); Choi and Ko, "Stable but responsive cloth", 2002, section 4.2 (for springs).
-std::vector<Slopes::Entry> negativeParts(const Slopes &slopes, int points);
+std::vector<Jacobian::Entry> nearestNegativeSemidefiniteBlocks(const Jacobian &jacobian, int points);
 
 }
