@@ -1,7 +1,7 @@
 #include "app/model/course.h"
 
 #include "app/model/same_run.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QElapsedTimer>

@@ -1,6 +1,6 @@
 #include "app/model/guides.h"
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 

@@ -2,7 +2,7 @@
 
 #include "app/model/picture.h"
 #include "lessons/api/step.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/run/timeline.h"
 
 #include <deque>

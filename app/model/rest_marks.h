@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/scene/rest_target.h"
 #include "sim/scene/scene.h"
 

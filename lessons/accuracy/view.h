@@ -2,7 +2,7 @@
 
 #include "lessons/api/checks/exact_run.h"
 #include "lessons/api/step.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,6 +1,6 @@
 #include "lessons/api/blueprint_of.h"
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/scene/blueprint_draft.h"
 #include "sim/scene/scene.h"
 

@@ -1,6 +1,6 @@
 #include "lessons/api/step.h"
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/methods/methods.h"
 #include "sim/run/script/script.h"
 #include "sim/scene/scene.h"

@@ -5,7 +5,7 @@
 #include "lessons/api/try.h"
 #include "sim/base/vec2.h"
 #include "sim/forward.h"
-#include "sim/scene/region.h"
+#include "sim/scene/explanation.h"
 
 #include <QString>
 

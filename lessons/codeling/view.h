@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lessons/api/step.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include <vector>
 

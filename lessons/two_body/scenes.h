@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/forward.h"
 
 /// One scene and one look a step, each under the same function name, so that the code of two steps differs only in

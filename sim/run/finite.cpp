@@ -58,4 +58,16 @@ bool isFinite(const State &state, ThreadPool &pool)
     return all;
 }
 
+int firstNonFinitePoint(const State &state)
+{
+    const bool clocks = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
+    if (clocks && areFinite(state, {0, state.pointCount()}))
+        return -1;
+    for (int i = 0; i < state.pointCount(); ++i) {
+        if (!areFinite(state, {i, 1}))
+            return i;
+    }
+    return state.pointCount();
+}
+
 }

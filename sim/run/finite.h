@@ -12,4 +12,8 @@ bool areFinite(const State &state, PointRange points);
 /// them among its threads.
 bool isFinite(const State &state, ThreadPool &pool);
 
+/// Returns the first point with a position, velocity, angle, spin or acceleration that is not finite, or -1. A number
+/// that belongs to no point gives the number of points.
+int firstNonFinitePoint(const State &state);
+
 }

@@ -4,7 +4,7 @@
 #include "sim/run/keyframe_store.h"
 #include "sim/run/script/composed_intervals.h"
 #include "sim/run/sleeping/block_cycle_detector.h"
-#include "sim/scene/live.h"
+#include "sim/scene/explanation.h"
 #include "sim/simd/thread_pool.h"
 
 #include <compare>

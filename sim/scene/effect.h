@@ -2,8 +2,7 @@
 
 #include "sim/base/direction.h"
 #include "sim/forward.h"
-#include "sim/scene/live.h"
-#include "sim/scene/region.h"
+#include "sim/scene/explanation.h"
 #include "sim/scene/state.h"
 
 #include <functional>

@@ -1,7 +1,5 @@
 #include "sim/scene/state.h"
 
-#include "sim/run/finite.h"
-
 #include <vector>
 
 namespace sim {
@@ -46,18 +44,6 @@ std::size_t byteSize(const State &state)
     std::size_t total = sizeof(State);
     visitBytes(state, [&](const void *, std::size_t bytes) { total += bytes; });
     return total;
-}
-
-int firstNonFinitePoint(const State &state)
-{
-    const bool clocks = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
-    if (clocks && areFinite(state, {0, state.pointCount()}))
-        return -1;
-    for (int i = 0; i < state.pointCount(); ++i) {
-        if (!areFinite(state, {i, 1}))
-            return i;
-    }
-    return state.pointCount();
 }
 
 int firstStuckPoint(const State &state)

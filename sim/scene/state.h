@@ -191,10 +191,6 @@ bool sameBits(const State &a, const State &b);
 /// How much memory a copy of `state` takes, in bytes.
 std::size_t byteSize(const State &state);
 
-/// The first point with a number (position, velocity, angle, spin, or what is gathered) that is not finite, or -1;
-/// the point count for a number that belongs to no point.
-int firstNonFinitePoint(const State &state);
-
 /// AdaptiveStep::stuck of the first island that has one, or -1.
 int firstStuckPoint(const State &state);
 

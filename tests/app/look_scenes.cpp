@@ -1,6 +1,6 @@
 #include "look_scenes.h"
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/scene/scene.h"
 
 #include <cmath>

@@ -5,7 +5,7 @@
 #include "app/model/guides.h"
 #include "app/model/numbers.h"
 #include "app/model/sentences.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QRegularExpression>

@@ -1,6 +1,6 @@
 // What is measured of a run, and how it is shown.
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "look_scenes.h"
 
 #include "app/model/course.h"

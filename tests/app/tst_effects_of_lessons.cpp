@@ -1,7 +1,7 @@
 // Every effect of every step of every lesson: what it is for, and that the step can be seen and run without it.
 
 #include "app/model/session.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/effects/all_effects.h"
 
 #include <QSettings>

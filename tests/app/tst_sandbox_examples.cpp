@@ -1,7 +1,7 @@
 // The scenes that come with the sandbox: each does what it is there for.
 
 #include "app/model/experiment.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/analysis/energy/stored_energy.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"

@@ -5,7 +5,7 @@
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/label_places.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 

@@ -1,7 +1,7 @@
 // What a look can say, as it is drawn: legs, sticks, skins, tentacles, what is hidden.
 
 #include "app/ui/scene/sticks.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 

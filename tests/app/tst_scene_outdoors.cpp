@@ -2,7 +2,7 @@
 
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/tree_painter.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
 

@@ -1,10 +1,10 @@
 // Pointer, targets and keys that reach the scene.
 
 #include "app/ui/scene/hand.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "look_scenes.h"
 #include "scene_bench.h"
-#include "sim/scene/input_reader.h"
+#include "sim/effects/drivers/input_reader.h"
 
 #include <QTemporaryDir>
 #include <QtTest>

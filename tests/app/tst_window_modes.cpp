@@ -1,7 +1,7 @@
 // The window in its modes, and at rest: what it shows beside the scene, and that nothing runs in vain.
 
 #include "app/ui/window/main_window.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "quick_bench.h"
 
 #include <QDockWidget>

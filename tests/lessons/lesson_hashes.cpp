@@ -4,6 +4,7 @@
 //   lesson_hashes 1    each row is computed phase by phase, by one thread, what hangs together at a time
 //   lesson_hashes 2    the same by two threads
 
+#include "sim/run/finite.h"
 #include "sim/run/script/composed_interval.h"
 #include "tests/lessons/support.h"
 #include "tests/sizes.h"

@@ -1,5 +1,5 @@
 #include "lessons/api/creature.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/analysis/accuracy/study.h"
 #include "sim/analysis/stability/stability.h"
 #include "sim/effects/contacts/walls.h"

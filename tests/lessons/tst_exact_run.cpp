@@ -2,7 +2,7 @@
 
 #include "lessons/api/checks/budget.h"
 #include "lessons/api/checks/exact_run.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/methods/methods.h"
 #include "sim/run/script/script.h"
 #include "sim/run/track.h"

@@ -1,4 +1,4 @@
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
 #include "sim/scene/scene.h"

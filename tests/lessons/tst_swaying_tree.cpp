@@ -1,4 +1,4 @@
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/base/direction.h"
 #include "sim/effects/tree/tree_wind.h"
 #include "sim/run/script/composed_interval.h"

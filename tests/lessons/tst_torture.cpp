@@ -1,6 +1,6 @@
 // The torture panel: each hard case under any method, with a note on what the method claims and what came of it.
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/catalogue/hard_cases.h"
 #include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"

@@ -1,4 +1,5 @@
 #include "sim/base/error.h"
+#include "sim/run/finite.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
 #include "tests/lessons/support.h"

@@ -1,4 +1,4 @@
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/effects/drivers/gust.h"
 #include "sim/effects/tree/wind_torque.h"
 #include "sim/run/script/composed_interval.h"

@@ -1,4 +1,4 @@
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 #include "tests/lessons/support.h"

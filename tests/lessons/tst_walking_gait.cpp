@@ -1,4 +1,4 @@
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "tests/lessons/attempts.h"
 #include "tests/lessons/published_files.h"
 #include "tests/lessons/walking_tutorial.h"

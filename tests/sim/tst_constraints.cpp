@@ -9,6 +9,7 @@
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/room_limits.h"
 #include "sim/methods/methods.h"
+#include "sim/run/finite.h"
 #include "sim/run/track.h"
 #include "sim/scenes/sticks.h"
 

@@ -1,5 +1,6 @@
 // The direction between two points, and the rule for two points in one place.
 
+#include "sim/run/finite.h"
 #include "sim/scene/scene.h"
 #include "support.h"
 

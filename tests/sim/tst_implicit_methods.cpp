@@ -2,6 +2,7 @@
 
 #include "implicit_scenes.h"
 #include "sim/pipeline/pipeline.h"
+#include "sim/run/finite.h"
 #include "support.h"
 
 #include "sim/base/error.h"

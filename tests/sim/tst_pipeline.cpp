@@ -1,6 +1,7 @@
 // How a scene and a method become the phases of a frame.
 
 #include "sim/pipeline/pipeline.h"
+#include "sim/run/finite.h"
 #include "support.h"
 
 #include "sim/base/error.h"

@@ -1,6 +1,7 @@
 // What keeps runs whole where they would break: each safeguard beside what happens without it.
 
 #include "sim/pipeline/pipeline.h"
+#include "sim/run/finite.h"
 #include "support.h"
 
 #include "sim/base/direction.h"

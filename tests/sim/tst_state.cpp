@@ -1,5 +1,6 @@
 // State: what is compared, counted and found.
 
+#include "sim/run/finite.h"
 #include "support.h"
 
 #include <QTest>

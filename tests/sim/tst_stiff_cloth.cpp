@@ -7,6 +7,7 @@
 #include "sim/methods/implicit/solvers/linear_solve.h"
 #include "sim/methods/methods.h"
 #include "sim/methods/ode_system.h"
+#include "sim/run/finite.h"
 #include "sim/scenes/cloth.h"
 
 #include <Eigen/Dense>

@@ -1,5 +1,6 @@
 // When numbers stop being finite: the run ends at the last finite frame and says what went first.
 
+#include "sim/run/finite.h"
 #include "sim/run/script/composed_interval.h"
 #include "support.h"
 

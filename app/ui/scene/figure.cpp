@@ -1,7 +1,7 @@
 #include "app/ui/scene/figure.h"
 
 #include "app/ui/scene/crowd.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "app/ui/scene/free_area.h"
 #include "app/ui/scene/label_places.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include <algorithm>
 #include <cmath>

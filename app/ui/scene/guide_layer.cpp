@@ -3,7 +3,7 @@
 #include "app/ui/scene/guide_labels.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/wind_guide.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include <cmath>
 #include <numbers>

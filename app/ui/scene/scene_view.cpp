@@ -5,7 +5,7 @@
 #include "app/ui/scene/body_text.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/reference_marks.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/run/phase_before.h"
 #include "sim/run/script/composed_interval.h"
 

@@ -1,6 +1,6 @@
 #include "app/ui/scene/shown.h"
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include <QCoreApplication>
 

@@ -1,6 +1,6 @@
 #include "app/ui/scene/sky.h"
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/base/random.h"
 
 #include <QPainterPath>

@@ -3,7 +3,7 @@
 #include "app/ui/scene/figure.h"
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/material.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include <algorithm>
 #include <cmath>

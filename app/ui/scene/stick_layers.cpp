@@ -3,7 +3,7 @@
 #include "app/ui/scene/layers.h"
 #include "app/ui/scene/material.h"
 #include "app/ui/scene/sticks.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 
 #include "sim/effects/constraints/stick.h"
 

@@ -1,7 +1,7 @@
 #include "app/ui/scene/tools.h"
 
+#include "sim/effects/drivers/input_reader.h"
 #include "sim/run/script/composed_interval.h"
-#include "sim/scene/input_reader.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include "app/ui/scene/crowd.h"
 #include "app/ui/scene/sky.h"
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/base/random.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "lessons/api/view/tree_view.h"
 
-#include "lessons/api/view/scene_view.h"
+#include "lessons/api/view/view.h"
 #include "sim/effects/tree/tree.h"
 
 namespace lessons {

@@ -1,4 +1,5 @@
 #include "sim/analysis/cost/timing_batch.h"
+#include "sim/run/finite.h"
 
 #include <algorithm>
 #include <cmath>

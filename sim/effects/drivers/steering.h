@@ -1,7 +1,7 @@
 #pragma once
 
+#include "sim/effects/drivers/input_reader.h"
 #include "sim/effects/effect_description.h"
-#include "sim/scene/input_reader.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 #pragma once
 
+#include "sim/effects/drivers/input_reader.h"
 #include "sim/effects/effect_description.h"
 #include "sim/effects/tree/tree.h"
-#include "sim/scene/input_reader.h"
 
 namespace sim {
 

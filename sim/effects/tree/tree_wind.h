@@ -1,9 +1,9 @@
 #pragma once
 
 #include "sim/base/direction.h"
+#include "sim/effects/drivers/input_reader.h"
 #include "sim/effects/effect_description.h"
 #include "sim/effects/tree/tree.h"
-#include "sim/scene/input_reader.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "sim/effects/drivers/gust.h"
+#include "sim/effects/drivers/input_reader.h"
 #include "sim/effects/effect_description.h"
 #include "sim/effects/tree/torsion.h"
 #include "sim/effects/tree/tree.h"
-#include "sim/scene/input_reader.h"
 
 #include <algorithm>
 
