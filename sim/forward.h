@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-// Types that interfaces only pass on: a header that names one of them by reference or pointer needs no more than this.
+// Forward declarations for headers that use these types only by reference or pointer.
 
 namespace sim {
 
@@ -26,7 +26,7 @@ struct Stick;
 struct BlueprintDraft;
 struct Tree;
 
-/// Whether somebody still waits for what may take long; asked now and then on the way.
+/// Returns false to cancel a long computation, which calls it from time to time.
 using ShouldContinue = std::function<bool()>;
 
 using EffectPtr = std::shared_ptr<const Effect>;

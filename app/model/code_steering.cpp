@@ -26,7 +26,7 @@ constexpr double choicesWay = 24.0;  ///< px
 /// A number with the decimals that the parameter is shown with.
 double rounded(const lessons::Parameter &parameter, double value)
 {
-    return QString::number(value, 'f', parameter.hasWholeValues() ? 0 : parameter.decimals).toDouble();
+    return QString::number(value, 'f', parameter.isInteger ? 0 : parameter.decimals).toDouble();
 }
 
 }
@@ -87,10 +87,9 @@ double typedValue(const lessons::Parameter &parameter, const QString &text)
     bool isNumber = false;
     const double value = QLocale::c().toDouble(plain, &isNumber);
     const bool fits = isNumber && std::isfinite(value) && value >= parameter.min && value <= parameter.max;
-    if (!fits || (parameter.hasWholeValues() && value != std::round(value)))
-        throw Refusal((parameter.hasWholeValues()
-                           ? Text::tr("%1 can be a whole number from %2 to %3, and not %4.")
-                           : Text::tr("%1 can be a number from %2 to %3, and not %4."))
+    if (!fits || (parameter.isInteger && value != std::round(value)))
+        throw Refusal((parameter.isInteger ? Text::tr("%1 can be a whole number from %2 to %3, and not %4.")
+                                           : Text::tr("%1 can be a number from %2 to %3, and not %4."))
                           .arg(parameter.name, writtenNumber(parameter.min, 0),
                                writtenNumber(parameter.max, 0), quoted(text)));
     return value;
@@ -101,7 +100,7 @@ QString typedText(const lessons::Parameter &parameter, double value)
     const auto choice = static_cast<qsizetype>(std::lround(value));
     if (choice >= 0 && choice < parameter.choices.size())
         return parameter.choices[choice];
-    return writtenNumber(value, parameter.hasWholeValues() ? 0 : parameter.decimals);
+    return writtenNumber(value, parameter.isInteger ? 0 : parameter.decimals);
 }
 
 }

@@ -187,9 +187,7 @@ QString shownParameter(const lessons::Parameter &parameter, double value)
     const auto choice = static_cast<qsizetype>(std::lround(value));
     if (choice >= 0 && choice < parameter.choices.size())
         return parameter.choices[choice];
-    return QLocale::c()
-        .toString(value, 'f', parameter.hasWholeValues() ? 0 : parameter.decimals)
-        .replace('-', u'−');
+    return QLocale::c().toString(value, 'f', parameter.isInteger ? 0 : parameter.decimals).replace('-', u'−');
 }
 
 }

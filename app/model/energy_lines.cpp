@@ -168,9 +168,9 @@ std::vector<EnergyLine> EnergyLines::energyAt(std::int64_t frame) const
         line.amount = cleaned(balance->energy[account], m_scale);
         line.number = signedEnergyNumber(line.amount);
         if (line.role == EnergyRole::drift) {
-            line.doubt = balance->doubt;
-            if (line.doubt > 0.05 * std::abs(line.amount) && line.doubt > 1e-9 * m_scale)
-                line.number += QStringLiteral(" ± ") + size(line.doubt);
+            line.errorEstimate = balance->errorEstimate;
+            if (line.errorEstimate > 0.05 * std::abs(line.amount) && line.errorEstimate > 1e-9 * m_scale)
+                line.number += QStringLiteral(" ± ") + size(line.errorEstimate);
         }
         lines.push_back(line);
     }

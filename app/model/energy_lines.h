@@ -27,7 +27,7 @@ struct EnergyLine
     sim::EffectKind kind = sim::EffectKind::motion; ///< for its colour
     double amount = 0.0;                            ///< energy; of momentum the part along x
     double across = 0.0;                            ///< of momentum the part along y (down)
-    double doubt = 0.0;                             ///< by how much it may be off
+    double errorEstimate = 0.0;                     ///< by how much it may be off
     /// "+125.7", "22.5", "+6.8 ± 0.2"; of momentum "+3.1, −0.4".
     QString number;
 };

@@ -62,7 +62,7 @@ QByteArray energyTable(const EnergyCourse &course)
             append(text, held);
         for (const sim::AccountName &name : sim::accountNames())
             append(text, balance.energy[name.account]);
-        append(text, balance.doubt);
+        append(text, balance.errorEstimate);
     });
 }
 

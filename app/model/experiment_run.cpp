@@ -98,7 +98,7 @@ private:
 
     void refuseWhatNoStepHas() const
     {
-        const bool isBuilt = m_step.points == lessons::PointsFrom::scene;
+        const bool isBuilt = m_step.points == lessons::PointSource::scene;
         if (const JsonValue *scene = m_fields.find("scene"); scene && !isBuilt)
             refuse(m_file, scene->line,
                    tr("\"scene\" does not go with a lesson's step, which has its own; remove it, and change "
@@ -109,7 +109,7 @@ private:
             refuse(m_file, links->line,
                    tr("the step %1 has its sticks in \"scene\"; move \"links\" there and call it \"sticks\".")
                        .arg(quoted(m_step.id)));
-        if (links && m_step.points != lessons::PointsFrom::file && !listOf(m_file, *links, "links").empty())
+        if (links && m_step.points != lessons::PointSource::file && !listOf(m_file, *links, "links").empty())
             refuse(m_file, links->line,
                    tr("the step %1 has no sticks; remove \"links\".").arg(quoted(m_step.id)));
     }
@@ -152,7 +152,7 @@ private:
     /// Points and sticks of the file's own, where the step takes them: scenes are made from them.
     void readPoints()
     {
-        if (m_step.points != lessons::PointsFrom::file)
+        if (m_step.points != lessons::PointSource::file)
             return;
         const JsonValue *bodies = m_fields.find("bodies");
         if (bodies && countPoints(m_file, *bodies) > 0)

@@ -34,7 +34,7 @@ QStringList librariesIn(const QString &folder)
 
 bool isWorkshop(const LessonEntry &entry)
 {
-    return entry.steps.front().points == lessons::PointsFrom::scene;
+    return entry.steps.front().points == lessons::PointSource::scene;
 }
 
 }

@@ -49,9 +49,9 @@ double parameterValue(const QString &file, const JsonValue &value, const lessons
         return choiceOf(file, value, parameter);
     const double number = numberOf(file, value, parameter.id);
     const bool fits = number >= parameter.min && number <= parameter.max;
-    if (fits && !(parameter.hasWholeValues() && number != std::floor(number)))
+    if (fits && !(parameter.isInteger && number != std::floor(number)))
         return number;
-    const QString possible = parameter.hasWholeValues()
+    const QString possible = parameter.isInteger
                                  ? Text::tr("%1 is %2; it can be a whole number from %3 to %4.")
                                  : Text::tr("%1 is %2; it can be %3 to %4.");
     refuse(file, value.line,

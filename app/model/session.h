@@ -163,7 +163,7 @@ public:
 
     // A scene that the learner builds
     /// Whether the open step takes a scene that is built.
-    bool isWorkshop() const { return step().points == lessons::PointsFrom::scene; }
+    bool isWorkshop() const { return step().points == lessons::PointSource::scene; }
     /// What the scene is built from; null where a lesson sets it up.
     std::shared_ptr<const sim::Blueprint> blueprint() const { return m_timeline->script().values.blueprint; }
     /// Puts another blueprint in its place, and goes to the start of the run. A scene that cannot be is refused in a

@@ -53,7 +53,7 @@ void Session::setParameter(const QString &id, double value)
     if (!declared)
         return;
     value = std::clamp(value, declared->min, declared->max);
-    if (declared->hasWholeValues())
+    if (declared->isInteger)
         value = std::round(value);
     const double was = parameter(id);
     if (value == was)

@@ -109,8 +109,8 @@ StabilityReading StabilityWatch::readingOf(const Subject &about, const std::opti
         reading.remedies = sim::remediesFor(about.script, about.interval->values, about.state,
                                             reading.stability, offers->damping ? &*offers->damping : nullptr);
         reading.sticks =
-            sim::adviseOnSticks(about.script, about.frame, offers->passes ? &*offers->passes : nullptr,
-                                [job] { return !job->stop; });
+            sim::stickAdvice(about.script, about.frame, offers->passes ? &*offers->passes : nullptr,
+                             [job] { return !job->stop; });
     } catch (const sim::Error &) {
         reading.stability.bound = sim::Bound::unknown; // no such scene: the session says why
     }

@@ -24,8 +24,8 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Accuracy)
 };
 
-/// The length of the method's steps in frames; infinite for a method that chooses its own.
-double stepOf(const Timeline &run)
+/// Returns the length of the method's steps in frames. Infinite for adaptive steps.
+double stepLength(const Timeline &run)
 {
     const sim::StepSize &step = run.script().step;
     return step.isAdaptive() ? std::numeric_limits<double>::infinity() : step.h;
@@ -36,28 +36,28 @@ bool isAdaptive(const Timeline &run)
     return run.script().step.isAdaptive();
 }
 
-/// Whether the cursor stands between two frames.
+/// Returns whether the cursor is between two frames, after frame 0.
 bool isBetweenFrames(const Timeline &run)
 {
     return run.cursor().phase == 0 && run.cursor().frame > 0;
 }
 
-/// Whether nothing but method and step was changed.
-bool isAsGiven(const Timeline &run, const Values &presets)
+/// Returns whether the learner has changed nothing but method and step.
+bool isUnchanged(const Timeline &run, const Values &defaultValues)
 {
     const sim::Script &script = run.script();
-    return script.values == presets && script.input.empty() && script.bodies.empty() &&
+    return script.values == defaultValues && script.input.empty() && script.bodies.empty() &&
            script.effectsOff.empty();
 }
 
-/// px at the cursor, between two frames.
-double offBy(const Exact &exact, const Timeline &run)
+/// Returns the error at the cursor, in px. NaN inside a frame.
+double errorOf(const Exact &exact, const Timeline &run)
 {
     return isBetweenFrames(run) ? exact->distance(run.script(), run.state(), run.cursor().frame)
                                 : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Percent at the cursor, between two frames.
+/// Returns the energy drift at the cursor, in percent. NaN inside a frame.
 double driftOf(const Exact &exact, const Timeline &run)
 {
     return isBetweenFrames(run)
@@ -65,18 +65,18 @@ double driftOf(const Exact &exact, const Timeline &run)
                : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// How often a frame has computed all forces, on the average from the start to the cursor.
-double averageComputations(const Timeline &run)
+/// Returns the average number of force evaluations per frame, from the start to the cursor.
+double averageForceEvaluations(const Timeline &run)
 {
     if (isAdaptive(run))
         return run.state().forceEvaluations() /
                static_cast<double>(std::max<std::int64_t>(1, run.cursor().frame));
-    return computations(run.script(), run.state(), nullptr);
+    return forceEvaluations(run.script(), run.state(), nullptr);
 }
 
 Condition stepIs(double h, const QString &todo = {})
 {
-    return {[h](const Timeline &run) { return stepOf(run) == h; }, todo};
+    return {[h](const Timeline &run) { return stepLength(run) == h; }, todo};
 }
 
 Condition oneFrameSteps()
@@ -89,7 +89,7 @@ Condition adaptive(const QString &todo = {})
     return {isAdaptive, todo};
 }
 
-/// The run stands at exactly that frame, between two.
+/// The cursor is exactly at `frame`.
 Condition exactlyAt(std::int64_t frame)
 {
     return {
@@ -100,33 +100,34 @@ Condition exactlyAt(std::int64_t frame)
         [](const Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
 }
 
-Condition asGiven(const Values &presets)
+Condition unchanged(const Values &defaultValues)
 {
-    return {[presets](const Timeline &run) { return isAsGiven(run, presets); },
+    return {[defaultValues](const Timeline &run) { return isUnchanged(run, defaultValues); },
             Text::tr("start the step afresh (**Ctrl+R**), and choose nothing but method and step.")};
 }
 
-Condition lessOffThan(const Exact &exact, double most, int decimals)
+Condition errorBelow(const Exact &exact, double max, int decimals)
 {
-    return {[exact, most](const Timeline &run) { return offBy(exact, run) < most; },
+    return {[exact, max](const Timeline &run) { return errorOf(exact, run) < max; },
             Text::tr("try another method or step. This one is %1 px off."),
-            [exact](const Timeline &run) { return offBy(exact, run); }, decimals};
+            [exact](const Timeline &run) { return errorOf(exact, run); }, decimals};
 }
 
-Condition driftReaches(const Exact &exact, double percent)
+Condition driftAtLeast(const Exact &exact, double percent)
 {
     return atLeast(
         percent, [exact](const Timeline &run) { return driftOf(exact, run); },
         Text::tr("play on. The drift is %1 %."));
 }
 
-/// The method `id` with steps of 1/16 frame comes to frame 60.
+/// The run uses the method `id` with steps of 1/16 frame, and the cursor is at frame 60.
 Conditions toFrame60By(const char *id, const QString &choose)
 {
     return {stepIs(1.0 / 16), runsMethod(id, choose), exactlyAt(60)};
 }
 
-double footFromStart(const Timeline &run)
+/// Returns the distance of the foot from the centre, in px.
+double footFromCentre(const Timeline &run)
 {
     return sim::length(positionOf(run, "foot") - sim::Vec2{270.0, 200.0});
 }
@@ -150,7 +151,7 @@ std::vector<Try> bigStepTries(const Exact &exact)
                 {
                     stepIs(2.0),
                     atLeast(
-                        100.0, [exact](const Timeline &run) { return offBy(exact, run); },
+                        100.0, [exact](const Timeline &run) { return errorOf(exact, run); },
                         Text::tr("play on. The foot is %1 px off."), 0),
                 },
             .hint = Text::tr("Choose **2 frames** as step above the picture, press **Space**, and wait."),
@@ -164,9 +165,9 @@ std::vector<Try> bigStepTries(const Exact &exact)
                     stepIs(5.0),
                     parameterSetTo("k", 0.2, Text::tr("set **k** back to 0.2.")),
                     {[](const Timeline &run) {
-                         return isBetweenFrames(run) && !(footFromStart(run) < 1000.0);
+                         return isBetweenFrames(run) && !(footFromCentre(run) < 1000.0);
                      },
-                     Text::tr("play on. The foot is %1 px away."), footFromStart, 0},
+                     Text::tr("play on. The foot is %1 px away."), footFromCentre, 0},
                 },
             .hint = Text::tr("Above the picture, press **Step**, type 5 into the field **Other**, and press "
                              "**Enter**. Then press **Space**."),
@@ -197,7 +198,7 @@ std::vector<Try> energyTries(const Exact &exact)
             .text = Text::tr(
                 "Choose **Explicit Euler** as method, and play until there is twice the energy: a drift of "
                 "100 %."),
-            .conditions = {runsMethod("explicit_euler"), driftReaches(exact, 100.0)},
+            .conditions = {runsMethod("explicit_euler"), driftAtLeast(exact, 100.0)},
             .hint =
                 Text::tr("Above the picture, press **Method** and choose **Explicit Euler**. Press **Space** "
                          "and watch the drift above the parameters."),
@@ -209,7 +210,7 @@ std::vector<Try> energyTries(const Exact &exact)
                 {
                     stepIs(0.125),
                     runsMethod("explicit_euler", Text::tr("choose **Explicit Euler** as method.")),
-                    driftReaches(exact, 10.0),
+                    driftAtLeast(exact, 10.0),
                 },
             .hint =
                 Text::tr("Choose **Explicit Euler** as method and **1/8 frame** as step. Press **Space** and "
@@ -229,7 +230,7 @@ std::vector<Try> energyTries(const Exact &exact)
     };
 }
 
-std::vector<Try> halveTries(const Exact &exact, const Values &presets)
+std::vector<Try> halveTries(const Exact &exact, const Values &defaultValues)
 {
     return {
         {
@@ -266,13 +267,13 @@ std::vector<Try> halveTries(const Exact &exact, const Values &presets)
             .conditions =
                 {
                     {[](const Timeline &run) {
-                        return !usesMethod(run, "semi_implicit_euler") || stepOf(run) != 1.0;
+                        return !usesMethod(run, "semi_implicit_euler") || stepLength(run) != 1.0;
                     }},
-                    asGiven(presets),
+                    unchanged(defaultValues),
                     exactlyAt(60),
-                    atMost(16.0, averageComputations,
+                    atMost(16.0, averageForceEvaluations,
                            Text::tr("choose something cheaper. This needs %1 computations a frame."), 0),
-                    lessOffThan(exact, 0.01, 3),
+                    errorBelow(exact, 0.01, 3),
                 },
             .hint =
                 Text::tr("Runge–Kutta 4 computes four times in a step. In steps of 1/4 frame that is 16 in a "
@@ -281,7 +282,7 @@ std::vector<Try> halveTries(const Exact &exact, const Values &presets)
     };
 }
 
-std::vector<Try> adaptTries(const Exact &exact, const Values &presets)
+std::vector<Try> adaptTries(const Exact &exact, const Values &defaultValues)
 {
     return {
         {
@@ -327,9 +328,9 @@ std::vector<Try> adaptTries(const Exact &exact, const Values &presets)
             .conditions =
                 {
                     runsMethod("rk4"),
-                    asGiven(presets),
+                    unchanged(defaultValues),
                     exactlyAt(150),
-                    lessOffThan(exact, 0.2, 2),
+                    errorBelow(exact, 0.2, 2),
                 },
             .hint = Text::tr(
                 "Choose **Runge–Kutta 4** as method and **1/4 frame** as step, type 150 into the frame "
@@ -340,7 +341,7 @@ std::vector<Try> adaptTries(const Exact &exact, const Values &presets)
     };
 }
 
-std::vector<Try> bounceTries(const Exact &exact, const Values &presets)
+std::vector<Try> bounceTries(const Exact &exact, const Values &defaultValues)
 {
     return {
         {
@@ -361,7 +362,7 @@ std::vector<Try> bounceTries(const Exact &exact, const Values &presets)
         },
         {
             .text = Text::tr("Choose **Dormand–Prince 5(4)**, and play to frame 200. How far off now?"),
-            .conditions = {adaptive(), asGiven(presets), exactlyAt(200), lessOffThan(exact, 1e-6, 7)},
+            .conditions = {adaptive(), unchanged(defaultValues), exactlyAt(200), errorBelow(exact, 1e-6, 7)},
             .hint =
                 Text::tr("Choose **Dormand–Prince 5(4)** as method, and type 200 into the frame counter."),
             .answer = Text::tr(
@@ -386,24 +387,26 @@ std::vector<Try> bounceTries(const Exact &exact, const Values &presets)
     };
 }
 
-std::vector<Try> budgetTries(const Values &presets)
+std::vector<Try> budgetTries(const Values &defaultValues)
 {
-    const Conditions came = {
-        {[](const Timeline &run) { return !usesMethod(run, "semi_implicit_euler") || stepOf(run) != 1.0; }},
-        asGiven(presets),
-        playedTo(200)};
-    constexpr double anyTime = std::numeric_limits<double>::infinity();
+    const Conditions reachedFrame200 = {{[](const Timeline &run) {
+                                            return !usesMethod(run, "semi_implicit_euler") ||
+                                                   stepLength(run) != 1.0;
+                                        }},
+                                        unchanged(defaultValues),
+                                        playedTo(200)};
+    constexpr double noTimeLimit = std::numeric_limits<double>::infinity();
     return {
         {
             .text = Text::tr("Be less than 1 px off all the way to frame 200, at any price."),
-            .conditions = came,
-            .budget = Budget{.error = 1.0, .nsPerFrame = anyTime, .frames = 200},
+            .conditions = reachedFrame200,
+            .budget = Budget{.error = 1.0, .nsPerFrame = noTimeLimit, .frames = 200},
             .hint = Text::tr("Choose **1/16 frame** as step, and play to frame 200."),
         },
         {
             .text = Text::tr(
                 "Less than **1 px** off, within **0.5 µs** a frame. The machine checks both at frame 200."),
-            .conditions = came,
+            .conditions = reachedFrame200,
             .budget = Budget{.error = 1.0, .nsPerFrame = 500.0, .frames = 200},
             .hint = Text::tr(
                 "Try **Velocity Verlet** with steps of 1/2 frame, or **Runge–Kutta 4** with steps of "
@@ -411,7 +414,7 @@ std::vector<Try> budgetTries(const Values &presets)
         },
         {
             .text = Text::tr("Less than **0.1 px** off, within **1 µs** a frame."),
-            .conditions = came,
+            .conditions = reachedFrame200,
             .budget = Budget{.error = 0.1, .nsPerFrame = 1000.0, .frames = 200},
             .hint = Text::tr(
                 "Try **Runge–Kutta 4** with steps of 1/2 frame. Play past frame 200 and let it play on "
@@ -422,7 +425,7 @@ std::vector<Try> budgetTries(const Values &presets)
 
 std::vector<Try> crowdTries()
 {
-    constexpr std::int64_t someTime = 60; ///< frames
+    constexpr std::int64_t frames = 60; ///< frames
     return {
         {
             .text = Text::tr(
@@ -431,7 +434,7 @@ std::vector<Try> crowdTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return run.values()["creatures"] >= 20'000.0; }},
-                    unchangedFor("creatures", someTime),
+                    unchangedFor("creatures", frames),
                 },
             .hint = Text::tr(
                 "Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. "
@@ -459,7 +462,7 @@ std::vector<Try> crowdTries()
             .text = Text::tr(
                 "Set **Gravity** to 0 and play on for 60 frames. It is left out now: its phase is gone "
                 "from the strip below."),
-            .conditions = {parameterSetTo("gravity", 0.0), unchangedFor("gravity", someTime)},
+            .conditions = {parameterSetTo("gravity", 0.0), unchangedFor("gravity", frames)},
             .hint =
                 Text::tr("Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds."),
         },

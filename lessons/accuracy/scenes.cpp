@@ -26,7 +26,7 @@ namespace big_step {
 //! [big_step]
 Scene setUp(const Values &values)
 {
-    Scene scene = loneFoot();
+    Scene scene = singleFoot();
     scene.start.place(foot, {400, 200});
 
     double k = values["k"];
@@ -45,7 +45,7 @@ namespace energy {
 //! [energy]
 Scene setUp(const Values &values)
 {
-    Scene scene = loneFoot();
+    Scene scene = singleFoot();
     scene.start.place(foot, {370, 200});
 
     double k = values["k"];
@@ -118,7 +118,7 @@ namespace bounce {
 //! [bounce]
 Scene setUp(const Values &values)
 {
-    Scene scene = loneFoot();
+    Scene scene = singleFoot();
     scene.names = {SIM_TEXT("ball")};
     scene.start.place(foot, {60, 130});
     scene.start.setVelocity(foot, {1.6, 0});
@@ -177,12 +177,12 @@ namespace crowd {
 
 namespace {
 
-constexpr double enough = 15.0; ///< creatures that find place in the room of the other lessons
+constexpr double usualCount = 15.0; ///< creatures for which the room of the other lessons is large enough
 
-/// How many times as wide and as high as that room is.
+/// Returns how many times as wide and high the room is as that of the other lessons.
 double widening(int count)
 {
-    return std::max(1.0, std::sqrt(count / enough));
+    return std::max(1.0, std::sqrt(count / usualCount));
 }
 
 }

@@ -3,15 +3,15 @@
 #include "sim/base/vec2.h"
 #include "sim/forward.h"
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new.
 namespace accuracy {
 
-/// The point of the scenes that have one point, and of `adapt`.
+/// The only point of scenes with one point, and the dynamic point of `adapt`.
 constexpr int foot = 0;
-/// px: where the spring of the first two steps ends.
+/// px, the fixed end of the spring in `big_step` and `energy`.
 constexpr sim::Vec2 centre = {270, 200};
-/// px: half of the ball's width.
+/// px, radius of the ball in `bounce`.
 constexpr double ballRadius = 15.0;
 
 namespace big_step {
@@ -33,11 +33,12 @@ namespace budget {
 sim::Scene setUp(const sim::Values &values);
 }
 namespace crowd {
-/// Each of its creatures has so many feet.
+/// Feet per creature.
 constexpr int feet = 5;
-/// A room on a floor at 380 px that leaves each of `count` creatures as much place, from the one as from the
-/// other, and how high it is filled with them, in px.
+/// Returns a room with its floor at 380 px that grows with the number of creatures, so that each has the same
+/// area.
 sim::Room roomFor(int count);
+/// Returns the height above the floor up to which `count` creatures start, in px.
 double heightFor(int count);
 sim::Scene setUp(const sim::Values &values);
 }

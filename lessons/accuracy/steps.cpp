@@ -23,16 +23,17 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Accuracy)
 };
 
-/// A step with what all steps of this lesson share: the exact motion in the scene, and how far off it is.
-Step stepOf(const char *id, const QString &title, const Exact &exact)
+/// Returns a step with the settings that all steps of this lesson share. It shows the exact motion in the
+/// scene and measures the error.
+Step newStep(const char *id, const QString &title, const Exact &exact)
 {
     Step step = lessons::makeStep("accuracy", id, title);
     step.view = [](const sim::Scene &scene, const sim::Values &) { return creatureViewWithLegs(scene); };
     step.runOverlays = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
         const sim::Scene scene = script.build(script.values);
-        return exactMarks(*exact, creatureView(scene), script, state, frame);
+        return exactOverlays(*exact, creatureView(scene), script, state, frame);
     };
-    step.measures = {offMeasure(exact)};
+    step.measures = {errorMeasure(exact)};
     step.method = "semi_implicit_euler";
     return step;
 }
@@ -65,7 +66,7 @@ Exact newExact()
 Step bigStep()
 {
     const Exact exact = newExact();
-    Step step = stepOf("big_step", Text::tr("Big step, small step"), exact);
+    Step step = newStep("big_step", Text::tr("Big step, small step"), exact);
     step.addParameters({stiffness(0.2), damping(1.0)});
     step.narration = Text::tr(
         "A real spring pulls **all the time**. A computed one asks for its pull once a **step**, and goes "
@@ -79,15 +80,15 @@ Step bigStep()
     step.explanation = bigStepExplanation();
     step.tries = bigStepTries(exact);
     step.scene = big_step::setUp;
-    step.overlays = turningPlaces;
-    step.measures.push_back(computationsMeasure());
+    step.overlays = turningPoints;
+    step.measures.push_back(forceEvaluationsMeasure());
     return step;
 }
 
 Step energyStep()
 {
     const Exact exact = newExact();
-    Step step = stepOf("energy", Text::tr("Energy that grows"), exact);
+    Step step = newStep("energy", Text::tr("Energy that grows"), exact);
     step.addParameters({stiffness(0.02), damping(1.0)});
     step.narration = Text::tr(
         "Motion has energy, and so has a stretched spring. Without damping **their sum never changes**. "
@@ -103,7 +104,7 @@ Step energyStep()
     step.explanation = energyExplanation();
     step.tries = energyTries(exact);
     step.scene = energy::setUp;
-    step.overlays = turningPlaces;
+    step.overlays = turningPoints;
     step.measures.insert(step.measures.begin(), driftMeasure(exact));
     return step;
 }
@@ -111,7 +112,7 @@ Step energyStep()
 Step halveStep()
 {
     const Exact exact = newExact();
-    Step step = stepOf("halve", Text::tr("Halve the step"), exact);
+    Step step = newStep("halve", Text::tr("Halve the step"), exact);
     step.addParameters({stiffness(0.2), damping(0.97), radius()});
     step.narration = Text::tr(
         "Half the step is twice the work. What do you get for it?\n\n"
@@ -126,14 +127,14 @@ Step halveStep()
     step.explanation = halveExplanation();
     step.tries = halveTries(exact, step.defaultValues());
     step.scene = halve::setUp;
-    step.measures.push_back(computationsMeasure());
+    step.measures.push_back(forceEvaluationsMeasure());
     return step;
 }
 
 Step adaptStep()
 {
     const Exact exact = newExact();
-    Step step = stepOf("adapt", Text::tr("Steps that adapt"), exact);
+    Step step = newStep("adapt", Text::tr("Steps that adapt"), exact);
     step.addParameters({stiffness(0.02), damping(1.0), radius()});
     step.narration = Text::tr(
         "This foot falls past the middle, closely. Far out little happens, and a step could be long. At the "
@@ -148,16 +149,16 @@ Step adaptStep()
     step.tries = adaptTries(exact, step.defaultValues());
     step.scene = adapt::setUp;
     step.overlays = turningRings;
-    step.view = smallMiddle;
+    step.view = smallBodyView;
     step.measures.push_back(stepMeasure());
-    step.measures.push_back(computationsMeasure());
+    step.measures.push_back(forceEvaluationsMeasure());
     return step;
 }
 
 Step bounceStep()
 {
     const Exact exact = newExact();
-    Step step = stepOf("bounce", Text::tr("A bounce"), exact);
+    Step step = newStep("bounce", Text::tr("A bounce"), exact);
     step.addParameters({lessons::gravity(), lessons::bounce(), damping(1.0)});
     step.addParameters(room());
     step.narration = Text::tr(
@@ -174,19 +175,19 @@ Step bounceStep()
     step.explanation = bounceExplanation();
     step.tries = bounceTries(exact, step.defaultValues());
     step.scene = accuracy::bounce::setUp;
-    step.view = ballInRoom;
+    step.view = ballInRoomView;
     step.runOverlays = [exact](const sim::Script &script, const sim::State &state, std::int64_t frame) {
-        return exactMarks(*exact, ballLook(script.values), script, state, frame);
+        return exactOverlays(*exact, ballView(script.values), script, state, frame);
     };
     step.measures.push_back(driftMeasure(exact));
-    step.measures.push_back(computationsMeasure());
+    step.measures.push_back(forceEvaluationsMeasure());
     return step;
 }
 
 Step budgetStep()
 {
     const Exact exact = newExact();
-    Step step = stepOf("budget", Text::tr("The budget"), exact);
+    Step step = newStep("budget", Text::tr("The budget"), exact);
     step.addParameters({stiffness(0.1), damping(0.97), radius()});
     step.narration = Text::tr(
         "No method is best. The question is: **how far off may it be, and what may it cost?** A game that "
@@ -202,7 +203,7 @@ Step budgetStep()
     step.explanation = budgetExplanation();
     step.tries = budgetTries(step.defaultValues());
     step.scene = budget::setUp;
-    step.measures.push_back(computationsMeasure());
+    step.measures.push_back(forceEvaluationsMeasure());
     return step;
 }
 
@@ -228,7 +229,7 @@ Step crowdStep()
     step.explanation = crowdExplanation();
     step.tries = crowdTries();
     step.scene = crowd::setUp;
-    step.view = crowdInRoom;
+    step.view = crowdView;
     return step;
 }
 

@@ -28,85 +28,86 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Accuracy)
 };
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr double leastShown = 0.05; ///< px: a shorter distance has no line
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr double minShown = 0.05; ///< px, smallest error that is shown with a line
 
 }
 
-View smallMiddle(const Scene &scene, const Values &)
+View smallBodyView(const Scene &scene, const Values &)
 {
-    View look = creatureView(scene);
-    look.bodies[1] = {BodyView::Shape::joint, 4.0}; // so that what happens there is seen
-    look.springs = actingSprings(scene);
-    return look;
+    View view = creatureView(scene);
+    view.bodies[1] = {BodyView::Shape::joint, 4.0};
+    view.springs = actingSprings(scene);
+    return view;
 }
 
-View ballLook(const Values &values)
+View ballView(const Values &values)
 {
-    View look;
-    look.bodies = {{BodyView::Shape::body, ballRadius}};
-    look.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
-    return look;
+    View view;
+    view.bodies = {{BodyView::Shape::body, ballRadius}};
+    view.room = sim::Room{values["left"], values["right"], values["floor"], values["bounce"]};
+    return view;
 }
 
-View ballInRoom(const Scene &scene, const Values &values)
+View ballInRoomView(const Scene &scene, const Values &values)
 {
-    View look = ballLook(values);
+    View view = ballView(values);
     if (!effectOf<sim::Walls>(scene))
-        look.room.reset();
-    return look;
+        view.room.reset();
+    return view;
 }
 
-View crowdInRoom(const Scene &scene, const Values &values)
+View crowdView(const Scene &scene, const Values &values)
 {
     const int count = values.integer("creatures");
-    View look = crowdByPartsView(scene, count);
+    View view = crowdByPartsView(scene, count);
     const sim::Room room = crowd::roomFor(count);
     const double border = 20.0;
-    const double high = crowd::heightFor(count) + border;
+    const double height = crowd::heightFor(count) + border;
     if (hasEffectOfKind(scene, sim::EffectKind::contact))
-        look.room = room;
-    look.stage = {room.left - border, room.floor - high, room.right - room.left + 2.0 * border,
-                  high + border};
-    return look;
+        view.room = room;
+    view.stage = {room.left - border, room.floor - height, room.right - room.left + 2.0 * border,
+                  height + border};
+    return view;
 }
 
 double energyOf(const Scene &, const State &state, const Values &values)
 {
-    const double moving = 0.5 * std::pow(sim::length(state.velocityOf(foot)), 2);
+    const double kinetic = 0.5 * std::pow(sim::length(state.velocityOf(foot)), 2);
     if (values.has("gravity"))
-        return moving + values["gravity"] * (values["floor"] - ballRadius - state.positionOf(foot).y);
-    return moving + 0.5 * values["k"] * std::pow(sim::length(state.positionOf(foot) - centre), 2);
+        return kinetic + values["gravity"] * (values["floor"] - ballRadius - state.positionOf(foot).y);
+    return kinetic + 0.5 * values["k"] * std::pow(sim::length(state.positionOf(foot) - centre), 2);
 }
 
 double energyDrift(ExactRun &exact, const Script &script, const Scene &scene, const State &state,
                    const Values &values)
 {
-    const State *right = exact.at(script, state.frame);
-    if (!right)
-        return nothing;
-    const double should = energyOf(scene, *right, values);
-    constexpr double hardlyAny = 1e-6;
-    return should > hardlyAny ? 100.0 * (energyOf(scene, state, values) / should - 1.0) : nothing;
+    const State *exactState = exact.at(script, state.frame);
+    if (!exactState)
+        return undefined;
+    const double exactEnergy = energyOf(scene, *exactState, values);
+    constexpr double negligible = 1e-6;
+    return exactEnergy > negligible ? 100.0 * (energyOf(scene, state, values) / exactEnergy - 1.0)
+                                    : undefined;
 }
 
-double computations(const Script &script, const State &state, const State *before)
+double forceEvaluations(const Script &script, const State &state, const State *before)
 {
     if (script.step.isAdaptive())
-        return before ? state.forceEvaluations() - before->forceEvaluations() : nothing;
+        return before ? state.forceEvaluations() - before->forceEvaluations() : undefined;
     return double(script.method->evaluationsPerStep()) * script.step.stepsPerOutput /
            script.step.framesPerOutput;
 }
 
 double lastStep(const State &state)
 {
-    double shortest = nothing;
+    double shortest = undefined;
     for (const sim::AdaptiveStep &lastStep : state.adaptiveSteps)
         shortest = std::fmin(shortest, lastStep.length);
     return shortest;
 }
 
-Measure offMeasure(const Exact &exact)
+Measure errorMeasure(const Exact &exact)
 {
     return {
         .name = Text::tr("Off by"),
@@ -139,12 +140,12 @@ Measure stepMeasure()
         .decimals = 3,
         .ofRun =
             [](const Script &script, const Scene &, const State &state, const State *before, const Values &) {
-                return !script.step.isAdaptive() ? script.step.h : before ? lastStep(state) : nothing;
+                return !script.step.isAdaptive() ? script.step.h : before ? lastStep(state) : undefined;
             },
     };
 }
 
-Measure computationsMeasure()
+Measure forceEvaluationsMeasure()
 {
     return {
         .name = Text::tr("Computations"),
@@ -152,45 +153,45 @@ Measure computationsMeasure()
         .help = Text::tr("How often all forces were computed for this frame: that is the work."),
         .decimals = 1,
         .ofRun = [](const Script &script, const Scene &, const State &state, const State *before,
-                    const Values &) { return computations(script, state, before); },
+                    const Values &) { return forceEvaluations(script, state, before); },
     };
 }
 
-std::vector<Overlay> exactMarks(ExactRun &exact, const View &look, const Script &script, const State &state,
-                                std::int64_t frame)
+std::vector<Overlay> exactOverlays(ExactRun &exact, const View &view, const Script &script,
+                                   const State &state, std::int64_t frame)
 {
-    const State *right = exact.at(script, frame);
-    if (!right || right->pointCount() != state.pointCount())
+    const State *exactState = exact.at(script, frame);
+    if (!exactState || exactState->pointCount() != state.pointCount())
         return {};
-    std::vector<Overlay> marks;
-    std::size_t worst = 0;
+    std::vector<Overlay> overlays;
+    std::size_t worstOverlay = 0;
     int farthest = -1;
-    double distance = leastShown;
+    double distance = minShown;
     for (int i = 0; i < state.pointCount(); ++i) {
-        if (!state.isDynamic(i)) // it is wherever it was put
+        if (!state.isDynamic(i)) // its position has no error
             continue;
-        const double away = sim::length(state.positionOf(i) - right->positionOf(i));
-        if (away >= distance) {
-            worst = marks.size();
+        const double error = sim::length(state.positionOf(i) - exactState->positionOf(i));
+        if (error >= distance) {
+            worstOverlay = overlays.size();
             farthest = i;
-            distance = away;
+            distance = error;
         }
-        marks.push_back({.shape = Overlay::Shape::ring,
-                         .a = right->positionOf(i),
-                         .size = look.bodies[static_cast<std::size_t>(i)].radius,
-                         .about = Overlay::About::exactMotion});
+        overlays.push_back({.shape = Overlay::Shape::ring,
+                            .a = exactState->positionOf(i),
+                            .size = view.bodies[static_cast<std::size_t>(i)].radius,
+                            .about = Overlay::About::exactMotion});
     }
     if (farthest >= 0) {
-        marks[worst].label = Text::tr("%1 px off").arg(QLocale().toString(distance, 'f', 1));
-        marks.push_back({.shape = Overlay::Shape::line,
-                         .a = state.positionOf(farthest),
-                         .b = right->positionOf(farthest),
-                         .about = Overlay::About::exactMotion});
+        overlays[worstOverlay].label = Text::tr("%1 px off").arg(QLocale().toString(distance, 'f', 1));
+        overlays.push_back({.shape = Overlay::Shape::line,
+                            .a = state.positionOf(farthest),
+                            .b = exactState->positionOf(farthest),
+                            .about = Overlay::About::exactMotion});
     }
-    return marks;
+    return overlays;
 }
 
-std::vector<Overlay> turningPlaces(const Scene &scene, const State &, const Values &)
+std::vector<Overlay> turningPoints(const Scene &scene, const State &, const Values &)
 {
     const sim::Vec2 start = scene.start.positionOf(foot);
     return {{.shape = Overlay::Shape::cross, .a = centre},

@@ -8,50 +8,57 @@
 #include <memory>
 #include <vector>
 
-/// How the scenes of this lesson look, what is measured, and the marks of the exact motion. Those of one step share one
-/// ExactRun.
+/// The views, measures and overlays of this lesson. All that compare with the exact motion within a step
+/// share one ExactRun.
 namespace accuracy {
 
 using Exact = std::shared_ptr<lessons::ExactRun>;
 
-/// A creature whose body is a small joint.
-lessons::View smallMiddle(const sim::Scene &scene, const sim::Values &values);
-/// A ball in its room; the second without the room where no walls act.
-lessons::View ballLook(const sim::Values &values);
-lessons::View ballInRoom(const sim::Scene &scene, const sim::Values &values);
-/// The picture grows with the crowd.
-lessons::View crowdInRoom(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view with a small body, so that the motion near it is visible.
+lessons::View smallBodyView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of a ball in its room.
+lessons::View ballView(const sim::Values &values);
+/// Returns a ballView() that shows the room only if walls act.
+lessons::View ballInRoomView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of the crowd. Its stage grows with the number of creatures.
+lessons::View crowdView(const sim::Scene &scene, const sim::Values &values);
 
-/// Of what moves and what the springs (and gravity) hold, in px^2/frame^2, with masses of 1; NaN for a scene that
-/// is none of this lesson's with one point.
+/// Returns the kinetic plus the potential energy of a scene with one point, in px^2/frame^2 for mass 1. The
+/// potential energy is that of gravity in `bounce`, otherwise that of the spring.
 double energyOf(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
-/// How much more energy a state has than the exact run at the same frame, in percent of that; NaN where there is
-/// none to speak of.
+/// Returns by how much the energy of a state exceeds that of the exact run at the same frame, in percent of
+/// the latter. NaN without an exact run or if its energy is nearly 0.
 double energyDrift(lessons::ExactRun &exact, const sim::Script &script, const sim::Scene &scene,
                    const sim::State &state, const sim::Values &values);
-/// How often a frame computes all forces, for `state` at its end and `before` at its start; NaN without that where
-/// the method chooses.
-double computations(const sim::Script &script, const sim::State &state, const sim::State *before);
+/// Returns the number of force evaluations per frame. `state` is at the end of the frame and `before` at its
+/// start. Methods with adaptive steps need `before`; without it the result is NaN.
+double forceEvaluations(const sim::Script &script, const sim::State &state, const sim::State *before);
 
-/// The length of the last step of a method that chooses it, in frames: the shortest, where parts of the scene have their
-/// own; NaN where it has taken none.
+/// Returns the length of the last adaptive step, in frames: the shortest if islands have different steps. NaN
+/// without adaptive steps.
 double lastStep(const sim::State &state);
 
-lessons::Measure offMeasure(const Exact &exact);
+/// Returns the largest distance of a point from its exact position, px.
+lessons::Measure errorMeasure(const Exact &exact);
+/// Returns energyDrift() in percent.
 lessons::Measure driftMeasure(const Exact &exact);
+/// Returns the length of the last step, frames.
 lessons::Measure stepMeasure();
-lessons::Measure computationsMeasure();
+/// Returns the force evaluations per frame.
+lessons::Measure forceEvaluationsMeasure();
 
-/// Where everything should be: a ring for each point that moves by itself, and a line from the one that is farthest
-/// off, with its distance.
-std::vector<lessons::Overlay> exactMarks(lessons::ExactRun &exact, const lessons::View &look,
-                                         const sim::Script &script, const sim::State &state,
-                                         std::int64_t frame);
+/// Returns a ring at the exact position of each dynamic point, and a line with the distance from the point
+/// that is farthest off.
+std::vector<lessons::Overlay> exactOverlays(lessons::ExactRun &exact, const lessons::View &view,
+                                            const sim::Script &script, const sim::State &state,
+                                            std::int64_t frame);
 
-/// Where the spring of the first two steps ends, and the two places between which its foot swings without damping.
-std::vector<lessons::Overlay> turningPlaces(const sim::Scene &scene, const sim::State &state,
+/// Returns crosses at the centre of the spring of `big_step` and `energy`, and at the two turning points of
+/// its foot without damping.
+std::vector<lessons::Overlay> turningPoints(const sim::Scene &scene, const sim::State &state,
                                             const sim::Values &values);
-/// Where the spring of `adapt` has its length, and how far out its foot comes without damping.
+/// Returns two rings for `adapt`: the rest length of the spring, and the largest distance of its foot without
+/// damping.
 std::vector<lessons::Overlay> turningRings(const sim::Scene &scene, const sim::State &state,
                                            const sim::Values &values);
 

@@ -6,21 +6,21 @@
 
 namespace lessons {
 
-std::optional<sim::BlueprintDraft> blueprintOf(const sim::Scene &scene, const sim::State &now,
-                                               const View &look)
+std::optional<sim::BlueprintDraft> blueprintOf(const sim::Scene &scene, const sim::State &state,
+                                               const View &view)
 {
-    if (now.angle.rows() > 0)
+    if (state.angle.rows() > 0)
         return {};
     sim::BlueprintDraft draft;
-    draft.state = now;
-    for (int i = 0; i < now.pointCount(); ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        const double inverse = scene.start.inverseMass[i];
-        sim::BlueprintPoint point{scene.names[at], now.positionOf(i), now.velocityOf(i)};
-        point.mass = inverse == 0.0 ? 1.0 : 1.0 / inverse;
-        point.fixed = inverse == 0.0;
-        if (look.bodies[at].shape != BodyView::Shape::none) // else it keeps the usual size
-            point.size = 2.0 * look.bodies[at].radius;
+    draft.state = state;
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        const double inverseMass = scene.start.inverseMass[i];
+        sim::BlueprintPoint point{scene.names[index], state.positionOf(i), state.velocityOf(i)};
+        point.mass = inverseMass == 0.0 ? 1.0 : 1.0 / inverseMass;
+        point.fixed = inverseMass == 0.0;
+        if (view.bodies[index].shape != BodyView::Shape::none) // otherwise the default size stays
+            point.size = 2.0 * view.bodies[index].radius;
         draft.blueprint.points.push_back(point);
     }
     for (const sim::EffectPtr &effect : scene.effects) {

@@ -8,9 +8,9 @@ namespace lessons {
 
 struct View;
 
-/// `scene` with its points where they are in `now`, as wide as `look` draws them. Empty for a scene whose points turn:
-/// nothing of it can be built.
-std::optional<sim::BlueprintDraft> blueprintOf(const sim::Scene &scene, const sim::State &now,
-                                               const View &look);
+/// Returns the sandbox draft of `scene` with its points where they are in `state` and as wide as `view` draws
+/// them. Empty for a scene whose points have angles, because the sandbox cannot build them.
+std::optional<sim::BlueprintDraft> blueprintOf(const sim::Scene &scene, const sim::State &state,
+                                               const View &view);
 
 }

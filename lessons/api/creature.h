@@ -2,7 +2,8 @@
 
 #include "sim/scenes/creatures.h"
 
-/// The builders of creatures from sim/scenes, which lessons call without the name of that library.
+/// Brings the creature builders of sim/scenes into the namespace of the lessons, so that shown code stays
+/// short.
 namespace lessons {
 
 using scenes::add;
@@ -14,9 +15,9 @@ using scenes::crowdByParts;
 using scenes::footWidth;
 using scenes::halfWidths;
 using scenes::isBody;
-using scenes::loneFoot;
 using scenes::pair;
 using scenes::pairOnHandle;
 using scenes::placeFeet;
+using scenes::singleFoot;
 
 }

@@ -6,29 +6,29 @@
 
 namespace lessons {
 
-/// A word that a step teaches, for the glossary.
+/// A glossary entry for a word that a step teaches.
 struct Term
 {
     QString name; ///< as the glossary lists it
-    /// How it stands in texts, each form once, separated by "|"; a capital letter in a text does not matter. Empty: it
-    /// is only listed.
+    /// The forms in which texts use the word, separated by "|". They match upper and lower case. If empty,
+    /// the glossary lists the word but texts do not link to it.
     QString forms;
-    QString text; ///< Markdown, one to three sentences in the learner's words
+    QString text; ///< Markdown, one to three sentences in plain words
 };
 
-/// A question about the mathematics of a step, and its answer, which stays folded until a learner asks.
+/// A question about the mathematics of a step. The answer stays folded until a learner opens it.
 struct Why
 {
     QString question;
-    QString answer; ///< Markdown; a formula is a paragraph of its own, in backticks, of at most 33 letters
+    QString answer; ///< Markdown; a formula is a separate paragraph in backticks, at most 33 characters
 };
 
-/// What a step tells besides its narration.
+/// The texts of a step besides its narration.
 struct Explanation
 {
-    /// What a learner knows afterwards: one sentence, for the summary of the lesson; may be empty.
+    /// One sentence for the summary of the lesson: what a learner knows after the step. May be empty.
     QString learnt = {};
-    std::vector<Term> terms = {}; ///< that are taught here
+    std::vector<Term> terms = {}; ///< terms that the step teaches
     std::vector<Why> whys = {};
 };
 

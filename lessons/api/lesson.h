@@ -8,12 +8,12 @@
 
 namespace lessons {
 
-/// A lesson: a Qt plugin with metadata {"id", "order", "title", "summary", "steps": [ids]}.
+/// A lesson, loaded as a Qt plugin with the metadata {"id", "order", "title", "summary", "steps": [ids]}.
 class Lesson
 {
 public:
     virtual ~Lesson() = default;
-    /// In order; their ids are those of the metadata.
+    /// Returns the steps in order. Their ids are those of the metadata.
     virtual std::vector<Step> steps() const = 0;
 };
 

@@ -7,61 +7,60 @@
 
 namespace lessons {
 
-/// What a parameter is for the run as a whole.
+/// The meaning of a parameter for the whole run.
 using ParameterRole = sim::ParameterRole;
 
-/// How the slider's way is divided.
+/// The scale of a slider.
 enum class Scale {
-    linear,      ///< the same way for the same difference
-    logarithmic, ///< the same way from 1 to 10 as from 10 to 100; sliderMin is a power of ten
+    linear,      ///< equal differences have equal lengths
+    logarithmic, ///< equal ratios have equal lengths; sliderMin is a power of ten
 };
 
-/// A number (or a choice) that a learner sets. Declared once: panel, range, tooltip, file and command line all
-/// read this.
+/// A number or choice that a learner sets. The panel, tooltips, files and the command line all read this
+/// declaration.
 struct Parameter
 {
-    QString id = {};     ///< in files and in the shown code
-    QString name = {};   ///< what a learner calls it
-    QString symbol = {}; ///< as formulas write it; may be empty
+    QString id = {};     ///< name in files and in the shown code
+    QString name = {};   ///< name in the window
+    QString symbol = {}; ///< in formulas; may be empty
     QString unit = {};   ///< may be empty
-    QString help = {};   ///< one sentence: what it does
+    QString help = {};   ///< one sentence: the effect of the parameter
     double defaultValue = 0.0;
-    double min = 0.0; ///< the least and the most that files may give
-    double max = 1.0;
-    double sliderMin = 0.0; ///< the stretch that the slider covers
-    double sliderMax = 1.0;
-    int decimals = 2;         ///< shown after the point
-    QStringList choices = {}; ///< ids; when not empty the value is a position in this list
-    bool isInteger = false;   ///< a count: nothing between two whole numbers
+    double min = 0.0;         ///< smallest value accepted
+    double max = 1.0;         ///< largest value accepted
+    double sliderMin = 0.0;   ///< value at the left end of the slider
+    double sliderMax = 1.0;   ///< value at the right end
+    int decimals = 2;         ///< digits shown after the decimal point
+    QStringList choices = {}; ///< ids; if not empty, the value is an index of this list
+    bool isInteger = false;   ///< whether only whole numbers are valid
     ParameterRole role = ParameterRole::none;
-    QStringList choiceTitles = {}; ///< what a learner reads in place of the ids; empty: the ids
-    QStringList choiceHelps = {};  ///< one sentence each; may be empty
-    /// Another value is another experiment: the run begins anew with it, as Step::opening has it.
+    QStringList choiceTitles = {}; ///< shown in place of the ids; may be empty
+    QStringList choiceHelps = {};  ///< one sentence per choice; may be empty
+    /// Whether a change of the value starts a new run, in which all other parameters have their default
+    /// values.
     bool restartsRun = false;
     Scale scale = Scale::linear;
-    /// Ids of the effects that read it, where a learner chooses effects: it is offered while one of them is in the scene.
-    /// Empty: always.
+    /// Ids of the effects that read the parameter. Where a learner chooses effects, the panel shows the
+    /// parameter while one of these is in the scene. Empty: always shown.
     QStringList effects = {};
-
-    bool hasWholeValues() const { return isInteger; }
 };
 
-// A choice among many has titles with a group before them: "Stiff springs › at the limit". Those of a group stand in a
-// row, and the panel offers a submenu for each group.
+// Long lists of choices have titles with a group in front, for example "Stiff springs › at the limit". The
+// titles of a group are neighbours, and the panel shows a submenu for each group.
 
-/// Returns what stands between a group and a title.
+/// Returns the separator between a group and a title.
 inline QString groupEnd()
 {
     return QStringLiteral(" › ");
 }
 
-/// Returns the title of a choice with the group that it belongs to.
+/// Returns `title` with its group in front.
 inline QString grouped(const QString &group, const QString &title)
 {
     return group + groupEnd() + title;
 }
 
-/// Returns the group of a title; empty where it names none.
+/// Returns the group of a title. Empty if the title has none.
 inline QString groupOf(const QString &title)
 {
     const qsizetype end = title.indexOf(groupEnd());

@@ -17,29 +17,29 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Parameters)
 };
 
-/// Returns `own` as a coordinate on the stage, which is `sliderMax` px wide or high.
-Parameter place(Parameter own)
+/// Completes a coordinate on the stage. The stage is `sliderMax` px wide or high.
+Parameter coordinate(Parameter parameter)
 {
-    own.unit = Text::tr("px");
-    own.min = -1e6;
-    own.max = 1e6;
-    own.decimals = 0;
-    return own;
+    parameter.unit = Text::tr("px");
+    parameter.min = -1e6;
+    parameter.max = 1e6;
+    parameter.decimals = 0;
+    return parameter;
 }
 
 }
 
 Parameter parameterFromSpec(const sim::ParameterSpec &spec)
 {
-    const auto said = [](const char *text) {
+    const auto translated = [](const char *text) {
         return *text ? QCoreApplication::translate("sim", text) : QString();
     };
     Parameter parameter;
     parameter.id = QString::fromUtf8(spec.id);
-    parameter.name = said(spec.name);
+    parameter.name = translated(spec.name);
     parameter.symbol = QString::fromUtf8(spec.symbol);
-    parameter.unit = said(spec.unit);
-    parameter.help = said(spec.help);
+    parameter.unit = translated(spec.unit);
+    parameter.help = translated(spec.help);
     parameter.defaultValue = spec.defaultValue;
     parameter.min = spec.min;
     parameter.max = spec.max;
@@ -55,28 +55,29 @@ std::vector<Parameter> parametersOf(std::span<const sim::EffectDescription *cons
 {
     std::vector<Parameter> all;
     for (const sim::EffectDescription *effect : known) {
-        for (const sim::ParameterSpec &parameter : effect->parameters) {
-            const QString id = QString::fromUtf8(parameter.id);
-            auto found =
-                std::find_if(all.begin(), all.end(), [&](const Parameter &one) { return one.id == id; });
+        for (const sim::ParameterSpec &spec : effect->parameters) {
+            const QString id = QString::fromUtf8(spec.id);
+            auto found = std::find_if(all.begin(), all.end(),
+                                      [&](const Parameter &parameter) { return parameter.id == id; });
             if (found == all.end())
-                found = all.insert(all.end(), parameterFromSpec(parameter));
+                found = all.insert(all.end(), parameterFromSpec(spec));
             found->effects << QString::fromUtf8(effect->id);
         }
     }
     return all;
 }
 
-Parameter effectParameter(const sim::EffectDescription &effect, const char *id, double preset)
+Parameter effectParameter(const sim::EffectDescription &effect, const char *id, double defaultValue)
 {
-    const auto found = std::find_if(effect.parameters.begin(), effect.parameters.end(),
-                                    [id](const auto &one) { return std::string_view(one.id) == id; });
+    const auto found =
+        std::find_if(effect.parameters.begin(), effect.parameters.end(),
+                     [id](const auto &parameter) { return std::string_view(parameter.id) == id; });
     Parameter parameter = parameterFromSpec(*found);
-    parameter.defaultValue = preset;
+    parameter.defaultValue = defaultValue;
     return parameter;
 }
 
-Parameter stiffness(double preset)
+Parameter stiffness(double defaultValue)
 {
     return {
         .id = "k",
@@ -84,7 +85,7 @@ Parameter stiffness(double preset)
         .symbol = "k",
         .unit = Text::tr("1/frame²"),
         .help = Text::tr("How hard a spring pulls: this share of the missing distance, each frame."),
-        .defaultValue = preset,
+        .defaultValue = defaultValue,
         .min = 0.0,
         .max = 1e9,
         .sliderMin = 0.0,
@@ -92,19 +93,19 @@ Parameter stiffness(double preset)
     };
 }
 
-Parameter damping(double preset)
+Parameter damping(double defaultValue)
 {
-    return effectParameter(sim::descriptions::damping, "damp", preset);
+    return effectParameter(sim::descriptions::damping, "damp", defaultValue);
 }
 
-Parameter radius(double preset)
+Parameter radius(double defaultValue)
 {
     return {
         .id = "radius",
         .name = Text::tr("Radius"),
         .unit = Text::tr("px"),
         .help = Text::tr("The distance that the spring keeps."),
-        .defaultValue = preset,
+        .defaultValue = defaultValue,
         .min = 0.0,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -113,14 +114,14 @@ Parameter radius(double preset)
     };
 }
 
-Parameter offset(double preset)
+Parameter offset(double defaultValue)
 {
     return {
         .id = "offset",
         .name = Text::tr("Offset"),
         .unit = Text::tr("px"),
         .help = Text::tr("How far to the right of the body the spring ends. Below 0: to the left."),
-        .defaultValue = preset,
+        .defaultValue = defaultValue,
         .min = -1e6,
         .max = 1e6,
         .sliderMin = -150.0,
@@ -129,13 +130,13 @@ Parameter offset(double preset)
     };
 }
 
-Parameter feet(int preset)
+Parameter feet(int defaultValue)
 {
     return {
         .id = "feet",
         .name = Text::tr("Feet"),
         .help = Text::tr("How many feet the body has."),
-        .defaultValue = double(preset),
+        .defaultValue = double(defaultValue),
         .min = 1.0,
         .max = 100.0,
         .sliderMin = 1.0,
@@ -145,19 +146,19 @@ Parameter feet(int preset)
     };
 }
 
-Parameter gravity(double preset)
+Parameter gravity(double defaultValue)
 {
-    return effectParameter(sim::descriptions::gravity, "gravity", preset);
+    return effectParameter(sim::descriptions::gravity, "gravity", defaultValue);
 }
 
-Parameter bounce(double preset)
+Parameter bounce(double defaultValue)
 {
-    return effectParameter(sim::descriptions::walls, "bounce", preset);
+    return effectParameter(sim::descriptions::walls, "bounce", defaultValue);
 }
 
-Parameter ground(double preset)
+Parameter ground(double defaultValue)
 {
-    return effectParameter(sim::descriptions::ground, "ground", preset);
+    return effectParameter(sim::descriptions::ground, "ground", defaultValue);
 }
 
 Parameter choice(const char *id, const QString &name, const QString &help, const QStringList &choices)
@@ -181,14 +182,14 @@ Parameter choice(const char *id, const QString &name, const QString &help, const
 std::vector<Parameter> centre()
 {
     return {
-        place({
+        coordinate({
             .id = "centre_x",
             .name = Text::tr("Centre x"),
             .help = Text::tr("How far to the right the cross is."),
             .defaultValue = 270.0,
             .sliderMax = 540.0,
         }),
-        place({
+        coordinate({
             .id = "centre_y",
             .name = Text::tr("Centre y"),
             .help = Text::tr("How far down the cross is."),

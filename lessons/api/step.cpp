@@ -9,9 +9,9 @@
 
 namespace lessons {
 
-bool Step::accepts(Interaction what) const
+bool Step::accepts(Interaction interaction) const
 {
-    return std::find(interactions.begin(), interactions.end(), what) != interactions.end();
+    return std::find(interactions.begin(), interactions.end(), interaction) != interactions.end();
 }
 
 void Step::addParameters(const std::vector<Parameter> &more)
@@ -19,10 +19,10 @@ void Step::addParameters(const std::vector<Parameter> &more)
     parameters.insert(parameters.end(), more.begin(), more.end());
 }
 
-const Parameter *Step::parameter(const QString &wanted) const
+const Parameter *Step::parameter(const QString &parameterId) const
 {
     for (const Parameter &parameter : parameters) {
-        if (parameter.id == wanted)
+        if (parameter.id == parameterId)
             return &parameter;
     }
     return nullptr;
@@ -50,13 +50,13 @@ sim::Script Step::script() const
     return scriptWith(defaultValues(), sim::findMethod(method.toStdString()));
 }
 
-sim::Script Step::scriptWith(const sim::Values &values, const sim::MethodPtr &by) const
+sim::Script Step::scriptWith(const sim::Values &values, const sim::MethodPtr &chosenMethod) const
 {
     sim::Script script;
     script.build = scene;
     script.values = values;
-    script.method = by;
-    script.step = sim::stepFor(*by, sim::StepSize::ofLength(h));
+    script.method = chosenMethod;
+    script.step = sim::stepFor(*chosenMethod, sim::StepSize::ofLength(h));
     if (prepareScript)
         prepareScript(script);
     return script;

@@ -20,66 +20,67 @@ namespace lessons {
 struct Overlay;
 struct View;
 
-/// A number that is measured of every frame, with its course over the last frames.
+/// A number that is measured in every frame and plotted over the last frames.
 struct Measure
 {
     QString name = {};
     QString unit = {}; ///< may be empty
-    QString help = {}; ///< one sentence: what it says
+    QString help = {}; ///< one sentence: what the number means
     int decimals = 1;
-    /// `before`: the state a frame earlier, or null at the start. Not finite where there is nothing to measure.
+    /// Returns the number for a state; not finite if there is nothing to measure. `before` is the state a
+    /// frame earlier, or null at the start.
     std::function<double(const sim::Scene &, const sim::State &, const sim::State *before,
                          const sim::Values &)>
         of = {};
-    /// For a number that a state alone does not tell, in place of `of`: the same with the script of the whole run.
+    /// Replaces `of` for a number that depends on the script of the run, too.
     std::function<double(const sim::Script &, const sim::Scene &, const sim::State &,
                          const sim::State *before, const sim::Values &)>
         ofRun = {};
 };
 
-/// Values of parameters that belong together; what is not named takes its preset.
+/// A named set of parameter values. All other parameters take their default values.
 struct Preset
 {
     QString title = {};
-    QString help = {}; ///< one sentence: what to expect
+    QString help = {}; ///< one sentence: the result to expect
     std::vector<std::pair<QString, double>> values = {};
 };
 
-/// What a learner can do in a scene besides changing parameters; files name each by its event.
+/// A kind of input to a scene besides changes of parameters. Files name each kind by its event.
 enum class Interaction {
     drag,    ///< grab, move, release
-    pointer, ///< the pointer's place and button reach the scene
+    pointer, ///< the scene reads the pointer's position and button
     target,  ///< a click sets a target
-    gust,    ///< a frame's turbulence; files only
-    keys,    ///< arrow keys reach the scene while it plays
+    gust,    ///< the turbulence of one frame, from files only
+    keys,    ///< the scene reads the arrow keys while it plays
 };
 
-/// What `trace` writes of each body besides its name.
+/// The columns that `trace` writes for each body besides its name.
 enum class TraceColumns { positionAndVelocity, position, positionAndAngle };
 
-/// Whose the points and sticks of a scene are.
-enum class PointsFrom {
-    step,
-    file,  ///< a file's bodies p0, p1... are all the points there are, and its links all the sticks
-    scene, ///< a file's scene is all there is: Values::blueprint
+/// The source of the points and sticks of a scene.
+enum class PointSource {
+    step,  ///< the step's own set-up function
+    file,  ///< if a file lists bodies p0, p1... or links, they replace the step's points or sticks
+    scene, ///< Values::blueprint, which a file or the sandbox sets
 };
 
 /// An experiment that comes with a step.
 struct Example
 {
     QString title = {};
-    QString help = {}; ///< one sentence: what to see, and to try
+    QString help = {}; ///< one sentence: what there is to see and to try
     QString file = {}; ///< an embedded experiment file of this step
 };
 
-/// A second run of the same script, to compare with: its figure is drawn beside that of the run.
+/// A second run of the same script with another method or other values, drawn beside the run.
 struct Companion
 {
     QString method = {};   ///< id
-    QString caption = {};  ///< who it is, in a few words
-    sim::Vec2 offset = {}; ///< px: how far its figure is moved from where its points are
-    double h = 1.0;        ///< frames
-    /// Of parameters that it does not share with the run.
+    QString caption = {};  ///< a few words
+    sim::Vec2 offset = {}; ///< px, added to the positions of its points when it is drawn
+    double h = 1.0;        ///< frames, its step
+    /// Values of the parameters that differ from those of the run.
     std::vector<std::pair<QString, double>> values = {};
 };
 
@@ -93,52 +94,56 @@ struct Step
     std::vector<Parameter> parameters;
     std::vector<Try> tries;
     std::function<sim::Scene(const sim::Values &)> scene;
-    sim::Region sceneSource; ///< the source of `scene`
+    sim::Region sceneSource; ///< the source code of `scene`
     std::function<View(const sim::Scene &, const sim::Values &)> view;
-    /// May be empty.
+    /// Returns the overlays for a state. May be empty.
     std::function<std::vector<Overlay>(const sim::Scene &, const sim::State &, const sim::Values &)> overlays;
-    /// Guides that a state alone does not tell, besides those; may be empty. `frame`: the whole frame that the state
-    /// stands for; inside a frame the one that is under way.
+    /// Returns further overlays, which depend on the script of the run. May be empty. `frame` is the frame of
+    /// the state; inside a frame, it is the frame in progress.
     std::function<std::vector<Overlay>(const sim::Script &, const sim::State &, std::int64_t frame)>
         runOverlays;
-    /// Then both figures stand on the look's stage, each with a caption over it.
+    /// If set, both runs are drawn on the view's stage, each with a caption above it.
     std::optional<Companion> companion = {};
-    /// What the step says of the moment at the run's cursor, between two frames, over the scene; may be empty.
+    /// Returns a note about the state at the run's cursor, between two frames. It is shown over the scene.
+    /// May be empty.
     std::function<QString(const sim::Track &)> note = {};
-    /// Adds to a script with values and method what its run begins with besides them: input, starts of bodies, its
+    /// Completes a script that has values and a method: it may set input, start states of bodies, and the
     /// step. May be empty.
     std::function<void(sim::Script &)> prepareScript = {};
-    /// Shown beside the scene; may be empty.
+    /// Numbers shown beside the scene. May be empty.
     std::vector<Measure> measures;
-    /// Offered as a gallery; may be empty.
+    /// Shown as a gallery. May be empty.
     std::vector<Preset> presets;
-    /// Offered as a gallery where a learner builds the scene; may be empty.
+    /// Shown as a gallery in the sandbox. May be empty.
     std::vector<Example> examples = {};
-    /// Where a learner builds the scene: the effects that it can have besides those of its springs, sticks and feet.
+    /// In the sandbox: the effects that a learner can add, besides those of springs, sticks and feet.
     std::vector<const sim::EffectDescription *> availableEffects = {};
-    /// Whether one of look().feet stands on the ground; needed where there are any.
+    /// Returns whether a foot of View::feet is planted on the ground. Required if there are feet.
     std::function<bool(const sim::Scene &, const sim::State &, const sim::Values &, int point)> isFootDown;
     std::vector<Interaction> interactions = {Interaction::drag};
     TraceColumns traceColumns = TraceColumns::positionAndVelocity;
-    PointsFrom points = PointsFrom::step;
+    PointSource points = PointSource::step;
     QString method = QStringLiteral("published");
-    double h = 1.0; ///< frames
+    double h = 1.0; ///< frames, the default step
 
-    bool accepts(Interaction what) const;
-    /// Adds parameters after those it has.
+    /// Returns whether the step allows this kind of input.
+    bool accepts(Interaction interaction) const;
+    /// Appends parameters.
     void addParameters(const std::vector<Parameter> &more);
 
-    const Parameter *parameter(const QString &wanted) const;
-    /// The first with that role; null where there is none.
+    /// Returns a parameter by its id. Null if there is none.
+    const Parameter *parameter(const QString &parameterId) const;
+    /// Returns the first parameter with this role. Null if there is none.
     const Parameter *parameterFor(ParameterRole role) const;
     sim::Values defaultValues() const;
-    /// The run of this step that nobody has touched.
+    /// Returns the script of this step with default values, its default method, and no learner's input.
     sim::Script script() const;
-    /// The same with other values and by another method.
-    sim::Script scriptWith(const sim::Values &values, const sim::MethodPtr &method) const;
+    /// Returns the script of this step with other values and another method.
+    sim::Script scriptWith(const sim::Values &values, const sim::MethodPtr &chosenMethod) const;
 };
 
-/// A step of the lesson in folder `lesson`, whose scene is set up in the region `id` of its scenes.cpp.
+/// Returns a step of the lesson in folder `lesson`. The region `id` of its scenes.cpp is the source of the
+/// scene.
 Step makeStep(const QString &lesson, const QString &id, const QString &title);
 
 }

@@ -9,25 +9,26 @@
 
 namespace lessons {
 
-/// A thing to try, and how the machine sees that it was done.
+/// A thing to try, and the test that shows whether it is done.
 struct Try
 {
     QString text = {}; ///< Markdown, one or two short sentences
-    /// Looked at after each frame and each change; once all hold, the thing is done. They must not do so at the start
-    /// and for a run that nobody touches.
+    /// Tested after each frame and each edit. The thing is done once all conditions hold. They must not hold
+    /// at the start, nor in a run without input.
     Conditions conditions = {};
-    /// Where there is one, the thing is done only if the run keeps it, too. That is measured only while the conditions
-    /// hold, and not after every frame: it takes some milliseconds.
+    /// If set, the run must also stay within this budget. It is tested only while the conditions hold, and
+    /// not after every frame, because the test takes some milliseconds.
     std::optional<Budget> budget = {};
-    /// Whether the thing is to stop at the right moment: it counts only while the run does not play.
+    /// Whether the conditions count only while the run is paused. For things to try that ask to stop at the
+    /// right moment.
     bool onlyWhilePaused = false;
-    /// Markdown, one to three sentences: what to drag, to set or to press. May be empty.
+    /// Markdown, one to three sentences: what to drag, set or press. May be empty.
     QString hint = {};
-    /// Markdown, one or two sentences: what there was to see. Shown when the thing is done; needed where its text asks
-    /// something.
+    /// Markdown, one or two sentences: what there was to see. Shown when the thing is done. Required if the
+    /// text asks a question.
     QString answer = {};
 
-    /// Whether all conditions hold at the cursor.
+    /// Returns whether all conditions hold at the cursor.
     bool isDone(const sim::Timeline &run) const { return conditions.hold(run); }
 };
 

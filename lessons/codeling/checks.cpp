@@ -23,29 +23,29 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Codeling)
 };
 
-/// Whether a click has set a target up to the cursor.
-bool wasSent(const Timeline &run)
+/// Returns whether a click has set a target, up to the cursor.
+bool hasClicked(const Timeline &run)
 {
     const std::vector<sim::Event> &input = run.script().input;
-    const std::int64_t begun =
+    const std::int64_t lastFrame =
         run.cursor().frame + (run.cursor().phase > 0 ? run.track().framesPerOutput() : 0);
     return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
-        return std::holds_alternative<sim::Target>(event.what) && event.frame <= begun && begun > 0;
+        return std::holds_alternative<sim::Target>(event.what) && event.frame <= lastFrame && lastFrame > 0;
     });
 }
 
-/// Whether a click came after the parameter `id` was set.
-bool wasSentSince(const Timeline &run, const std::string &id)
+/// Returns whether a click has set a target after the parameter `id` was set last.
+bool hasClickedSinceSet(const Timeline &run, const std::string &id)
 {
     const std::vector<sim::Event> &input = run.script().input;
     const std::int64_t set = lastSetFrame(run, id);
-    return wasSent(run) && std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
+    return hasClicked(run) && std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
                return std::holds_alternative<sim::Target>(event.what) && event.frame >= set;
            });
 }
 
-/// How many frames ago the last click was.
-double framesSinceSent(const Timeline &run)
+/// Returns the number of frames since the last click.
+double framesSinceClick(const Timeline &run)
 {
     std::int64_t last = 0;
     for (const sim::Event &event : run.script().input) {
@@ -61,28 +61,28 @@ sim::Vec2 toTarget(const Timeline &run)
     return run.state().input.target - run.state().positionOf(lead);
 }
 
-/// How far away the last click was from the lead, as that was then, in px.
-double clickedAway(const Timeline &run)
+/// Returns the distance of the last click from the lead's position at that time, in px. 0 without a click.
+double clickDistance(const Timeline &run)
 {
-    std::optional<double> away;
+    std::optional<double> distance;
     for (const sim::Event &event : run.script().input) {
         const auto *target = std::get_if<sim::Target>(&event.what);
         if (!target || event.frame > run.cursor().frame + run.track().framesPerOutput())
             continue;
         const std::int64_t before = std::clamp<std::int64_t>(event.frame - 1, 0, run.cursor().frame);
-        away = sim::length(target->at - run.track().stateAt(before).positionOf(lead));
+        distance = sim::length(target->at - run.track().stateAt(before).positionOf(lead));
     }
-    return away.value_or(0.0);
+    return distance.value_or(0.0);
 }
 
-Condition sent()
+Condition clicked()
 {
-    return {wasSent, Text::tr("click the background.")};
+    return {hasClicked, Text::tr("click the background.")};
 }
 
-Condition sentSince(const std::string &id)
+Condition clickedSinceSet(const std::string &id)
 {
-    return {[id](const Timeline &run) { return wasSentSince(run, id); }, sent().todo};
+    return {[id](const Timeline &run) { return hasClickedSinceSet(run, id); }, clicked().todo};
 }
 
 Condition arrived()
@@ -91,25 +91,25 @@ Condition arrived()
             Text::tr("let time run (**Space**) until it lies still at its target.")};
 }
 
-/// How fast the lead goes away from its target, in px/frame.
-double backingUp(const Timeline &run)
+/// Returns the speed at which the lead moves away from its target, in px/frame.
+double retreatSpeed(const Timeline &run)
 {
-    const sim::Vec2 v = run.state().velocityOf(lead), way = toTarget(run);
-    return -dot(v, way) / std::max(1.0, sim::length(way));
+    const sim::Vec2 v = run.state().velocityOf(lead), offset = toTarget(run);
+    return -dot(v, offset) / std::max(1.0, sim::length(offset));
 }
 
 Condition backsUp()
 {
-    return atLeast(3.0, backingUp,
+    return atLeast(3.0, retreatSpeed,
                    Text::tr("click farther away: it has to back up at 3 px per frame or more. Now: %1."));
 }
 
-double spine(const Timeline &run)
+double spineLength(const Timeline &run)
 {
     return distance(run, "lead", "tail");
 }
 
-double width(const Timeline &run)
+double bodyWidth(const Timeline &run)
 {
     return distance(run, "side0", "side1");
 }
@@ -119,14 +119,14 @@ double tailRightOfLead(const Timeline &run)
     return positionOf(run, "tail").x - positionOf(run, "lead").x;
 }
 
-/// px; 0 where it is too near.
-double tailTooFar(const Timeline &run)
+/// Returns by how much the tail is farther from the lead than the rest length, in px. 0 if it is nearer.
+double tailExcess(const Timeline &run)
 {
-    return std::max(0.0, spine(run) - run.values()["rest_length"]);
+    return std::max(0.0, spineLength(run) - run.values()["rest_length"]);
 }
 
-/// How fast the fastest point of a tentacle moves, in px/frame.
-double whip(const Timeline &run)
+/// Returns the speed of the fastest point of a tentacle, in px/frame.
+double maxTentacleSpeed(const Timeline &run)
 {
     const auto &v = run.state().velocity;
     const Eigen::Index count = v.rows() - firstOfTentacles;
@@ -142,8 +142,8 @@ std::vector<Try> motorTries()
             .text = Text::tr("Click at least 100 px away, and wait until it has arrived."),
             .conditions =
                 {
-                    sent(),
-                    atLeast(100.0, clickedAway, Text::tr("click 100 px away or more. That was %1 px."), 0),
+                    clicked(),
+                    atLeast(100.0, clickDistance, Text::tr("click 100 px away or more. That was %1 px."), 0),
                     arrived(),
                 },
             .hint = Text::tr("Press **Space**, and click the background near the edge of the picture. Then "
@@ -162,10 +162,10 @@ std::vector<Try> motorTries()
             .conditions =
                 {
                     parameterSetTo("keep", 1.0),
-                    sentSince("keep"),
+                    clickedSinceSet("keep"),
                     {[](const Timeline &run) { return run.cursor().phase == 0 && !isStill(run); },
                      Text::tr("click somewhere else: it stands still.")},
-                    atLeast(100.0, framesSinceSent,
+                    atLeast(100.0, framesSinceClick,
                             Text::tr("let time run for 100 frames after the click. So far: %1."), 0),
                 },
             .hint =
@@ -184,7 +184,7 @@ std::vector<Try> orientationTries()
                 "lead."),
             .conditions =
                 {
-                    sent(),
+                    clicked(),
                     atLeast(30.0, tailRightOfLead,
                             Text::tr("send it to the left. The tail is %1 px to the right of the lead."), 0),
                 },
@@ -203,11 +203,11 @@ std::vector<Try> orientationTries()
                 Text::tr("Stop inside a frame when the lead has moved, and the tail is 5 px too far away."),
             .conditions =
                 {
-                    insideAFrame(),
+                    insideFrame(),
                     {[](const Timeline &run) { return hasMoved(run); },
                      Text::tr("press **Shift+→** until the lead has moved.")},
                     atLeast(
-                        5.0, tailTooFar,
+                        5.0, tailExcess,
                         Text::tr(
                             "stop while it is fast: click far away first. The tail is %1 px too far away.")),
                 },
@@ -229,8 +229,8 @@ std::vector<Try> anticipationTries()
                 "frame or more."),
             .conditions =
                 {
-                    sent(),
-                    insideAFrame(),
+                    clicked(),
+                    insideFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
                          return last && last->kind == sim::EffectKind::driver;
@@ -244,7 +244,7 @@ std::vector<Try> anticipationTries()
         },
         {
             .text = Text::tr("Set **anticipation** to 0.6 and click far away. It winds up like a spring."),
-            .conditions = {parameterSetTo("anticipation", 0.6), sent(), backsUp()},
+            .conditions = {parameterSetTo("anticipation", 0.6), clicked(), backsUp()},
             .hint = Text::tr("Type 0.6 into the field beside **Anticipation**. Press **Space** and click far "
                              "away."),
         },
@@ -253,7 +253,7 @@ std::vector<Try> anticipationTries()
                 "Go back in time to before a click, change **anticipation**, and compare with the ghost."),
             .conditions =
                 {
-                    ghostDiffers("anticipation"),
+                    comparisonDiffers("anticipation"),
                     {[](const Timeline &run) {
                          const std::vector<sim::Event> &input = run.script().input;
                          return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
@@ -262,7 +262,7 @@ std::vector<Try> anticipationTries()
                          });
                      },
                      Text::tr("go back to before a click, and change **anticipation** there.")},
-                    playedBesideGhost(),
+                    playedSinceFork(),
                 },
             .hint =
                 Text::tr("Play, click the background, and stop. Drag the timeline back to before the click, "
@@ -278,8 +278,8 @@ std::vector<Try> squashStretchTries()
             .text = Text::tr("Send it so far that its spine gets 55 px long."),
             .conditions =
                 {
-                    sent(),
-                    atLeast(55.0, spine, Text::tr("send it farther. Its spine is %1 px long."), 0),
+                    clicked(),
+                    atLeast(55.0, spineLength, Text::tr("send it farther. Its spine is %1 px long."), 0),
                 },
             .hint =
                 Text::tr("Press **Space**, and click the background in the corner that is farthest away."),
@@ -288,8 +288,8 @@ std::vector<Try> squashStretchTries()
             .text = Text::tr("Send it where it looks, so that it is squashed to 32 px before it starts."),
             .conditions =
                 {
-                    sent(),
-                    atMost(32.0, spine,
+                    clicked(),
+                    atMost(32.0, spineLength,
                            Text::tr("send it far away, to where it looks. Its spine is %1 px long."), 0),
                 },
             .hint = Text::tr(
@@ -300,9 +300,9 @@ std::vector<Try> squashStretchTries()
             .text = Text::tr("Go back in time, set **soft** to 1, and compare with the ghost."),
             .conditions =
                 {
-                    ghostDiffers("soft"),
+                    comparisonDiffers("soft"),
                     parameterSetTo("soft", 1.0, Text::tr("set **soft** to 1 there.")),
-                    playedBesideGhost(),
+                    playedSinceFork(),
                 },
             .hint =
                 Text::tr("Play, click the background, and stop. Drag the timeline back to the left, type 1 "
@@ -318,9 +318,9 @@ std::vector<Try> volumeTries()
             .text = Text::tr("Squash it until it is 40 px wide."),
             .conditions =
                 {
-                    sent(),
-                    atLeast(40.0, width, Text::tr("send it far away, to where it looks. It is %1 px wide."),
-                            0),
+                    clicked(),
+                    atLeast(40.0, bodyWidth,
+                            Text::tr("send it far away, to where it looks. It is %1 px wide."), 0),
                 },
             .hint = Text::tr(
                 "Press **Space**. It looks to the right at the start: click the background far to the "
@@ -330,8 +330,8 @@ std::vector<Try> volumeTries()
             .text = Text::tr("Stretch it until it is only 22 px wide."),
             .conditions =
                 {
-                    sent(),
-                    atMost(22.0, width, Text::tr("send it farther. It is %1 px wide."), 0),
+                    clicked(),
+                    atMost(22.0, bodyWidth, Text::tr("send it farther. It is %1 px wide."), 0),
                 },
             .hint =
                 Text::tr("Press **Space**, and click the background in the corner that is farthest away."),
@@ -364,7 +364,7 @@ std::vector<Try> tentaclesTries()
             .conditions =
                 {
                     parameterSetTo("tentacles", 8.0),
-                    sentSince("tentacles"),
+                    clickedSinceSet("tentacles"),
                     {[](const Timeline &run) {
                          return sim::length(toTarget(run)) < 2.0 &&
                                 sim::length(run.state().velocityOf(lead)) < 0.1;
@@ -381,8 +381,8 @@ std::vector<Try> tentaclesTries()
             .conditions =
                 {
                     parameterSetTo("water", 0.98),
-                    sent(),
-                    atLeast(40.0, whip,
+                    clicked(),
+                    atLeast(40.0, maxTentacleSpeed,
                             Text::tr("send it to and fro, farther and faster. The fastest tip moves at %1 px "
                                      "per frame."),
                             0),
@@ -393,7 +393,7 @@ std::vector<Try> tentaclesTries()
         },
         {
             .text = Text::tr("Go back in time, change **water**, and compare with the ghost."),
-            .conditions = {ghostDiffers("water"), playedBesideGhost()},
+            .conditions = {comparisonDiffers("water"), playedSinceFork()},
             .hint = Text::tr("Play, click the background, and stop. Drag the timeline back to the left, type "
                              "another **Water**, and play on for a second."),
         },

@@ -13,18 +13,18 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Codeling)
 };
 
-/// Returns `own` as a share from 0 to 1.
-Parameter part(Parameter own)
+/// Completes a parameter with the range from 0 to 1.
+Parameter share(Parameter parameter)
 {
-    own.min = own.sliderMin = 0.0;
-    own.max = own.sliderMax = 1.0;
-    return own;
+    parameter.min = parameter.sliderMin = 0.0;
+    parameter.max = parameter.sliderMax = 1.0;
+    return parameter;
 }
 
-/// What swings is the lead, on its motor: so this is what damps.
+/// The lead swings on its motor, so this parameter has the role of damping.
 Parameter keptByLead()
 {
-    return part({
+    return share({
         .id = "keep",
         .name = Text::tr("Keep"),
         .unit = Text::tr("per frame"),
@@ -34,32 +34,32 @@ Parameter keptByLead()
     });
 }
 
-/// Returns `own` as a length in pixels.
-Parameter pixels(Parameter own)
+/// Completes a length in pixels.
+Parameter pixels(Parameter parameter)
 {
-    own.unit = Text::tr("px");
-    own.max = 1e6;
-    own.decimals = 0;
-    return own;
+    parameter.unit = Text::tr("px");
+    parameter.max = 1e6;
+    parameter.decimals = 0;
+    return parameter;
 }
 
-/// Returns `own` as a coordinate of the first target.
-Parameter place(Parameter own)
+/// Completes a coordinate of the first target.
+Parameter coordinate(Parameter parameter)
 {
-    own.defaultValue = 200.0;
-    own = pixels(own);
-    own.min = -1e6;
-    return own;
+    parameter.defaultValue = 200.0;
+    parameter = pixels(parameter);
+    parameter.min = -1e6;
+    return parameter;
 }
 
-/// Returns `own` as a number of things; the slider covers all that files may give.
-Parameter count(Parameter own)
+/// Completes an integer whose slider covers its whole range.
+Parameter count(Parameter parameter)
 {
-    own.sliderMin = own.min;
-    own.sliderMax = own.max;
-    own.decimals = 0;
-    own.isInteger = true;
-    return own;
+    parameter.sliderMin = parameter.min;
+    parameter.sliderMax = parameter.max;
+    parameter.decimals = 0;
+    parameter.isInteger = true;
+    return parameter;
 }
 
 }
@@ -89,13 +89,13 @@ std::vector<Parameter> motorParameters()
             .sliderMin = 0.0,
             .sliderMax = 1.0,
         },
-        place({
+        coordinate({
             .id = "target_x",
             .name = Text::tr("Target x"),
             .help = Text::tr("How far to the right the first target is."),
             .sliderMax = 540.0,
         }),
-        place({
+        coordinate({
             .id = "target_y",
             .name = Text::tr("Target y"),
             .help = Text::tr("How far down the first target is."),
@@ -117,7 +117,7 @@ Parameter restLength()
 
 Parameter anticipationPart()
 {
-    return part({
+    return share({
         .id = "anticipation",
         .name = Text::tr("Anticipation"),
         .help = Text::tr("How far it backs up before a move, as a part of the way to the target."),
@@ -129,28 +129,28 @@ std::vector<Parameter> spineParameters()
 {
     const QString perFrame = Text::tr("per frame");
     return {
-        part({
+        share({
             .id = "soft",
             .name = Text::tr("Soft"),
             .unit = perFrame,
             .help = Text::tr("The part of the spine’s error that goes each frame."),
             .defaultValue = 0.1,
         }),
-        part({
+        share({
             .id = "hard",
             .name = Text::tr("Hard"),
             .unit = perFrame,
             .help = Text::tr("The same, when the spine is shorter than least or longer than most."),
             .defaultValue = 0.8,
         }),
-        part({
+        share({
             .id = "along",
             .name = Text::tr("Along"),
             .unit = perFrame,
             .help = Text::tr("The share of the tail’s speed along the spine that it keeps."),
             .defaultValue = 0.7,
         }),
-        part({
+        share({
             .id = "across",
             .name = Text::tr("Across"),
             .unit = perFrame,
@@ -193,7 +193,7 @@ std::vector<Parameter> tentacleParameters()
             .min = 3.0,
             .max = 30.0,
         }),
-        part({
+        share({
             .id = "water",
             .name = Text::tr("Water"),
             .unit = Text::tr("per frame"),

@@ -4,16 +4,16 @@
 
 #include <vector>
 
-/// The parameters of this lesson, in the groups in which the steps bring them.
+/// The parameters of this lesson, grouped as the steps introduce them.
 namespace codeling {
 
-/// keep, k, dt and the target.
+/// Returns `k`, `keep`, `dt`, and `target_x` and `target_y` of the first target.
 std::vector<lessons::Parameter> motorParameters();
 lessons::Parameter restLength();
 lessons::Parameter anticipationPart();
-/// along, across, soft, hard, min_length and max_length.
+/// Returns `soft`, `hard`, `along`, `across`, `min_length` and `max_length`.
 std::vector<lessons::Parameter> spineParameters();
-/// tentacles, links and water.
+/// Returns `tentacles`, `links` and `water`.
 std::vector<lessons::Parameter> tentacleParameters();
 
 }

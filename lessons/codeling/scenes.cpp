@@ -16,11 +16,11 @@ using namespace lessons;
 
 namespace codeling {
 
-using sim::PointRange; // not that of lessons
+using sim::PointRange; // not lessons::PointRange
 
 namespace {
 
-/// Adds `count` points, all at (0, 0), to the end of a state.
+/// Appends `count` points at (0, 0) to a state. Velocities and masses become those of a new state.
 void grow(State &state, int count)
 {
     const int before = state.pointCount();
@@ -30,22 +30,23 @@ void grow(State &state, int count)
     state = std::move(grown);
 }
 
-/// The direction in which tentacle `number` of `count` starts: they fan out behind, from -60 to 60 degrees.
-Vec2 fan(int number, int count)
+/// Returns the start direction of tentacle `index` of `count`. The tentacles fan out over 120 degrees behind
+/// the body.
+Vec2 fanDirection(int index, int count)
 {
     const double spread = std::numbers::pi / 3;
-    const double angle = std::numbers::pi + spread - 2.0 * spread * (number + 0.5) / count;
+    const double angle = std::numbers::pi + spread - 2.0 * spread * (index + 0.5) / count;
     return {std::cos(angle), -std::sin(angle)};
 }
 
-/// Adds a point that follows its own group's rules, in a group of its own.
-void addPoint(Scene &scene, const char *name, Vec2 place, Motion inertia)
+/// Adds a point as a new group with this motion.
+void addPoint(Scene &scene, const char *name, Vec2 position, Motion motion)
 {
     const int point = scene.start.pointCount();
     grow(scene.start, 1);
-    scene.start.place(point, place);
+    scene.start.place(point, position);
     scene.names.push_back(name);
-    scene.groups.push_back({name, {point, 1}, inertia});
+    scene.groups.push_back({name, {point, 1}, motion});
 }
 
 }
@@ -61,9 +62,9 @@ Scene swimmer(const Values &values)
     return scene;
 }
 
-void addTail(Scene &scene, const Values &values, Motion inertia)
+void addTail(Scene &scene, const Values &values, Motion motion)
 {
-    addPoint(scene, SIM_TEXT("tail"), {200 - values["rest_length"], 200}, inertia);
+    addPoint(scene, SIM_TEXT("tail"), {200 - values["rest_length"], 200}, motion);
 }
 
 void addSides(Scene &scene)
@@ -82,13 +83,13 @@ std::vector<Stick> addTentacles(Scene &scene, int tentacles, int links)
     grow(scene.start, count);
     std::vector<Stick> sticks;
     for (int i = 0; i < count; ++i) {
-        const int number = i / links, link = i % links;
-        // The upper half of the fan starts at the upper side.
-        const int root = number < (tentacles + 1) / 2 ? side0 : side1;
+        const int chain = i / links, link = i % links;
+        // The upper half of the fan starts at the upper side, side 0.
+        const int root = chain < (tentacles + 1) / 2 ? side0 : side1;
         const int point = firstOfTentacles + i;
         const int inner = link == 0 ? root : point - 1;
-        scene.start.place(point, scene.start.positionOf(inner) + linkLength * fan(number, tentacles));
-        scene.names.push_back(SIM_TEXT("tentacle") + std::to_string(number) + "_" + std::to_string(link));
+        scene.start.place(point, scene.start.positionOf(inner) + linkLength * fanDirection(chain, tentacles));
+        scene.names.push_back(SIM_TEXT("tentacle") + std::to_string(chain) + "_" + std::to_string(link));
         sticks.push_back({inner, point, linkLength, 0.0});
     }
     scene.groups.push_back({SIM_TEXT("tentacles"), {firstOfTentacles, count}});

@@ -8,39 +8,41 @@
 
 #include <vector>
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new.
 namespace codeling {
 
-/// The points that every swimmer numbers alike.
+/// Point indices, the same in all scenes that have these points.
 constexpr int lead = 0;
 constexpr int tail = 1;
 constexpr int side0 = 2;
 constexpr int side1 = 3;
 constexpr int firstOfTentacles = 4;
 
-/// How wide the body is at rest, and from which spine length on its sides keep its area, px.
+/// px, width of the body at rest.
 constexpr double restWidth = 30.0;
+/// px. For the width of the body, a shorter spine counts as this long.
 constexpr double shortestSpine = 10.0;
-/// How long a link of a tentacle is, px.
+/// px, length of a link of a tentacle.
 constexpr double linkLength = 7.0;
 
 /// The corners of the body.
 constexpr sim::Quad corners = {lead, tail, side0, side1};
 
-/// The lead alone at (200, 200), and the target where the parameters say.
+/// Returns a scene with the lead at (200, 200) and the target at `target_x`, `target_y`.
 sim::Scene swimmer(const sim::Values &values);
-/// The tail, `rest_length` px to the left of the lead.
+/// Adds the tail, `rest_length` px to the left of the lead.
 void addTail(sim::Scene &scene, const sim::Values &values, sim::Motion motion);
-/// Two sides, `restWidth` px apart, in the middle of lead and tail. They have no velocity.
+/// Adds two sides, `restWidth` px apart, in the middle between lead and tail. Their motion is prescribed.
 void addSides(sim::Scene &scene);
-/// Chains `tentacle0_0`, `tentacle0_1`... that start at the sides in turn and spread out behind.
-/// Returns their links, from root to tip, chain after chain. A link's outer end takes its whole error.
+/// Adds chains of points `tentacle0_0`, `tentacle0_1`... which fan out behind the sides. The first half
+/// starts at side 0, the rest at side 1. Returns the links as sticks, from root to tip, chain after chain.
+/// The outer end of a link takes its whole error.
 std::vector<sim::Stick> addTentacles(sim::Scene &scene, int tentacles, int links);
 
-/// The two soft sticks from lead and tail to each side.
+/// Returns four soft sticks: from lead and tail to each side.
 std::vector<sim::SoftStick> sideSticks(const sim::Values &values);
-/// The area of the body at rest, px^2.
+/// Returns the area of the body at rest, in px^2.
 double restArea(const sim::Values &values);
 
 namespace motor {

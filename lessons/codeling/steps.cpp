@@ -19,21 +19,22 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Codeling)
 };
 
-/// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
-Step stepOf(const char *id, const QString &title)
+/// Returns a step with the settings that all steps of this lesson share. `id` is also the marker of its
+/// set-up function.
+Step newStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("codeling", id, title);
     step.traceColumns = TraceColumns::position;
     step.interactions = {Interaction::drag, Interaction::target};
-    step.view = spineLook;
+    step.view = spineView;
     step.overlays = targetAndPull;
     return step;
 }
 
-/// From here on the spine is soft.
+/// Returns a step with a soft spine.
 Step softStep(const char *id, const QString &title)
 {
-    Step step = stepOf(id, title);
+    Step step = newStep(id, title);
     step.parameters = {anticipationPart()};
     step.addParameters(spineParameters());
     step.addParameters({restLength()});
@@ -46,7 +47,7 @@ Step softStep(const char *id, const QString &title)
 
 Step motorStep()
 {
-    Step step = stepOf("motor", Text::tr("A motor"));
+    Step step = newStep("motor", Text::tr("A motor"));
     step.narration = Text::tr(
         "Click anywhere: this little creature swims there. Its motor is a **spring** from its head, the "
         "**lead**, to the target. The pull is k times the way to go, so it starts fast, slows down by "
@@ -65,7 +66,7 @@ Step motorStep()
 
 Step orientationStep()
 {
-    Step step = stepOf("orientation", Text::tr("Which way it looks"));
+    Step step = newStep("orientation", Text::tr("Which way it looks"));
     step.narration = Text::tr(
         "A dot has no front. So give it a second point, the **tail**, tied to the lead by a rigid stick of "
         "40 px.\n\n"
@@ -87,7 +88,7 @@ Step orientationStep()
 
 Step anticipationStep()
 {
-    Step step = stepOf("anticipation", Text::tr("Anticipation"));
+    Step step = newStep("anticipation", Text::tr("Anticipation"));
     step.narration = Text::tr(
         "Before you jump, you crouch. Animators call that **anticipation**: a small move the other way "
         "tells the eye that a big one is coming.\n\n"
@@ -122,7 +123,7 @@ Step squashStretchStep()
     step.explanation = squashStretchExplanation();
     step.tries = squashStretchTries();
     step.scene = squash_stretch::setUp;
-    step.view = stretchingLook;
+    step.view = stretchingView;
     return step;
 }
 
@@ -141,7 +142,7 @@ Step volumeStep()
     step.explanation = volumeExplanation();
     step.tries = volumeTries();
     step.scene = volume::setUp;
-    step.view = bodyLook;
+    step.view = bodyView;
     step.measures.insert(step.measures.begin(), {areaMeasure(), widthMeasure()});
     return step;
 }
@@ -158,13 +159,13 @@ Step tentaclesStep()
         "The price: a tentacle feels the body, but the body does not feel the tentacle. For something so "
         "light that is a fair lie.\n\n"
         "Nothing here was drawn frame by frame: springs and constraints do all of it.");
-    std::vector<Parameter> all = tentacleParameters();
-    all.insert(all.end(), step.parameters.begin(), step.parameters.end());
-    step.parameters = all;
+    std::vector<Parameter> parameters = tentacleParameters();
+    parameters.insert(parameters.end(), step.parameters.begin(), step.parameters.end());
+    step.parameters = parameters;
     step.explanation = tentaclesExplanation();
     step.tries = tentaclesTries();
     step.scene = tentacles::setUp;
-    step.view = bodyLook;
+    step.view = bodyView;
     step.measures.insert(step.measures.begin(), areaMeasure());
     return step;
 }

@@ -19,9 +19,9 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Codeling)
 };
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
-bool has(const sim::Scene &scene, int point)
+bool hasPoint(const sim::Scene &scene, int point)
 {
     return scene.start.pointCount() > point;
 }
@@ -31,54 +31,55 @@ double spineLength(const sim::State &state)
     return sim::length(state.positionOf(lead) - state.positionOf(tail));
 }
 
-/// The chains of a scene's tentacles, each from its side to its tip.
+/// Returns the chains of the tentacles, each from its side to its tip. Chains without points in `scene` are
+/// left out.
 std::vector<ChainView> chainsOf(const sim::Scene &scene, const sim::Values &values)
 {
     const int chains = values.integer("tentacles"), links = values.integer("links");
-    std::vector<ChainView> looks;
+    std::vector<ChainView> chainViews;
     for (int chain = 0; chain < chains; ++chain) {
-        ChainView look;
-        look.points = {chain < (chains + 1) / 2 ? side0 : side1};
+        ChainView view;
+        view.points = {chain < (chains + 1) / 2 ? side0 : side1};
         for (int link = 0; link < links; ++link)
-            look.points.push_back(firstOfTentacles + chain * links + link);
-        if (has(scene, look.points.back()))
-            looks.push_back(look);
+            view.points.push_back(firstOfTentacles + chain * links + link);
+        if (hasPoint(scene, view.points.back()))
+            chainViews.push_back(view);
     }
-    return looks;
+    return chainViews;
 }
 
 }
 
-View spineLook(const sim::Scene &scene, const sim::Values &)
+View spineView(const sim::Scene &scene, const sim::Values &)
 {
-    View look;
-    look.bodies.resize(scene.names.size(), {BodyView::Shape::joint, 5.0});
-    look.bodies[lead] = {BodyView::Shape::body, 13.0};
-    if (has(scene, tail))
-        look.legs = {{lead, tail}};
-    look.showsVelocities = true;
-    return look;
+    View view;
+    view.bodies.resize(scene.names.size(), {BodyView::Shape::joint, 5.0});
+    view.bodies[lead] = {BodyView::Shape::body, 13.0};
+    if (hasPoint(scene, tail))
+        view.legs = {{lead, tail}};
+    view.showsVelocities = true;
+    return view;
 }
 
-View stretchingLook(const sim::Scene &scene, const sim::Values &values)
+View stretchingView(const sim::Scene &scene, const sim::Values &values)
 {
-    View look = spineLook(scene, values);
-    look.showsOnionSkins = true;
-    return look;
+    View view = spineView(scene, values);
+    view.showsOnionSkins = true;
+    return view;
 }
 
-View bodyLook(const sim::Scene &scene, const sim::Values &values)
+View bodyView(const sim::Scene &scene, const sim::Values &values)
 {
-    View look;
-    look.bodies.resize(scene.names.size(), {BodyView::Shape::none, 2.0});
+    View view;
+    view.bodies.resize(scene.names.size(), {BodyView::Shape::none, 2.0});
     for (const int point : {lead, tail, side0, side1})
-        look.bodies[static_cast<std::size_t>(point)] = {BodyView::Shape::joint, 4.0};
-    look.skins = {{{lead, side1, tail, side0}, lead}};
+        view.bodies[static_cast<std::size_t>(point)] = {BodyView::Shape::joint, 4.0};
+    view.skins = {{{lead, side1, tail, side0}, lead}};
     if (values.has("tentacles"))
-        look.chains = chainsOf(scene, values);
-    look.showsVelocities = look.chains.empty(); // a hundred arrows say nothing
-    look.showsOnionSkins = look.chains.empty();
-    return look;
+        view.chains = chainsOf(scene, values);
+    view.showsVelocities = view.chains.empty(); // a hundred arrows would be confusing
+    view.showsOnionSkins = view.chains.empty();
+    return view;
 }
 
 std::vector<Overlay> targetAndPull(const sim::Scene &scene, const sim::State &state,
@@ -114,7 +115,7 @@ Measure stretchMeasure()
         .of =
             [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &values) {
                 const double rest = values["rest_length"];
-                return rest > 0.0 ? spineLength(state) / rest : nothing;
+                return rest > 0.0 ? spineLength(state) / rest : undefined;
             },
     };
 }
@@ -128,7 +129,7 @@ Measure areaMeasure()
         .of =
             [](const sim::Scene &, const sim::State &state, const sim::State *, const sim::Values &values) {
                 const double rest = restArea(values);
-                return rest > 0.0 ? sim::areaOf(state, corners) / rest : nothing;
+                return rest > 0.0 ? sim::areaOf(state, corners) / rest : undefined;
             },
     };
 }

@@ -21,42 +21,44 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(GravityWalls)
 };
 
-/// Whether some point that is not held stands with its edge on the left wall (or the right one).
-bool touchesSide(const Timeline &run, bool left, bool withoutSpeed = false)
+/// Returns whether the edge of a dynamic point touches the left (else the right) wall. With `atRest`, its
+/// velocity across the wall must be 0, too.
+bool touchesSide(const Timeline &run, bool left, bool atRest = false)
 {
-    const sim::State &now = run.state();
-    const Eigen::ArrayXd half = halfWidths(run.track().interval().scene);
-    for (int i = 0; i < now.pointCount(); ++i) {
-        const double edge = left ? now.position(i, 0) - half[i] : now.position(i, 0) + half[i];
+    const sim::State &state = run.state();
+    const Eigen::ArrayXd halfWidth = halfWidths(run.track().interval().scene);
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const double edge = left ? state.position(i, 0) - halfWidth[i] : state.position(i, 0) + halfWidth[i];
         const double wall = run.values()[left ? "left" : "right"];
-        if (now.isDynamic(i) && std::abs(edge - wall) < 1e-9 && (!withoutSpeed || now.velocity(i, 0) == 0.0))
+        if (state.isDynamic(i) && std::abs(edge - wall) < 1e-9 && (!atRest || state.velocity(i, 0) == 0.0))
             return true;
     }
     return false;
 }
 
-/// Whether the cursor stands inside a frame where something has moved past a wall that has not put it back yet.
-bool somethingIsPastAWall(const Timeline &run)
+/// Returns whether, inside a frame, a dynamic point is past a wall that has not moved it back yet.
+bool isPastAWall(const Timeline &run)
 {
-    const sim::State &now = run.state();
-    const Eigen::ArrayXd half = halfWidths(run.track().interval().scene);
-    const Eigen::ArrayXd x = now.position.col(0), y = now.position.col(1);
-    const auto past = (x + half > run.values()["right"] + 1e-9) || (x - half < run.values()["left"] - 1e-9) ||
-                      (y + half > run.values()["floor"] + 1e-9);
-    return run.cursor().phase > 0 && (past && now.inverseMass != 0.0).any();
+    const sim::State &state = run.state();
+    const Eigen::ArrayXd halfWidth = halfWidths(run.track().interval().scene);
+    const Eigen::ArrayXd x = state.position.col(0), y = state.position.col(1);
+    const auto past = (x + halfWidth > run.values()["right"] + 1e-9) ||
+                      (x - halfWidth < run.values()["left"] - 1e-9) ||
+                      (y + halfWidth > run.values()["floor"] + 1e-9);
+    return run.cursor().phase > 0 && (past && state.inverseMass != 0.0).any();
 }
 
-/// Whether every foot hangs straight below the body, where its spring carries its weight.
-bool feetHang(const Timeline &run)
+/// Returns whether all feet hang still below the body, at the distance at which the spring balances gravity.
+bool areFeetHanging(const Timeline &run)
 {
     const double k = run.values()["k"];
     if (k <= 0.0 || !isStill(run))
         return false;
-    const double below = run.values()["radius"] + run.values()["gravity"] / k;
-    const sim::State &now = run.state();
-    const sim::Vec2 body = now.positionOf(now.pointCount() - 1);
-    for (int i = 0; i + 1 < now.pointCount(); ++i) {
-        if (sim::length(now.positionOf(i) - body - sim::Vec2{0.0, below}) > 0.5)
+    const double distance = run.values()["radius"] + run.values()["gravity"] / k;
+    const sim::State &state = run.state();
+    const sim::Vec2 body = state.positionOf(state.pointCount() - 1);
+    for (int i = 0; i + 1 < state.pointCount(); ++i) {
+        if (sim::length(state.positionOf(i) - body - sim::Vec2{0.0, distance}) > 0.5)
             return false;
     }
     return true;
@@ -64,24 +66,23 @@ bool feetHang(const Timeline &run)
 
 Condition hanging()
 {
-    return {feetHang, Text::tr("hold it still, high over the floor, until the feet hang still.")};
+    return {areFeetHanging, Text::tr("hold it still, high over the floor, until the feet hang still.")};
 }
 
-Condition touching(const QString &todo, bool withoutSpeed)
+Condition touching(const QString &todo, bool atRest)
 {
-    return {[withoutSpeed](const Timeline &run) {
-                return touchesSide(run, true, withoutSpeed) ||
-                       (withoutSpeed && touchesSide(run, false, withoutSpeed));
+    return {[atRest](const Timeline &run) {
+                return touchesSide(run, true, atRest) || (atRest && touchesSide(run, false, atRest));
             },
             todo};
 }
 
-double wallsApart(const Timeline &run)
+double wallDistance(const Timeline &run)
 {
     return run.values()["right"] - run.values()["left"];
 }
 
-double overFloor(const Timeline &run)
+double heightAboveFloor(const Timeline &run)
 {
     return run.values()["floor"] - positionOf(run, "body").y;
 }
@@ -111,8 +112,8 @@ std::vector<Try> wallsTries()
                 "back."),
             .conditions =
                 {
-                    insideAFrame(),
-                    {somethingIsPastAWall,
+                    insideFrame(),
+                    {isPastAWall,
                      Text::tr(
                          "press **Shift+→** until something has moved into a wall: throw it at one first.")},
                 },
@@ -174,7 +175,7 @@ std::vector<Try> gravityTries()
             .text = Text::tr("Stop inside a frame right after gravity has pulled."),
             .conditions =
                 {
-                    insideAFrame(),
+                    insideFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
                          return last && last->kind == sim::EffectKind::gravity;
@@ -189,17 +190,17 @@ std::vector<Try> gravityTries()
                 "on its feet."),
             .conditions =
                 {
-                    {[](const Timeline &run) { return wallsApart(run) <= 60.0; }},
+                    {[](const Timeline &run) { return wallDistance(run) <= 60.0; }},
                     releasedSinceSet("left", "body"),
                     releasedSinceSet("right", "body"),
                     allStill(),
                     {[](const Timeline &run) {
-                         return overFloor(run) >= 30.0 &&
-                                overFloor(run) <= run.values()["radius"] + bodyWidth;
+                         return heightAboveFloor(run) >= 30.0 &&
+                                heightAboveFloor(run) <= run.values()["radius"] + bodyWidth;
                      },
                      Text::tr("lift it again, and let it down with all feet under it. It stands %1 px over "
                               "the floor."),
-                     overFloor, 0},
+                     heightAboveFloor, 0},
                 },
             .hint = Text::tr(
                 "Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the "

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// The things to try of each step.
+/// The things to try in each step.
 namespace gravity_walls {
 
 std::vector<lessons::Try> wallsTries();

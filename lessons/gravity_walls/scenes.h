@@ -2,8 +2,8 @@
 
 #include "sim/forward.h"
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. The feet are points 0, 1, 2..., the body comes last.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new. The feet are points 0, 1, 2... and the body is the last point.
 namespace gravity_walls {
 
 namespace walls {

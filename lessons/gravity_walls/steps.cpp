@@ -23,18 +23,18 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(GravityWalls)
 };
 
-View inTheRoom(const sim::Scene &scene, const sim::Values &)
+View roomView(const sim::Scene &scene, const sim::Values &)
 {
-    View look = creatureViewWithLegs(scene);
+    View view = creatureViewWithLegs(scene);
     if (const auto *walls = effectOf<sim::Walls>(scene))
-        look.room = walls->room();
-    return look;
+        view.room = walls->room();
+    return view;
 }
 
-Step stepOf(const char *id, const QString &title)
+Step newStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("gravity_walls", id, title);
-    step.view = inTheRoom;
+    step.view = roomView;
     return step;
 }
 
@@ -42,7 +42,7 @@ Step stepOf(const char *id, const QString &title)
 
 Step wallsStep()
 {
-    Step step = stepOf("walls", Text::tr("Walls"));
+    Step step = newStep("walls", Text::tr("Walls"));
     step.addParameters({bounce(), stiffness(), damping(0.85), radius(), feet(5)});
     step.addParameters(room());
     step.narration = Text::tr(
@@ -62,7 +62,7 @@ Step wallsStep()
 
 Step gravityStep()
 {
-    Step step = stepOf("gravity", Text::tr("Gravity"));
+    Step step = newStep("gravity", Text::tr("Gravity"));
     step.addParameters({lessons::gravity(), bounce(), stiffness(), damping(0.85), radius(), feet(4)});
     step.addParameters(room());
     step.narration = Text::tr(

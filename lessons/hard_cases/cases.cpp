@@ -27,18 +27,18 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(HardCases)
 };
 
-constexpr double mostForks = 12.0; ///< 8191 branches
+constexpr double maxLevels = 12.0; ///< of forks; 8191 branches
 
-/// A text of sim, in the learner's language.
-QString phrase(const std::string &text)
+/// Returns a text of sim in the learner's language.
+QString translated(const std::string &text)
 {
     return QCoreApplication::translate("sim", text.c_str());
 }
 
-/// Why a method does not claim a case, in a few words.
-QString reasonOf(const sim::Error &why)
+/// Returns in a few words why a method does not claim a case.
+QString reasonOf(const sim::Error &reason)
 {
-    const std::string &id = why.id();
+    const std::string &id = reason.id();
     if (id == "claim-grows")
         return Text::tr("its steps are too long for what is so stiff");
     if (id == "claim-longer-step")
@@ -58,75 +58,76 @@ QString reasonOf(const sim::Error &why)
     return Text::tr("it cannot compute all of it");
 }
 
-/// What does not change while a case runs.
-struct Told
+/// The facts about a case that stay the same during a run.
+struct CaseFacts
 {
     sim::HardCase hard;
     sim::RunSize size;
-    sim::Scene first;
-    QString claim;
+    sim::Scene firstScene;
+    QString claim; ///< whether the method claims the case
 };
 
-Told toldOf(const sim::Script &script)
+CaseFacts factsOf(const sim::Script &script)
 {
-    Told told{caseNumber(script.values.integer("case")), {}, {}, {}};
-    told.size = told.hard.brief;
-    told.size.h = script.step.h;
+    CaseFacts facts{caseNumber(script.values.integer("case")), {}, {}, {}};
+    facts.size = facts.hard.brief;
+    facts.size.h = script.step.h;
     if (script.step.isAdaptive())
-        told.size.tolerance = script.step.tolerance;
-    told.first = sim::sceneOf(script, script.values);
-    const sim::Claim claim = sim::claimOf(told.hard, script.method, told.size);
-    const QString method = phrase(script.method->title());
-    told.claim =
-        !isAsTold(script) ? Text::tr("You have changed it: nobody claims this.")
+        facts.size.tolerance = script.step.tolerance;
+    facts.firstScene = sim::sceneOf(script, script.values);
+    const sim::Claim claim = sim::claimOf(facts.hard, script.method, facts.size);
+    const QString method = translated(script.method->title());
+    facts.claim =
+        !isUnchangedCase(script) ? Text::tr("You have changed it: nobody claims this.")
         : claim.isMade
             ? Text::tr("%1 claims this case.").arg(method)
             : Text::tr("%1 does not claim it: %2.").arg(method, claim.why ? reasonOf(*claim.why) : QString());
-    return told;
+    return facts;
 }
 
-/// Looks at every row of a run once, the earlier ones first.
+/// Checks each output step of a run once, in order of time.
 class Judge
 {
 public:
-    /// Goes on from where it was to the cursor. After a jump there may be much to look at: then it leaves some for the
-    /// next time.
-    void follow(const Told &told, const sim::Track &run)
+    /// Checks the output steps from the last one checked to the cursor. After a jump there may be many, so
+    /// each call checks only a limited number.
+    void checkUpTo(const CaseFacts &facts, const sim::Track &run)
     {
-        const int points = std::max(1, told.first.start.pointCount());
-        for (int left = std::max(1, mostPlaces / points);
-             left > 0 && !m_wrongAt && m_judged < run.cursor().frame; --left) {
-            m_judged += run.framesPerOutput();
-            const bool isHere = m_judged == run.cursor().frame && run.cursor().phase == 0;
-            if (sim::findViolation(told.hard, told.first, run.interval().scene,
-                                   isHere ? run.state() : run.stateAt(m_judged), m_judged))
-                m_wrongAt = m_judged;
+        const int points = std::max(1, facts.firstScene.start.pointCount());
+        for (int remaining = std::max(1, maxPositions / points);
+             remaining > 0 && !m_violationFrame && m_checkedFrame < run.cursor().frame; --remaining) {
+            m_checkedFrame += run.framesPerOutput();
+            const bool isAtCursor = m_checkedFrame == run.cursor().frame && run.cursor().phase == 0;
+            if (sim::findViolation(facts.hard, facts.firstScene, run.interval().scene,
+                                   isAtCursor ? run.state() : run.stateAt(m_checkedFrame), m_checkedFrame))
+                m_violationFrame = m_checkedFrame;
         }
     }
-    /// The row up to which all is well, or what is wrong has been found.
-    std::int64_t judged() const { return m_judged; }
-    bool isWrongAt(std::int64_t frame) const { return m_wrongAt && *m_wrongAt <= frame; }
-    std::int64_t wrongAt() const { return *m_wrongAt; }
+    /// Returns the last frame that was checked.
+    std::int64_t checkedFrame() const { return m_checkedFrame; }
+    bool isViolatedAt(std::int64_t frame) const { return m_violationFrame && *m_violationFrame <= frame; }
+    std::int64_t violationFrame() const { return *m_violationFrame; }
 
 private:
-    static constexpr int mostPlaces = 20'000; ///< looked at in one go
-    std::int64_t m_judged = 0;
-    std::optional<std::int64_t> m_wrongAt;
+    static constexpr int maxPositions = 20'000; ///< checked in one call
+    std::int64_t m_checkedFrame = 0;
+    std::optional<std::int64_t> m_violationFrame;
 };
 
-/// How the run is up to the cursor, in a few words.
-QString judgement(const Told &told, const Judge &judge, const sim::Track &run)
+/// Returns in a few words whether the run has met the requirements up to the cursor.
+QString judgement(const CaseFacts &facts, const Judge &judge, const sim::Track &run)
 {
     const std::int64_t frame = run.cursor().frame;
-    if (judge.isWrongAt(frame))
-        return Text::tr("out of its bounds since frame %1").arg(judge.wrongAt());
-    if (judge.judged() < frame)
+    if (judge.isViolatedAt(frame))
+        return Text::tr("out of its bounds since frame %1").arg(judge.violationFrame());
+    if (judge.checkedFrame() < frame)
         return Text::tr("within its bounds up to frame %1, the rest is not looked at yet")
-            .arg(judge.judged());
-    if (!told.hard.rest || frame == 0)
+            .arg(judge.checkedFrame());
+    if (!facts.hard.rest || frame == 0)
         return Text::tr("within its bounds so far");
     const sim::State before = run.stateAt(frame - run.framesPerOutput());
-    return sim::findRestViolation(told.hard, run.interval().scene, before, run.state(), run.framesPerOutput())
+    return sim::findRestViolation(facts.hard, run.interval().scene, before, run.state(),
+                                  run.framesPerOutput())
                ? Text::tr("within its bounds so far, not at rest yet")
                : Text::tr("within its bounds so far, and at rest, as it should be");
 }
@@ -143,45 +144,45 @@ std::vector<sim::HardCase> shownCases()
 {
     std::vector<sim::HardCase> all = sim::hardCases();
     std::erase_if(all,
-                  [](const sim::HardCase &one) { return one.hasRequirement(sim::Requirement::refused); });
-    for (sim::HardCase &one : all) {
-        if (one.script.values.has("levels"))
-            one.script.values.set("levels", std::min(one.script.values["levels"], mostForks));
+                  [](const sim::HardCase &hard) { return hard.hasRequirement(sim::Requirement::refused); });
+    for (sim::HardCase &hard : all) {
+        if (hard.script.values.has("levels"))
+            hard.script.values.set("levels", std::min(hard.script.values["levels"], maxLevels));
     }
     return all;
 }
 
-sim::HardCase caseNumber(int number)
+sim::HardCase caseNumber(int index)
 {
-    return shownCases().at(static_cast<std::size_t>(number));
+    return shownCases().at(static_cast<std::size_t>(index));
 }
 
-int numberOf(const char *id)
+int caseIndex(const char *id)
 {
     const std::vector<sim::HardCase> all = shownCases();
     const auto found =
-        std::find_if(all.begin(), all.end(), [id](const sim::HardCase &one) { return one.id == id; });
+        std::find_if(all.begin(), all.end(), [id](const sim::HardCase &hard) { return hard.id == id; });
     return found == all.end() ? -1 : static_cast<int>(found - all.begin());
 }
 
 Parameter caseParameter()
 {
     QStringList ids, titles, helps;
-    for (const sim::HardCase &one : shownCases()) {
-        ids << QString::fromStdString(one.id);
-        titles << lessons::grouped(phrase(one.family), phrase(one.title));
-        helps << phrase(one.story);
+    for (const sim::HardCase &hard : shownCases()) {
+        ids << QString::fromStdString(hard.id);
+        titles << lessons::grouped(translated(hard.family), translated(hard.title));
+        helps << translated(hard.story);
     }
     Parameter parameter = choice("case", Text::tr("Case"),
                                  Text::tr("The experiment that runs. Another one begins at frame 0."), ids);
     parameter.choiceTitles = titles;
     parameter.choiceHelps = helps;
-    parameter.defaultValue = numberOf("runaway_pair");
+    parameter.defaultValue = caseIndex("runaway_pair");
     parameter.restartsRun = true;
     return parameter;
 }
 
-Parameter stiffnessOfCase()
+Parameter caseStiffness()
 {
     Parameter parameter = stiffness(0.0);
     parameter.help = Text::tr("How hard the springs of the case pull. 0: as hard as the case has it.");
@@ -189,7 +190,7 @@ Parameter stiffnessOfCase()
     return parameter;
 }
 
-void openCase(sim::Script &script)
+void prepareCase(sim::Script &script)
 {
     const sim::HardCase hard = caseNumber(script.values.integer("case"));
     script.input = hard.script.input;
@@ -197,7 +198,7 @@ void openCase(sim::Script &script)
     script.step = sim::scriptOf(hard, script.method, hard.brief).step;
 }
 
-bool isAsTold(const sim::Script &script)
+bool isUnchangedCase(const sim::Script &script)
 {
     const sim::HardCase hard = caseNumber(script.values.integer("case"));
     return script.values["k"] == 0.0 && script.input == hard.script.input &&
@@ -206,24 +207,24 @@ bool isAsTold(const sim::Script &script)
 
 std::function<QString(const sim::Track &)> caseNote()
 {
-    struct Kept
+    struct Cached
     {
         sim::Script script;
-        Told told;
+        CaseFacts facts;
         Judge judge;
     };
-    // What a claim is worth takes some computing: it is kept as long as the run is the same.
-    const auto kept = std::make_shared<std::optional<Kept>>();
-    return [kept](const sim::Track &run) {
-        if (!*kept || !sameRun((*kept)->script, run.script()))
-            *kept = Kept{run.script(), toldOf(run.script()), {}};
-        const Told &told = (*kept)->told;
-        (*kept)->judge.follow(told, run);
+    // A claim takes some time to compute, so it is cached as long as the run is the same.
+    const auto cached = std::make_shared<std::optional<Cached>>();
+    return [cached](const sim::Track &run) {
+        if (!*cached || !sameRun((*cached)->script, run.script()))
+            *cached = Cached{run.script(), factsOf(run.script()), {}};
+        const CaseFacts &facts = (*cached)->facts;
+        (*cached)->judge.checkUpTo(facts, run);
         return Text::tr("%1\n%2 Frame %3 of %4: %5.")
-            .arg(phrase(told.hard.story), told.claim)
+            .arg(translated(facts.hard.story), facts.claim)
             .arg(run.cursor().frame)
-            .arg(told.hard.brief.frames)
-            .arg(judgement(told, (*kept)->judge, run));
+            .arg(facts.hard.brief.frames)
+            .arg(judgement(facts, (*cached)->judge, run));
     };
 }
 

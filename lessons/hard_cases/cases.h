@@ -3,29 +3,29 @@
 #include "lessons/api/step.h"
 #include "sim/catalogue/hard_case.h"
 
-/// The hard cases of sim/catalogue as the last step shows it.
+/// The hard cases of sim/catalogue, as the step `torture` shows them.
 namespace hard_cases {
 
-/// Those that begin at all: what a refused one has to show is one sentence, and no scene. A tree that is too large to
-/// be drawn while it plays has fewer forks here.
+/// Returns the cases that the step shows. Cases that must be refused are left out, because they have no
+/// scene. Large trees get fewer forks, so that they can be drawn while the run plays.
 std::vector<sim::HardCase> shownCases();
-/// The one at position `number` of that list.
-sim::HardCase caseNumber(int number);
-/// The position of the case called `id`; -1 if it is not there.
-int numberOf(const char *id);
+/// Returns the shown case at `index`.
+sim::HardCase caseNumber(int index);
+/// Returns the index of the shown case `id`. -1 if there is none.
+int caseIndex(const char *id);
 
-/// The choice among them.
+/// Returns the parameter `case`, a choice among the shown cases.
 lessons::Parameter caseParameter();
-/// The stiffness of its springs, in place of the case's own.
-lessons::Parameter stiffnessOfCase();
+/// Returns the parameter `k`, which replaces the stiffness of the case's springs unless it is 0.
+lessons::Parameter caseStiffness();
 
-/// Input, starts of bodies and step of the case that the values name.
-void openCase(sim::Script &script);
+/// Gives `script` the input, start states and step of the case that its values name.
+void prepareCase(sim::Script &script);
 
-/// Whether the run is that of a case, with nothing but method and step changed.
-bool isAsTold(const sim::Script &script);
-/// Returns what the last step says while a case runs: its story, whether the method claims it, and whether it has held
-/// up to this moment.
+/// Returns whether the learner has changed nothing in the case but method and step.
+bool isUnchangedCase(const sim::Script &script);
+/// Returns a function for Step::note. Its note tells the story of the case, whether the method claims the
+/// case, and whether the run has met the requirements so far.
 std::function<QString(const sim::Track &)> caseNote();
 
 }

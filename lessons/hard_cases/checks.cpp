@@ -27,19 +27,20 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(HardCases)
 };
 
-/// Whether the run goes by steps of `h` frames that something stiff can be too much for.
+/// Returns whether the method has a stability limit: its steps can be too long for stiff springs.
 bool hasLimit(const Timeline &run)
 {
     return run.script().method->stepLimit() == sim::StepLimit::stiffness;
 }
 
-double stepOf(const Timeline &run)
+/// Returns the length of the method's steps, in frames. 0 for adaptive steps.
+double stepLength(const Timeline &run)
 {
     return run.script().step.isAdaptive() ? 0.0 : run.script().step.h;
 }
 
-/// The run goes on and has come to `frame`, between two frames.
-Condition hasCome(std::int64_t frame)
+/// The run has not stopped, and the cursor is between two frames, at `frame` or later.
+Condition playedWithoutStop(std::int64_t frame)
 {
     return {[frame](const Timeline &run) {
                 return run.cursor().phase == 0 && run.cursor().frame >= frame && !run.stop();
@@ -49,8 +50,9 @@ Condition hasCome(std::int64_t frame)
             [](const Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
 }
 
-/// The parameter `id`, which is called `name`, had that value at the start of the run and still has it.
-Condition beganWith(const char *id, const QString &name, double value)
+/// The parameter `id` had `value` at the start of the run and has it at the cursor. The learner knows it as
+/// `name`.
+Condition setFromStart(const char *id, const QString &name, double value)
 {
     return {
         [id, value](const Timeline &run) {
@@ -61,12 +63,12 @@ Condition beganWith(const char *id, const QString &name, double value)
 
 Condition stepIs(double h)
 {
-    return {[h](const Timeline &run) { return stepOf(run) == h; },
+    return {[h](const Timeline &run) { return stepLength(run) == h; },
             h == 1.0 ? Text::tr("choose steps of **1 frame**.") : Text::tr("choose steps of **1/2 frame**.")};
 }
 
-/// A step at which something stiff can be too much.
-Condition limited()
+/// The method has a stability limit.
+Condition hasStabilityLimit()
 {
     return {hasLimit, Text::tr("choose **Semi-implicit Euler** as method.")};
 }
@@ -88,8 +90,8 @@ Condition untouched()
             Text::tr("press **Home**, change nothing on the way, and do not touch it.")};
 }
 
-/// px: how far the worst leg is from the length that its spring wants.
-double worstLeg(const Timeline &run, double length)
+/// Returns the largest error of a leg of rest length `length`, in px.
+double largestLegError(const Timeline &run, double length)
 {
     const sim::State &state = run.state();
     const int body = state.pointCount() - 1;
@@ -99,8 +101,8 @@ double worstLeg(const Timeline &run, double length)
     return worst;
 }
 
-/// px: how far the two feet are from each other that are nearest.
-double nearestFeet(const Timeline &run)
+/// Returns the distance between the two nearest feet, in px.
+double smallestFootDistance(const Timeline &run)
 {
     const sim::State &state = run.state();
     const int body = state.pointCount() - 1;
@@ -112,19 +114,19 @@ double nearestFeet(const Timeline &run)
     return nearest;
 }
 
-/// All legs are as long as their springs want, to less than `most` px.
-Condition legsRight(double length, double most)
+/// The length of every leg differs from `length` by less than `max` px.
+Condition legErrorsBelow(double length, double max)
 {
-    return {[=](const Timeline &run) { return worstLeg(run, length) < most; },
+    return {[=](const Timeline &run) { return largestLegError(run, length) < max; },
             Text::tr("try something else: the worst leg is %1 px off."),
-            [=](const Timeline &run) { return worstLeg(run, length); }, most < 0.1 ? 3 : 1};
+            [=](const Timeline &run) { return largestLegError(run, length); }, max < 0.1 ? 3 : 1};
 }
 
 Condition feetApart()
 {
-    return {[](const Timeline &run) { return nearestFeet(run) > 10.0; },
+    return {[](const Timeline &run) { return smallestFootDistance(run) > 10.0; },
             Text::tr("play on until all feet are more than 10 px apart. The nearest two: %1 px."),
-            nearestFeet, 0};
+            smallestFootDistance, 0};
 }
 
 /// The radius was 0 for 60 frames before it became 50.
@@ -145,23 +147,24 @@ Condition collapsed()
             Text::tr("set **radius** to 0, play on for 60 frames, and set it to 50 again.")};
 }
 
+/// Returns the largest error of a side of the triangle, in px.
 double sideError(const Timeline &run)
 {
-    const auto off = [&](const char *a, const char *b, double length) {
+    const auto error = [&](const char *a, const char *b, double length) {
         return std::abs(distance(run, a, b) - length);
     };
-    return std::max(
-        {off("p0", "p1", shortStick), off("p1", "p2", shortStick), off("p0", "p2", run.values()["longest"])});
+    return std::max({error("p0", "p1", shortStick), error("p1", "p2", shortStick),
+                     error("p0", "p2", run.values()["longest"])});
 }
 
 Condition caseIs(const char *id)
 {
-    return {[id](const Timeline &run) { return run.values().integer("case") == numberOf(id); }};
+    return {[id](const Timeline &run) { return run.values().integer("case") == caseIndex(id); }};
 }
 
-Condition asTold()
+Condition unchangedCase()
 {
-    return {[](const Timeline &run) { return isAsTold(run.script()); },
+    return {[](const Timeline &run) { return isUnchangedCase(run.script()); },
             Text::tr("choose the case again, and change nothing but method and step.")};
 }
 
@@ -174,7 +177,8 @@ std::vector<Try> limitTries()
             .text = Text::tr(
                 "Choose **1/2 frame** as step, and play to frame 100. It swings, hardly farther than the "
                 "crosses."),
-            .conditions = {stepIs(0.5), limited(), beganWith("k", Text::tr("k"), 4.01), hasCome(100)},
+            .conditions = {stepIs(0.5), hasStabilityLimit(), setFromStart("k", Text::tr("k"), 4.01),
+                           playedWithoutStop(100)},
             .hint = Text::tr(
                 "Above the picture, press **Step** and choose **1/2 frame**. Press **Space** and wait "
                 "four seconds."),
@@ -186,10 +190,10 @@ std::vector<Try> limitTries()
             .conditions =
                 {
                     parameterSetTo("k", 3.9),
-                    beganWith("k", Text::tr("k"), 3.9),
+                    setFromStart("k", Text::tr("k"), 3.9),
                     stepIs(1.0),
-                    limited(),
-                    hasCome(100),
+                    hasStabilityLimit(),
+                    playedWithoutStop(100),
                 },
             .hint = Text::tr(
                 "Press **Home**, type 3.9 into the field beside **k**, press **Space**, and wait four "
@@ -202,10 +206,10 @@ std::vector<Try> limitTries()
             .conditions =
                 {
                     parameterSetTo("damp", 0.9),
-                    beganWith("damp", Text::tr("damp"), 0.9),
-                    beganWith("k", Text::tr("k"), 4.01),
+                    setFromStart("damp", Text::tr("damp"), 0.9),
+                    setFromStart("k", Text::tr("k"), 4.01),
                     stepIs(1.0),
-                    limited(),
+                    hasStabilityLimit(),
                     atRest(),
                 },
             .hint =
@@ -224,7 +228,7 @@ std::vector<Try> runawayTries()
             .conditions =
                 {
                     runsMethod("semi_implicit_euler"),
-                    hasCome(200),
+                    playedWithoutStop(200),
                     {[](const Timeline &run) {
                          return sim::length(centreOfPoints(run) - sim::Vec2{300.0, 230.0}) < 1e-6;
                      },
@@ -242,7 +246,7 @@ std::vector<Try> runawayTries()
             .conditions =
                 {
                     parameterSetTo("k", 0.2),
-                    beganWith("k", Text::tr("k"), 0.2),
+                    setFromStart("k", Text::tr("k"), 0.2),
                     published(),
                     stepIs(1.0),
                     atRest(),
@@ -257,9 +261,9 @@ std::vector<Try> runawayTries()
                 "never right."),
             .conditions =
                 {
-                    {[](const Timeline &run) { return stepOf(run) == 0.25; }},
+                    {[](const Timeline &run) { return stepLength(run) == 0.25; }},
                     published(),
-                    beganWith("k", Text::tr("k"), 0.3),
+                    setFromStart("k", Text::tr("k"), 0.3),
                     atRest(),
                 },
             .hint = Text::tr("Choose **Published** as method and **1/4 frame** as step. Press **Space** and "
@@ -270,13 +274,14 @@ std::vector<Try> runawayTries()
 
 std::vector<Try> manyFeetTries()
 {
-    const auto feetAtLeast = [](double least) {
-        return Condition{[least](const Timeline &run) { return run.script().values["feet"] >= least; },
+    const auto feetAtLeast = [](double min) {
+        return Condition{[min](const Timeline &run) { return run.script().values["feet"] >= min; },
                          Text::tr("set **feet** to 60 at frame 0.")};
     };
-    const Condition legs = {[](const Timeline &run) { return worstLeg(run, run.values()["radius"]) < 1.0; },
-                            Text::tr("not all legs have their length: the worst is %1 px off."),
-                            [](const Timeline &run) { return worstLeg(run, run.values()["radius"]); }};
+    const Condition legs = {
+        [](const Timeline &run) { return largestLegError(run, run.values()["radius"]) < 1.0; },
+        Text::tr("not all legs have their length: the worst is %1 px off."),
+        [](const Timeline &run) { return largestLegError(run, run.values()["radius"]); }};
     return {
         {
             .text =
@@ -284,10 +289,10 @@ std::vector<Try> manyFeetTries()
             .conditions =
                 {
                     parameterSetTo("feet", 38),
-                    beganWith("feet", Text::tr("feet"), 38),
-                    beganWith("k", Text::tr("k"), 0.2),
+                    setFromStart("feet", Text::tr("feet"), 38),
+                    setFromStart("k", Text::tr("k"), 0.2),
                     stepIs(1.0),
-                    limited(),
+                    hasStabilityLimit(),
                     atRest(),
                     legs,
                 },
@@ -296,7 +301,7 @@ std::vector<Try> manyFeetTries()
         },
         {
             .text = Text::tr("Sixty feet at rest with steps of **1/2 frame**."),
-            .conditions = {stepIs(0.5), limited(), feetAtLeast(60), atRest(), legs},
+            .conditions = {stepIs(0.5), hasStabilityLimit(), feetAtLeast(60), atRest(), legs},
             .hint =
                 Text::tr("Above the picture, press **Step** and choose **1/2 frame**. Press **Space** and "
                          "wait."),
@@ -314,7 +319,7 @@ std::vector<Try> manyFeetTries()
                      Text::tr("set **damp** to 0.85.")},
                     feetAtLeast(60),
                     stepIs(1.0),
-                    limited(),
+                    hasStabilityLimit(),
                     atRest(),
                     legs,
                 },
@@ -333,7 +338,8 @@ std::vector<Try> onePlaceTries()
         {
             .text = Text::tr(
                 "Choose **Semi-implicit Euler**, and play from frame 0 to 60: five feet, all apart."),
-            .conditions = {runsMethod("semi_implicit_euler"), untouched(), hasCome(60), feetApart()},
+            .conditions = {runsMethod("semi_implicit_euler"), untouched(), playedWithoutStop(60),
+                           feetApart()},
             .hint = Text::tr("Above the picture, press **Method** and choose **Semi-implicit Euler**. Press "
                              "**Space** and wait two seconds."),
         },
@@ -375,15 +381,15 @@ std::vector<Try> stiffTries()
             .text = Text::tr("**Semi-implicit Euler**: find a step with which the stiff legs come to rest."),
             .conditions =
                 {
-                    {[](const Timeline &run) { return stepOf(run) != 1.0; }},
-                    limited(),
+                    {[](const Timeline &run) { return stepLength(run) != 1.0; }},
+                    hasStabilityLimit(),
                     {[](const Timeline &run) { return run.script().values["k"] >= 1000.0; },
                      Text::tr("press **Home**, and set **k** to 1000 there.")},
                     {[](const Timeline &run) { return !run.stop(); },
                      Text::tr("press **Home**, and try a smaller step.")},
-                    hasCome(20),
+                    playedWithoutStop(20),
                     atRest(),
-                    legsRight(50.0, 0.1),
+                    legErrorsBelow(50.0, 0.1),
                 },
             .hint =
                 Text::tr("Above the picture, press **Step** and choose **1/64 frame**. Press **Space** and "
@@ -396,10 +402,10 @@ std::vector<Try> stiffTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return run.values()["k"] >= 1e6; }},
-                    beganWith("k", Text::tr("k"), 1e6),
+                    setFromStart("k", Text::tr("k"), 1e6),
                     runsMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
                     stepIs(1.0),
-                    hasCome(30),
+                    playedWithoutStop(30),
                 },
             .hint = Text::tr(
                 "Choose **Backward Euler** as method. Press **Home**, type 1000000 beside **k**, and "
@@ -412,12 +418,12 @@ std::vector<Try> stiffTries()
             .conditions =
                 {
                     parameterSetTo("damp", 1.0),
-                    beganWith("damp", Text::tr("damp"), 1.0),
-                    beganWith("k", Text::tr("k"), 0.2),
+                    setFromStart("damp", Text::tr("damp"), 1.0),
+                    setFromStart("k", Text::tr("k"), 0.2),
                     runsMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
                     stepIs(1.0),
-                    hasCome(60),
-                    legsRight(50.0, 0.5),
+                    playedWithoutStop(60),
+                    legErrorsBelow(50.0, 0.5),
                 },
             .hint =
                 Text::tr("Choose **Backward Euler** as method. Press **Home**, type 0.2 beside **k** and 1 "
@@ -436,11 +442,11 @@ std::vector<Try> contradictionTries()
             .conditions =
                 {
                     parameterSetTo("k", 1.0),
-                    beganWith("k", Text::tr("k"), 1.0),
+                    setFromStart("k", Text::tr("k"), 1.0),
                     parameterSetTo("made_of", 0.0, Text::tr("choose **springs**.")),
                     stepIs(1.0),
-                    beganWith("longest", Text::tr("longest"), 200.0),
-                    hasCome(30),
+                    setFromStart("longest", Text::tr("longest"), 200.0),
+                    playedWithoutStop(30),
                     atRest(),
                 },
             .hint =
@@ -451,8 +457,8 @@ std::vector<Try> contradictionTries()
             .conditions =
                 {
                     parameterSetTo("made_of", 1.0),
-                    beganWith("longest", Text::tr("longest"), 200.0),
-                    hasCome(30),
+                    setFromStart("longest", Text::tr("longest"), 200.0),
+                    playedWithoutStop(30),
                     atRest(),
                 },
             .hint = Text::tr("Choose **sticks** beside **Made of**, press **Space**, and wait."),
@@ -466,7 +472,7 @@ std::vector<Try> contradictionTries()
                 {
                     {[](const Timeline &run) { return !isSetTo(run, "longest", 200.0); }},
                     parameterSetTo("made_of", 1.0, Text::tr("choose **sticks**.")),
-                    hasCome(20),
+                    playedWithoutStop(20),
                     {[](const Timeline &run) { return sideError(run) < 0.1; },
                      Text::tr("make **longest** shorter, or play on. The worst stick is %1 px off."),
                      sideError},
@@ -480,27 +486,27 @@ std::vector<Try> contradictionTries()
 
 std::vector<Try> longRunTries()
 {
-    const Condition springs = beganWith("k", Text::tr("k"), 0.5);
-    const Condition undamped = beganWith("damp", Text::tr("damp"), 1.0);
+    const Condition springs = setFromStart("k", Text::tr("k"), 0.5);
+    const Condition undamped = setFromStart("damp", Text::tr("damp"), 1.0);
     const auto rungeKutta = runsMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method."));
     return {
         {
             .text = Text::tr("**Runge–Kutta 4**, steps of 1 frame: go to frame 5000. What is left?"),
             .conditions =
                 {
-                    {[](const Timeline &run) { return run.cursor().frame > 1000 && stepOf(run) == 1.0; }},
+                    {[](const Timeline &run) { return run.cursor().frame > 1000 && stepLength(run) == 1.0; }},
                     rungeKutta,
                     springs,
                     undamped,
                     untouched(),
-                    hasCome(5000),
+                    playedWithoutStop(5000),
                 },
             .hint = Text::tr("Press **Ctrl+G**, type 5000, and press **Enter**."),
             .answer = Text::tr("2 px of 120 px."),
         },
         {
             .text = Text::tr("The same with steps of **1/2 frame**: a thirty-second of the loss a frame."),
-            .conditions = {stepIs(0.5), rungeKutta, springs, undamped, untouched(), hasCome(5000)},
+            .conditions = {stepIs(0.5), rungeKutta, springs, undamped, untouched(), playedWithoutStop(5000)},
             .hint =
                 Text::tr("Above the picture, press **Step** and choose **1/2 frame**. Press **Ctrl+G**, type "
                          "5000, and press **Enter**."),
@@ -514,7 +520,7 @@ std::vector<Try> longRunTries()
                     springs,
                     undamped,
                     untouched(),
-                    hasCome(20000),
+                    playedWithoutStop(20000),
                 },
             .hint = Text::tr(
                 "Choose **Velocity Verlet** as method and **1 frame** as step. Press **Ctrl+G**, type "
@@ -532,10 +538,10 @@ std::vector<Try> tortureTries()
             .conditions =
                 {
                     caseIs("stiffness_1e9"),
-                    asTold(),
+                    unchangedCase(),
                     {[](const Timeline &run) { return !run.stop(); },
                      Text::tr("this method cannot hold it. Try one that claims it, from frame 0.")},
-                    hasCome(10),
+                    playedWithoutStop(10),
                     {[](const Timeline &run) {
                          return sim::length(run.state().positionOf(0) - centre) <= 1e-6;
                      },
@@ -552,11 +558,11 @@ std::vector<Try> tortureTries()
             .conditions =
                 {
                     caseIs("dragged_1e9"),
-                    asTold(),
-                    hasCome(30),
+                    unchangedCase(),
+                    playedWithoutStop(30),
                     {[](const Timeline &run) { return run.cursor().frame < 400; },
                      Text::tr("frame 400 is past. Try another method, from frame 0.")},
-                    legsRight(50.0, 0.01),
+                    legErrorsBelow(50.0, 0.01),
                     atRest(),
                 },
             .hint =
@@ -572,7 +578,7 @@ std::vector<Try> tortureTries()
                     {[](const Timeline &run) {
                         return run.stop() && run.cursor().frame == run.stop()->frame;
                     }},
-                    asTold(),
+                    unchangedCase(),
                 },
             .hint = Text::tr("Choose **Semi-implicit Euler** as method, and a case with stiff springs. Press "
                              "**Space** and wait until the run stops by itself."),

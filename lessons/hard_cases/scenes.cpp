@@ -22,7 +22,7 @@ namespace limit {
 //! [limit]
 Scene setUp(const Values &values)
 {
-    Scene scene = loneFoot();
+    Scene scene = singleFoot();
     scene.start.place(0, {290, 200});
 
     double k = values["k"];
@@ -181,7 +181,7 @@ namespace long_run {
 //! [long_run]
 Scene setUp(const Values &values)
 {
-    Scene scene = loneFoot();
+    Scene scene = singleFoot();
     scene.start.place(0, {390, 200});
 
     double k = values["k"];

@@ -3,11 +3,11 @@
 #include "sim/base/vec2.h"
 #include "sim/forward.h"
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. The last step shows those of sim/catalogue.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new. The last step shows the scenes of sim/catalogue.
 namespace hard_cases {
 
-/// px: where the springs of `limit` and `long_run` end.
+/// px, the fixed end of the springs of `limit` and `long_run`.
 constexpr sim::Vec2 centre = {270, 200};
 
 namespace limit {

@@ -23,32 +23,32 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(HardCases)
 };
 
-/// A step with what all of this lesson share: figures on a stage of their own, the companion's moved by `offset`.
-Step stepOf(const char *id, const QString &title, const QRectF &stage, const Companion &companion)
+/// Returns a step whose run is drawn on `stage` beside that of `companion`.
+Step newStep(const char *id, const QString &title, const QRectF &stage, const Companion &companion)
 {
     Step step = lessons::makeStep("hard_cases", id, title);
     step.companion = companion;
     step.view = [stage](const sim::Scene &scene, const sim::Values &) {
-        View look = creatureViewWithLegs(scene);
-        look.stage = stage;
-        return look;
+        View view = creatureViewWithLegs(scene);
+        view.stage = stage;
+        return view;
     };
     return step;
 }
 
-Parameter stiffnessUpTo(double preset, double most)
+Parameter stiffnessUpTo(double defaultValue, double sliderMax)
 {
-    Parameter parameter = stiffness(preset);
-    parameter.sliderMax = most;
-    if (most >= 1000.0)
-        parameter.decimals = 1; // the field has room for six signs
+    Parameter parameter = stiffness(defaultValue);
+    parameter.sliderMax = sliderMax;
+    if (sliderMax >= 1000.0)
+        parameter.decimals = 1; // the field has room for six characters
     return parameter;
 }
 
-Parameter feetUpTo(int preset, int most)
+Parameter feetUpTo(int defaultValue, int sliderMax)
 {
-    Parameter parameter = lessons::feet(preset);
-    parameter.sliderMax = most;
+    Parameter parameter = lessons::feet(defaultValue);
+    parameter.sliderMax = sliderMax;
     return parameter;
 }
 
@@ -66,9 +66,9 @@ Parameter longest()
 
 Step limitStep()
 {
-    Step step =
-        stepOf("limit", Text::tr("The limit of a step"), QRectF(10, 130, 520, 110),
-               {.method = "implicit_midpoint", .caption = Text::tr("Implicit midpoint"), .offset = {0, 150}});
+    Step step = newStep(
+        "limit", Text::tr("The limit of a step"), QRectF(10, 130, 520, 110),
+        {.method = "implicit_midpoint", .caption = Text::tr("Implicit midpoint"), .offset = {0, 150}});
     step.addParameters({stiffnessUpTo(4.01, 6.0), damping(1.0)});
     step.narration = Text::tr(
         "A step asks for the pull once, and then goes straight on. If the spring is too stiff, it goes past "
@@ -85,13 +85,13 @@ Step limitStep()
     step.explanation = limitExplanation();
     step.tries = limitTries();
     step.scene = limit::setUp;
-    step.overlays = turningPlaces;
+    step.overlays = turningPoints;
     return step;
 }
 
 Step runawayStep()
 {
-    Step step = stepOf(
+    Step step = newStep(
         "runaway", Text::tr("The runaway pair"), QRectF(225, 150, 140, 140),
         {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {150, 0}});
     step.addParameters({stiffnessUpTo(0.3, 1.0), damping(0.9), radius()});
@@ -109,15 +109,15 @@ Step runawayStep()
     step.explanation = runawayExplanation();
     step.tries = runawayTries();
     step.scene = runaway::setUp;
-    step.overlays = middleMarks;
+    step.overlays = centreOverlays;
     return step;
 }
 
 Step manyFeetStep()
 {
     Step step =
-        stepOf("many_feet", Text::tr("Too many feet"), QRectF(195, 115, 150, 160),
-               {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {160, 0}});
+        newStep("many_feet", Text::tr("Too many feet"), QRectF(195, 115, 150, 160),
+                {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {160, 0}});
     step.addParameters({feetUpTo(60, 100), stiffnessUpTo(0.2, 1.0), damping(0.85), radius()});
     step.narration = Text::tr(
         "A stiffness of 0.2 is soft. But the body feels **all its feet at once**: sixty soft springs make "
@@ -137,7 +137,7 @@ Step manyFeetStep()
 
 Step onePlaceStep()
 {
-    Step step = stepOf(
+    Step step = newStep(
         "one_place", Text::tr("All in one place"), QRectF(195, 115, 150, 160),
         {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {160, 0}});
     step.addParameters({feetUpTo(5, 24), stiffnessUpTo(0.1, 1.0), damping(0.85), radius()});
@@ -161,8 +161,8 @@ Step onePlaceStep()
 Step stiffStep()
 {
     Step step =
-        stepOf("stiff", Text::tr("Stiff but calm"), QRectF(190, 120, 155, 170),
-               {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {165, 0}});
+        newStep("stiff", Text::tr("Stiff but calm"), QRectF(190, 120, 155, 170),
+                {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {165, 0}});
     step.addParameters({stiffnessUpTo(1000.0, 2000.0), damping(0.9), radius()});
     step.narration = Text::tr(
         "Three legs, each 5000 times as stiff as before: nearly sticks. In one step Semi-implicit Euler "
@@ -183,7 +183,7 @@ Step stiffStep()
 
 Step contradictionStep()
 {
-    Step step = stepOf(
+    Step step = newStep(
         "contradiction", Text::tr("Sticks that contradict"), QRectF(180, 95, 180, 200),
         {.method = "semi_implicit_euler", .caption = Text::tr("The same, as sticks"), .offset = {190, 0}});
     step.companion->values = {{"made_of", 1.0}};
@@ -201,7 +201,7 @@ Step contradictionStep()
         "moved farther than an error is large, so sticks never run away. They come to rest, with a lie "
         "shared "
         "out among them. Its size is in their colour.");
-    step.view = threeSides;
+    step.view = triangleView;
     step.method = "semi_implicit_euler";
     step.explanation = contradictionExplanation();
     step.tries = contradictionTries();
@@ -212,8 +212,8 @@ Step contradictionStep()
 Step longRunStep()
 {
     Step step =
-        stepOf("long_run", Text::tr("The long run"), QRectF(140, 150, 260, 80),
-               {.method = "velocity_verlet", .caption = Text::tr("Velocity Verlet"), .offset = {0, 100}});
+        newStep("long_run", Text::tr("The long run"), QRectF(140, 150, 260, 80),
+                {.method = "velocity_verlet", .caption = Text::tr("Velocity Verlet"), .offset = {0, 100}});
     step.addParameters({stiffnessUpTo(0.5, 2.0), damping(1.0)});
     step.narration = Text::tr(
         "Nothing slows this foot. It should swing for ever.\n\n"
@@ -231,14 +231,14 @@ Step longRunStep()
     step.explanation = longRunExplanation();
     step.tries = longRunTries();
     step.scene = long_run::setUp;
-    step.overlays = turningPlaces;
+    step.overlays = turningPoints;
     return step;
 }
 
 Step tortureStep()
 {
     Step step = lessons::makeStep("hard_cases", "torture", Text::tr("The torture panel"));
-    step.addParameters({caseParameter(), stiffnessOfCase()});
+    step.addParameters({caseParameter(), caseStiffness()});
     step.narration = Text::tr(
         "Here are all the cases that this program is tested with. Choose one, and a **method** above the "
         "scene, and see what holds.\n\n"
@@ -249,8 +249,8 @@ Step tortureStep()
         "A claim that breaks would be a fault of the program. A case that nobody claims may hold all the "
         "same. What cannot be computed at all is refused, with a sentence.\n\n"
         "Hands, walls and steps belong to a case. If you reach in, it is your own experiment.");
-    step.view = caseLook;
-    step.prepareScript = openCase;
+    step.view = caseView;
+    step.prepareScript = prepareCase;
     step.note = caseNote();
     step.explanation = tortureExplanation();
     step.tries = tortureTries();

@@ -25,17 +25,17 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(HardCases)
 };
 
-constexpr double lightRadius = 6.0;
-constexpr double heavyRadius = 20.0;
-constexpr double jointRadius = 4.0;
-constexpr double leastShown = 0.5; ///< px: a shorter way has no line
+constexpr double lightRadius = 6.0;  ///< px
+constexpr double heavyRadius = 20.0; ///< px
+constexpr double jointRadius = 4.0;  ///< px
+constexpr double minShown = 0.5;     ///< px, smallest displacement that is shown with a line
 
-sim::Vec2 middleOf(const sim::State &state)
+sim::Vec2 centreOf(const sim::State &state)
 {
     return {state.position.col(0).mean(), state.position.col(1).mean()};
 }
 
-BodyView bodyLook(const std::string &name)
+BodyView bodyViewOf(const std::string &name)
 {
     if (isBody(name))
         return {BodyView::Shape::body, bodyWidth / 2};
@@ -48,42 +48,42 @@ BodyView bodyLook(const std::string &name)
 
 }
 
-View caseLook(const sim::Scene &scene, const sim::Values &)
+View caseView(const sim::Scene &scene, const sim::Values &)
 {
-    View look;
+    View view;
     for (const std::string &name : scene.names)
-        look.bodies.push_back(bodyLook(name));
+        view.bodies.push_back(bodyViewOf(name));
     if (std::any_of(scene.names.begin(), scene.names.end(), isBody))
-        look = creatureViewWithLegs(scene);
+        view = creatureViewWithLegs(scene);
     else if (scene.names.front() == "light")
-        look.legs = {{1, 0}};
+        view.legs = {{1, 0}};
     for (const sim::EffectPtr &effect : scene.effects) {
         if (const auto *joints = dynamic_cast<const sim::Joints *>(effect.get()))
             return treeView(joints->tree());
         if (const auto *walls = dynamic_cast<const sim::Walls *>(effect.get()))
-            look.room = walls->room();
+            view.room = walls->room();
         if (const auto *ground = dynamic_cast<const sim::Ground *>(effect.get()))
-            look.ground = ground->plane().ground;
+            view.ground = ground->plane().ground;
     }
     for (const sim::Sticks *sticks : sim::sticksAmong(scene.effects)) {
         for (const sim::Stick &stick : sticks->list())
-            look.sticks.push_back({stick.a, stick.b, stick.length});
+            view.sticks.push_back({stick.a, stick.b, stick.length});
     }
-    if (scene.names.front() == "lead" && look.sticks.empty())
-        look.legs = {{0, 1}}; // a soft stick
-    return look;
+    if (scene.names.front() == "lead" && view.sticks.empty())
+        view.legs = {{0, 1}}; // a soft stick
+    return view;
 }
 
-View threeSides(const sim::Scene &scene, const sim::Values &values)
+View triangleView(const sim::Scene &scene, const sim::Values &values)
 {
-    View look;
-    look.bodies.resize(scene.names.size(), {BodyView::Shape::joint, jointRadius});
-    look.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
-    look.stage = QRectF(180, 95, 180, 200);
-    return look;
+    View view;
+    view.bodies.resize(scene.names.size(), {BodyView::Shape::joint, jointRadius});
+    view.sticks = {{0, 2, values["longest"]}, {0, 1, shortStick}, {1, 2, shortStick}};
+    view.stage = QRectF(180, 95, 180, 200);
+    return view;
 }
 
-std::vector<Overlay> turningPlaces(const sim::Scene &scene, const sim::State &, const sim::Values &)
+std::vector<Overlay> turningPoints(const sim::Scene &scene, const sim::State &, const sim::Values &)
 {
     const sim::Vec2 start = scene.start.positionOf(0);
     return {{.shape = Overlay::Shape::cross, .a = centre},
@@ -91,18 +91,19 @@ std::vector<Overlay> turningPlaces(const sim::Scene &scene, const sim::State &, 
             {.shape = Overlay::Shape::cross, .a = centre + (centre - start)}};
 }
 
-std::vector<Overlay> middleMarks(const sim::Scene &scene, const sim::State &state, const sim::Values &)
+std::vector<Overlay> centreOverlays(const sim::Scene &scene, const sim::State &state, const sim::Values &)
 {
-    const sim::Vec2 was = middleOf(scene.start);
-    const sim::Vec2 is = middleOf(state);
-    std::vector<Overlay> marks = {{.shape = Overlay::Shape::cross, .a = was}};
-    const double way = sim::length(is - was);
-    if (way >= leastShown)
-        marks.push_back({.shape = Overlay::Shape::line,
-                         .a = was,
-                         .b = is,
-                         .label = Text::tr("the middle moved %1 px").arg(QLocale().toString(way, 'f', 0))});
-    return marks;
+    const sim::Vec2 start = centreOf(scene.start);
+    const sim::Vec2 now = centreOf(state);
+    std::vector<Overlay> overlays = {{.shape = Overlay::Shape::cross, .a = start}};
+    const double distance = sim::length(now - start);
+    if (distance >= minShown)
+        overlays.push_back(
+            {.shape = Overlay::Shape::line,
+             .a = start,
+             .b = now,
+             .label = Text::tr("the middle moved %1 px").arg(QLocale().toString(distance, 'f', 0))});
+    return overlays;
 }
 
 }

@@ -5,22 +5,23 @@
 
 #include <vector>
 
-/// How the scenes of this lesson look, and what is marked in them.
+/// The views and overlays of this lesson.
 namespace hard_cases {
 
-/// px: the length of two of the sticks in `contradiction`.
+/// px, length of two of the sticks in `contradiction`.
 constexpr double shortStick = 20.0;
 
-/// The three points of `contradiction`, with a line between each two that shows the error of its length.
-lessons::View threeSides(const sim::Scene &scene, const sim::Values &values);
-/// Any scene of the catalogue, by its names and effects.
-lessons::View caseLook(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of the triangle in `contradiction`. The colour of each side shows the error of its length.
+lessons::View triangleView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of a scene of the catalogue. It is derived from the names of the points and the effects.
+lessons::View caseView(const sim::Scene &scene, const sim::Values &values);
 
-/// Where the spring of `limit` and `long_run` ends, and the two places between which its foot should swing.
-std::vector<lessons::Overlay> turningPlaces(const sim::Scene &scene, const sim::State &state,
+/// Returns crosses at the centre of the spring of `limit` and `long_run`, and at the two points between which
+/// the foot should swing.
+std::vector<lessons::Overlay> turningPoints(const sim::Scene &scene, const sim::State &state,
                                             const sim::Values &values);
-/// Where the middle of all points was at the start, and how far it is from there.
-std::vector<lessons::Overlay> middleMarks(const sim::Scene &scene, const sim::State &state,
-                                          const sim::Values &values);
+/// Returns a cross at the start of the centre of all points, and a line from there to the centre now.
+std::vector<lessons::Overlay> centreOverlays(const sim::Scene &scene, const sim::State &state,
+                                             const sim::Values &values);
 
 }

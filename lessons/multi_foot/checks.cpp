@@ -23,17 +23,17 @@ bool isFoot(const std::string &name)
     return name.starts_with("foot");
 }
 
-Conditions footPulledAndStill()
+Conditions footDraggedAndStill()
 {
     return {{[](const Timeline &run) {
-                const std::optional<DragGesture> carry = lastReleased(run);
-                return carry && isFoot(carry->body);
+                const std::optional<DragGesture> drag = lastReleased(run);
+                return drag && isFoot(drag->body);
             }},
             draggedAtLeast(75.0),
             allStill()};
 }
 
-/// The creature has left by itself: a throw would have ended long ago.
+/// The creature has left the stage by itself. Damping would have stopped a throw by now.
 Condition flewOff()
 {
     return {[](const Timeline &run) {
@@ -42,7 +42,7 @@ Condition flewOff()
             Text::tr("let time run (**Space**) until it has left the stage.")};
 }
 
-/// The numbers outgrew what a computer can hold, or are on their way there.
+/// Returns whether the run has stopped, or its positions have grown so large that it soon will.
 bool exploded(const Timeline &run)
 {
     return run.stop() || run.state().position.abs().maxCoeff() > 1e6;
@@ -55,7 +55,7 @@ std::vector<Try> twoFeetTries()
     return {
         {
             .text = Text::tr("Pull a foot at least 75 px out, let go, and wait until all is still."),
-            .conditions = footPulledAndStill(),
+            .conditions = footDraggedAndStill(),
             .hint = Text::tr(
                 "Press **Space**. Take one of the small discs, pull it to the upper edge of the picture, "
                 "let go, and wait."),
@@ -84,7 +84,7 @@ std::vector<Try> anyNumberTries()
     return {
         {
             .text = Text::tr("Pull one foot at least 75 px out, let go, and wait until all is still."),
-            .conditions = footPulledAndStill(),
+            .conditions = footDraggedAndStill(),
             .hint = Text::tr(
                 "Press **Space**, pull one of the small discs to the upper edge of the picture, let go, and "
                 "wait."),
@@ -107,7 +107,7 @@ std::vector<Try> anyNumberTries()
         },
         {
             .text = Text::tr("Go back in time, change **damping**, and compare with the ghost."),
-            .conditions = {ghostDiffers("damp"), playedBesideGhost()},
+            .conditions = {comparisonDiffers("damp"), playedSinceFork()},
             .hint = Text::tr(
                 "Play some seconds, drag the timeline back to the left, change **Damping**, and play "
                 "on for a second."),

@@ -21,16 +21,16 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(MultiFoot)
 };
 
-View withLegs(const sim::Scene &scene, const sim::Values &)
+View viewWithLegs(const sim::Scene &scene, const sim::Values &)
 {
     return creatureViewWithLegs(scene);
 }
 
-Step stepOf(const char *id, const QString &title)
+Step newStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("multi_foot", id, title);
     step.parameters = {stiffness(), damping(0.85), radius()};
-    step.view = withLegs;
+    step.view = viewWithLegs;
     return step;
 }
 
@@ -38,7 +38,7 @@ Step stepOf(const char *id, const QString &title)
 
 Step twoFeetStep()
 {
-    Step step = stepOf("two_feet", Text::tr("Two feet"));
+    Step step = newStep("two_feet", Text::tr("Two feet"));
     step.narration = Text::tr(
         "Each foot keeps its distance from the body, as before. The body keeps its distance from "
         "**both** feet.\n\n"
@@ -55,7 +55,7 @@ Step twoFeetStep()
 
 Step anyNumberStep()
 {
-    Step step = stepOf("any_number", Text::tr("Any number of feet"));
+    Step step = newStep("any_number", Text::tr("Any number of feet"));
     step.parameters.push_back(feet(5));
     step.narration = Text::tr(
         "Two more springs for each new foot could be written out, one line each. Instead **one loop** "
@@ -72,7 +72,7 @@ Step anyNumberStep()
 
 Step grownFeetStep()
 {
-    Step step = stepOf("grown_feet", Text::tr("Feet that grow"));
+    Step step = newStep("grown_feet", Text::tr("Feet that grow"));
     step.parameters.push_back(feet(5));
     step.narration =
         Text::tr("Now the code places the feet, too: each **at random**, up to 50 px from the body in "

@@ -23,24 +23,26 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
 };
 
-/// How far the pointer is from where p0 started, in px; 0 before it comes.
-double pointerFrom(const Timeline &run)
+/// Returns the distance of the pointer from the start of p0, in px. 0 before the first pointer event.
+double pointerDistance(const Timeline &run)
 {
     const std::optional<sim::Vec2> pointer = run.state().input.pointer;
     return pointer ? sim::length(*pointer - run.track().interval().scene.start.positionOf(0)) : 0.0;
 }
 
-Condition pointerCame()
+/// There has been a pointer event.
+Condition hasPointer()
 {
     return {[](const Timeline &run) { return run.state().input.pointer.has_value(); },
             Text::tr("hold the mouse button down in the picture, and lead p0.")};
 }
 
-Condition ledTo(double far)
+/// The pointer is `distance` px or more from the start of p0.
+Condition pointerLedTo(double distance)
 {
-    return atLeast(far, pointerFrom,
+    return atLeast(distance, pointerDistance,
                    Text::tr("lead p0 %2 px away or more, with the mouse button down. So far: %1 px.")
-                       .replace(QStringLiteral("%2"), QString::number(far)),
+                       .replace(QStringLiteral("%2"), QString::number(distance)),
                    0);
 }
 
@@ -49,54 +51,55 @@ double p0FromPointer(const Timeline &run)
     return sim::length(positionOf(run, "p0") - run.state().input.pointer.value_or(sim::Vec2{1e9, 1e9}));
 }
 
-double worstError(const Timeline &run)
+double worstStickError(const Timeline &run)
 {
     return largestError(run.track().interval().scene, run.state());
 }
 
-double worstStretch(const Timeline &run)
+double worstStickStretch(const Timeline &run)
 {
     return largestStretch(run.track().interval().scene, run.state());
 }
 
-double p1Strayed(const Timeline &run)
+/// Returns the distance of p1 from its start, in px.
+double p1Displacement(const Timeline &run)
 {
     const sim::Scene &scene = run.track().interval().scene;
     return sim::length(positionOf(run, "p1") - scene.start.positionOf(scene.find("p1")));
 }
 
-/// A condition that all sticks are right to `most` px, between two frames.
-Condition rightTo(double most, int decimals)
+/// The error of every stick is `max` px or less, between two frames.
+Condition errorAtMost(double max, int decimals)
 {
-    return {[most](const Timeline &run) { return run.cursor().phase == 0 && worstError(run) <= most; },
-            Text::tr("keep the pointer still. The largest error is %1 px."), worstError, decimals};
+    return {[max](const Timeline &run) { return run.cursor().phase == 0 && worstStickError(run) <= max; },
+            Text::tr("keep the pointer still. The largest error is %1 px."), worstStickError, decimals};
 }
 
-Condition wrongBy(double least)
+Condition errorAtLeast(double min)
 {
-    return atLeast(least, worstError, Text::tr("move the pointer faster. The largest error is %1 px."));
+    return atLeast(min, worstStickError, Text::tr("move the pointer faster. The largest error is %1 px."));
 }
 
-/// Whether p1 has stood still for ten frames in which p0 moved at least 20 px.
+/// Returns whether p1 has stood still for ten frames while p0 moved at least 20 px.
 bool onlyP0Moves(const Timeline &run)
 {
     if (run.cursor().frame < 10 || run.cursor().phase > 0)
         return false;
     const sim::State before = run.track().stateAt(run.cursor().frame - 10);
-    const bool stands = before.pointCount() > 1 && before.positionOf(1) == run.state().positionOf(1);
-    return stands && sim::length(before.positionOf(0) - run.state().positionOf(0)) >= 20.0;
+    const bool p1Rests = before.pointCount() > 1 && before.positionOf(1) == run.state().positionOf(1);
+    return p1Rests && sim::length(before.positionOf(0) - run.state().positionOf(0)) >= 20.0;
 }
 
-bool touchesAWall(const Timeline &run)
+bool touchesWall(const Timeline &run)
 {
     const Eigen::ArrayXd x = run.state().position.col(0);
     const double reach = headRadius + 1e-6;
     return (x <= run.values()["left"] + reach).any() || (x >= run.values()["right"] - reach).any();
 }
 
-Condition hitsAWall()
+Condition hitsWall()
 {
-    return {touchesAWall, Text::tr("throw it so that it hits a side wall.")};
+    return {touchesWall, Text::tr("throw it so that it hits a side wall.")};
 }
 
 }
@@ -108,9 +111,9 @@ std::vector<Try> pairTries()
             .text = Text::tr("Lead p0 at least 150 px away. p1 is pulled after it."),
             .conditions =
                 {
-                    pointerCame(),
-                    ledTo(150.0),
-                    atLeast(60.0, p1Strayed,
+                    hasPointer(),
+                    pointerLedTo(150.0),
+                    atLeast(60.0, p1Displacement,
                             Text::tr("let time run (**Space**): p1 has come %1 px of 60 px."), 0),
                 },
             .hint = Text::tr("Press **Space**. Hold the mouse button down in the picture and lead p0 into an "
@@ -122,15 +125,15 @@ std::vector<Try> pairTries()
                 "the stick has not acted."),
             .conditions =
                 {
-                    pointerCame(),
-                    insideAFrame(),
+                    hasPointer(),
+                    insideFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
                          return last && last->kind == sim::EffectKind::driver;
                      },
                      Text::tr(
                          "press **Shift+→** until the pointer has moved p0, and the stick has not acted.")},
-                    atLeast(20.0, worstError,
+                    atLeast(20.0, worstStickError,
                             Text::tr("put the pointer farther from p0 before that frame. It was %1 px."), 0),
                 },
             .hint =
@@ -142,7 +145,7 @@ std::vector<Try> pairTries()
             .conditions =
                 {
                     parameterSetTo("length", 0.0),
-                    ledTo(50.0),
+                    pointerLedTo(50.0),
                     {[](const Timeline &run) { return distance(run, "p0", "p1") < 0.01; },
                      Text::tr("let time run (**Space**) until the stick is right.")},
                 },
@@ -161,9 +164,9 @@ std::vector<Try> sharedErrorTries()
             .text = Text::tr("With **share** at 1, lead the pointer around p1. p1 does not move at all."),
             .conditions =
                 {
-                    pointerCame(),
+                    hasPointer(),
                     parameterSetTo("share", 1.0, Text::tr("set **share** to 1.")),
-                    ledTo(50.0),
+                    pointerLedTo(50.0),
                     {onlyP0Moves, Text::tr("lead the pointer on, so that p0 comes 20 px or more in ten "
                                            "frames while p1 stands.")},
                 },
@@ -176,7 +179,7 @@ std::vector<Try> sharedErrorTries()
             .conditions =
                 {
                     parameterSetTo("share", 0.0),
-                    ledTo(150.0),
+                    pointerLedTo(150.0),
                     {[](const Timeline &run) { return p0FromPointer(run) < 0.01; },
                      Text::tr("let time run (**Space**) until p0 is at the pointer.")},
                 },
@@ -191,7 +194,7 @@ std::vector<Try> sharedErrorTries()
             .conditions =
                 {
                     parameterSetTo("share", 0.5),
-                    ledTo(100.0),
+                    pointerLedTo(100.0),
                     {[](const Timeline &run) { return p0FromPointer(run) < 0.5; },
                      Text::tr("hold the pointer still while time runs. p0 is %1 px from it."), p0FromPointer},
                 },
@@ -207,14 +210,14 @@ std::vector<Try> triangleTries()
     return {
         {
             .text = Text::tr("Lead p0 away so fast that a stick is wrong by 10 px."),
-            .conditions = {pointerCame(), ledTo(100.0), wrongBy(10.0)},
+            .conditions = {hasPointer(), pointerLedTo(100.0), errorAtLeast(10.0)},
             .hint = Text::tr(
                 "Press **Space**, hold the mouse button down, and move the pointer quickly across the "
                 "picture."),
         },
         {
             .text = Text::tr("Then hold it still until all three sticks are right to 0.01 px."),
-            .conditions = {pointerCame(), ledTo(100.0), rightTo(0.01, 2)},
+            .conditions = {hasPointer(), pointerLedTo(100.0), errorAtMost(0.01, 2)},
             .hint = Text::tr(
                 "Keep the mouse button down and the pointer still for some seconds. The largest error "
                 "stands above the parameters."),
@@ -222,7 +225,8 @@ std::vector<Try> triangleTries()
         {
             .text = Text::tr("Set **length** to 150 and lead p0 off the line, until all three sticks are "
                              "right to 0.01 px."),
-            .conditions = {parameterSetTo("length", 150.0), pointerCame(), ledTo(20.0), rightTo(0.01, 2)},
+            .conditions = {parameterSetTo("length", 150.0), hasPointer(), pointerLedTo(20.0),
+                           errorAtMost(0.01, 2)},
             .hint =
                 Text::tr("Type 150 into the field beside **Length**. Press **Space**, hold the mouse button "
                          "down, lead p0 to the side, and keep still."),
@@ -235,21 +239,22 @@ std::vector<Try> listTries()
     return {
         {
             .text = Text::tr("Lead p0 at least 150 px away, and wait until every stick is right to 0.1 px."),
-            .conditions = {pointerCame(), ledTo(150.0), rightTo(0.1, 1)},
+            .conditions = {hasPointer(), pointerLedTo(150.0), errorAtMost(0.1, 1)},
             .hint =
                 Text::tr("Press **Space**, hold the mouse button down, lead p0 across the picture, and keep "
                          "still."),
         },
         {
             .text = Text::tr("Set **triangles** to 15 and shake p0, until a stick is wrong by 20 px."),
-            .conditions = {parameterSetTo("triangles", 15.0), pointerCame(), ledTo(20.0), wrongBy(20.0)},
+            .conditions = {parameterSetTo("triangles", 15.0), hasPointer(), pointerLedTo(20.0),
+                           errorAtLeast(20.0)},
             .hint = Text::tr(
                 "Type 15 into the field beside **Triangles**. Press **Space**, hold the mouse button "
                 "down, and shake p0 to and fro."),
         },
         {
             .text = Text::tr("Go back in time, change **length**, and compare with the ghost."),
-            .conditions = {ghostDiffers("length"), playedBesideGhost()},
+            .conditions = {comparisonDiffers("length"), playedSinceFork()},
             .hint =
                 Text::tr("Play and lead p0 for some seconds. Stop, drag the timeline back to the left, type "
                          "another **Length**, and play on for a second."),
@@ -262,7 +267,7 @@ std::vector<Try> verletTries()
     return {
         {
             .text = Text::tr("Throw the box against a wall, at 5 px per frame or more."),
-            .conditions = {released(), thrownAtLeast(), hitsAWall()},
+            .conditions = {released(), thrownAtLeast(), hitsWall()},
             .hint = Text::tr(
                 "Press **Space**. Take a corner of the box, swing it quickly to one side, and let go "
                 "on the way."),
@@ -301,7 +306,7 @@ std::vector<Try> verletTries()
                 "one."),
             .conditions =
                 {
-                    insideAFrame(),
+                    insideFrame(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
                          return last && last->kind == sim::EffectKind::stick;
@@ -326,7 +331,7 @@ std::vector<Try> ragdollTries()
         },
         {
             .text = Text::tr("Throw it at a wall, at 5 px per frame or more."),
-            .conditions = {released(), thrownAtLeast(), hitsAWall()},
+            .conditions = {released(), thrownAtLeast(), hitsWall()},
             .hint = Text::tr("Press **Space**, take a joint, swing it quickly to one side, and let go on the "
                              "way."),
         },
@@ -337,7 +342,7 @@ std::vector<Try> ragdollTries()
                     parameterSetTo("iterations", 1.0),
                     {[](const Timeline &run) { return !heldBody(run).empty(); },
                      Text::tr("take it with the mouse, and shake it.")},
-                    atLeast(25.0, worstStretch,
+                    atLeast(25.0, worstStickStretch,
                             Text::tr("shake it harder. The worst stick is wrong by %1 %."), 0),
                 },
             .hint = Text::tr(
@@ -350,7 +355,7 @@ std::vector<Try> ragdollTries()
                 "ghost."),
             .conditions =
                 {
-                    ghostDiffers("iterations"),
+                    comparisonDiffers("iterations"),
                     {[](const Timeline &run) {
                          const std::vector<sim::Event> &input = run.script().input;
                          return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
@@ -359,7 +364,7 @@ std::vector<Try> ragdollTries()
                          });
                      },
                      Text::tr("go back to before you threw it, and change **iterations** there.")},
-                    playedBesideGhost(),
+                    playedSinceFork(),
                 },
             .hint = Text::tr(
                 "Throw the figure and stop. Drag the timeline back to before the throw, type another "

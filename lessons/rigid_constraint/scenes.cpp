@@ -20,42 +20,42 @@ namespace rigid_constraint {
 
 namespace {
 
-Scene pointsThat(const Values &values, int own, Motion inertia)
+Scene pointsWith(Motion motion, const Values &values, int count)
 {
-    const auto count = static_cast<std::size_t>(values.points.value_or(own));
-    Scene scene = scenes::pointsAt(std::vector<Vec2>(count, {240.0, 165.0}));
-    scene.groups.front().motion = inertia;
+    const auto points = static_cast<std::size_t>(values.points.value_or(count));
+    Scene scene = scenes::pointsAt(std::vector<Vec2>(points, {240.0, 165.0}));
+    scene.groups.front().motion = motion;
     return scene;
 }
 
 }
 
-Scene loosePoints(const Values &values, int own)
+Scene loosePoints(const Values &values, int count)
 {
-    return pointsThat(values, own, Motion::prescribed);
+    return pointsWith(Motion::prescribed, values, count);
 }
 
-Scene movingPoints(const Values &values, int own)
+Scene movingPoints(const Values &values, int count)
 {
-    return pointsThat(values, own, Motion::byVelocity);
+    return pointsWith(Motion::byVelocity, values, count);
 }
 
-void placePoints(Scene &scene, const std::vector<Vec2> &places)
+void placePoints(Scene &scene, const std::vector<Vec2> &positions)
 {
-    const int count = std::min(scene.start.pointCount(), static_cast<int>(places.size()));
+    const int count = std::min(scene.start.pointCount(), static_cast<int>(positions.size()));
     for (int i = 0; i < count; ++i)
-        scene.start.place(i, places[static_cast<std::size_t>(i)]);
+        scene.start.place(i, positions[static_cast<std::size_t>(i)]);
 }
 
-Stick stickBetween(const std::vector<Vec2> &places, int a, int b)
+Stick stickBetween(const std::vector<Vec2> &positions, int a, int b)
 {
-    const Vec2 way = places[static_cast<std::size_t>(b)] - places[static_cast<std::size_t>(a)];
-    return {a, b, length(way), 0.5};
+    const Vec2 difference = positions[static_cast<std::size_t>(b)] - positions[static_cast<std::size_t>(a)];
+    return {a, b, length(difference), 0.5};
 }
 
-void addSticks(Scene &scene, const Values &values, const std::vector<Stick> &own, int iterations)
+void addSticks(Scene &scene, const Values &values, const std::vector<Stick> &sticks, int iterations)
 {
-    add<Sticks>(scene, values.sticks.value_or(own), scene.start.pointCount(), iterations);
+    add<Sticks>(scene, values.sticks.value_or(sticks), scene.start.pointCount(), iterations);
 }
 
 Eigen::ArrayXd boxHalfWidths(const Scene &scene)

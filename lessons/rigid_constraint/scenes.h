@@ -7,29 +7,32 @@
 
 #include <vector>
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. A file's points and sticks take the place of the step's own.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new. A file's points and sticks replace the step's.
 namespace rigid_constraint {
 
-/// Points "p0", "p1"... at (240, 165): as many as a file gives, or else `own`. They stay where they are put.
-sim::Scene loosePoints(const sim::Values &values, int own);
-/// The same with points that go on by themselves.
-sim::Scene movingPoints(const sim::Values &values, int own);
-/// Puts point 0, 1, 2... where `places` says, px, as far as there are such points.
-void placePoints(sim::Scene &scene, const std::vector<sim::Vec2> &places);
+/// Returns a scene of points "p0", "p1"... at (240, 165): as many as a file gives, otherwise `count`. Their
+/// motion is prescribed.
+sim::Scene loosePoints(const sim::Values &values, int count);
+/// Returns the same scene with points that move by their velocity.
+sim::Scene movingPoints(const sim::Values &values, int count);
+/// Places points 0, 1, 2... at `positions`, px. Surplus positions are ignored.
+void placePoints(sim::Scene &scene, const std::vector<sim::Vec2> &positions);
 
-/// A stick from place a to place b that is as long as they are apart; both ends share its error.
-sim::Stick stickBetween(const std::vector<sim::Vec2> &places, int a, int b);
+/// Returns a stick between points a and b. Its length is the distance of their positions, and both ends share
+/// its error.
+sim::Stick stickBetween(const std::vector<sim::Vec2> &positions, int a, int b);
 
-/// Adds the sticks of a file, or else `own`.
+/// Adds the sticks of a file, otherwise `sticks`.
 /// @throws sim::Error "stick-without-end"
-void addSticks(sim::Scene &scene, const sim::Values &values, const std::vector<sim::Stick> &own,
+void addSticks(sim::Scene &scene, const sim::Values &values, const std::vector<sim::Stick> &sticks,
                int iterations = 1);
 
-/// Half of each point's width, px: the head's, then the joints'.
-constexpr double jointRadius = 5.0;
-constexpr double headRadius = 14.0;
+constexpr double jointRadius = 5.0; ///< px
+constexpr double headRadius = 14.0; ///< px
+/// Returns half of each point's width, in px.
 Eigen::ArrayXd boxHalfWidths(const sim::Scene &scene);
+/// Returns half of each point's width, in px. Point 0 is the head.
 Eigen::ArrayXd ragdollHalfWidths(const sim::Scene &scene);
 
 namespace pair {

@@ -21,14 +21,14 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
 };
 
-Parameter length(double preset)
+Parameter length(double defaultValue)
 {
     return {
         .id = "length",
         .name = Text::tr("Length"),
         .unit = Text::tr("px"),
         .help = Text::tr("How far apart a stick keeps its two ends."),
-        .defaultValue = preset,
+        .defaultValue = defaultValue,
         .min = 0.0,
         .max = 1e6,
         .sliderMin = 0.0,
@@ -67,14 +67,14 @@ Parameter triangles()
     };
 }
 
-Parameter iterations(double preset)
+Parameter iterations(double defaultValue)
 {
     return {
         .id = "iterations",
         .name = Text::tr("Iterations"),
         .unit = Text::tr("passes"),
         .help = Text::tr("How often each frame goes through the list of sticks."),
-        .defaultValue = preset,
+        .defaultValue = defaultValue,
         .min = 1.0,
         .max = 1000.0,
         .sliderMin = 1.0,
@@ -116,28 +116,31 @@ Parameter jointLimits()
     };
 }
 
-/// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
-Step stepOf(const char *id, const QString &title)
+/// Returns a step with the settings that all steps of this lesson share. `id` is also the marker of its
+/// set-up function.
+Step newStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("rigid_constraint", id, title);
     step.traceColumns = TraceColumns::position;
-    step.points = PointsFrom::file;
+    step.points = PointSource::file;
     return step;
 }
 
-Step pointedStep(const char *id, const QString &title)
+/// Returns a step in which point 0 follows the pointer.
+Step pointerStep(const char *id, const QString &title)
 {
-    Step step = stepOf(id, title);
+    Step step = newStep(id, title);
     step.interactions = {Interaction::drag, Interaction::pointer};
-    step.view = pointedLook;
+    step.view = pointerView;
     step.measures = {errorMeasure()};
     return step;
 }
 
-/// With `apart` directions: points in one place part in all directions and not on one line.
+/// Returns a step in a room. Its method uses regularised directions, so coincident points separate in
+/// different directions and not along one line.
 Step roomStep(const char *id, const QString &title)
 {
-    Step step = stepOf(id, title);
+    Step step = newStep(id, title);
     step.measures = {stretchMeasure()};
     step.method = "semi_implicit_euler";
     return step;
@@ -147,7 +150,7 @@ Step roomStep(const char *id, const QString &title)
 
 Step pairStep()
 {
-    Step step = pointedStep("pair", Text::tr("A pair"));
+    Step step = pointerStep("pair", Text::tr("A pair"));
     step.narration = Text::tr(
         "A **stick** is a rule: these two points are 100 px apart, whatever happens. Such a rule is called "
         "a **constraint**. The pointer carries p0, and the rule does the rest.\n\n"
@@ -166,7 +169,7 @@ Step pairStep()
 
 Step sharedErrorStep()
 {
-    Step step = pointedStep("shared_error", Text::tr("Who takes the error"));
+    Step step = pointerStep("shared_error", Text::tr("Who takes the error"));
     step.narration = Text::tr(
         "Half each is not always what you want. **share** is the part of the error that p0 takes, from 0 to "
         "1. p1 takes the rest.\n\n"
@@ -185,7 +188,7 @@ Step sharedErrorStep()
 
 Step triangleStep()
 {
-    Step step = pointedStep("triangle", Text::tr("A triangle"));
+    Step step = pointerStep("triangle", Text::tr("A triangle"));
     step.narration = Text::tr(
         "Three points, three sticks: the same function three times, one after the other. Each stick makes "
         "its own distance right, and **the ones before it a little wrong again**.\n\n"
@@ -205,7 +208,7 @@ Step triangleStep()
 
 Step listStep()
 {
-    Step step = pointedStep("list", Text::tr("A list of sticks"));
+    Step step = pointerStep("list", Text::tr("A list of sticks"));
     step.narration = Text::tr(
         "Copied lines will not do for a big figure. Here **a loop** fills a list of sticks: each point is "
         "tied to the one before it and to the one before that, which gives a row of triangles. A second "
@@ -241,7 +244,7 @@ Step verletStep()
     step.explanation = verletExplanation();
     step.tries = verletTries();
     step.scene = verlet::setUp;
-    step.view = boxLook;
+    step.view = boxView;
     return step;
 }
 
@@ -263,7 +266,7 @@ Step ragdollStep()
     step.explanation = ragdollExplanation();
     step.tries = ragdollTries();
     step.scene = ragdoll::setUp;
-    step.view = ragdollLook;
+    step.view = ragdollView;
     return step;
 }
 

@@ -22,18 +22,19 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
 };
 
-View stickLook(const sim::Scene &scene)
+View sticksView(const sim::Scene &scene)
 {
-    View look;
-    look.bodies.resize(scene.names.size(), {BodyView::Shape::joint, jointRadius});
+    View view;
+    view.bodies.resize(scene.names.size(), {BodyView::Shape::joint, jointRadius});
     for (const sim::Stick &stick : sticksOf(scene))
-        look.sticks.push_back({stick.a, stick.b, stick.length});
-    return look;
+        view.sticks.push_back({stick.a, stick.b, stick.length});
+    return view;
 }
 
-/// The largest of something over all sticks; not finite where there is no stick.
+/// Returns a function for Measure::of that calls `largest(scene, state)`. Its result is NaN if there is no
+/// stick.
 template <class Largest>
-auto ofSticks(Largest largest)
+auto measureOfSticks(Largest largest)
 {
     return
         [largest](const sim::Scene &scene, const sim::State &state, const sim::State *, const sim::Values &) {
@@ -69,30 +70,30 @@ double largestStretch(const sim::Scene &scene, const sim::State &state)
     return largest;
 }
 
-View pointedLook(const sim::Scene &scene, const sim::Values &)
+View pointerView(const sim::Scene &scene, const sim::Values &)
 {
-    View look = stickLook(scene);
-    look.pointerPoint = 0;
-    return look;
+    View view = sticksView(scene);
+    view.pointerPoint = 0;
+    return view;
 }
 
-View boxLook(const sim::Scene &scene, const sim::Values &values)
+View boxView(const sim::Scene &scene, const sim::Values &values)
 {
-    View look = stickLook(scene);
+    View view = sticksView(scene);
     if (effectOf<sim::RoomLimits>(scene))
-        look.room = sim::Room{values["left"], values["right"], values["floor"], 0.0};
-    return look;
+        view.room = sim::Room{values["left"], values["right"], values["floor"], 0.0};
+    return view;
 }
 
-View ragdollLook(const sim::Scene &scene, const sim::Values &values)
+View ragdollView(const sim::Scene &scene, const sim::Values &values)
 {
-    View look = boxLook(scene, values);
+    View view = boxView(scene, values);
     if (values.points)
-        return look;
-    look.bodies[0] = {BodyView::Shape::body, headRadius};
-    look.limbs = {{1, 2, 18.0}, {1, 3, 20.0}, {2, 3, 20.0}, {1, 4, 14.0},  {4, 5, 11.0},  {2, 6, 14.0},
+        return view;
+    view.bodies[0] = {BodyView::Shape::body, headRadius};
+    view.limbs = {{1, 2, 18.0}, {1, 3, 20.0}, {2, 3, 20.0}, {1, 4, 14.0},  {4, 5, 11.0},  {2, 6, 14.0},
                   {6, 7, 11.0}, {3, 8, 17.0}, {8, 9, 13.0}, {3, 10, 17.0}, {10, 11, 13.0}};
-    return look;
+    return view;
 }
 
 Measure errorMeasure()
@@ -102,7 +103,7 @@ Measure errorMeasure()
         .unit = Text::tr("px"),
         .help = Text::tr("How far the length of the worst stick is from what it should be."),
         .decimals = 2,
-        .of = ofSticks(largestError),
+        .of = measureOfSticks(largestError),
     };
 }
 
@@ -113,7 +114,7 @@ Measure stretchMeasure()
         .unit = Text::tr("%"),
         .help = Text::tr("How far the worst stick is from its length, as a part of that length."),
         .decimals = 1,
-        .of = ofSticks(largestStretch),
+        .of = measureOfSticks(largestStretch),
     };
 }
 

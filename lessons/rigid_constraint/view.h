@@ -6,21 +6,22 @@
 
 #include <vector>
 
-/// How the scenes of this lesson look, and what is measured.
+/// The views and measures of this lesson.
 namespace rigid_constraint {
 
-/// The sticks that act in `scene`; none if there are none.
+/// Returns the sticks that act in `scene`.
 std::vector<sim::Stick> sticksOf(const sim::Scene &scene);
-/// The largest error, in px without its sign, and in % of the stick's length (where that is not 0).
+/// Returns the largest absolute error of a stick, in px.
 double largestError(const sim::Scene &scene, const sim::State &state);
+/// Returns the largest absolute error of a stick in % of its length. Sticks of length 0 are ignored.
 double largestStretch(const sim::Scene &scene, const sim::State &state);
 
-/// Points and sticks; the pointer carries the first point.
-lessons::View pointedLook(const sim::Scene &scene, const sim::Values &values);
-/// Points and sticks in a room.
-lessons::View boxLook(const sim::Scene &scene, const sim::Values &values);
-/// The same with flesh on them, and a head. A file's own figure has none.
-lessons::View ragdollLook(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of points and sticks. Point 0 follows the pointer.
+lessons::View pointerView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of points and sticks in a room.
+lessons::View boxView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a boxView() with limbs and a head. A figure from a file has neither.
+lessons::View ragdollView(const sim::Scene &scene, const sim::Values &values);
 
 lessons::Measure errorMeasure();
 lessons::Measure stretchMeasure();

@@ -23,7 +23,7 @@ constexpr double rad(double degrees)
 
 }
 
-std::shared_ptr<const Blueprint> firstPlan()
+std::shared_ptr<const Blueprint> defaultBlueprint()
 {
     Blueprint plan;
     plan.points = {{.name = "p0", .x = {270, 80}, .v = {}, .size = 10.0, .fixed = true},
@@ -35,8 +35,8 @@ std::shared_ptr<const Blueprint> firstPlan()
 
 const Blueprint &planOf(const Values &values)
 {
-    static const std::shared_ptr<const Blueprint> first = firstPlan();
-    return values.blueprint ? *values.blueprint : *first;
+    static const std::shared_ptr<const Blueprint> fallback = defaultBlueprint();
+    return values.blueprint ? *values.blueprint : *fallback;
 }
 
 Scene pointsOf(const Blueprint &plan)
@@ -46,12 +46,12 @@ Scene pointsOf(const Blueprint &plan)
     scene.start = State::ofPoints(count);
     scene.groups = {{SIM_TEXT("points"), {0, count}}};
     for (int i = 0; i < count; ++i) {
-        const BlueprintPoint &one = plan.points[static_cast<std::size_t>(i)];
-        scene.names.push_back(one.name);
-        scene.start.place(i, one.x);
-        if (!one.fixed)
-            scene.start.setVelocity(i, one.v);
-        scene.start.inverseMass[i] = one.fixed ? 0.0 : 1.0 / one.mass;
+        const BlueprintPoint &point = plan.points[static_cast<std::size_t>(i)];
+        scene.names.push_back(point.name);
+        scene.start.place(i, point.x);
+        if (!point.fixed)
+            scene.start.setVelocity(i, point.v);
+        scene.start.inverseMass[i] = point.fixed ? 0.0 : 1.0 / point.mass;
     }
     return scene;
 }
@@ -59,32 +59,32 @@ Scene pointsOf(const Blueprint &plan)
 std::vector<Spring> springsOf(const Blueprint &plan)
 {
     std::vector<Spring> all;
-    for (const BlueprintSpring &one : plan.springs)
-        all.push_back({one.a, one.b, one.k, one.length});
+    for (const BlueprintSpring &spring : plan.springs)
+        all.push_back({spring.a, spring.b, spring.k, spring.length});
     return all;
 }
 
 std::vector<Stick> sticksOf(const Blueprint &plan)
 {
     std::vector<Stick> all;
-    for (const BlueprintStick &one : plan.sticks)
-        all.push_back({one.a, one.b, one.length, one.share});
+    for (const BlueprintStick &stick : plan.sticks)
+        all.push_back({stick.a, stick.b, stick.length, stick.share});
     return all;
 }
 
 std::vector<Leg> legsOf(const Blueprint &plan, int gait)
 {
     std::vector<Leg> legs;
-    for (const BlueprintFoot &one : plan.feet) {
-        if (one.gait == gait)
-            legs.push_back({one.foot, one.body, rad(one.angle), gait});
+    for (const BlueprintFoot &foot : plan.feet) {
+        if (foot.gait == gait)
+            legs.push_back({foot.foot, foot.body, rad(foot.angle), gait});
     }
     return legs;
 }
 
 LegRule ruleOf(const BlueprintGait &gait)
 {
-    // A clock that stands where it began turns no leg.
+    // A clock that stays at 0 turns no leg.
     const bool swings = gait.speed != 0.0 || gait.start != 0.0;
     return {
         .k = gait.k,
@@ -97,8 +97,8 @@ LegRule ruleOf(const BlueprintGait &gait)
 
 void setClocks(Scene &scene, const Blueprint &plan)
 {
-    scene.start.gait.setZero(clocksOf(plan));
-    scene.start.gaitSpeed.setZero(clocksOf(plan));
+    scene.start.gait.setZero(clockCount(plan));
+    scene.start.gaitSpeed.setZero(clockCount(plan));
     Eigen::Index clock = 0;
     for (const BlueprintGait &gait : plan.gaits) {
         scene.start.gait[clock] = gait.start;
@@ -111,8 +111,8 @@ void setClocks(Scene &scene, const Blueprint &plan)
 bool hasClocks(const Blueprint &plan, const Values &values)
 {
     return (hasEffect(plan, "breeze") && values["gusts"] > 0.0) ||
-           std::any_of(plan.feet.begin(), plan.feet.end(), [&](const BlueprintFoot &one) {
-               return plan.gaits[static_cast<std::size_t>(one.gait)].speed != 0.0;
+           std::any_of(plan.feet.begin(), plan.feet.end(), [&](const BlueprintFoot &foot) {
+               return plan.gaits[static_cast<std::size_t>(foot.gait)].speed != 0.0;
            });
 }
 

@@ -10,27 +10,29 @@
 #include <string>
 #include <vector>
 
-/// The scene that somebody builds, from its plan.
+/// The scene that a learner builds, set up from its blueprint.
 namespace sandbox {
 
-/// What an empty sandbox begins with: a body that hangs from a nail.
-std::shared_ptr<const sim::Blueprint> firstPlan();
+/// Returns the blueprint that a new sandbox starts with: a body that hangs on a spring from a fixed point.
+std::shared_ptr<const sim::Blueprint> defaultBlueprint();
 
-/// The blueprint of a scene with these values: a file's, or the first one.
+/// Returns the blueprint in `values`, or the default blueprint if there is none.
 const sim::Blueprint &planOf(const sim::Values &values);
 
-/// The points alone: where they start, their masses and names. Those that are fixed feel nothing.
+/// Returns a scene of the points alone, without effects. Fixed points are not dynamic.
 sim::Scene pointsOf(const sim::Blueprint &plan);
 
 std::vector<sim::Spring> springsOf(const sim::Blueprint &plan);
 std::vector<sim::Stick> sticksOf(const sim::Blueprint &plan);
-/// The legs of gait group `gait`, and what they have in common.
+/// Returns the legs of gait group `gait`.
 std::vector<sim::Leg> legsOf(const sim::Blueprint &plan, int gait);
+/// Returns the rule that the legs of `gait` share.
 sim::LegRule ruleOf(const sim::BlueprintGait &gait);
 
-constexpr double windClock = 0.05; ///< rad/frame, how fast the gusts come
+constexpr double windClock = 0.05; ///< rad/frame, speed of the clock of the gusts
+/// Sets the start angles and speeds of the gait clocks, and of the gusts' clock if there is a breeze.
 void setClocks(sim::Scene &scene, const sim::Blueprint &plan);
-/// Whether any clock turns that something goes by.
+/// Returns whether any clock that feet or gusts follow is turning.
 bool hasClocks(const sim::Blueprint &plan, const sim::Values &values);
 
 namespace build {

@@ -28,8 +28,8 @@ Example example(const char *file, const QString &title, const QString &help)
     };
 }
 
-/// The experiments that are installed with the program.
-std::vector<Example> ownExamples()
+/// Returns the experiments that are installed with the program.
+std::vector<Example> examples()
 {
     return {
         example("chain", Text::tr("Chain"),
@@ -70,18 +70,18 @@ Step buildStep()
         "run: play to see what your scene does, and come back to go on building.");
     step.parameters = parametersOf(sim::allEffects());
     step.scene = build::setUp;
-    step.view = builtLook;
+    step.view = sandboxView;
     step.method = "semi_implicit_euler";
-    step.points = PointsFrom::scene;
+    step.points = PointSource::scene;
     step.prepareScript = [](sim::Script &script) {
         if (!script.values.blueprint)
-            script.values.blueprint = firstPlan();
+            script.values.blueprint = defaultBlueprint();
     };
-    for (const sim::EffectDescription *one : sim::allEffects()) {
-        if (one->make)
-            step.availableEffects.push_back(one);
+    for (const sim::EffectDescription *effect : sim::allEffects()) {
+        if (effect->make)
+            step.availableEffects.push_back(effect);
     }
-    step.examples = ownExamples();
+    step.examples = examples();
     return step;
 }
 

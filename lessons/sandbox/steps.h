@@ -4,7 +4,7 @@
 
 namespace sandbox {
 
-/// The one step: its scene is what a learner, or a file, builds.
+/// Returns the only step. Its scene is built by a learner or a file.
 lessons::Step buildStep();
 
 }

@@ -15,11 +15,12 @@ namespace sandbox {
 
 namespace {
 
-constexpr double raster = 50.0; ///< px, in which the stage grows, so that it does not with every move
+/// px. The stage grows in steps of this size, so that it stays the same when a point moves a little.
+constexpr double gridStep = 50.0;
 
 enum class Part { loose, joint, foot, body };
 
-/// What each point is a part of, as far as it decides how it is drawn.
+/// Returns the part that decides how each point is drawn.
 std::vector<Part> partsOf(const sim::Blueprint &plan)
 {
     std::vector<Part> parts(plan.points.size(), Part::loose);
@@ -33,25 +34,25 @@ std::vector<Part> partsOf(const sim::Blueprint &plan)
     return parts;
 }
 
-BodyView bodyLook(const sim::BlueprintPoint &point, Part part)
+BodyView bodyViewOf(const sim::BlueprintPoint &point, Part part)
 {
-    BodyView look;
-    look.radius = 0.5 * point.size;
-    look.fixed = point.fixed;
+    BodyView view;
+    view.radius = 0.5 * point.size;
+    view.fixed = point.fixed;
     if (part == Part::body)
-        look.shape = BodyView::Shape::body;
+        view.shape = BodyView::Shape::body;
     else if (part == Part::joint && point.size <= 12.0)
-        look.shape = BodyView::Shape::joint;
-    return look;
+        view.shape = BodyView::Shape::joint;
+    return view;
 }
 
-/// A foot's place is its lowest point, and the disc that is drawn has its middle there. So the ground is drawn where the
-/// discs of the feet end.
-double footRadius(const View &look, const sim::Blueprint &plan)
+/// Returns the largest radius of a foot's disc, in px. A foot touches the ground with its position, which is
+/// the centre of the disc. The ground is drawn lower by this radius, so that the discs stand on it.
+double footRadius(const View &view, const sim::Blueprint &plan)
 {
     double radius = 0.0;
     for (const sim::BlueprintFoot &foot : plan.feet)
-        radius = std::max(radius, look.bodies[static_cast<std::size_t>(foot.foot)].radius);
+        radius = std::max(radius, view.bodies[static_cast<std::size_t>(foot.foot)].radius);
     return radius;
 }
 
@@ -62,17 +63,19 @@ Pair pairOf(int a, int b)
     return std::minmax(a, b);
 }
 
-/// Twice the area of the triangle a, b, c: positive on one side of the line from a to b.
+/// Returns twice the signed area of the triangle a, b, c. Its sign is the side of the line ab on which c
+/// lies.
 double side(sim::Vec2 a, sim::Vec2 b, sim::Vec2 c)
 {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Springs that cross in the middle of four others make soft matter: a patch each.
-class SoftMatter
+/// Finds the soft sheets of a blueprint: four springs round a quadrilateral with springs along both
+/// diagonals.
+class SoftSheets
 {
 public:
-    explicit SoftMatter(const sim::Blueprint &plan) : m_plan(plan), m_neighbours(plan.points.size())
+    explicit SoftSheets(const sim::Blueprint &plan) : m_plan(plan), m_neighbours(plan.points.size())
     {
         for (const sim::BlueprintSpring &spring : plan.springs) {
             if (m_uses.try_emplace(pairOf(spring.a, spring.b), 0).second) {
@@ -81,7 +84,7 @@ public:
             }
         }
         for (const auto &[pair, uses] : m_uses)
-            lookAcross(pair.first, pair.second);
+            addSheetsAcross(pair.first, pair.second);
     }
 
     const std::vector<SheetView> &sheets() const { return m_sheets; }
@@ -97,8 +100,8 @@ public:
 private:
     sim::Vec2 at(int point) const { return m_plan.points[static_cast<std::size_t>(point)].x; }
 
-    /// Takes the patches of which the spring from `a` to `c` is a diagonal, and of all corners `a` is the first.
-    void lookAcross(int a, int c)
+    /// Adds the sheets with the diagonal from `a` to `c` in which `a` is the corner with the smallest index.
+    void addSheetsAcross(int a, int c)
     {
         for (const int b : m_neighbours[static_cast<std::size_t>(a)]) {
             if (b < a || side(at(a), at(c), at(b)) <= 0.0 || !m_uses.contains(pairOf(b, c)))
@@ -107,71 +110,72 @@ private:
                 const bool crosses = d > a && side(at(a), at(c), at(d)) < 0.0 &&
                                      side(at(b), at(d), at(a)) * side(at(b), at(d), at(c)) < 0.0;
                 if (crosses && m_uses.contains(pairOf(a, d)) && m_uses.contains(pairOf(c, d)))
-                    take({{a, b, c, d}});
+                    addSheet({{a, b, c, d}});
             }
         }
     }
 
-    void take(const SheetView &sheet)
+    void addSheet(const SheetView &sheet)
     {
         const auto &[a, b, c, d] = sheet.corners;
         for (const Pair &edge : {pairOf(a, b), pairOf(b, c), pairOf(c, d), pairOf(d, a)})
             ++m_uses.at(edge);
         for (const Pair &diagonal : {pairOf(a, c), pairOf(b, d)})
-            m_uses.at(diagonal) += 2; // it lies inside
+            m_uses.at(diagonal) += 2; // a diagonal is inside its sheet
         m_sheets.push_back(sheet);
     }
 
     const sim::Blueprint &m_plan;
-    std::vector<std::vector<int>> m_neighbours; ///< one entry a point
-    std::map<Pair, int> m_uses;                 ///< by how many patches each spring is used
+    std::vector<std::vector<int>> m_neighbours; ///< one entry per point
+    std::map<Pair, int> m_uses; ///< number of sheets along each spring; 2 more per sheet for a diagonal
     std::vector<SheetView> m_sheets;
 };
 
-void addSprings(View &look, const sim::Blueprint &plan)
+void addSprings(View &view, const sim::Blueprint &plan)
 {
-    const SoftMatter matter(plan);
-    look.sheets = matter.sheets();
+    const SoftSheets sheets(plan);
+    view.sheets = sheets.sheets();
     for (const sim::BlueprintSpring &spring : plan.springs)
-        look.springs.push_back(
-            {.a = spring.a, .b = spring.b, .length = spring.length, .part = matter.partOf(spring)});
+        view.springs.push_back(
+            {.a = spring.a, .b = spring.b, .length = spring.length, .part = sheets.partOf(spring)});
 }
 
-QRectF stageOf(const sim::Blueprint &plan, QRectF least)
+/// Returns a stage that contains `stage` and all points.
+QRectF stageOf(const sim::Blueprint &plan, QRectF stage)
 {
     for (const sim::BlueprintPoint &point : plan.points) {
-        const double half = 0.5 * point.size;
-        least |= QRectF(point.x.x - half, point.x.y - half, point.size, point.size);
+        const double radius = 0.5 * point.size;
+        stage |= QRectF(point.x.x - radius, point.x.y - radius, point.size, point.size);
     }
-    const double left = raster * std::floor(least.left() / raster);
-    const double top = raster * std::floor(least.top() / raster);
-    return {left, top, std::max(540.0, raster * std::ceil(least.right() / raster) - left),
-            std::max(400.0, raster * std::ceil(least.bottom() / raster) - top)};
+    const double left = gridStep * std::floor(stage.left() / gridStep);
+    const double top = gridStep * std::floor(stage.top() / gridStep);
+    return {left, top, std::max(540.0, gridStep * std::ceil(stage.right() / gridStep) - left),
+            std::max(400.0, gridStep * std::ceil(stage.bottom() / gridStep) - top)};
 }
 
 }
 
-View builtLook(const sim::Scene &scene, const sim::Values &values)
+View sandboxView(const sim::Scene &scene, const sim::Values &values)
 {
     const sim::Blueprint &plan = planOf(values);
     const std::vector<Part> parts = partsOf(plan);
-    View look;
+    View view;
     for (std::size_t i = 0; i < plan.points.size(); ++i)
-        look.bodies.push_back(bodyLook(plan.points[i], parts[i]));
-    addSprings(look, plan);
+        view.bodies.push_back(bodyViewOf(plan.points[i], parts[i]));
+    addSprings(view, plan);
     for (const sim::BlueprintStick &stick : plan.sticks)
-        look.sticks.push_back({stick.a, stick.b, stick.length});
+        view.sticks.push_back({stick.a, stick.b, stick.length});
     for (const sim::BlueprintFoot &foot : plan.feet)
-        look.legs.push_back({foot.body, foot.foot});
+        view.legs.push_back({foot.body, foot.foot});
     if (effectOf<sim::Walls>(scene) || effectOf<sim::RoomLimits>(scene))
-        look.room = roomOf(values);
+        view.room = roomOf(values);
     if (effectOf<sim::Ground>(scene))
-        look.ground = values["ground"] + footRadius(look, plan);
+        view.ground = values["ground"] + footRadius(view, plan);
     const auto walker = std::find(parts.begin(), parts.end(), Part::body);
-    if (look.ground && !look.room && walker != parts.end()) // an endless ground, to walk along
-        look.followedPoint = static_cast<int>(walker - parts.begin());
-    look.stage = stageOf(plan, {0.0, 0.0, 540.0, 400.0});
-    return look;
+    if (view.ground && !view.room && walker != parts.end()) // a creature that walks on endless ground
+        view.followedPoint = static_cast<int>(walker - parts.begin());
+    view.stage = stageOf(plan, {0.0, 0.0, 540.0, 400.0});
+    return view;
 }
 
 }

@@ -5,7 +5,8 @@
 
 namespace sandbox {
 
-/// How a built scene looks: each point as the part that it is, and patches of soft matter.
-lessons::View builtLook(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of a built scene. The shape of a point depends on whether sticks or feet use it. Four
+/// springs with crossing diagonals are drawn as a soft sheet.
+lessons::View sandboxView(const sim::Scene &scene, const sim::Values &values);
 
 }

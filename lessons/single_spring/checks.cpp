@@ -35,22 +35,23 @@ double footToCentre(const Timeline &run)
     return sim::length(positionOf(run, "foot") - centreOf(run));
 }
 
-/// Where the hand let go of the foot; NaN if it did not.
-sim::Vec2 letGoAt(const Timeline &run)
+/// Returns the pointer's position at the release of the foot, in px. NaN if the last drag did not release it.
+sim::Vec2 releasePosition(const Timeline &run)
 {
-    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
-    const std::optional<DragGesture> carry = lastReleased(run, "foot");
-    return carry && !carry->path.empty() ? carry->path.back().position : sim::Vec2{nowhere, nowhere};
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    const std::optional<DragGesture> drag = lastReleased(run, "foot");
+    return drag && !drag->path.empty() ? drag->path.back().position : sim::Vec2{none, none};
 }
 
-double speedLetGo(const Timeline &run)
+/// Returns the speed at the release of the foot, in px/frame. 0 if the last drag did not release it.
+double releaseSpeed(const Timeline &run)
 {
-    const std::optional<DragGesture> carry = lastReleased(run, "foot");
-    return carry ? sim::length(carry->releaseVelocity()) : 0.0;
+    const std::optional<DragGesture> drag = lastReleased(run, "foot");
+    return drag ? sim::length(drag->releaseVelocity()) : 0.0;
 }
 
-/// The hand has been off for `frames` frames since damping was set.
-Condition leftAlone(std::int64_t frames, const QString &todo)
+/// There has been no input for `frames` frames, and damping has not been set for as long.
+Condition idleSinceDampingSet(std::int64_t frames, const QString &todo)
 {
     return atLeast(
         static_cast<double>(frames),
@@ -60,35 +61,35 @@ Condition leftAlone(std::int64_t frames, const QString &todo)
         todo, 0);
 }
 
-Condition moves()
+Condition isMoving()
 {
     return {[](const Timeline &run) { return run.cursor().phase == 0 && !isStill(run); },
             Text::tr("let go so that it moves: it stands still.")};
 }
 
-Condition restsAtDistance(double wanted, const QString &todo)
+Condition restsAtDistance(double length, const QString &todo)
 {
-    return {[wanted](const Timeline &run) {
-                return isStill(run) && std::abs(distance(run, "foot", "body") - wanted) < 0.5;
+    return {[length](const Timeline &run) {
+                return isStill(run) && std::abs(distance(run, "foot", "body") - length) < 0.5;
             },
             todo};
 }
 
-/// How far the foot is off straight below the body, in degrees.
-double offStraightBelow(const Timeline &run)
+/// Returns the angle between the line from body to foot and straight down, in degrees.
+double angleFromBelow(const Timeline &run)
 {
     const sim::Vec2 from = positionOf(run, "foot") - positionOf(run, "body");
-    const double off = sim::publishedDirection(from).angle - std::numbers::pi / 2;
-    return std::abs(off) * 180.0 / std::numbers::pi;
+    const double difference = sim::publishedDirection(from).angle - std::numbers::pi / 2;
+    return std::abs(difference) * 180.0 / std::numbers::pi;
 }
 
-/// Whether the foot was here five frames ago already, to 2 px.
-bool staysForAMoment(const Timeline &run)
+/// Returns whether the foot is within 2 px of its position five frames ago.
+bool isHeldStill(const Timeline &run)
 {
-    constexpr std::int64_t ago = 5;
-    if (run.cursor().frame < ago)
+    constexpr std::int64_t frames = 5;
+    if (run.cursor().frame < frames)
         return false;
-    const sim::State before = run.track().stateAt(run.cursor().frame - ago);
+    const sim::State before = run.track().stateAt(run.cursor().frame - frames);
     const int foot = run.track().interval().scene.find("foot");
     return sim::length(before.positionOf(foot) - run.state().positionOf(foot)) <= 2.0;
 }
@@ -111,7 +112,7 @@ std::vector<Try> dragTries()
                 {
                     released("foot"),
                     atMost(
-                        1.0, speedLetGo,
+                        1.0, releaseSpeed,
                         Text::tr(
                             "hold it still for a moment before you let go. Yours left at %1 px per frame.")),
                     allStill(),
@@ -138,8 +139,9 @@ std::vector<Try> dragTries()
                     parameterSetTo("damp", 1.0),
                     releasedSinceSet("damp", "foot"),
                     thrownAtLeast(),
-                    moves(),
-                    leftAlone(60, Text::tr("let it glide for 60 frames with this damping. So far: %1.")),
+                    isMoving(),
+                    idleSinceDampingSet(
+                        60, Text::tr("let it glide for 60 frames with this damping. So far: %1.")),
                 },
             .hint = Text::tr(
                 "Type 1 into the field beside **Damping**. Press **Space**, throw the foot as before, "
@@ -160,7 +162,8 @@ std::vector<Try> fixedCentreTries()
                 {
                     released("foot"),
                     atLeast(
-                        100.0, [](const Timeline &run) { return sim::length(letGoAt(run) - centreOf(run)); },
+                        100.0,
+                        [](const Timeline &run) { return sim::length(releasePosition(run) - centreOf(run)); },
                         Text::tr("let go at least 100 px from the cross. Yours left %1 px from it."), 0),
                     allStill(),
                 },
@@ -171,7 +174,7 @@ std::vector<Try> fixedCentreTries()
         {
             .text = Text::tr(
                 "Stop inside a frame (**Shift+→**) when the spring has pulled and nothing has moved yet."),
-            .conditions = {insideAFrame(), onlyPulled()},
+            .conditions = {insideFrame(), onlyPulled()},
             .hint =
                 Text::tr("Stop first (**Space**). Then press **Shift+→** once: that is one phase. The spring "
                          "is the first of them."),
@@ -183,8 +186,9 @@ std::vector<Try> fixedCentreTries()
                 {
                     parameterSetTo("damp", 1.0),
                     releasedSinceSet("damp", "foot"),
-                    moves(),
-                    leftAlone(100, Text::tr("let it swing for 100 frames with this damping. So far: %1.")),
+                    isMoving(),
+                    idleSinceDampingSet(
+                        100, Text::tr("let it swing for 100 frames with this damping. So far: %1.")),
                 },
             .hint =
                 Text::tr("Type 1 into the field beside **Damping**, press **Space**, pull the foot out, let "
@@ -194,7 +198,7 @@ std::vector<Try> fixedCentreTries()
         },
         {
             .text = Text::tr("Go back in time, change **damping**, and compare with the ghost."),
-            .conditions = {ghostDiffers("damp"), playedBesideGhost()},
+            .conditions = {comparisonDiffers("damp"), playedSinceFork()},
             .hint = Text::tr(
                 "Play some seconds and stop. Drag the timeline back to the left, change **Damping**, "
                 "and play on from there. The old run goes on as a dashed ghost."),
@@ -238,7 +242,7 @@ std::vector<Try> movingBodyTries()
             .text = Text::tr(
                 "Throw the foot (at 5 px per frame or more), and stop inside a frame when the spring has "
                 "pulled it and it has not moved."),
-            .conditions = {released("foot"), thrownAtLeast(), insideAFrame(), onlyPulled()},
+            .conditions = {released("foot"), thrownAtLeast(), insideFrame(), onlyPulled()},
             .hint =
                 Text::tr("Press **Home**, then **Space**, throw the foot, and stop with **Space** while it "
                          "flies. Then press "
@@ -255,7 +259,7 @@ std::vector<Try> offsetTries()
             .conditions =
                 {
                     released("foot"),
-                    {[](const Timeline &run) { return letGoAt(run).x < positionOf(run, "body").x; },
+                    {[](const Timeline &run) { return releasePosition(run).x < positionOf(run, "body").x; },
                      Text::tr("let go on the left of the body.")},
                     allStill(),
                 },
@@ -313,9 +317,9 @@ std::vector<Try> radialTries()
             .conditions =
                 {
                     holding("foot"),
-                    atMost(5.0, offStraightBelow,
+                    atMost(5.0, angleFromBelow,
                            Text::tr("hold it straight below the body. It is off by %1°."), 0),
-                    {staysForAMoment, Text::tr("hold it still there for a moment.")},
+                    {isHeldStill, Text::tr("hold it still there for a moment.")},
                 },
             .hint = Text::tr(
                 "Press **Space**. Hold the foot straight below the body, with the mouse button down. "
@@ -336,7 +340,7 @@ std::vector<Try> radialTries()
         {
             .text = Text::tr(
                 "Stop inside a frame when the spring has pulled. Find `angle` and `target` in the code."),
-            .conditions = {insideAFrame(), onlyPulled()},
+            .conditions = {insideFrame(), onlyPulled()},
             .hint =
                 Text::tr("Stop with **Space**, and press **Shift+→** once. The code shows what each line has "
                          "found."),

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// The things to try of each step.
+/// The things to try in each step.
 namespace single_spring {
 
 std::vector<lessons::Try> dragTries();

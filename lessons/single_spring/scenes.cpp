@@ -19,7 +19,7 @@ namespace drag {
 //! [drag]
 Scene setUp(const Values &values)
 {
-    Scene scene = loneFoot();
+    Scene scene = singleFoot();
     scene.start.place(foot, {420, 120});
 
     double damp = values["damp"];
@@ -35,7 +35,7 @@ namespace fixed_centre {
 //! [fixed_centre]
 Scene setUp(const Values &values)
 {
-    Scene scene = loneFoot();
+    Scene scene = singleFoot();
     scene.start.place(foot, {420, 120});
 
     Vec2 centre;

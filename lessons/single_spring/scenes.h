@@ -2,8 +2,8 @@
 
 #include "sim/forward.h"
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. Point 0 is the foot; where there is a body it is point 1.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new. Point 0 is the foot. Point 1 is the body, if there is one.
 namespace single_spring {
 
 constexpr int foot = 0;

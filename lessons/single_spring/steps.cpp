@@ -21,8 +21,9 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(SingleSpring)
 };
 
-/// A step with what all steps of this lesson share. `id` is the marker of its set-up, too.
-Step stepOf(const char *id, const QString &title)
+/// Returns a step with the settings that all steps of this lesson share. `id` is also the marker of its
+/// set-up function.
+Step newStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("single_spring", id, title);
     step.parameters = {stiffness(), damping()};
@@ -34,7 +35,7 @@ Step stepOf(const char *id, const QString &title)
 
 Step dragStep()
 {
-    Step step = stepOf("drag", Text::tr("Drag and throw"));
+    Step step = newStep("drag", Text::tr("Drag and throw"));
     step.narration = Text::tr(
         "This dot is a **foot**. Its place is two numbers: **x** pixels (px) to the right, **y** pixels "
         "down. Its **velocity** is two numbers as well: how far it goes in x and in y from one picture, "
@@ -46,21 +47,20 @@ Step dragStep()
         "The arrow is the pull that a spring to the cross would have. It does not act yet: that is "
         "the next step.");
     step.addParameters(centre());
-    for (Parameter &one : step.parameters) {
-        if (one.id != QStringLiteral("damp"))
-            one.effects = {
-                QStringLiteral("point_spring")}; // nothing pulls yet: offered from the next step on
+    for (Parameter &parameter : step.parameters) {
+        if (parameter.id != QStringLiteral("damp")) // nothing pulls yet: shown from the next step on
+            parameter.effects = {QStringLiteral("point_spring")};
     }
     step.explanation = dragExplanation();
     step.tries = dragTries();
     step.scene = drag::setUp;
-    step.overlays = pullToCome;
+    step.overlays = inactivePull;
     return step;
 }
 
 Step fixedCentreStep()
 {
-    Step step = stepOf("fixed_centre", Text::tr("A fixed centre"));
+    Step step = newStep("fixed_centre", Text::tr("A fixed centre"));
     step.narration =
         Text::tr("A **spring**, the zigzag, pulls the foot to the cross. The pull is the distance times the "
                  "stiffness **k**: twice as far, **twice the pull**. That is Hooke’s law.\n\n"
@@ -81,7 +81,7 @@ Step fixedCentreStep()
 
 Step movingBodyStep()
 {
-    Step step = stepOf("moving_body", Text::tr("A moving body"));
+    Step step = newStep("moving_body", Text::tr("A moving body"));
     step.narration = Text::tr(
         "Now the spring ends at the **body**, and you can carry the body about. The spring reads the "
         "body’s place anew in each frame, so **the foot follows wherever you go**. Its formula is the "
@@ -97,7 +97,7 @@ Step movingBodyStep()
 
 Step offsetStep()
 {
-    Step step = stepOf("offset", Text::tr("An offset"));
+    Step step = newStep("offset", Text::tr("An offset"));
     step.narration = Text::tr(
         "The foot came to rest on top of the body, and one hid the other. So give the spring another "
         "**target**: the cross, 50 px to the right of the body. The **offset** is added to the body’s x; "
@@ -116,7 +116,7 @@ Step offsetStep()
 
 Step radialStep()
 {
-    Step step = stepOf("radial", Text::tr("Any direction"));
+    Step step = newStep("radial", Text::tr("Any direction"));
     step.narration =
         Text::tr("The target is now 50 px from the body **in the direction in which the foot is**: any "
                  "place on the ring will do.\n\n"

@@ -24,7 +24,7 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(SingleSpring)
 };
 
-/// A number as the learner writes it, with a real minus sign.
+/// Returns a number in the learner's locale, with a typographic minus sign.
 QString number(double value, int decimals)
 {
     QString text = QLocale().toString(value, 'f', decimals);
@@ -40,12 +40,12 @@ sim::Vec2 centreOf(const sim::Values &values)
 
 lessons::View discsAndSprings(const sim::Scene &scene, const sim::Values &)
 {
-    lessons::View look = lessons::creatureView(scene);
-    look.springs = lessons::actingSprings(scene);
-    return look;
+    lessons::View view = lessons::creatureView(scene);
+    view.springs = lessons::actingSprings(scene);
+    return view;
 }
 
-std::vector<Overlay> pullToCome(const sim::Scene &, const sim::State &state, const sim::Values &values)
+std::vector<Overlay> inactivePull(const sim::Scene &, const sim::State &state, const sim::Values &values)
 {
     const sim::Vec2 centre = centreOf(values);
     const sim::Vec2 pull = sim::spring(state.positionOf(foot), centre, values["k"]).pull;

@@ -5,22 +5,23 @@
 
 #include <vector>
 
-/// How the scenes of this lesson look, and what is drawn over them.
+/// The views and overlays of this lesson.
 namespace single_spring {
 
-/// Discs, and the springs that act.
+/// Returns a view of discs and of the springs that act.
 lessons::View discsAndSprings(const sim::Scene &scene, const sim::Values &values);
 
-/// The centre, and the pull that a spring to it would have.
-std::vector<lessons::Overlay> pullToCome(const sim::Scene &scene, const sim::State &state,
-                                         const sim::Values &values);
-/// The centre.
+/// Returns a cross at the centre, and an arrow for the pull that a spring to the centre would have.
+std::vector<lessons::Overlay> inactivePull(const sim::Scene &scene, const sim::State &state,
+                                           const sim::Values &values);
+/// Returns a cross at the centre, if a spring acts.
 std::vector<lessons::Overlay> centreCross(const sim::Scene &scene, const sim::State &state,
                                           const sim::Values &values);
-/// The place beside the body where the spring ends.
+/// Returns a cross beside the body at the end of the spring, if it acts.
 std::vector<lessons::Overlay> offsetCross(const sim::Scene &scene, const sim::State &state,
                                           const sim::Values &values);
-/// The ring of all places at the right distance, the sides of the triangle from body to foot, and its angle.
+/// Returns a ring at the rest length round the body, dx and dy from body to foot, and the angle, if the
+/// spring acts.
 std::vector<lessons::Overlay> ringAndAngle(const sim::Scene &scene, const sim::State &state,
                                            const sim::Values &values);
 

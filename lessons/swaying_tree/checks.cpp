@@ -28,29 +28,30 @@ const sim::Scene &sceneOf(const Timeline &run)
     return run.track().interval().scene;
 }
 
-double bend(const Timeline &run)
+double currentBend(const Timeline &run)
 {
     return largestBend(sceneOf(run), run.state());
 }
 
-/// How far the trunk leans from straight up, in degrees.
-double lean(const Timeline &run)
+/// Returns the angle of the trunk from straight up, in degrees.
+double trunkAngle(const Timeline &run)
 {
     return bendOf(sceneOf(run), run.state(), 0);
 }
 
-bool blows(const Timeline &run)
+bool isBlowing(const Timeline &run)
 {
     return run.state().input.pointerDown;
 }
 
-/// What the learner set, at the cursor.
+/// Returns whether the published formula is chosen at the cursor.
 bool isPublished(const Timeline &run)
 {
     return formulaOf(run.values()) == sim::TreeFormula::published;
 }
 
-/// How many frames the button has been as it is, up to the cursor; -1 when it was never touched.
+/// Returns the number of frames since the button was last pressed or released, up to the cursor. -1 before
+/// the first pointer event.
 std::int64_t framesSinceButton(const Timeline &run)
 {
     std::int64_t since = -1;
@@ -66,57 +67,59 @@ std::int64_t framesSinceButton(const Timeline &run)
     return since < 0 ? -1 : run.cursor().frame - since;
 }
 
-/// The state in the frame in which the button was let go last; null while it is down, and before.
-std::optional<sim::State> whenLetGo(const Timeline &run)
+/// Returns the state just before the last release of the button. Empty while the button is down and before a
+/// release.
+std::optional<sim::State> stateBeforeRelease(const Timeline &run)
 {
     const std::int64_t since = framesSinceButton(run);
-    if (since < 0 || blows(run) || run.cursor().frame - since < 1)
+    if (since < 0 || isBlowing(run) || run.cursor().frame - since < 1)
         return {};
     return run.track().stateAt(run.cursor().frame - since - 1);
 }
 
-/// How many degrees the branch is off that points least at the pointer.
-double offPointer(const Timeline &run)
+/// Returns the largest angle between a branch and the direction to the pointer, in degrees.
+double largestAimError(const Timeline &run)
 {
-    const sim::State &now = run.state();
-    const sim::Vec2 pointer = now.input.pointer.value_or(sim::Vec2{});
+    const sim::State &state = run.state();
+    const sim::Vec2 pointer = state.input.pointer.value_or(sim::Vec2{});
     double worst = 0.0;
-    for (int i = 0; i < now.pointCount(); ++i) {
-        const sim::Vec2 way = pointer - now.positionOf(i);
-        const double angle = std::atan2(way.y, way.x) * sim::degreesPerRadian;
-        worst = std::max(worst, std::abs(std::remainder(now.angle[i] - angle, 360.0)));
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const sim::Vec2 toPointer = pointer - state.positionOf(i);
+        const double angle = std::atan2(toPointer.y, toPointer.x) * sim::degreesPerRadian;
+        worst = std::max(worst, std::abs(std::remainder(state.angle[i] - angle, 360.0)));
     }
     return worst;
 }
 
-/// How far the tree was bent when the button was let go.
-double bentWhenLetGo(const Timeline &run)
+/// Returns the largest bend just before the last release of the button, in degrees. 0 without one.
+double bendBeforeRelease(const Timeline &run)
 {
-    const std::optional<sim::State> then = whenLetGo(run);
-    return then ? largestBend(sceneOf(run), *then) : 0.0;
+    const std::optional<sim::State> state = stateBeforeRelease(run);
+    return state ? largestBend(sceneOf(run), *state) : 0.0;
 }
 
 Condition blowing()
 {
-    return {blows, Text::tr("hold the mouse button down in the picture.")};
+    return {isBlowing, Text::tr("hold the mouse button down in the picture.")};
 }
 
-Condition blewAndLetGo()
+Condition windReleased()
 {
-    return {[](const Timeline &run) { return whenLetGo(run).has_value(); },
+    return {[](const Timeline &run) { return stateBeforeRelease(run).has_value(); },
             Text::tr("hold the mouse button down beside the tree, and let go.")};
 }
 
-/// The same, after the parameter `id` was set.
-Condition blewSinceSet(const std::string &id)
+/// The button has been released since the parameter `id` was set last.
+Condition windReleasedSinceSet(const std::string &id)
 {
     return {[id](const Timeline &run) {
-                return whenLetGo(run) && run.cursor().frame - framesSinceButton(run) >= lastSetFrame(run, id);
+                return stateBeforeRelease(run) &&
+                       run.cursor().frame - framesSinceButton(run) >= lastSetFrame(run, id);
             },
-            blewAndLetGo().todo};
+            windReleased().todo};
 }
 
-Condition blownFor(std::int64_t frames)
+Condition unchangedButtonFor(std::int64_t frames)
 {
     return atLeast(
         static_cast<double>(frames),
@@ -126,28 +129,28 @@ Condition blownFor(std::int64_t frames)
         0);
 }
 
-Condition pointingAtThePointer()
+Condition pointingAtPointer()
 {
-    return atMost(1.0, offPointer,
+    return atMost(1.0, largestAimError,
                   Text::tr("hold still while time runs (**Space**). Some branch is off by %1°."), 0);
 }
 
-Condition trunkLeans(double least)
+Condition trunkLeans(double min)
 {
     return atLeast(
-        least, [](const Timeline &run) { return std::abs(lean(run)); },
+        min, [](const Timeline &run) { return std::abs(trunkAngle(run)); },
         Text::tr("go on until the trunk leans by more than %2°. Now: %1°.")
-            .replace(QStringLiteral("%2"), QString::number(least)),
+            .replace(QStringLiteral("%2"), QString::number(min)),
         0);
 }
 
-Conditions cameBack(const Condition &first, const Condition &blew)
+Conditions returned(const Condition &first, const Condition &released)
 {
     return {
-        first, blew,
-        atLeast(60.0, bentWhenLetGo,
+        first, released,
+        atLeast(60.0, bendBeforeRelease,
                 Text::tr("bend a branch by more than 60° before you let go. It was %1°."), 0),
-        atMost(1.0, bend,
+        atMost(1.0, currentBend,
                Text::tr("let time run (**Space**) until all are back within 1°. Some branch is off by %1°."),
                0)};
 }
@@ -157,7 +160,7 @@ Condition easeIs30()
     return parameterSetTo("ease", 30.0, Text::tr("set **ease** to 30."));
 }
 
-/// The branch whose end is nearest to the pointer.
+/// Returns the branch whose end is nearest to the pointer.
 int branchAtPointer(const Timeline &run)
 {
     return nearestBranch(sceneOf(run), run.state(), run.state().input.pointer.value_or(sim::Vec2{}));
@@ -174,16 +177,16 @@ double bendAtPointer(const Timeline &run)
     return std::abs(bendOf(sceneOf(run), run.state(), branchAtPointer(run)));
 }
 
-/// The distances from the pointer to the ends of the branches, least and most.
+/// Returns the smallest and the largest distance from the pointer to the end of a branch, in px.
 std::pair<double, double> distances(const Timeline &run)
 {
-    double least = 1e9, most = 0.0;
+    double min = 1e9, max = 0.0;
     for (int i = 0; i < run.state().pointCount(); ++i) {
-        const double one = sim::length(endOf(sceneOf(run), run.state(), i) - *run.state().input.pointer);
-        least = std::min(least, one);
-        most = std::max(most, one);
+        const double distance = sim::length(endOf(sceneOf(run), run.state(), i) - *run.state().input.pointer);
+        min = std::min(min, distance);
+        max = std::max(max, distance);
     }
-    return {least, most};
+    return {min, max};
 }
 
 Condition otherTree()
@@ -198,36 +201,36 @@ Try anotherTree(const QString &hint)
             "Choose another tree from the gallery and blow at it, until a branch is bent by more than "
             "10°."),
         .conditions = {otherTree(), blowing(),
-                       atLeast(10.0, bend,
+                       atLeast(10.0, currentBend,
                                Text::tr("blow on while time runs. The most that a branch is bent: %1°."), 0)},
         .hint = hint,
     };
 }
 
-/// The run goes on beside one by the other formula, from a moment at which the wind blew.
+/// The run is compared with one by the other formula, and the wind blows.
 Conditions comparesFormulas()
 {
     return {
-        ghostDiffers("formula"),
-        {blows, Text::tr("go back farther, to where you were still blowing, and choose it there.")},
-        playedBesideGhost(),
+        comparisonDiffers("formula"),
+        {isBlowing, Text::tr("go back farther, to where you were still blowing, and choose it there.")},
+        playedSinceFork(),
     };
 }
 
-/// Whether the trunk is bent towards where the wind came from.
+/// Returns whether the trunk leans towards the pointer, from which the wind came.
 bool swungPast(const Timeline &run)
 {
-    if (blows(run) || std::abs(lean(run)) < 0.5)
+    if (isBlowing(run) || std::abs(trunkAngle(run)) < 0.5)
         return false;
     const double fromLeft = run.state().positionOf(0).x - run.state().input.pointer->x;
-    return lean(run) * fromLeft < 0.0;
+    return trunkAngle(run) * fromLeft < 0.0;
 }
 
-/// Whether the gust has reached some branches, but not all.
-bool gustIsOnItsWay(const Timeline &run)
+/// Returns whether the gust has reached some branches, but not all.
+bool isGustArriving(const Timeline &run)
 {
-    const auto [least, most] = distances(run);
-    return run.state().gustExtent.front > least && run.state().gustExtent.front < most;
+    const auto [min, max] = distances(run);
+    return run.state().gustExtent.front > min && run.state().gustExtent.front < max;
 }
 
 }
@@ -324,7 +327,7 @@ std::vector<Try> towardsPointerTries()
                     blowing(),
                     {[](const Timeline &run) { return !isPublished(run); },
                      Text::tr("set **Formula** to corrected.")},
-                    pointingAtThePointer(),
+                    pointingAtPointer(),
                 },
             .hint =
                 Text::tr("Press **Space**. Put the pointer into the picture beside the tree, hold the mouse "
@@ -334,7 +337,7 @@ std::vector<Try> towardsPointerTries()
             .text = Text::tr(
                 "Do the same with **Formula** set to published, and hold still. Count the frames until the "
                 "whole tree points at you."),
-            .conditions = {{isPublished}, blowing(), pointingAtThePointer()},
+            .conditions = {{isPublished}, blowing(), pointingAtPointer()},
             .hint = Text::tr(
                 "Choose **published** beside **Formula**. Then hold the mouse button down beside the "
                 "tree and count."),
@@ -344,9 +347,9 @@ std::vector<Try> towardsPointerTries()
                 "Hold the button down low beside the trunk, then let go. Does the tree get up again?"),
             .conditions =
                 {
-                    blewAndLetGo(),
+                    windReleased(),
                     atLeast(
-                        45.0, [](const Timeline &run) { return std::abs(lean(run)); },
+                        45.0, [](const Timeline &run) { return std::abs(trunkAngle(run)); },
                         Text::tr(
                             "hold the button lower, so that the trunk leans by more than 45°. Yours leans by "
                             "%1°."),
@@ -373,7 +376,7 @@ std::vector<Try> windTries()
         {
             .text =
                 Text::tr("Set **ease** to 30 and blow for ten frames. With 2 the tree turns much faster."),
-            .conditions = {easeIs30(), blowing(), blownFor(10)},
+            .conditions = {easeIs30(), blowing(), unchangedButtonFor(10)},
             .hint =
                 Text::tr("Press **Home**. Type 2 beside **Ease**, press **Space**, and hold the mouse button "
                          "down for a second. "
@@ -398,14 +401,14 @@ std::vector<Try> restTries()
             .text = Text::tr(
                 "Bend a branch by more than 60°, let go, and count the frames until all are back within "
                 "1°."),
-            .conditions = cameBack(blewAndLetGo(), blewAndLetGo()),
+            .conditions = returned(windReleased(), windReleased()),
             .hint = Text::tr(
                 "Press **Space**. Hold the mouse button down at the foot of the trunk for two seconds, "
                 "let go, and wait."),
         },
         {
             .text = Text::tr("Do the same with **ease** at 30. How much longer does it take?"),
-            .conditions = cameBack(easeIs30(), blewSinceSet("ease")),
+            .conditions = returned(easeIs30(), windReleasedSinceSet("ease")),
             .hint = Text::tr(
                 "Type 30 into the field beside **Ease**. Hold the mouse button down at the foot of the "
                 "trunk for seven seconds, let go, and wait."),
@@ -419,14 +422,14 @@ std::vector<Try> restTries()
                 "yet."),
             .conditions =
                 {
-                    insideAFrame(),
+                    insideFrame(),
                     blowing(),
                     {[](const Timeline &run) {
                          const sim::Phase *last = lastPhase(run);
                          return last && last->kind == sim::EffectKind::spring;
                      },
                      Text::tr("press **Shift+→** until the return is the last phase that was done.")},
-                    {[](const Timeline &run) { return bend(run) > 1.0; },
+                    {[](const Timeline &run) { return currentBend(run) > 1.0; },
                      Text::tr("blow for a while first: nothing is bent by more than 1°.")},
                 },
             .hint = Text::tr(
@@ -459,8 +462,9 @@ std::vector<Try> distanceTries()
             .conditions =
                 {
                     blowing(),
-                    blownFor(60),
-                    atMost(15.0, bend, Text::tr("blow from farther away. Some branch is bent by %1°."), 0),
+                    unchangedButtonFor(60),
+                    atMost(15.0, currentBend, Text::tr("blow from farther away. Some branch is bent by %1°."),
+                           0),
                 },
             .hint = Text::tr(
                 "Press **Space**, and hold the mouse button down in an upper corner of the picture for "
@@ -489,10 +493,13 @@ std::vector<Try> thicknessTries()
             .conditions =
                 {
                     blowing(),
-                    atLeast(20.0, bend, Text::tr("blow from closer. The most that a twig is bent: %1°."), 0),
+                    atLeast(20.0, currentBend,
+                            Text::tr("blow from closer. The most that a twig is bent: %1°."), 0),
                     atLeast(
                         20.0,
-                        [](const Timeline &run) { return bend(run) / std::max(1e-9, std::abs(lean(run))); },
+                        [](const Timeline &run) {
+                            return currentBend(run) / std::max(1e-9, std::abs(trunkAngle(run)));
+                        },
                         Text::tr(
                             "blow at a twig far from the trunk. It is bent %1 times as far as the trunk."),
                         0),
@@ -528,7 +535,7 @@ std::vector<Try> turbulenceTries()
     return {
         {
             .text = Text::tr("Hold the button for 60 frames and watch the twigs, then the trunk."),
-            .conditions = {blowing(), blownFor(60)},
+            .conditions = {blowing(), unchangedButtonFor(60)},
             .hint = Text::tr("Press **Space**, and hold the mouse button down left of the crown for three "
                              "seconds."),
         },
@@ -538,10 +545,10 @@ std::vector<Try> turbulenceTries()
                          "trembles, the tree does not."),
             .conditions =
                 {
-                    ghostDiffers("turbulence"),
+                    comparisonDiffers("turbulence"),
                     parameterSetTo("turbulence", 0.0, Text::tr("set **turbulence** to 0 there.")),
                     blowing(),
-                    playedBesideGhost(),
+                    playedSinceFork(),
                 },
             .hint =
                 Text::tr("Hold the mouse button down for two seconds while it plays, and stop. Drag the "
@@ -562,7 +569,7 @@ std::vector<Try> realSwayTries()
                 "Blow, let go, and watch: the trunk swings past its rest, towards where the wind came from."),
             .conditions =
                 {
-                    blewAndLetGo(),
+                    windReleased(),
                     {swungPast, Text::tr("let time run (**Space**) until the trunk swings past its "
                                          "rest, by 0.5° or more. If it does not, blow harder.")},
                 },
@@ -577,7 +584,7 @@ std::vector<Try> realSwayTries()
             .conditions =
                 {
                     blowing(),
-                    {gustIsOnItsWay, Text::tr("stop when the gust has reached some branches, but not all. "
+                    {isGustArriving, Text::tr("stop when the gust has reached some branches, but not all. "
                                               "Hold the button at the left "
                                               "edge, and press **Space** earlier or later.")},
                 },
@@ -593,12 +600,12 @@ std::vector<Try> realSwayTries()
             .conditions =
                 {
                     parameterSetTo("damp", 1.0),
-                    blewSinceSet("damp"),
+                    windReleasedSinceSet("damp"),
                     atLeast(
                         300.0,
                         [](const Timeline &run) { return static_cast<double>(framesSinceButton(run)); },
                         Text::tr("hands off, and let time run for 300 frames. So far: %1."), 0),
-                    {[](const Timeline &run) { return bend(run) > 1.0; },
+                    {[](const Timeline &run) { return currentBend(run) > 1.0; },
                      Text::tr("blow harder: nothing is bent by more than 1°.")},
                 },
             .hint = Text::tr(

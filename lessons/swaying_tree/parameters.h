@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// The parameters of this lesson, and values of them that go well together.
+/// The parameters and presets of this lesson.
 namespace swaying_tree {
 
 lessons::Parameter formula();
@@ -19,7 +19,7 @@ lessons::Parameter turbulenceAngle();
 lessons::Parameter gustSpeed();
 lessons::Parameter gusts();
 
-/// Other trees, with those of their values that `step` has.
+/// Returns presets of other trees, with values only for the parameters that `step` has.
 std::vector<lessons::Preset> galleryFor(const lessons::Step &step);
 
 }

@@ -30,7 +30,7 @@ Scene standing(const Tree &tree, TreeFormula formula)
 Scene swinging(const Tree &tree)
 {
     Scene scene = standing(tree, TreeFormula::corrected);
-    scenes::letSwing(scene);
+    scenes::enableSpins(scene);
     return scene;
 }
 

@@ -7,11 +7,12 @@
 #include <memory>
 #include <utility>
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. Point n is branch n, breadth first, the left child first. Trees are refused as checkGrowth() says.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new. Point n is branch n, breadth first, left child first.
+/// @throws Error of checkGrowth() for a tree that would not end or is too large
 namespace swaying_tree {
 
-/// The formulas that the learner has chosen.
+/// Returns the formula that the learner has chosen.
 sim::TreeFormula formulaOf(const sim::Values &values);
 
 inline sim::TreePtr shared(sim::Tree tree)
@@ -19,11 +20,11 @@ inline sim::TreePtr shared(sim::Tree tree)
     return std::make_shared<const sim::Tree>(std::move(tree));
 }
 
-/// A tree as it grew: branch0, branch1... are points at their origins; the trunk's is (275, 400). The branches have
-/// no velocity: they go where effects put them.
+/// Returns a scene of a tree at rest. Points branch0, branch1... are at the origins of the branches; the
+/// trunk begins at (275, 400). The motion of the branches is prescribed.
 sim::Scene standing(const sim::Tree &tree, sim::TreeFormula formula);
 
-/// The same with branches that turn by themselves: each has a spin, 0 at the start.
+/// Returns a scene of a tree at rest whose branches have spins, 0 at the start.
 sim::Scene swinging(const sim::Tree &tree);
 
 namespace trunk {

@@ -21,8 +21,8 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(SwayingTree)
 };
 
-/// A step with what all steps of this lesson share: a tree that `grow` makes, drawn before a dusky sky. `id` is the
-/// marker of its set-up, too.
+/// Returns a step with the settings that all steps of this lesson share. `grow` makes the tree for the view.
+/// `id` is also the marker of the set-up function.
 Step treeStep(const char *id, const QString &title, sim::Tree (*grow)(const sim::Values &))
 {
     Step step = lessons::makeStep("swaying_tree", id, title);
@@ -32,7 +32,7 @@ Step treeStep(const char *id, const QString &title, sim::Tree (*grow)(const sim:
     return step;
 }
 
-/// A step whose tree the pointer bends, with `first` before the parameters of the tree.
+/// Returns a step whose tree bends. The parameters `first` precede those of the tree.
 Step bentStep(const char *id, const QString &title, const std::vector<Parameter> &first)
 {
     Step step = treeStep(id, title, randomness::grow);
@@ -40,7 +40,7 @@ Step bentStep(const char *id, const QString &title, const std::vector<Parameter>
     step.addParameters({jitter(), spread(), slope(), minScale(), baseLength()});
     step.measures = {bendMeasure()};
     step.overlays = windByBothFormulas;
-    step.note = noteOfGround;
+    step.note = groundNote;
     step.presets = galleryFor(step);
     return step;
 }

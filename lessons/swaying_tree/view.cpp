@@ -32,7 +32,7 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(SwayingTree)
 };
 
-/// The pointer while its button is down.
+/// Returns the pointer's position while its button is down.
 const std::optional<Vec2> &pressed(const sim::State &state)
 {
     static const std::optional<Vec2> none;
@@ -44,7 +44,7 @@ Overlay windAt(Vec2 at)
     return {.shape = Overlay::Shape::wind, .a = at};
 }
 
-/// A dashed line that shows an angle in degrees.
+/// Returns a dashed line in the direction `angle`, in degrees.
 Overlay angleLine(Vec2 from, double angle, const QString &label)
 {
     constexpr double length = 60.0;
@@ -54,12 +54,12 @@ Overlay angleLine(Vec2 from, double angle, const QString &label)
             .label = label};
 }
 
-QString asMeant()
+QString correctedLabel()
 {
     return Text::tr("corrected");
 }
 
-QString asPrinted()
+QString publishedLabel()
 {
     return Text::tr("published");
 }
@@ -81,19 +81,19 @@ Measure energyMeasure(const QString &name, const QString &help, Energy energy)
     };
 }
 
-double motion(const sim::Torsion &springs, const sim::State &state)
+double kineticEnergy(const sim::Torsion &springs, const sim::State &state)
 {
     return springs.kineticEnergy(state);
 }
 
-double held(const sim::Torsion &springs, const sim::State &state)
+double potentialEnergy(const sim::Torsion &springs, const sim::State &state)
 {
     return springs.springEnergy(state);
 }
 
-double total(const sim::Torsion &springs, const sim::State &state)
+double totalEnergy(const sim::Torsion &springs, const sim::State &state)
 {
-    return motion(springs, state) + held(springs, state);
+    return kineticEnergy(springs, state) + potentialEnergy(springs, state);
 }
 
 }
@@ -116,14 +116,14 @@ sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch)
     return sim::endOf(joints->tree(), state, branch, sim::degreesPerRadian);
 }
 
-int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 place)
+int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 position)
 {
     int nearest = 0;
-    double least = std::numeric_limits<double>::infinity();
+    double min = std::numeric_limits<double>::infinity();
     for (int i = 0; i < state.pointCount(); ++i) {
-        const double distance = sim::length(endOf(scene, state, i) - place);
-        if (distance < least) {
-            least = distance;
+        const double distance = sim::length(endOf(scene, state, i) - position);
+        if (distance < min) {
+            min = distance;
             nearest = i;
         }
     }
@@ -136,8 +136,8 @@ std::vector<Overlay> trunkEnd(const sim::Scene &scene, const sim::State &state, 
     if (!joints)
         return {};
     const Vec2 end = sim::endOf(joints->tree(), state, 0, sim::degreesOf(formulaOf(values)));
-    const Vec2 off = end - endOf(scene, state, 0);
-    const QString label = Text::tr("%1 px off").arg(QLocale().toString(sim::length(off), 'f', 4));
+    const Vec2 error = end - endOf(scene, state, 0);
+    const QString label = Text::tr("%1 px off").arg(QLocale().toString(sim::length(error), 'f', 4));
     return {{.shape = Overlay::Shape::cross, .a = end, .label = label}};
 }
 
@@ -157,11 +157,11 @@ std::vector<Overlay> windByBothFormulas(const sim::Scene &scene, const sim::Stat
     const int i = nearestBranch(scene, state, pointer);
     const Vec2 end = endOf(scene, state, i);
     const auto lineFor = [&](sim::TreeFormula formula, const QString &label) {
-        const double angle = blows->breezeAt(formula, i, state.positionOf(i), state.angle[i], pointer).wind;
+        const double angle = blows->windOn(formula, i, state.positionOf(i), state.angle[i], pointer).wind;
         return angleLine(end, angle, label);
     };
-    return {windAt(pointer), lineFor(sim::TreeFormula::corrected, asMeant()),
-            lineFor(sim::TreeFormula::published, asPrinted())};
+    return {windAt(pointer), lineFor(sim::TreeFormula::corrected, correctedLabel()),
+            lineFor(sim::TreeFormula::published, publishedLabel())};
 }
 
 std::vector<Overlay> aimByBothFormulas(const sim::Scene &scene, const sim::State &state, const sim::Values &)
@@ -176,40 +176,40 @@ std::vector<Overlay> aimByBothFormulas(const sim::Scene &scene, const sim::State
     const sim::PointerOffset sight = sim::pointerOffsetPublished(pointer, state.positionOf(i), reach, scale);
     const Vec2 out = sim::direction(pointer - state.positionOf(i), i, -1).out;
     return {{.shape = Overlay::Shape::cross, .a = pointer},
-            angleLine(state.positionOf(i), sim::turnToPointer(out), asMeant()),
-            angleLine(state.positionOf(i), sim::turnToPointerPublished(sight.d), asPrinted())};
+            angleLine(state.positionOf(i), sim::turnToPointer(out), correctedLabel()),
+            angleLine(state.positionOf(i), sim::turnToPointerPublished(sight.d), publishedLabel())};
 }
 
 std::vector<Overlay> gustFromPointer(const sim::Scene &scene, const sim::State &state,
                                      const sim::Values &values)
 {
-    std::vector<Overlay> guides = windFromPointer(scene, state, values);
+    std::vector<Overlay> overlays = windFromPointer(scene, state, values);
     const sim::GustExtent &gust = state.gustExtent;
-    constexpr double farAway = 1000.0; // px, out of the picture
+    constexpr double farAway = 1000.0; // px, outside the stage
     if (!state.input.pointer)
-        return guides;
+        return overlays;
     if (gust.front > 0.0 && gust.front < farAway)
-        guides.push_back({.shape = Overlay::Shape::ring,
-                          .a = *state.input.pointer,
-                          .size = gust.front,
-                          .label = Text::tr("front")});
+        overlays.push_back({.shape = Overlay::Shape::ring,
+                            .a = *state.input.pointer,
+                            .size = gust.front,
+                            .label = Text::tr("front")});
     if (gust.tail > 0.0 && gust.tail < farAway)
-        guides.push_back({.shape = Overlay::Shape::ring,
-                          .a = *state.input.pointer,
-                          .size = gust.tail,
-                          .label = Text::tr("end")});
-    return guides;
+        overlays.push_back({.shape = Overlay::Shape::ring,
+                            .a = *state.input.pointer,
+                            .size = gust.tail,
+                            .label = Text::tr("end")});
+    return overlays;
 }
 
-QString noteOfGround(const sim::Track &run)
+QString groundNote(const sim::Track &run)
 {
-    constexpr double deep = 10.0; // px: less is not seen
+    constexpr double minDepth = 10.0; // px; less is not visible
     const sim::Scene &scene = run.interval().scene;
     const sim::State &state = run.state();
     if (largestBend(scene, state) < 1.0)
         return {};
     // A branch begins where its parent ends.
-    if (!(state.position.col(1) > state.positionOf(0).y + deep).any())
+    if (!(state.position.col(1) > state.positionOf(0).y + minDepth).any())
         return {};
     return Text::tr("Part of the tree is below the ground: the rule turns angles, and knows no ground.");
 }
@@ -239,11 +239,13 @@ Measure bendMeasure()
 
 std::vector<Measure> energyMeasures()
 {
-    return {
-        energyMeasure(Text::tr("Energy"),
-                      Text::tr("Of motion and springs together. Without wind and damping it stays."), total),
-        energyMeasure(Text::tr("In motion"), Text::tr("The part that is in the turning branches."), motion),
-        energyMeasure(Text::tr("In springs"), Text::tr("The part that the bent joints hold."), held)};
+    return {energyMeasure(Text::tr("Energy"),
+                          Text::tr("Of motion and springs together. Without wind and damping it stays."),
+                          totalEnergy),
+            energyMeasure(Text::tr("In motion"), Text::tr("The part that is in the turning branches."),
+                          kineticEnergy),
+            energyMeasure(Text::tr("In springs"), Text::tr("The part that the bent joints hold."),
+                          potentialEnergy)};
 }
 
 }

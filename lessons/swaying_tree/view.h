@@ -7,42 +7,48 @@
 
 #include <vector>
 
-/// How the scenes of this lesson look, what is drawn over them, and what is measured.
+/// The overlays, notes and measures of this lesson.
 namespace swaying_tree {
 
-/// How far a branch is from where it grew, in degrees.
+/// Returns the angle of a branch from its start angle, in degrees.
 double bendOf(const sim::Scene &scene, const sim::State &state, int branch);
-/// The largest of them, without its sign.
+/// Returns the largest absolute bend of a branch, in degrees.
 double largestBend(const sim::Scene &scene, const sim::State &state);
 
-/// Where branch `branch` ends, px; where it begins in a scene without joints.
+/// Returns the end of a branch, in px. In a scene without joints it returns the start of the branch.
 sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch);
-/// The branch whose end is nearest to `place`.
-int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 place);
+/// Returns the branch whose end is nearest to `position`.
+int nearestBranch(const sim::Scene &scene, const sim::State &state, sim::Vec2 position);
 
-/// How far off the trunk's end is with the published 57.3 degrees to the radian.
+/// Returns a cross at the end of the trunk by the chosen formula, with its distance from the exact end. The
+/// published formula takes 57.3 degrees per radian.
 std::vector<lessons::Overlay> trunkEnd(const sim::Scene &scene, const sim::State &state,
                                        const sim::Values &values);
 
-/// These three draw nothing while the button is up. Wind that blows from the pointer:
+// The next overlays are empty while the button is up.
+
+/// Returns the wind that blows from the pointer.
 std::vector<lessons::Overlay> windFromPointer(const sim::Scene &scene, const sim::State &state,
                                               const sim::Values &values);
-/// The same, and for the branch nearest to the pointer where each of the two formulas wants it to turn.
+/// Returns the wind, and the direction of the wind by each of the two formulas at the branch nearest to the
+/// pointer.
 std::vector<lessons::Overlay> windByBothFormulas(const sim::Scene &scene, const sim::State &state,
                                                  const sim::Values &values);
-/// For that branch, where each of the two formulas turns it to find the pointer.
+/// Returns the direction to the pointer by each of the two formulas at the branch nearest to the pointer.
 std::vector<lessons::Overlay> aimByBothFormulas(const sim::Scene &scene, const sim::State &state,
                                                 const sim::Values &values);
-/// The wind, and how far its front and its end have come.
+/// Returns the wind, and rings at the front and the end of the gust. The rings stay after the button is up.
 std::vector<lessons::Overlay> gustFromPointer(const sim::Scene &scene, const sim::State &state,
                                               const sim::Values &values);
 
-/// Returns why branches are below the ground, while bent ones are; else nothing.
-QString noteOfGround(const sim::Track &run);
+/// Returns a note that explains why bent branches are below the ground. Empty if none is.
+QString groundNote(const sim::Track &run);
 
+/// Returns the number of branches.
 lessons::Measure countMeasure();
+/// Returns largestBend(), degrees.
 lessons::Measure bendMeasure();
-/// What moves, what the springs hold, and the sum of both.
+/// Returns the total, the kinetic and the potential energy. NaN without torsional springs.
 std::vector<lessons::Measure> energyMeasures();
 
 }

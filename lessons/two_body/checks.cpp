@@ -22,14 +22,15 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(TwoBody)
 };
 
-/// How long the leg was when the hand let go, in px; as long as it holds, how long it is.
-double lengthLetGo(const Timeline &run)
+/// Returns the length of the leg just before the last drag released it, in px. Without a finished drag, it is
+/// the current length.
+double lengthAtRelease(const Timeline &run)
 {
-    const std::optional<DragGesture> carry = lastReleased(run);
-    if (!carry)
+    const std::optional<DragGesture> drag = lastReleased(run);
+    if (!drag)
         return distance(run, "foot", "body");
-    const sim::State then = run.track().stateAt(std::max<std::int64_t>(0, *carry->releaseFrame - 1));
-    return sim::length(then.positionOf(foot) - then.positionOf(body));
+    const sim::State before = run.track().stateAt(std::max<std::int64_t>(0, *drag->releaseFrame - 1));
+    return sim::length(before.positionOf(foot) - before.positionOf(body));
 }
 
 Condition holdingAnEnd()
@@ -37,7 +38,7 @@ Condition holdingAnEnd()
     return {[](const Timeline &run) { return !heldBody(run).empty(); }};
 }
 
-/// No throw is as fast as this so long after the hand let go.
+/// The pair has left the stage by itself. Damping would have slowed a throw to less than 2 px/frame by now.
 Condition flewOff()
 {
     return {[](const Timeline &run) {
@@ -64,7 +65,7 @@ std::vector<Try> mutualTries()
                 "Stop inside a frame when the foot has moved and the body has not. What does the body see?"),
             .conditions =
                 {
-                    insideAFrame(),
+                    insideFrame(),
                     {[](const Timeline &run) { return hasMoved(run, foot) && !hasMoved(run, body); },
                      Text::tr("press **Shift+→** until the foot has moved and the body has not.")},
                 },
@@ -133,9 +134,9 @@ std::vector<Try> legLineTries()
             .conditions =
                 {
                     {[](const Timeline &run) { return !dragGestures(run).empty(); }},
-                    {[](const Timeline &run) { return lengthLetGo(run) < 30.0; },
+                    {[](const Timeline &run) { return lengthAtRelease(run) < 30.0; },
                      Text::tr("squeeze the leg to under 30 px and let go there. It was %1 px long."),
-                     lengthLetGo, 0},
+                     lengthAtRelease, 0},
                     {[](const Timeline &run) { return lastReleased(run).has_value(); },
                      Text::tr("let go now.")},
                 },
@@ -157,7 +158,7 @@ std::vector<Try> legLineTries()
         },
         {
             .text = Text::tr("Go back in time, change **k**, and compare with the ghost."),
-            .conditions = {ghostDiffers("k"), playedBesideGhost()},
+            .conditions = {comparisonDiffers("k"), playedSinceFork()},
             .hint =
                 Text::tr("Play some seconds, drag the timeline back to where both still move, type another "
                          "**k**, and play "

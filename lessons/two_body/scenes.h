@@ -3,8 +3,8 @@
 #include "lessons/api/view/view.h"
 #include "sim/forward.h"
 
-/// One scene and one look a step, each under the same function name, so that the code of two steps differs only in
-/// what is new. Point 0 is the foot, point 1 the body.
+/// One scene and one view per step. The functions have the same names in all steps, so that the code of two
+/// steps differs only in what is new. Point 0 is the foot, point 1 the body.
 namespace two_body {
 
 constexpr int foot = 0;

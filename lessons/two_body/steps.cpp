@@ -20,7 +20,7 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(TwoBody)
 };
 
-Step stepOf(const char *id, const QString &title)
+Step newStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("two_body", id, title);
     step.parameters = {stiffness(), damping(), radius()};
@@ -31,7 +31,7 @@ Step stepOf(const char *id, const QString &title)
 
 Step mutualStep()
 {
-    Step step = stepOf("mutual", Text::tr("Each pulls the other"));
+    Step step = newStep("mutual", Text::tr("Each pulls the other"));
     step.narration =
         Text::tr("Now **both are pulled**: the foot to a place 50 px from the body, and the body to a "
                  "place 50 px from the foot. It is one rule, used twice.\n\n"
@@ -51,7 +51,7 @@ Step mutualStep()
 
 Step legLineStep()
 {
-    Step step = stepOf("leg_line", Text::tr("A leg"));
+    Step step = newStep("leg_line", Text::tr("A leg"));
     step.narration = Text::tr(
         "A body, a foot, and now a **leg**: a line from one to the other. In the code it is one line, "
         "too.\n\n"

@@ -25,47 +25,49 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
 
-/// How far to the right of the body the hand pulled foot 0 in its last carry, in px.
+/// Returns how far right of the body the last drag moved foot 0, in px. Minus infinity if it moved another
+/// body or is not finished.
 double pulledPastBody(const Timeline &run)
 {
-    const std::optional<DragGesture> carry = lastReleased(run, "foot0");
-    double most = -std::numeric_limits<double>::infinity();
-    for (const PointerSample &place : carry ? carry->path : std::vector<PointerSample>())
-        most = std::max(most, place.position.x - positionOf(run, "body").x);
-    return most;
+    const std::optional<DragGesture> drag = lastReleased(run, "foot0");
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (const PointerSample &sample : drag ? drag->path : std::vector<PointerSample>())
+        farthest = std::max(farthest, sample.position.x - positionOf(run, "body").x);
+    return farthest;
 }
 
-Condition letGoOfAFoot()
+Condition footReleased()
 {
     return {[](const Timeline &run) {
-        const std::optional<DragGesture> carry = lastReleased(run);
-        return carry && carry->body.starts_with("foot");
+        const std::optional<DragGesture> drag = lastReleased(run);
+        return drag && drag->body.starts_with("foot");
     }};
 }
 
-Condition holdingAFoot()
+Condition holdingFoot()
 {
     return {[](const Timeline &run) { return heldBody(run).starts_with("foot"); }};
 }
 
-double framesHeld(const Timeline &run)
+/// Returns the number of frames since the last grab. 0 without one.
+double framesSinceGrab(const Timeline &run)
 {
     const std::vector<DragGesture> all = dragGestures(run);
     return all.empty() ? 0.0 : static_cast<double>(run.cursor().frame - all.back().grabFrame);
 }
 
-/// How far to one side the hand carried what it took last, in px.
-double carriedAside(const Timeline &run)
+/// Returns how far the last drag went to one side, in px.
+double sidewaysDragDistance(const Timeline &run)
 {
     const std::vector<DragGesture> all = dragGestures(run);
-    double most = 0.0;
-    for (const PointerSample &place : all.empty() ? std::vector<PointerSample>() : all.back().path)
-        most = std::max(most, std::abs(place.position.x - grabPosition(run, all.back()).x));
-    return most;
+    double farthest = 0.0;
+    for (const PointerSample &sample : all.empty() ? std::vector<PointerSample>() : all.back().path)
+        farthest = std::max(farthest, std::abs(sample.position.x - grabPosition(run, all.back()).x));
+    return farthest;
 }
 
-/// Whether the hand has taken `body` anywhere in the run.
-bool everTook(const Timeline &run, const std::string &body)
+/// Returns whether `body` is dragged anywhere in the script.
+bool wasDragged(const Timeline &run, const std::string &body)
 {
     const std::vector<sim::Event> &input = run.script().input;
     return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
@@ -74,81 +76,81 @@ bool everTook(const Timeline &run, const std::string &body)
     });
 }
 
-/// How far foot 0 is from the middle of its places, px.
-double swing(const Timeline &run)
+/// Returns the distance of foot 0 from the centre of the circle on which its target moves, in px.
+double footDistance(const Timeline &run)
 {
-    const sim::Vec2 middle = positionOf(run, "body") + sim::Vec2{0.0, run.values()["drop"]};
-    return sim::length(positionOf(run, "foot0") - middle);
+    const sim::Vec2 centre = positionOf(run, "body") + sim::Vec2{0.0, run.values()["drop"]};
+    return sim::length(positionOf(run, "foot0") - centre);
 }
 
-/// Where some hints begin.
-QString hintCarrySideways()
+QString hintDragSideways()
 {
     return Text::tr("Press **Space**, take the large disc, and carry it slowly to one side of the picture.");
 }
 
-Try carryOver100()
+Try dragBody100()
 {
     return {
         .text = Text::tr("Carry the body at least 100 px. Both feet follow, each on its side."),
         .conditions = {lastGrabbed("body"), draggedAtLeast(100.0)},
-        .hint = hintCarrySideways(),
+        .hint = hintDragSideways(),
     };
 }
 
-bool standsOnAFoot(const Timeline &run)
+/// Returns whether any foot is planted.
+bool hasPlantedFoot(const Timeline &run)
 {
     const sim::Scene &scene = run.track().interval().scene;
     for (int i = 0; i < run.state().pointCount(); ++i) {
         const bool foot = !isBody(scene.names[static_cast<std::size_t>(i)]);
-        if (foot && stands(scene, run.state(), run.values(), i))
+        if (foot && isPlanted(scene, run.state(), run.values(), i))
             return true;
     }
     return false;
 }
 
-/// Whether a foot that is on the ground goes up from it at 1 px/frame or more: it has just bounced.
+/// Returns whether a planted foot moves up at 1 px/frame or more: it has just bounced.
 bool justBounced(const Timeline &run)
 {
-    const sim::State &now = run.state();
-    for (int i = 0; i + 1 < now.pointCount(); ++i) {
-        if (stands(run.track().interval().scene, now, run.values(), i) && now.velocity(i, 1) <= -1.0)
+    const sim::State &state = run.state();
+    for (int i = 0; i + 1 < state.pointCount(); ++i) {
+        if (isPlanted(run.track().interval().scene, state, run.values(), i) && state.velocity(i, 1) <= -1.0)
             return true;
     }
     return false;
 }
 
-/// Whether some point touches a side wall.
-bool touchesAWall(const Timeline &run)
+/// Returns whether a dynamic point touches a side wall.
+bool touchesWall(const Timeline &run)
 {
-    const sim::State &now = run.state();
-    const Eigen::ArrayXd half = halfWidths(run.track().interval().scene);
-    for (int i = 0; i < now.pointCount(); ++i) {
-        const bool right = now.position(i, 0) + half[i] >= run.values()["right"];
-        const bool left = now.position(i, 0) - half[i] <= run.values()["left"];
-        if (now.isDynamic(i) && (left || right))
+    const sim::State &state = run.state();
+    const Eigen::ArrayXd halfWidth = halfWidths(run.track().interval().scene);
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const bool right = state.position(i, 0) + halfWidth[i] >= run.values()["right"];
+        const bool left = state.position(i, 0) - halfWidth[i] <= run.values()["left"];
+        if (state.isDynamic(i) && (left || right))
             return true;
     }
     return false;
 }
 
-/// Whether an event of type `What` that `fits` was applied up to the cursor.
-template <class What, class Fits>
-bool happened(const Timeline &run, Fits &&fits)
+/// Returns whether an event of type `What` for which `matches(event)` holds was applied up to the cursor.
+template <class What, class Matches>
+bool happened(const Timeline &run, Matches &&matches)
 {
     const std::vector<sim::Event> &input = run.script().input;
     return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
         const auto *what = std::get_if<What>(&event.what);
-        return what && event.frame <= run.cursor().frame && fits(*what);
+        return what && event.frame <= run.cursor().frame && matches(*what);
     });
 }
 
-bool pressed(const Timeline &run, bool sim::Keys::*key)
+bool wasKeyPressed(const Timeline &run, bool sim::Keys::*key)
 {
-    return happened<sim::Key>(run, [&](const sim::Key &one) { return one.key == key && one.down; });
+    return happened<sim::Key>(run, [&](const sim::Key &event) { return event.key == key && event.down; });
 }
 
-bool pointed(const Timeline &run)
+bool wasPointerPressed(const Timeline &run)
 {
     return happened<sim::Pointer>(run, [](const sim::Pointer &pointer) { return pointer.down; });
 }
@@ -158,26 +160,27 @@ double clockSpeedOf(const Timeline &run)
     return run.state().gaitSpeed[0];
 }
 
-/// Whether the clock stood ten frames ago already: it does not only pass through 0.
-bool stoodBefore(const Timeline &run)
+/// Returns whether the clock stood still ten frames ago. If it did not, its speed may only be passing through
+/// 0 now.
+bool stoodStill(const Timeline &run)
 {
-    constexpr std::int64_t ago = 10;
-    return run.cursor().frame >= ago &&
-           std::abs(run.track().stateAt(run.cursor().frame - ago).gaitSpeed[0]) <= 0.005;
+    constexpr std::int64_t frames = 10;
+    return run.cursor().frame >= frames &&
+           std::abs(run.track().stateAt(run.cursor().frame - frames).gaitSpeed[0]) <= 0.005;
 }
 
-/// How near the nearest other body is to the one called `name`, px.
+/// Returns the distance of the nearest other body from the body `name`, in px.
 double nearestBody(const Timeline &run, const std::string &name)
 {
-    double least = INFINITY;
+    double nearest = INFINITY;
     for (const std::string &other : run.track().interval().scene.names) {
         if (isBody(other) && other != name)
-            least = std::min(least, distance(run, name, other));
+            nearest = std::min(nearest, distance(run, name, other));
     }
-    return least;
+    return nearest;
 }
 
-/// How far the creature has walked to the left of where it started, in px; 0 where it is to the right.
+/// Returns how far left of its start the creature is, in px. 0 if it is on the right.
 double walkedLeft(const Timeline &run)
 {
     const sim::Scene &scene = run.track().interval().scene;
@@ -190,34 +193,34 @@ Condition walkedLeft100()
                    Text::tr("let it walk on to 100 px left of where it began. So far: %1 px."), 0);
 }
 
-/// Returns how far up the hand lifted the body that it released last, in px.
-double lifted(const Timeline &run)
+/// Returns the height to which the last finished drag lifted its body, in px.
+double liftHeight(const Timeline &run)
 {
-    const std::optional<DragGesture> carry = lastReleased(run);
-    double most = 0.0;
-    for (const PointerSample &place : carry ? carry->path : std::vector<PointerSample>())
-        most = std::max(most, grabPosition(run, *carry).y - place.position.y);
-    return most;
+    const std::optional<DragGesture> drag = lastReleased(run);
+    double height = 0.0;
+    for (const PointerSample &sample : drag ? drag->path : std::vector<PointerSample>())
+        height = std::max(height, grabPosition(run, *drag).y - sample.position.y);
+    return height;
 }
 
 Condition inTheAir()
 {
-    return {[](const Timeline &run) { return !standsOnAFoot(run); },
+    return {[](const Timeline &run) { return !hasPlantedFoot(run); },
             Text::tr("stop at a frame in which no foot touches the ground: go there with **→**.")};
 }
 
-Condition atAWall(const QString &todo)
+Condition touchingWall(const QString &todo)
 {
-    return {touchesAWall, todo};
+    return {touchesWall, todo};
 }
 
-/// How near the nearest body is to the one in the hand, px.
-double nearestToHand(const Timeline &run)
+/// Returns the distance of the nearest other body from the dragged body, in px.
+double nearestToDraggedBody(const Timeline &run)
 {
     return nearestBody(run, heldBody(run));
 }
 
-Condition nearEnough(std::function<double(const Timeline &)> nearest, const QString &todo)
+Condition closerThanDistance(std::function<double(const Timeline &)> nearest, const QString &todo)
 {
     return {[nearest](const Timeline &run) { return nearest(run) < run.values()["distance"]; }, todo, nearest,
             0};
@@ -247,11 +250,11 @@ std::vector<Try> bonesTries()
             .answer = Text::tr("On the left again: its bone has an angle of its own, and the spring pulls it "
                                "to that place from anywhere."),
         },
-        carryOver100(),
+        dragBody100(),
         {
             .text = Text::tr(
                 "Stop inside a frame (**Shift+→**) when the springs have pulled and nothing has moved."),
-            .conditions = {insideAFrame(), onlyPulled()},
+            .conditions = {insideFrame(), onlyPulled()},
             .hint = Text::tr("Stop, and press **Shift+→** once: the springs come first."),
         },
     };
@@ -269,7 +272,7 @@ std::vector<Try> legsTries()
         {
             .text = Text::tr(
                 "Pull a foot at least 75 px away and let go. The line shows how far the foot swings."),
-            .conditions = {letGoOfAFoot(), draggedAtLeast(75.0)},
+            .conditions = {footReleased(), draggedAtLeast(75.0)},
             .hint = Text::tr(
                 "Press **Space**, take a small disc, pull it to the upper edge of the picture, and let "
                 "go."),
@@ -296,7 +299,7 @@ std::vector<Try> feetBelowTries()
             .hint = Text::tr("y points down, so above the body is below 0: type −50 beside **Drop**, press "
                              "**Space**, and wait."),
         },
-        carryOver100(),
+        dragBody100(),
     };
 }
 
@@ -315,10 +318,10 @@ std::vector<Try> curvedLegsTries()
                          "run is the same."),
             .conditions =
                 {
-                    ghostDiffers("curve"),
-                    {[](const Timeline &run) { return everTook(run, "body"); },
+                    comparisonDiffers("curve"),
+                    {[](const Timeline &run) { return wasDragged(run, "body"); },
                      Text::tr("carry the body first. Then go back in time, and change **curve** there.")},
-                    playedBesideGhost(),
+                    playedSinceFork(),
                 },
             .hint = Text::tr(
                 "Press **Space**, carry the body, and stop. Drag the timeline back to the left, type "
@@ -351,7 +354,7 @@ std::vector<Try> swingTries()
                 {
                     {[](const Timeline &run) { return !isSetTo(run, "speed", 0.05); }},
                     idleFor(120),
-                    atLeast(150.0, swing,
+                    atLeast(150.0, footDistance,
                             Text::tr("try another speed. Foot 0 is %1 px from the middle of its places."), 0),
                 },
             .hint = Text::tr("A foot goes farthest when the clock turns about as fast as the foot swings by "
@@ -363,9 +366,10 @@ std::vector<Try> swingTries()
             .conditions =
                 {
                     lastGrabbed("body"),
-                    atLeast(100.0, carriedAside, Text::tr("carry it 100 px to the side. It came %1 px."), 0),
+                    atLeast(100.0, sidewaysDragDistance,
+                            Text::tr("carry it 100 px to the side. It came %1 px."), 0),
                 },
-            .hint = hintCarrySideways(),
+            .hint = hintDragSideways(),
         },
     };
 }
@@ -375,7 +379,7 @@ std::vector<Try> bodyPulledTries()
     return {
         {
             .text = Text::tr("Pull a foot at least 75 px away and let go. Now the body comes along."),
-            .conditions = {letGoOfAFoot(), draggedAtLeast(75.0)},
+            .conditions = {footReleased(), draggedAtLeast(75.0)},
             .hint = Text::tr(
                 "Press **Space**, take a small disc, pull it to the upper edge of the picture, and let "
                 "go."),
@@ -395,9 +399,9 @@ std::vector<Try> bodyPulledTries()
                 Text::tr("Hold a foot for 60 frames. It feels nothing, but the body still feels its leg."),
             .conditions =
                 {
-                    holdingAFoot(),
-                    atLeast(60.0, framesHeld, Text::tr("hold it for 60 frames while time runs. So far: %1."),
-                            0),
+                    holdingFoot(),
+                    atLeast(60.0, framesSinceGrab,
+                            Text::tr("hold it for 60 frames while time runs. So far: %1."), 0),
                 },
             .hint = Text::tr("Press **Space**, take a small disc, and hold it for two seconds."),
         },
@@ -441,9 +445,9 @@ std::vector<Try> groundTries()
             .conditions =
                 {
                     released("body"),
-                    atLeast(60.0, lifted, Text::tr("lift it 60 px or more. It came %1 px up."), 0),
+                    atLeast(60.0, liftHeight, Text::tr("lift it 60 px or more. It came %1 px up."), 0),
                     idleFor(60),
-                    {standsOnAFoot, Text::tr("let it walk on until a foot stands on the ground.")},
+                    {hasPlantedFoot, Text::tr("let it walk on until a foot stands on the ground.")},
                 },
             .hint = Text::tr(
                 "Press **Space**, take the large disc, lift it near to the upper edge of the picture, "
@@ -501,7 +505,7 @@ std::vector<Try> steeringTries()
                 "where it began."),
             .conditions =
                 {
-                    {[](const Timeline &run) { return pressed(run, &sim::Keys::left); }},
+                    {[](const Timeline &run) { return wasKeyPressed(run, &sim::Keys::left); }},
                     {[](const Timeline &run) { return clockSpeedOf(run) < 0.0; },
                      Text::tr(
                          "hold **←** longer, until the clock’s speed is below 0. It is %1 rad per frame."),
@@ -517,7 +521,7 @@ std::vector<Try> steeringTries()
                 "Make it as fast as it can with the pointer: hold the button at least 200 px away from it."),
             .conditions =
                 {
-                    {[](const Timeline &run) { return pointed(run) && run.values()["top"] > 0.0; }},
+                    {[](const Timeline &run) { return wasPointerPressed(run) && run.values()["top"] > 0.0; }},
                     {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) >= run.values()["top"]; },
                      Text::tr("hold the button 200 px or more to the left or right of it, while time runs. "
                               "The clock’s "
@@ -534,12 +538,12 @@ std::vector<Try> steeringTries()
             .conditions =
                 {
                     {[](const Timeline &run) {
-                        return pointed(run) || pressed(run, &sim::Keys::left) ||
-                               pressed(run, &sim::Keys::right);
+                        return wasPointerPressed(run) || wasKeyPressed(run, &sim::Keys::left) ||
+                               wasKeyPressed(run, &sim::Keys::right);
                     }},
                     {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) <= 0.005; },
                      Text::tr("bring the clock’s speed to 0. It is %1 rad per frame."), clockSpeedOf, 3},
-                    {stoodBefore, Text::tr("let it stand for ten frames.")},
+                    {stoodStill, Text::tr("let it stand for ten frames.")},
                 },
             .hint = Text::tr(
                 "Press **Space** and hold **←** until its legs hardly move. Or press the mouse button "
@@ -558,7 +562,7 @@ std::vector<Try> wallsTries()
                 {
                     parameterSetTo("at_wall", 1.0),
                     unchangedFor("at_wall", 200),
-                    atAWall(Text::tr("let it walk on until it touches a wall.")),
+                    touchingWall(Text::tr("let it walk on until it touches a wall.")),
                 },
             .hint = Text::tr(
                 "Choose **walk on** beside **At a wall**, press **Space**, and wait until it has walked "
@@ -586,7 +590,7 @@ std::vector<Try> wallsTries()
                 {
                     released(),
                     thrownAtLeast(),
-                    {[](const Timeline &run) { return idleFrames(run) <= 40 && touchesAWall(run); },
+                    {[](const Timeline &run) { return idleFrames(run) <= 40 && touchesWall(run); },
                      Text::tr("throw it harder or closer to a wall: it has to get there within 40 frames.")},
                 },
             .hint =
@@ -607,8 +611,8 @@ std::vector<Try> companyTries()
                 {
                     {[](const Timeline &run) { return isBody(heldBody(run)); }},
                     draggedAtLeast(40.0),
-                    nearEnough(nearestToHand,
-                               Text::tr("drag it into another. The nearest body is %1 px away.")),
+                    closerThanDistance(nearestToDraggedBody,
+                                       Text::tr("drag it into another. The nearest body is %1 px away.")),
                 },
             .hint =
                 Text::tr("Press **Space**, take the large disc of one creature, and carry it onto the other "
@@ -620,7 +624,7 @@ std::vector<Try> companyTries()
             .conditions =
                 {
                     parameterSetTo("felt_by", 1.0),
-                    nearEnough(
+                    closerThanDistance(
                         [](const Timeline &run) { return nearestBody(run, "creature0.body"); },
                         Text::tr("let time run (**Space**) until two bodies touch. They are %1 px apart.")),
                 },

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-/// The things to try of each step.
+/// The things to try in each step.
 namespace walking_gait {
 
 std::vector<lessons::Try> bonesTries();

@@ -2,7 +2,7 @@
 
 #include "lessons/api/explanation.h"
 
-/// What each step tells besides its narration: what a learner knows afterwards, words, and the why of its mathematics.
+/// The explanations of the steps: what a learner learns, new terms, and the reasons behind the mathematics.
 namespace walking_gait {
 
 lessons::Explanation bonesExplanation();

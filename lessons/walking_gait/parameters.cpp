@@ -15,24 +15,24 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
 
-/// Returns `own` as a length in pixels.
-Parameter inPixels(Parameter own)
+/// Completes a length in pixels.
+Parameter inPixels(Parameter parameter)
 {
-    own.unit = Text::tr("px");
-    own.min = -1e6;
-    own.max = 1e6;
-    own.decimals = 0;
-    return own;
+    parameter.unit = Text::tr("px");
+    parameter.min = -1e6;
+    parameter.max = 1e6;
+    parameter.decimals = 0;
+    return parameter;
 }
 
-/// Returns `own` as a number of things, of which there are two or more.
-Parameter count(Parameter own)
+/// Completes an integer of 2 or more.
+Parameter count(Parameter parameter)
 {
-    own.min = own.sliderMin = 2.0;
-    own.sliderMax = own.max;
-    own.decimals = 0;
-    own.isInteger = true;
-    return own;
+    parameter.min = parameter.sliderMin = 2.0;
+    parameter.sliderMax = parameter.max;
+    parameter.decimals = 0;
+    parameter.isInteger = true;
+    return parameter;
 }
 
 }

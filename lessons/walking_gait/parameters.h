@@ -4,35 +4,38 @@
 
 #include <vector>
 
-/// The parameters of this lesson, and values of them that go well together.
+/// The parameters and presets of this lesson.
 namespace walking_gait {
 
 lessons::Parameter leg();
 lessons::Parameter drop();
 lessons::Parameter curve();
 lessons::Parameter speed();
-/// `bounce`, of feet on the ground.
+/// Returns `bounce` for feet on the ground.
 lessons::Parameter footBounce();
-/// `traction`: full or none; in the order of sim::Traction.
+/// Returns `traction`, a choice of full or none, in the order of sim::Traction.
 lessons::Parameter traction();
-/// `feet` and `spread`.
+/// Returns `feet`, the number of legs.
 lessons::Parameter legCount();
+/// Returns `spread`, the angle over which the feet are spread.
 lessons::Parameter spread();
-/// `top` and `change`: see sim::SteeringLimits.
+/// Returns `top` of sim::SteeringLimits.
 lessons::Parameter top();
+/// Returns `change` of sim::SteeringLimits.
 lessons::Parameter change();
-/// `at_wall`: turn or keep_on.
+/// Returns `at_wall`, a choice of turn or keep_on.
 lessons::Parameter atWall();
 lessons::Parameter creatures();
-/// `push` and `distance`: see sim::Push.
+/// Returns `push`, the stiffness of sim::Push.
 lessons::Parameter push();
+/// Returns `distance`, the range of sim::Push.
 lessons::Parameter distance();
-/// `felt_by`: both or one; who feels a push.
+/// Returns `felt_by`, a choice of both or one: the bodies that feel a push.
 lessons::Parameter feltBy();
-/// `left` and `right`: those of room(), without the floor.
+/// Returns `left` and `right` of room(), without the floor.
 std::vector<lessons::Parameter> sideWalls();
 
-/// Ways to walk, by the values that make them.
+/// Returns presets of different gaits.
 std::vector<lessons::Preset> gaits();
 
 }

@@ -2,8 +2,8 @@
 
 #include "sim/forward.h"
 
-/// One scene a step, each set up by the same function name, so that the code of two steps differs only in what is
-/// new. The feet are points 0, 1, 2..., the body comes last.
+/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
+/// what is new. The feet are points 0, 1, 2... and the body is the last point.
 namespace walking_gait {
 
 namespace bones {
@@ -37,7 +37,7 @@ namespace walls {
 sim::Scene setUp(const sim::Values &values);
 }
 namespace company {
-/// So many creatures with two feet each, which walk towards the middle.
+/// Returns `count` creatures with two feet each that walk towards the middle.
 sim::Scene inARow(int count, double speed);
 sim::Scene setUp(const sim::Values &values);
 }

@@ -22,26 +22,26 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
 
-Step stepOf(const char *id, const QString &title)
+Step newStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("walking_gait", id, title);
     step.parameters = {stiffness(), damping(), leg()};
     return step;
 }
 
-/// A step whose creature walks on the ground.
-Step stepOnGround(const char *id, const QString &title)
+/// Returns a step whose creature walks on the ground.
+Step newGroundStep(const char *id, const QString &title)
 {
     Step step = lessons::makeStep("walking_gait", id, title);
-    step.view = onGround;
-    step.isFootDown = stands;
-    step.overlays = places;
+    step.view = groundView;
+    step.isFootDown = isPlanted;
+    step.overlays = footTargets;
     step.measures = {walkingSpeed(), slip()};
     return step;
 }
 
-/// Adds the parameters that all steps on the ground share, after those of `step`.
-void addCommon(Step &step)
+/// Appends the parameters that all steps on the ground share.
+void addCommonParameters(Step &step)
 {
     step.addParameters({lessons::gravity(), footBounce(), traction(), stiffness(0.1), damping(), leg(),
                         drop(), curve(), lessons::ground()});
@@ -51,7 +51,7 @@ void addCommon(Step &step)
 
 Step bonesStep()
 {
-    Step step = stepOf("bones", Text::tr("Bones"));
+    Step step = newStep("bones", Text::tr("Bones"));
     step.narration = Text::tr(
         "Until now a foot was content anywhere on a ring round the body: a rag doll. Now each foot has a "
         "**bone**: an angle of its own. It belongs **leg** pixels from the body at that angle, and a plain "
@@ -64,14 +64,14 @@ Step bonesStep()
     step.explanation = bonesExplanation();
     step.tries = bonesTries();
     step.scene = bones::setUp;
-    step.view = plainLook;
+    step.view = plainView;
     step.overlays = boneLines;
     return step;
 }
 
 Step legsStep()
 {
-    Step step = stepOf("legs", Text::tr("Legs"));
+    Step step = newStep("legs", Text::tr("Legs"));
     step.narration = Text::tr(
         "A **leg** is a line from the body to a foot. It is made anew for each picture, from where body and "
         "foot are at that moment. Nothing feels it: the code that moves the feet is the same as before.\n\n"
@@ -81,14 +81,14 @@ Step legsStep()
     step.explanation = legsExplanation();
     step.tries = legsTries();
     step.scene = legs::setUp;
-    step.view = straightLegs;
-    step.overlays = places;
+    step.view = straightLegsView;
+    step.overlays = footTargets;
     return step;
 }
 
 Step feetBelowStep()
 {
-    Step step = stepOf("feet_below", Text::tr("Feet below the body"));
+    Step step = newStep("feet_below", Text::tr("Feet below the body"));
     step.parameters.push_back(drop());
     step.narration = Text::tr(
         "Feet belong below a body. One number does it: **drop** moves the place of every foot straight "
@@ -99,15 +99,15 @@ Step feetBelowStep()
     step.explanation = feetBelowExplanation();
     step.tries = feetBelowTries();
     step.scene = feet_below::setUp;
-    step.view = straightLegs;
-    step.overlays = places;
+    step.view = straightLegsView;
+    step.overlays = footTargets;
     return step;
 }
 
 Step curvedLegsStep()
 {
-    Step step = stepOf("curved_legs", Text::tr("Curved legs"));
-    step.parameters.insert(step.parameters.begin(), curve()); // what the step is about comes first
+    Step step = newStep("curved_legs", Text::tr("Curved legs"));
+    step.parameters.insert(step.parameters.begin(), curve()); // the topic of the step comes first
     step.addParameters({drop()});
     step.narration = Text::tr(
         "Two straight twigs are no legs. A **curve** needs one more point: the cross above each foot, "
@@ -118,14 +118,14 @@ Step curvedLegsStep()
     step.explanation = curvedLegsExplanation();
     step.tries = curvedLegsTries();
     step.scene = curved_legs::setUp;
-    step.view = curvedLegs;
-    step.overlays = bends;
+    step.view = curvedLegsView;
+    step.overlays = legControlPoints;
     return step;
 }
 
 Step swingStep()
 {
-    Step step = stepOf("swing", Text::tr("Swing"));
+    Step step = newStep("swing", Text::tr("Swing"));
     step.addParameters({speed(), drop(), curve()});
     step.narration = Text::tr(
         "Now the places move. The creature gets **one clock** that turns by **speed** each frame, last of "
@@ -137,15 +137,15 @@ Step swingStep()
     step.explanation = swingExplanation();
     step.tries = swingTries();
     step.scene = swing::setUp;
-    step.view = curvedLegs;
-    step.overlays = ring;
+    step.view = curvedLegsView;
+    step.overlays = targetsOnCircle;
     step.measures = {swingWidth()};
     return step;
 }
 
 Step bodyPulledStep()
 {
-    Step step = stepOf("body_pulled", Text::tr("The body is pulled, too"));
+    Step step = newStep("body_pulled", Text::tr("The body is pulled, too"));
     step.addParameters({speed(), drop(), curve()});
     step.narration = Text::tr(
         "What pulls is pulled back, just as hard, the other way. That needs no new formula: each leg's pull "
@@ -157,15 +157,15 @@ Step bodyPulledStep()
     step.explanation = bodyPulledExplanation();
     step.tries = bodyPulledTries();
     step.scene = body_pulled::setUp;
-    step.view = curvedLegs;
-    step.overlays = middleAndPlaces;
+    step.view = curvedLegsView;
+    step.overlays = centreAndTargets;
     step.measures = {momentumOfAll()};
     return step;
 }
 
 Step groundStep()
 {
-    Step step = stepOf("ground", Text::tr("Ground"));
+    Step step = newStep("ground", Text::tr("Ground"));
     step.parameters = {speed(),        lessons::gravity(), footBounce(), traction(),
                        stiffness(0.1), damping(),          leg(),        drop(),
                        curve(),        lessons::ground()};
@@ -182,18 +182,18 @@ Step groundStep()
     step.explanation = groundExplanation();
     step.tries = groundTries();
     step.scene = walking_gait::ground::setUp;
-    step.view = onGround;
-    step.isFootDown = stands;
-    step.overlays = places;
+    step.view = groundView;
+    step.isFootDown = isPlanted;
+    step.overlays = footTargets;
     step.measures = {walkingSpeed(), slip()};
     return step;
 }
 
 Step moreFeetStep()
 {
-    Step step = stepOnGround("more_feet", Text::tr("More feet"));
+    Step step = newGroundStep("more_feet", Text::tr("More feet"));
     step.addParameters({legCount(), spread(), speed()});
-    addCommon(step);
+    addCommonParameters(step);
     step.narration = Text::tr(
         "More feet need no new code: the loop gives each an angle, and they share the clock. Foot i of n "
         "belongs i/n of a full turn behind foot 0. **spread** makes that more or less than a full turn.\n\n"
@@ -209,9 +209,9 @@ Step moreFeetStep()
 
 Step steeringStep()
 {
-    Step step = stepOnGround("steering", Text::tr("Steering"));
+    Step step = newGroundStep("steering", Text::tr("Steering"));
     step.addParameters({speed(), top(), change()});
-    addCommon(step);
+    addCommonParameters(step);
     step.narration = Text::tr(
         "The clock's speed is a number like any other, so it can change while the creature walks. Above 0 "
         "it walks right, below 0 left, at 0 it stands.\n\n"
@@ -231,11 +231,11 @@ Step steeringStep()
 
 Step wallsStep()
 {
-    Step step = stepOnGround("walls", Text::tr("Walls to bump into"));
+    Step step = newGroundStep("walls", Text::tr("Walls to bump into"));
     step.addParameters({atWall()});
-    step.addParameters(sideWalls()); // the room is what the step is about
+    step.addParameters(sideWalls()); // the room is the topic of the step
     step.addParameters({speed(), top(), change()});
-    addCommon(step);
+    addCommonParameters(step);
     step.narration = Text::tr(
         "Two walls, as in the lesson before, for feet and body. Where an edge is past a wall, it is put "
         "back, and the velocity across the wall becomes 0.\n\n"
@@ -247,7 +247,7 @@ Step wallsStep()
     step.explanation = wallsExplanation();
     step.tries = wallsTries();
     step.scene = walls::setUp;
-    step.view = inRoom;
+    step.view = roomView;
     step.interactions = {Interaction::drag, Interaction::pointer, Interaction::keys};
     step.measures.push_back(clockSpeed());
     return step;
@@ -255,10 +255,10 @@ Step wallsStep()
 
 Step companyStep()
 {
-    Step step = stepOnGround("company", Text::tr("Company"));
+    Step step = newGroundStep("company", Text::tr("Company"));
     step.addParameters({creatures(), push(), distance(), feltBy(), atWall(), speed()});
     step.addParameters(sideWalls());
-    addCommon(step);
+    addCommonParameters(step);
     step.narration = Text::tr(
         "Several creatures, each with its own clock. They start towards each other, out of step.\n\n"
         "Two bodies closer than **distance** push each other apart, by **push** times the missing distance: "
@@ -270,7 +270,7 @@ Step companyStep()
     step.explanation = companyExplanation();
     step.tries = companyTries();
     step.scene = company::setUp;
-    step.view = inRoom;
+    step.view = roomView;
     step.measures = {slip(), sumOfPushes()};
     return step;
 }

@@ -28,10 +28,10 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
 
-constexpr double noFloor = 1e4; ///< px: far below the picture
+constexpr double noFloor = 1e4; ///< px, far below the stage
 
-/// A foot's place is its lowest point; the disc that is drawn has its middle there. So the ground is drawn where
-/// the disc ends.
+/// Returns the y at which the ground is drawn, in px. A foot touches the ground with its position, which is
+/// the centre of its disc, so the line is lower by the radius of the disc.
 double groundLine(const Values &values)
 {
     return values["ground"] + footWidth / 2;
@@ -47,7 +47,7 @@ Overlay line(sim::Vec2 from, sim::Vec2 to)
     return {.shape = Overlay::Shape::line, .a = from, .b = to};
 }
 
-/// Calls `visit(leg, target)` for each leg that pulls; for none while the springs are switched off.
+/// Calls `visit(leg, target)` for each leg that pulls. Legs that are switched off do not pull.
 template <class Visit>
 void forEachLeg(const Scene &scene, const State &state, Visit &&visit)
 {
@@ -61,17 +61,17 @@ void forEachLeg(const Scene &scene, const State &state, Visit &&visit)
     }
 }
 
-View withFeet(View look)
+View withFeet(View view)
 {
-    for (std::size_t i = 0; i < look.bodies.size(); ++i) {
-        if (look.bodies[i].shape == BodyView::Shape::foot)
-            look.feet.push_back(static_cast<int>(i));
+    for (std::size_t i = 0; i < view.bodies.size(); ++i) {
+        if (view.bodies[i].shape == BodyView::Shape::foot)
+            view.feet.push_back(static_cast<int>(i));
     }
-    look.stage = {0, 40, 540, 400};
-    return look;
+    view.stage = {0, 40, 540, 400};
+    return view;
 }
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 
 int bodyOf(const State &state)
 {
@@ -84,12 +84,12 @@ double slipOf(const Scene &scene, const State &state, const State *before, const
     int standing = 0;
     for (int i = 0; before && before->pointCount() == state.pointCount() && i < bodyOf(state); ++i) {
         const bool foot = !isBody(scene.names[static_cast<std::size_t>(i)]);
-        if (!foot || !stands(scene, state, values, i) || !stands(scene, *before, values, i))
+        if (!foot || !isPlanted(scene, state, values, i) || !isPlanted(scene, *before, values, i))
             continue;
         total += std::abs(state.positionOf(i).x - before->positionOf(i).x);
         ++standing;
     }
-    return standing > 0 ? total / standing : nothing;
+    return standing > 0 ? total / standing : undefined;
 }
 
 double pushesOf(const Scene &scene, const State &state, const State *, const Values &)
@@ -105,55 +105,55 @@ double pushesOf(const Scene &scene, const State &state, const State *, const Val
 
 }
 
-View plainLook(const Scene &scene, const Values &)
+View plainView(const Scene &scene, const Values &)
 {
-    View look = creatureView(scene);
-    look.springs = actingSprings(scene);
-    return look;
+    View view = creatureView(scene);
+    view.springs = actingSprings(scene);
+    return view;
 }
 
-View straightLegs(const Scene &scene, const Values &)
+View straightLegsView(const Scene &scene, const Values &)
 {
     return creatureViewWithLegs(scene);
 }
 
-View curvedLegs(const Scene &scene, const Values &values)
+View curvedLegsView(const Scene &scene, const Values &values)
 {
-    View look = creatureViewWithLegs(scene);
-    for (LegView &leg : look.legs)
+    View view = creatureViewWithLegs(scene);
+    for (LegView &leg : view.legs)
         leg.curve = values["curve"];
-    return look;
+    return view;
 }
 
-View onGround(const Scene &scene, const Values &values)
+View groundView(const Scene &scene, const Values &values)
 {
-    View look = withFeet(curvedLegs(scene, values));
+    View view = withFeet(curvedLegsView(scene, values));
     if (effectOf<sim::Ground>(scene))
-        look.ground = groundLine(values);
-    look.followedPoint = scene.start.pointCount() - 1;
-    return look;
+        view.ground = groundLine(values);
+    view.followedPoint = scene.start.pointCount() - 1;
+    return view;
 }
 
-View inRoom(const Scene &scene, const Values &values)
+View roomView(const Scene &scene, const Values &values)
 {
-    View look = withFeet(curvedLegs(scene, values));
+    View view = withFeet(curvedLegsView(scene, values));
     const bool hasGround = effectOf<sim::Ground>(scene);
     if (effectOf<sim::Walls>(scene))
-        look.room = sim::Room{values["left"], values["right"], hasGround ? groundLine(values) : noFloor, 0.0};
+        view.room = sim::Room{values["left"], values["right"], hasGround ? groundLine(values) : noFloor, 0.0};
     else if (hasGround)
-        look.ground = groundLine(values);
-    return look;
+        view.ground = groundLine(values);
+    return view;
 }
 
-bool stands(const Scene &scene, const State &state, const Values &values, int point)
+bool isPlanted(const Scene &scene, const State &state, const Values &values, int point)
 {
     return effectOf<sim::Ground>(scene) && state.isDynamic(point) &&
            state.positionOf(point).y >= values["ground"];
 }
 
-Guides boneLines(const Scene &scene, const State &state, const Values &)
+Overlays boneLines(const Scene &scene, const State &state, const Values &)
 {
-    Guides all;
+    Overlays all;
     forEachLeg(scene, state, [&](const sim::Leg &leg, sim::Vec2 target) {
         all.push_back(line(state.positionOf(leg.body), target));
         all.push_back(cross(target, Text::tr("foot %1").arg(leg.foot)));
@@ -161,16 +161,16 @@ Guides boneLines(const Scene &scene, const State &state, const Values &)
     return all;
 }
 
-Guides places(const Scene &scene, const State &state, const Values &)
+Overlays footTargets(const Scene &scene, const State &state, const Values &)
 {
-    Guides all;
+    Overlays all;
     forEachLeg(scene, state, [&](const sim::Leg &, sim::Vec2 target) { all.push_back(cross(target)); });
     return all;
 }
 
-Guides bends(const Scene &scene, const State &state, const Values &values)
+Overlays legControlPoints(const Scene &scene, const State &state, const Values &values)
 {
-    Guides all;
+    Overlays all;
     forEachLeg(scene, state, [&](const sim::Leg &leg, sim::Vec2) {
         const sim::Vec2 foot = state.positionOf(leg.foot);
         const sim::Vec2 bend = {foot.x, foot.y - values["curve"]};
@@ -179,18 +179,18 @@ Guides bends(const Scene &scene, const State &state, const Values &values)
     return all;
 }
 
-Guides ring(const Scene &scene, const State &state, const Values &values)
+Overlays targetsOnCircle(const Scene &scene, const State &state, const Values &values)
 {
-    Guides all = places(scene, state, values);
+    Overlays all = footTargets(scene, state, values);
     const sim::Vec2 body = state.positionOf(state.pointCount() - 1);
     all.push_back(
         {.shape = Overlay::Shape::ring, .a = {body.x, body.y + values["drop"]}, .size = values["leg"]});
     return all;
 }
 
-Guides middleAndPlaces(const Scene &scene, const State &state, const Values &values)
+Overlays centreAndTargets(const Scene &scene, const State &state, const Values &values)
 {
-    Guides all = places(scene, state, values);
+    Overlays all = footTargets(scene, state, values);
     const auto mean = state.position.colwise().mean().eval();
     all.push_back(cross({mean[0], mean[1]}, Text::tr("middle")));
     return all;
@@ -206,8 +206,8 @@ Measure swingWidth()
         .decimals = 1,
         .of =
             [](const Scene &, const State &state, const State *, const Values &values) {
-                const sim::Vec2 middle = state.positionOf(bodyOf(state)) + sim::Vec2{0.0, values["drop"]};
-                return sim::length(state.positionOf(0) - middle);
+                const sim::Vec2 centre = state.positionOf(bodyOf(state)) + sim::Vec2{0.0, values["drop"]};
+                return sim::length(state.positionOf(0) - centre);
             },
     };
 }
@@ -236,9 +236,9 @@ Measure walkingSpeed()
         .decimals = 2,
         .of =
             [](const Scene &, const State &state, const State *before, const Values &) {
-                const bool same = before && before->pointCount() == state.pointCount();
-                return same ? state.positionOf(bodyOf(state)).x - before->positionOf(bodyOf(state)).x
-                            : nothing;
+                const bool isComparable = before && before->pointCount() == state.pointCount();
+                return isComparable ? state.positionOf(bodyOf(state)).x - before->positionOf(bodyOf(state)).x
+                                    : undefined;
             },
     };
 }
@@ -262,7 +262,7 @@ Measure clockSpeed()
         .help = Text::tr("How fast the gait clock turns."),
         .decimals = 3,
         .of = [](const Scene &, const State &state, const State *,
-                 const Values &) { return state.gaitSpeed.rows() > 0 ? state.gaitSpeed[0] : nothing; },
+                 const Values &) { return state.gaitSpeed.rows() > 0 ? state.gaitSpeed[0] : undefined; },
     };
 }
 

@@ -5,44 +5,47 @@
 
 #include <vector>
 
-/// How the scenes of this lesson look, what is drawn over them, and what is measured.
+/// The views, overlays and measures of this lesson.
 namespace walking_gait {
 
-using Guides = std::vector<lessons::Overlay>;
+using Overlays = std::vector<lessons::Overlay>;
 
-lessons::View plainLook(const sim::Scene &scene, const sim::Values &values);
-lessons::View straightLegs(const sim::Scene &scene, const sim::Values &values);
-lessons::View curvedLegs(const sim::Scene &scene, const sim::Values &values);
-/// The ground, the feet diagram, and a camera that follows the body.
-lessons::View onGround(const sim::Scene &scene, const sim::Values &values);
-/// The ground, the feet diagram, and walls on both sides.
-lessons::View inRoom(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of discs and of the springs that act.
+lessons::View plainView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view with straight legs.
+lessons::View straightLegsView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view with legs that are bent by the parameter `curve`.
+lessons::View curvedLegsView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view with the ground, the feet diagram, and a camera that follows the body.
+lessons::View groundView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view with the ground, the feet diagram, and walls on both sides.
+lessons::View roomView(const sim::Scene &scene, const sim::Values &values);
 
-/// Whether a foot that is not held has the ground under it.
-bool stands(const sim::Scene &scene, const sim::State &state, const sim::Values &values, int point);
+/// Returns whether `point` is a planted foot: dynamic, and at or below the ground.
+bool isPlanted(const sim::Scene &scene, const sim::State &state, const sim::Values &values, int point);
 
-/// A cross where each foot belongs, and a line to it from the body.
-Guides boneLines(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
-/// A cross where each foot belongs.
-Guides places(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
-/// The point that bends each leg.
-Guides bends(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
-/// A cross where each foot belongs, and the ring on which it goes round.
-Guides ring(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
-/// A cross where each foot belongs, and the middle of the creature.
-Guides middleAndPlaces(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
+/// Returns a cross at the target of each foot, and a line to it from the body.
+Overlays boneLines(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
+/// Returns a cross at the target of each foot.
+Overlays footTargets(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
+/// Returns the control point of each leg's curve, with lines to foot and body.
+Overlays legControlPoints(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
+/// Returns a cross at the target of each foot, and the circle on which the targets move.
+Overlays targetsOnCircle(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
+/// Returns a cross at the target of each foot, and one at the centre of all points.
+Overlays centreAndTargets(const sim::Scene &scene, const sim::State &state, const sim::Values &values);
 
-/// How far foot 0 is from the middle of its places, px.
+/// Returns the distance of foot 0 from the centre of the circle on which its target moves, px.
 lessons::Measure swingWidth();
-/// The length of the sum of all velocities, px/frame: the momentum, with masses of 1.
+/// Returns the magnitude of the momentum, px/frame for masses of 1.
 lessons::Measure momentumOfAll();
-/// How far the body came to the right in the last frame, px/frame.
+/// Returns how far the body moved to the right in the last frame, px/frame.
 lessons::Measure walkingSpeed();
-/// How far the feet that stand slid in the last frame, px/frame on the average.
+/// Returns the average distance that planted feet slid in the last frame, px/frame.
 lessons::Measure slip();
-/// How fast the gait clock turns, rad/frame.
+/// Returns the speed of the gait clock, rad/frame.
 lessons::Measure clockSpeed();
-/// The length of the sum of all pushes between bodies, px/frame^2.
+/// Returns the magnitude of the sum of all pushes between bodies, px/frame^2.
 lessons::Measure sumOfPushes();
 
 }

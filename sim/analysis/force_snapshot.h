@@ -6,18 +6,20 @@
 
 namespace sim {
 
-/// What one effect has gathered on all points: px/frame^2, one row per point.
+/// The acceleration that one effect gives to each point.
 struct ForceSnapshot
 {
     EffectPtr effect;
-    Eigen::ArrayX2d acceleration;
+    Eigen::ArrayX2d acceleration; ///< px/frame^2, one row per point
 };
 
-/// The accelerations that the phases done of the step under way have gathered and that no move has spent yet, one
-/// entry per effect in the order in which they ran. Empty between two rows.
+/// Returns what each effect has added to the accelerations in the current step and no phase has consumed yet.
+/// There is one entry per effect, in the order of the phases. Effects that give no acceleration are left out.
+/// The result is empty between two steps.
 std::vector<ForceSnapshot> accumulatedForces(const Track &track);
-/// What each force of the scene pulls with where things are now, all points at once, one entry per force in the order
-/// in which they are listed. Without those that pull nothing.
+
+/// Returns the acceleration that each force of the scene gives to all points in the current state, in scene
+/// order. Forces that give no acceleration are left out.
 std::vector<ForceSnapshot> currentForces(const Track &track);
 
 }

@@ -5,8 +5,8 @@
 
 namespace sim {
 
-/// Seconds that this thread has computed, where the system tells: other programs that come in between do not count.
-/// Elsewhere the time that passes. Asking takes longer than reading a plain clock.
+/// Returns the CPU time of this thread in seconds, which excludes the time that other programs take. Where
+/// the system has no such clock, returns wallSeconds(). A call takes longer than reading the wall clock.
 inline double threadCpuSeconds()
 {
 #ifdef CLOCK_THREAD_CPUTIME_ID
@@ -17,7 +17,7 @@ inline double threadCpuSeconds()
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds that pass.
+/// Returns the wall time in seconds since an arbitrary start.
 inline double wallSeconds()
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();

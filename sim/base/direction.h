@@ -7,15 +7,16 @@
 
 namespace sim {
 
-/// How an effect finds the direction of a distance. A method chooses one for all its effects.
+/// How an effect computes the direction from one point to another. A method chooses one rule for all its
+/// effects.
 enum class DirectionRule {
-    regularised, ///< direction(): two points in one place part along a direction of their own
-    published,   ///< publishedDirection(): as the tutorials print it, with atan2, cos and sin
+    regularised, ///< direction(): each pair of coincident points separates along its own direction
+    published,   ///< publishedDirection(): the tutorials' formula, with atan2, cos and sin
 };
 
-/// Two points in one place have no direction between them. This one is theirs: it depends on the two points'
-/// numbers alone, turns by the golden angle (2.39996 rad) from pair to pair so that a crowd spreads evenly, and
-/// is opposite for the two ends, so that they separate.
+/// Returns the regularised direction from point `from` to point `to` when they coincide, as a vector of
+/// length 1. It depends only on the two indices. It turns by the golden angle (2.39996 rad) from pair to
+/// pair, so a crowd of coincident points spreads evenly. It is opposite for the two ends, so they separate.
 //! [parting_direction]
 inline Vec2 fallbackDirection(int from, int to)
 {
@@ -26,19 +27,20 @@ inline Vec2 fallbackDirection(int from, int to)
 }
 //! [parting_direction]
 
-/// The direction of `d` as a vector of length 1, with what it was found from.
+/// A direction as a vector of length 1, with the distance that it was computed from.
 struct Direction
 {
     double length = 0.0; ///< px
     Vec2 out;
 };
 
-/// Closer than this, in px, points count as in one place: the square of a smaller distance loses digits and then
-/// vanishes, so its direction would not have length 1.
+/// px. Points that are closer than this count as coincident: the square of a smaller distance loses digits or
+/// underflows to 0, so the direction would not have length 1.
 constexpr double coincidenceDistance = 1e-150;
 
-/// The direction of the distance `d` from point `from` to point `to`. The first function is all of it for points that
-/// are not in one place: without a branch, so that a batch of them is computed in one go.
+/// Returns the length and the direction of the vector `d`. The first function is for points that do not
+/// coincide: it has no branch, so the compiler can vectorise loops that call it. The second one also handles
+/// coincident points; `d` leads from point `from` to point `to`.
 // Shown lines are short.
 // clang-format off
 inline
@@ -61,7 +63,7 @@ inline Direction direction(
 //! [direction]
 // clang-format on
 
-/// The direction of a distance by its angle, with that angle.
+/// A direction as a vector of length 1, with its angle.
 struct PublishedDirection
 {
     double angle = 0.0; ///< rad, from the x axis towards the y axis
@@ -72,7 +74,8 @@ using std::atan2;
 using std::cos;
 using std::sin;
 
-/// The direction of `d` as the tutorials compute it. atan2(0, 0) is 0, so points in one place part along (1, 0).
+/// Returns the direction of `d` as the tutorials compute it. atan2(0, 0) is 0, so coincident points get (1,
+/// 0).
 /// Published: Creatures I, step 7.
 // Shown lines are short.
 // clang-format off

@@ -6,8 +6,8 @@
 
 namespace sim {
 
-/// What composing or loading refuses. The program that shows it makes a sentence of `id` and `values`; what()
-/// is for developers.
+/// A user error: input that composing or loading rejects. The app turns `id` and `values` into a sentence for
+/// the user; what() is for developers.
 class Error : public std::runtime_error
 {
 public:

@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// Scrambles 64 bits so that neighbouring inputs give unrelated outputs.
+/// Returns a hash of 64 bits: neighbouring inputs give unrelated outputs.
 /// Source: Steele, Lea and Flood, "Fast splittable pseudorandom number generators" (SplitMix64), 2014.
 constexpr std::uint64_t mixBits(std::uint64_t z)
 {
@@ -14,8 +14,8 @@ constexpr std::uint64_t mixBits(std::uint64_t z)
     return z ^ (z >> 31);
 }
 
-/// A random number in [0, 1) that depends on nothing but its arguments: no generator is stored, so going back
-/// in time meets the same numbers again.
+/// Returns a pseudorandom number in [0, 1) that depends only on the arguments. No generator state is stored,
+/// so a run that goes back in time gets the same numbers again.
 constexpr double uniform(std::uint64_t seed, std::uint64_t frame, std::uint64_t index)
 {
     const std::uint64_t bits = mixBits(mixBits(mixBits(seed) ^ frame) ^ index);

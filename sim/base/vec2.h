@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// A point, a distance or a velocity in the plane: x to the right, y down, in pixels (per frame).
+/// A position (px), a displacement (px) or a velocity (px/frame) in the plane: x to the right, y down.
 struct Vec2
 {
     double x = 0.0;
@@ -17,14 +17,15 @@ struct Vec2
     friend constexpr Vec2 operator/(Vec2 a, double s) { return {a.x / s, a.y / s}; }
 };
 
-/// Returns the scalar product: |a| |b| times the cosine of the angle between them.
+/// Returns the scalar (dot) product: |a| |b| times the cosine of the angle between them.
 constexpr double dot(Vec2 a, Vec2 b)
 {
     return a.x * b.x + a.y * b.y;
 }
 
-/// Infinite where a coordinate is beyond 1e154, as its square is: such a place has left every bound. std::hypot would go
-/// farther, and takes twice as long in what every spring computes.
+/// Returns the length of `a`. It is infinite if a coordinate exceeds 1e154, because the square overflows;
+/// such a run has already failed. std::hypot has no such limit, but takes twice as long, and every spring
+/// calls this function.
 inline double length(Vec2 a)
 {
     return std::sqrt(a.x * a.x + a.y * a.y);

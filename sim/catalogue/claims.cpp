@@ -15,13 +15,14 @@ namespace sim {
 
 namespace {
 
-/// Methods that choose their steps give up a frame that takes too many of them (see Patient). They claim what should
-/// take half as many.
-constexpr double sureOf = 0.5;
-/// Each bounce that they find takes a few.
+/// An adaptive method stops a run if a frame exceeds the step budget (see StepBudget). It claims cases that
+/// should need at most this fraction of the budget.
+constexpr double maxBudgetShare = 0.5;
+/// Number of steps in which an adaptive method locates a bounce.
 constexpr double stepsPerBounce = 4.0;
-/// What a step may be off stirs what should be at rest: by as much as a swing of that size, and some of them add up.
-constexpr double stirs = 10.0;
+/// The errors of adaptive steps keep a resting scene in motion. The amplitude is up to this many tolerances,
+/// because the errors of several steps add up.
+constexpr double restDisturbance = 10.0;
 
 std::string text(double value)
 {
@@ -31,19 +32,22 @@ std::string text(double value)
     return stream.str();
 }
 
-Claim no(const char *id, const Method &method, std::map<std::string, std::string> values)
+/// Returns a claim that is not made, with the reason `id`.
+Claim declined(const char *id, const Method &method, std::map<std::string, std::string> values)
 {
     values["method"] = method.id();
     return {false, Error(id, std::move(values))};
 }
 
-bool requirements(const Method &method, const char *what)
+/// Returns whether `requirement` is one of Method::requirements().
+bool hasRequirement(const Method &method, const char *requirement)
 {
     const std::vector<std::string> all = method.requirements();
-    return std::find(all.begin(), all.end(), what) != all.end();
+    return std::find(all.begin(), all.end(), requirement) != all.end();
 }
 
-/// Both ends of the spring on the x axis, in one group each, as those of a creature are.
+/// Returns a scene of the spring on the x axis. Each end has its own group, like the feet and body of a
+/// creature.
 Scene sceneOf(const StiffestSpring &stiffest)
 {
     Scene scene;
@@ -58,7 +62,8 @@ Scene sceneOf(const StiffestSpring &stiffest)
     return scene;
 }
 
-/// What a step makes of the places and the velocities of the two ends: a column for each of the four.
+/// Returns the amplification matrix of a step: it maps the positions and velocities of the two ends to the
+/// new ones.
 Eigen::Matrix4d matrixOf(const StiffestSpring &stiffest, const MethodPtr &method, double h)
 {
     Scene scene = sceneOf(stiffest);
@@ -76,14 +81,14 @@ Eigen::Matrix4d matrixOf(const StiffestSpring &stiffest, const MethodPtr &method
     return matrix;
 }
 
-/// How fast it swings, in rad/frame.
-double pace(const StiffestSpring &stiffest)
+/// Returns the angular frequency of the oscillation, in rad/frame.
+double angularFrequency(const StiffestSpring &stiffest)
 {
     return std::sqrt(stiffest.k * (stiffest.inverseMass + stiffest.inverseMass2));
 }
 
-/// The most exact that places and distances have to be in the end, px.
-double closest(const Rest &rest)
+/// Returns the smallest difference that `rest` allows, in px.
+double smallestTolerance(const Rest &rest)
 {
     double within = std::numeric_limits<double>::infinity();
     for (const RestPosition &place : rest.places)
@@ -93,79 +98,87 @@ double closest(const Rest &rest)
     return within;
 }
 
-/// For methods that choose their steps by the error that those make.
-Claim claimByTolerance(const HardCase &hard, const Method &method, const RunSize &size)
+/// Returns the claim of an adaptive method.
+Claim claimByTolerance(const HardCase &hardCase, const Method &method, const RunSize &size)
 {
-    const StiffestSpring &stiffest = *hard.stiffest;
-    // A step's error goes with a power of its length.
+    const StiffestSpring &stiffest = *hardCase.stiffest;
+    // The error of a step is proportional to a power of its length.
     const double perRadian = std::pow(stiffest.stretch / size.tolerance, 1.0 / method.order());
-    const double steps = std::max(pace(stiffest) * perRadian, hard.driven) + stepsPerBounce * hard.bounces;
-    const std::int64_t most = StepBudget::maxTries(hard.script.build(hard.script.values).start.pointCount());
-    if (steps > sureOf * static_cast<double>(most))
-        return no("claim-too-many-steps", method, {{"steps", text(steps)}, {"most", std::to_string(most)}});
-    // Where nothing damps, what one step is off stays.
-    const double mostOff = static_cast<double>(size.frames) * size.tolerance;
-    if (stiffest.damp == 1.0 && mostOff > hard.bound.reach - stiffest.stretch)
-        return no("claim-adds-up", method, {{"frames", std::to_string(size.frames)}, {"off", text(mostOff)}});
-    const Rest *rest = hard.hasRequirement(Requirement::comesToRest) ? hard.restAfter(size) : nullptr;
-    const double stirred = stirs * size.tolerance * std::max(1.0, pace(stiffest));
-    if (rest && (stirred > rest->speed || stirred > closest(*rest)))
-        return no("claim-stirs", method, {{"tolerance", text(size.tolerance)}, {"stirred", text(stirred)}});
+    const double steps =
+        std::max(angularFrequency(stiffest) * perRadian, hardCase.driven) + stepsPerBounce * hardCase.bounces;
+    const std::int64_t budget =
+        StepBudget::maxTries(hardCase.script.build(hardCase.script.values).start.pointCount());
+    if (steps > maxBudgetShare * static_cast<double>(budget))
+        return declined("claim-too-many-steps", method,
+                        {{"steps", text(steps)}, {"most", std::to_string(budget)}});
+    // Without damping, the errors of all steps add up.
+    const double accumulatedError = static_cast<double>(size.frames) * size.tolerance;
+    if (stiffest.damp == 1.0 && accumulatedError > hardCase.bound.reach - stiffest.stretch)
+        return declined("claim-adds-up", method,
+                        {{"frames", std::to_string(size.frames)}, {"off", text(accumulatedError)}});
+    const Rest *rest = hardCase.hasRequirement(Requirement::comesToRest) ? hardCase.restAfter(size) : nullptr;
+    const double disturbance = restDisturbance * size.tolerance * std::max(1.0, angularFrequency(stiffest));
+    if (rest && (disturbance > rest->speed || disturbance > smallestTolerance(*rest)))
+        return declined("claim-stirs", method,
+                        {{"tolerance", text(size.tolerance)}, {"stirred", text(disturbance)}});
     return {true, {}};
 }
 
-Claim claimByStep(const HardCase &hard, const MethodPtr &method, const RunSize &size)
+/// Returns the claim of a method with fixed steps.
+Claim claimByStep(const HardCase &hardCase, const MethodPtr &method, const RunSize &size)
 {
-    const StiffestSpring &stiffest = *hard.stiffest;
+    const StiffestSpring &stiffest = *hardCase.stiffest;
     const auto steps = static_cast<std::int64_t>(std::llround(static_cast<double>(size.frames) / size.h));
-    const Prediction told = predictOscillation(stiffest, method, size.h, steps, hard.bound.reach);
+    const Prediction prediction = predictOscillation(stiffest, method, size.h, steps, hardCase.bound.reach);
     const std::map<std::string, std::string> numbers = {{"k", text(stiffest.k)},
                                                         {"apart", text(stiffest.stretch)},
                                                         {"h", text(size.h)},
-                                                        {"left", text(told.left)},
+                                                        {"left", text(prediction.left)},
                                                         {"frames", std::to_string(size.frames)}};
-    if (!(told.most <= hard.bound.reach))
-        return no("claim-grows", *method, numbers);
-    const Rest *rest = hard.restAfter(size);
-    const bool comes = !rest || !hard.hasRequirement(Requirement::comesToRest) ||
-                       (told.left <= closest(*rest) && told.speed <= rest->speed);
-    return comes ? Claim{true, {}} : no("claim-rings", *method, numbers);
+    if (!(prediction.most <= hardCase.bound.reach))
+        return declined("claim-grows", *method, numbers);
+    const Rest *rest = hardCase.restAfter(size);
+    const bool restsInTime = !rest || !hardCase.hasRequirement(Requirement::comesToRest) ||
+                             (prediction.left <= smallestTolerance(*rest) && prediction.speed <= rest->speed);
+    return restsInTime ? Claim{true, {}} : declined("claim-rings", *method, numbers);
 }
 
 }
 
 Prediction predictOscillation(const StiffestSpring &stiffest, const MethodPtr &method, double h,
-                              std::int64_t steps, double enough)
+                              std::int64_t steps, double limit)
 {
     const Eigen::Matrix4d step = matrixOf(stiffest, method, h);
-    Eigen::Vector4d now(stiffest.stretch, 0.0, 0.0, 0.0);
-    Prediction told{stiffest.stretch, stiffest.stretch, 0.0};
-    for (std::int64_t i = 0; i < steps && told.most <= enough; ++i) {
-        const double before = now[0] - now[1];
-        now = step * now;
-        told.left = std::abs(now[0] - now[1]);
-        told.speed = std::abs(now[0] - now[1] - before) / h;
-        told.most = std::isfinite(told.left) ? std::max(told.most, told.left) : told.left;
+    Eigen::Vector4d state(stiffest.stretch, 0.0, 0.0, 0.0);
+    Prediction prediction{stiffest.stretch, stiffest.stretch, 0.0};
+    for (std::int64_t i = 0; i < steps && prediction.most <= limit; ++i) {
+        const double before = state[0] - state[1];
+        state = step * state;
+        prediction.left = std::abs(state[0] - state[1]);
+        prediction.speed = std::abs(state[0] - state[1] - before) / h;
+        prediction.most =
+            std::isfinite(prediction.left) ? std::max(prediction.most, prediction.left) : prediction.left;
     }
-    return told;
+    return prediction;
 }
 
-Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size)
+Claim claimOf(const HardCase &hardCase, const MethodPtr &method, const RunSize &size)
 {
-    if (hard.hasRequirement(Requirement::refused))
-        return {true, {}}; // whatever would compute it
-    if (const std::optional<Error> misfit = composeError(scriptOf(hard, method, size)))
-        return {false, misfit};
-    if (hard.hasRequirement(Requirement::centreStays) && requirements(*method, "groups"))
-        return no("claim-one-by-one", *method, {});
+    if (hardCase.hasRequirement(Requirement::refused))
+        return {true, {}}; // the scene is rejected before the method computes anything
+    if (const std::optional<Error> error = composeError(scriptOf(hardCase, method, size)))
+        return {false, error};
+    if (hardCase.hasRequirement(Requirement::centreStays) && hasRequirement(*method, "groups"))
+        return declined("claim-one-by-one", *method, {});
     const bool byTolerance = method->stepLimit() == StepLimit::tolerance;
-    if (byTolerance && hard.hasRequirement(Requirement::noRoom))
-        return no("claim-no-room", *method, {});
-    if (hard.stickError && size.h > hard.brief.h && !byTolerance)
-        return no("claim-longer-step", *method, {{"h", text(size.h)}, {"most", text(hard.brief.h)}});
-    if (!hard.stiffest)
+    if (byTolerance && hardCase.hasRequirement(Requirement::noRoom))
+        return declined("claim-no-room", *method, {});
+    if (hardCase.stickError && size.h > hardCase.brief.h && !byTolerance)
+        return declined("claim-longer-step", *method,
+                        {{"h", text(size.h)}, {"most", text(hardCase.brief.h)}});
+    if (!hardCase.stiffest)
         return {true, {}};
-    return byTolerance ? claimByTolerance(hard, *method, size) : claimByStep(hard, method, size);
+    return byTolerance ? claimByTolerance(hardCase, *method, size) : claimByStep(hardCase, method, size);
 }
 
 }

@@ -5,29 +5,31 @@
 
 namespace sim {
 
-/// Whether a method undertakes to hold a case, and if not, why: an id and values, as of an Error.
+/// Whether a method claims to pass a hard case.
 struct Claim
 {
     bool isMade = false;
-    std::optional<Error> why; ///< set if it is not made
+    std::optional<Error> why; ///< the reason why it is not made; the app turns it into a sentence
 };
 
-/// By what the case asks and by what the method says of itself, never by the names of either.
-Claim claimOf(const HardCase &hard, const MethodPtr &method, const RunSize &size);
+/// Returns the claim of `method` for a run of `hardCase`. It depends on the requirements of the case and the
+/// declared properties of the method, never on the name of either.
+Claim claimOf(const HardCase &hardCase, const MethodPtr &method, const RunSize &size);
 
-/// What some steps make of the spring of a Stiffest.
+/// The predicted oscillation of a StiffestSpring. A stretch is the difference from the rest length.
 struct Prediction
 {
-    double most = 0.0;  ///< px: the farthest that it was out of its length on the way
-    double left = 0.0;  ///< px: that it is in the end
-    double speed = 0.0; ///< px/frame: from its place a step before, in the end
+    double most = 0.0;  ///< px, largest stretch during the run
+    double left = 0.0;  ///< px, stretch at the end
+    double speed = 0.0; ///< px/frame, change of the stretch in the last step, per frame
 };
 
-/// Takes `steps` steps of `method` on `stiffest` alone. All of it is linear, so a step is a matrix, found by taking it
-/// from each place and each velocity alone. Leaves off where the spring is more than `enough` px out of its length.
-/// Only for methods whose steps have a length.
-/// Source: the amplification matrix; Hairer and Wanner, "Solving ordinary differential equations II", section IV.2.
+/// Predicts `steps` steps of length `h` of `method` on `stiffest` alone. The system is linear, so a step is
+/// the product with a matrix. Its columns are the results of a step from each unit vector of positions and
+/// velocities. Stops when the stretch exceeds `limit` (px). Only for methods with fixed steps.
+/// Source: the amplification matrix; Hairer and Wanner, "Solving ordinary differential equations II", section
+/// IV.2.
 Prediction predictOscillation(const StiffestSpring &stiffest, const MethodPtr &method, double h,
-                              std::int64_t steps, double enough);
+                              std::int64_t steps, double limit);
 
 }

@@ -6,9 +6,9 @@
 
 namespace sim {
 
-bool HardCase::hasRequirement(Requirement what) const
+bool HardCase::hasRequirement(Requirement requirement) const
 {
-    return std::find(requirements.begin(), requirements.end(), what) != requirements.end();
+    return std::find(requirements.begin(), requirements.end(), requirement) != requirements.end();
 }
 
 const Rest *HardCase::restAfter(const RunSize &size) const
@@ -16,9 +16,9 @@ const Rest *HardCase::restAfter(const RunSize &size) const
     return rest && size.frames >= rest->after ? &*rest : nullptr;
 }
 
-Script scriptOf(const HardCase &hard, const MethodPtr &method, const RunSize &size)
+Script scriptOf(const HardCase &hardCase, const MethodPtr &method, const RunSize &size)
 {
-    Script script = hard.script;
+    Script script = hardCase.script;
     script.method = method;
     script.step = method->stepping() == Stepping::adaptive ? StepSize::withTolerance(size.tolerance)
                                                            : StepSize::ofLength(size.h);

@@ -8,105 +8,107 @@
 
 namespace sim {
 
-/// What a hard case asks of a method, besides being able to compute its scene at all. Claims go by these.
+/// What a hard case requires of a method, besides that the method can compute the scene. Claims depend only
+/// on requirements, see claimOf().
 enum class Requirement {
-    oscillates,     ///< something swings: it must not swing farther and farther; see HardCase::stiffest
-    comesToRest,    ///< what swings comes to rest within the run
-    centreStays,    ///< nothing pushes from outside: the middle of all masses stays where it is
-    constraints,    ///< sticks, or other conditions on places
-    bounces,        ///< things meet walls or a floor; see HardCase::bounces
-    noRoom,         ///< a wall on either side leaves no place where a body would be free of both
-    dragging,       ///< a hand jumps
+    oscillates,     ///< something oscillates, and the amplitude must not grow; see HardCase::stiffest
+    comesToRest,    ///< the oscillation comes to rest within the run
+    centreStays,    ///< no force from outside, so the centre of mass stays in place
+    constraints,    ///< sticks, or other constraints on positions
+    bounces,        ///< bodies meet walls or a floor; see HardCase::bounces
+    noRoom,         ///< two walls are so close that a body always touches one of them
+    dragging,       ///< a dragged body jumps
     parameterJumps, ///< a parameter jumps
-    driven,         ///< a clock, a motor or wind drives it, too fast for a step to follow
-    noDirection,    ///< points (or pointer and point) in one place, or on one line
-    manyPoints,     ///< thousands
+    driven,         ///< a gait clock, a motor or wind drives the scene, too fast for a step to resolve
+    noDirection,    ///< coincident points (or pointer and point), or points on one line
+    manyPoints,     ///< thousands of points
     longRun,        ///< millions of frames
-    unusualStep,    ///< a step that is not one frame
-    refused,        ///< nothing but a clear refusal is right
-    overflows,      ///< a number comes out infinite: the run ends there, and says where and why
+    unusualStep,    ///< a step that is not one frame long
+    refused,        ///< the run must be rejected with a user error
+    overflows,      ///< a number becomes infinite; the run must end there with the failure cause
 };
 
-/// The stiffest thing of a scene, as what swings fastest: two masses on a line, joined by a spring.
-/// A creature's body with n feet counts as the feet in one, n times as heavy, on n springs in one.
+/// The fastest oscillation of a scene, as a model: two masses on a line, connected by a spring.
+/// For a body with n feet, the feet are one mass, n times as heavy, on one spring, n times as stiff.
 struct StiffestSpring
 {
-    double stretch = 100.0;    ///< px: the most that the spring is out of its length when it begins to swing
-    double k = 0.0;            ///< of the spring, mass/frame^2
-    double inverseMass = 1.0;  ///< of what is pulled
-    double inverseMass2 = 0.0; ///< of what it is pulled to; 0: that stands fast
-    double damp = 1.0;         ///< what a velocity keeps each frame
+    double stretch = 100.0;    ///< px, largest difference from the rest length when the oscillation starts
+    double k = 0.0;            ///< mass/frame^2, stiffness
+    double inverseMass = 1.0;  ///< of the first end
+    double inverseMass2 = 0.0; ///< of the second end; 0 if it is fixed
+    double damp = 1.0;         ///< damping factor per frame
 };
 
-/// How long a run is and by which steps it goes.
+/// The length of a run and of its steps.
 struct RunSize
 {
     std::int64_t frames = 0;
-    double h = 1.0;          ///< frames; methods that choose their steps take `tolerance`
-    double tolerance = 1e-6; ///< px a step
+    double h = 1.0;          ///< frames, step length of methods with fixed steps
+    double tolerance = 1e-6; ///< px per step, for adaptive methods
 };
 
-/// A place at which a body comes to rest.
+/// The position at which a body comes to rest.
 struct RestPosition
 {
     std::string body;
     Vec2 x;              ///< px
-    double within = 0.0; ///< px
+    double within = 0.0; ///< px, allowed difference
 };
 
-/// A distance that two bodies have at rest.
+/// The distance of two bodies at rest.
 struct RestDistance
 {
     std::string a;
     std::string b;
     double length = 0.0; ///< px
-    double within = 0.0; ///< px
+    double within = 0.0; ///< px, allowed difference
 };
 
-/// What a run comes to in the end.
+/// The state of rest at the end of a run.
 struct Rest
 {
-    std::int64_t after = 0; ///< frames: runs that are shorter need not come to it
+    std::int64_t after = 0; ///< frames; shorter runs need not reach it
     std::vector<RestPosition> places = {};
     std::vector<RestDistance> distances = {};
-    double speed = 0.0; ///< px/frame: in the last row nothing goes faster from its place to the next
+    double speed = 0.0; ///< px/frame, upper bound of each displacement per frame in the last output step
 };
 
-/// What "bounded" means in a case, in every frame.
+/// Bounds that hold at every output step of a case.
 struct Bounds
 {
-    double reach = 0.0;          ///< px: no point is farther from `from`
-    Vec2 from = {270.0, 200.0};  ///< px
-    std::optional<double> drift; ///< px: how far the middle of all masses may go; see Ask::centreStays
+    double reach = 0.0;         ///< px, maximum distance of any point from `from`
+    Vec2 from = {270.0, 200.0}; ///< px
+    /// px, maximum displacement of the centre of mass; empty: no limit. See Requirement::centreStays.
+    std::optional<double> drift;
 };
 
-/// An experiment that breaks careless methods: a plain value.
+/// An experiment that breaks careless methods.
 struct HardCase
 {
-    std::string id;     ///< names it in files and on the command line
+    std::string id;     ///< its name in files and on the command line
     std::string title;  ///< in English; see SIM_TEXT
-    std::string family; ///< in English, what it has in common with others: "Stiff springs"; see SIM_TEXT
-    std::string story;  ///< one sentence in English: what makes it hard; see SIM_TEXT
-    Script script;      ///< scene, values and input; a method and its step are put in by scriptOf()
-    RunSize brief;      ///< enough to see it, in about a second
-    RunSize full;       ///< the size that the story tells
+    std::string family; ///< title of a group of cases, such as "Stiff springs", in English; see SIM_TEXT
+    std::string story;  ///< what makes it hard, one sentence in English; see SIM_TEXT
+    Script script;      ///< scene, values and input; scriptOf() adds the method and its step
+    RunSize brief;      ///< a short run that shows the problem, for about a second
+    RunSize full;       ///< the run that `story` describes
     std::vector<Requirement> requirements;
-    std::optional<StiffestSpring>
-        stiffest;         ///< at any time of the run; set if it asks for `swings` or `rests`
-    double bounces = 0.0; ///< the most that happen in a frame
-    double driven = 0.0;  ///< rad/frame: how fast what drives it turns
+    /// The stiffest spring at any time of the run. Set for Requirement::oscillates.
+    std::optional<StiffestSpring> stiffest;
+    double bounces = 0.0; ///< maximum number of bounces per frame
+    double driven = 0.0;  ///< rad/frame, angular frequency of the drive
     Bounds bound;
-    std::optional<Rest> rest; ///< where there is a right one
-    std::optional<double>
-        stickError; ///< px: how wrong a stick's length may be after any frame, by steps as brief has them
-    std::string refusal; ///< the id of the Error that is right; empty: it runs
+    std::optional<Rest> rest; ///< empty if no particular rest is required
+    /// px, maximum error of a stick's length in steps as long as those of `brief`; empty: no limit.
+    std::optional<double> stickError;
+    std::string refusal; ///< id of the expected Error, for Requirement::refused
 
-    bool hasRequirement(Requirement what) const;
-    /// The rest that a run of this size must come to, if any.
+    bool hasRequirement(Requirement requirement) const;
+    /// Returns the rest that a run of this size must reach; null if none.
     const Rest *restAfter(const RunSize &size) const;
 };
 
-/// The run of `hard` under `method`.
-Script scriptOf(const HardCase &hard, const MethodPtr &method, const RunSize &size);
+/// Returns the script that runs `hardCase` under `method`.
+Script scriptOf(const HardCase &hardCase, const MethodPtr &method, const RunSize &size);
 
 }

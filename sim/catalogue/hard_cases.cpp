@@ -12,14 +12,14 @@ namespace hard {
 HardCase caseOf(const char *id, const char *title, const char *story, Scene (*scene)(const Values &),
                 Values values, std::int64_t frames)
 {
-    HardCase one;
-    one.id = id;
-    one.title = title;
-    one.story = story;
-    one.script.build = scene;
-    one.script.values = std::move(values);
-    one.brief.frames = one.full.frames = frames;
-    return one;
+    HardCase hardCase;
+    hardCase.id = id;
+    hardCase.title = title;
+    hardCase.story = story;
+    hardCase.script.build = scene;
+    hardCase.script.values = std::move(values);
+    hardCase.brief.frames = hardCase.full.frames = frames;
+    return hardCase;
 }
 
 }
@@ -34,21 +34,21 @@ std::vector<HardCase> hardCases()
     static constexpr Family families[] = {
         {SIM_TEXT("Stiff springs"), hard::stiffSprings},
         {SIM_TEXT("Many feet on one body"), hard::manyFeet},
-        {SIM_TEXT("All in one place"), hard::crampedPlaces},
-        {SIM_TEXT("Torn by a hand"), hard::roughHands},
+        {SIM_TEXT("All in one place"), hard::coincidentPoints},
+        {SIM_TEXT("Torn by a hand"), hard::suddenDrags},
         {SIM_TEXT("Walls and walking"), hard::wallsAndWalking},
         {SIM_TEXT("Sticks that contradict"), hard::rigidSticks},
         {SIM_TEXT("Swimmers"), hard::swimmers},
         {SIM_TEXT("Trees in wind"), hard::windyTrees},
-        {SIM_TEXT("Unusual steps"), hard::oddSteps},
+        {SIM_TEXT("Unusual steps"), hard::unusualSteps},
         {SIM_TEXT("Long runs"), hard::longRuns},
-        {SIM_TEXT("Input that is refused"), hard::badInput},
+        {SIM_TEXT("Input that is refused"), hard::invalidInput},
     };
     std::vector<HardCase> all;
     for (const Family &family : families) {
-        for (HardCase &one : family.cases()) {
-            one.family = family.title;
-            all.push_back(std::move(one));
+        for (HardCase &hardCase : family.cases()) {
+            hardCase.family = family.title;
+            all.push_back(std::move(hardCase));
         }
     }
     return all;
@@ -56,9 +56,9 @@ std::vector<HardCase> hardCases()
 
 std::optional<HardCase> findHardCase(const std::string &id)
 {
-    for (HardCase &one : hardCases()) {
-        if (one.id == id)
-            return std::move(one);
+    for (HardCase &hardCase : hardCases()) {
+        if (hardCase.id == id)
+            return std::move(hardCase);
     }
     return {};
 }

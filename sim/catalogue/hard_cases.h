@@ -4,10 +4,10 @@
 
 namespace sim {
 
-/// All hard cases, in the order in which they are told.
+/// Returns all hard cases, in the order in which they are presented.
 std::vector<HardCase> hardCases();
 
-/// The case called `id`, if there is one.
+/// Returns the case called `id`; empty if there is none.
 std::optional<HardCase> findHardCase(const std::string &id);
 
 }

@@ -6,33 +6,37 @@
 
 namespace sim {
 
-/// What came out when a case was run under a method.
+/// The result of running a case under a method.
 struct Verdict
 {
     Claim claim;
-    bool holds = false;
-    std::optional<Error> why; ///< what failed first, an id and values; empty if it holds
-    std::int64_t frames = 0;  ///< that were computed, all of them finite
-    double nsPerFrame = 0.0;  ///< measured, of computing alone; 0 when no frame was computed
-    bool isComplete = true;   ///< false: nobody wanted the rest of it
-    /// Whether it breaks what the method undertook.
+    bool holds = false;       ///< whether the method passed the case
+    std::optional<Error> why; ///< the first failure; empty if it passed
+    std::int64_t frames = 0;  ///< number of computed frames, all finite
+    double nsPerFrame = 0.0;  ///< measured computing time per frame; 0 if no frame was computed
+    bool isComplete = true;   ///< false if judging was cancelled
+    /// Returns whether the method failed although it claims the case.
     bool isBroken() const { return isComplete && claim.isMade && !holds; }
 };
 
-/// What is wrong with a moment of a run of `hard`, after `frame` frames: a point is too far, the middle has moved, a
-/// stick is too wrong. Empty if nothing is. `first`: the scene at frame 0.
-std::optional<Error> findViolation(const HardCase &hard, const Scene &first, const Scene &scene,
+/// Returns the first violation of the bounds of `hardCase` at `frame`: a point is too far away, the centre of
+/// mass moved, or the length of a stick is wrong. Empty if there is none. `first`: the scene at frame 0.
+std::optional<Error> findViolation(const HardCase &hardCase, const Scene &first, const Scene &scene,
                                    const State &state, std::int64_t frame);
-/// What is wrong with the end of its run, `rowFrames` after `before`; empty if nothing is, and where no rest is told.
-std::optional<Error> findRestViolation(const HardCase &hard, const Scene &scene, const State &before,
+/// Returns the first difference between the end of a run and the rest that `hardCase` requires. Empty if
+/// there is no difference, or if no rest is required. `before`: the state `framesPerOutput` frames before the
+/// end.
+std::optional<Error> findRestViolation(const HardCase &hardCase, const Scene &scene, const State &before,
                                        const State &state, int framesPerOutput);
 
-/// Told now and then how much of it is done, 0 to 1. Returns whether to go on.
+/// Receives the progress of judge() from time to time, 0 to 1. Returns false to cancel.
 using JudgeProgress = std::function<bool(double)>;
 
-/// Runs `hard` under `method`, twice: every frame must be finite, bounded and with no stick too wrong, the end at
-/// rest where there is a right rest, and the second run the same in every bit.
-Verdict judge(const HardCase &hard, const MethodPtr &method, const RunSize &size,
+/// Runs `hardCase` under `method` twice. The case passes if all output steps are finite and within the
+/// bounds, the run ends at the required rest, and both runs give the same bits.
+/// For Requirement::refused and Requirement::overflows it passes if the run is rejected, or ends, as
+/// required.
+Verdict judge(const HardCase &hardCase, const MethodPtr &method, const RunSize &size,
               const JudgeProgress &progress = {});
 
 }

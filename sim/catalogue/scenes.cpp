@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 namespace {
 
-/// A creature with damping. Values: k, radius, damp.
+/// Returns a creature with damping. Values: k, radius, damp.
 Scene dampedCreature(int feet, const Values &values)
 {
     Scene scene = scenes::springCreature(feet, values["k"], values["radius"]);
@@ -56,7 +56,7 @@ Scene creature(const Values &values)
     const int feet = values.integer("feet");
     Scene scene = dampedCreature(feet, values);
     for (int i = 0; i < feet; ++i) {
-        // No two are opposite, and more are on the right.
+        // No two feet are opposite each other, and more of them are on the right.
         const double share = (i + 0.5) / feet;
         const double angle = 2.0 * pi * (share + 0.05 * std::sin(2.0 * pi * share));
         scene.start.place(i, middle + values["out"] * Vec2{-std::cos(angle), std::sin(angle)});

@@ -4,41 +4,42 @@
 
 #include <algorithm>
 
-/// Every effect, by the name of its description. Those that a learner can choose act in this order.
+/// Calls the macro X with the name of every description. The effects that a learner can choose act in this
+/// order.
 // clang-format off
-#define EFFECTS(ONE) \
-    ONE(body_spring) \
-    ONE(leg_spring) \
-    ONE(motor) \
-    ONE(offset_spring) \
-    ONE(point_spring) \
-    ONE(radial_spring) \
-    ONE(springs) \
-    ONE(torsion) \
-    ONE(push) \
-    ONE(charges) \
-    ONE(gravity) \
-    ONE(breeze) \
-    ONE(damping) \
-    ONE(split_damping) \
-    ONE(angle_limits) \
-    ONE(area_stick) \
-    ONE(soft_sticks) \
-    ONE(sticks) \
-    ONE(room) \
-    ONE(walls) \
-    ONE(ramp) \
-    ONE(ground) \
-    ONE(anticipation) \
-    ONE(gait_clock) \
-    ONE(gust) \
-    ONE(joints) \
-    ONE(pointer) \
-    ONE(return_to_rest) \
-    ONE(steering) \
-    ONE(turn_round) \
-    ONE(turn_to_pointer) \
-    ONE(wind)
+#define EFFECTS(X) \
+    X(body_spring) \
+    X(leg_spring) \
+    X(motor) \
+    X(offset_spring) \
+    X(point_spring) \
+    X(radial_spring) \
+    X(springs) \
+    X(torsion) \
+    X(push) \
+    X(charges) \
+    X(gravity) \
+    X(breeze) \
+    X(damping) \
+    X(split_damping) \
+    X(angle_limits) \
+    X(area_stick) \
+    X(soft_sticks) \
+    X(sticks) \
+    X(room) \
+    X(walls) \
+    X(ramp) \
+    X(ground) \
+    X(anticipation) \
+    X(gait_clock) \
+    X(gust) \
+    X(joints) \
+    X(pointer) \
+    X(return_to_rest) \
+    X(steering) \
+    X(turn_round) \
+    X(turn_to_pointer) \
+    X(wind)
 // clang-format on
 
 namespace sim {
@@ -59,8 +60,9 @@ EffectList allEffects()
 
 const EffectDescription *findDescription(EffectList known, const std::string &id)
 {
-    const auto found =
-        std::find_if(known.begin(), known.end(), [&](const EffectDescription *one) { return one->id == id; });
+    const auto found = std::find_if(known.begin(), known.end(), [&](const EffectDescription *description) {
+        return description->id == id;
+    });
     return found == known.end() ? nullptr : *found;
 }
 
@@ -70,15 +72,15 @@ std::string purposeOf(const Effect &effect)
     return found ? found->purpose : std::string();
 }
 
-ChosenEffects chosenEffects(EffectList known, const Blueprint &plan, const Values &values)
+ChosenEffects chosenEffects(EffectList known, const Blueprint &blueprint, const Values &values)
 {
     ChosenEffects chosen;
-    for (const EffectDescription *one : known) {
-        if (!one->make || !hasEffect(plan, one->id))
+    for (const EffectDescription *description : known) {
+        if (!description->make || !hasEffect(blueprint, description->id))
             continue;
-        const EffectPtr effect = one->make(plan, values);
-        const bool pulls = as<Force>(*effect) || as<Torque>(*effect) || as<Drag>(*effect);
-        (pulls ? chosen.beforeMove : chosen.afterMove).push_back(effect);
+        const EffectPtr effect = description->make(blueprint, values);
+        const bool actsBeforeMove = as<Force>(*effect) || as<Torque>(*effect) || as<Drag>(*effect);
+        (actsBeforeMove ? chosen.beforeMove : chosen.afterMove).push_back(effect);
     }
     return chosen;
 }

@@ -15,19 +15,18 @@ EffectList allEffects();
 /// Returns the description with the id `id`, or null if `known` has none.
 const EffectDescription *findDescription(EffectList known, const std::string &id);
 
-/// Returns what `effect` is for: one sentence for a learner, in English; see SIM_TEXT. Empty for an effect that
-/// allEffects() does not have.
+/// Returns the purpose of `effect`: one sentence for a learner, in English; see SIM_TEXT. Empty if
+/// allEffects() has no description with the id of the effect.
 std::string purposeOf(const Effect &effect);
 
-/// The effects that were chosen for a built scene, in the order in which they act.
+/// The effects that a learner chose for a blueprint, in the order in which they act.
 struct ChosenEffects
 {
-    std::vector<EffectPtr>
-        beforeMove; ///< those that act before points are put right: forces, torques and drags
-    std::vector<EffectPtr> afterMove;
+    std::vector<EffectPtr> beforeMove; ///< forces, torques and drags
+    std::vector<EffectPtr> afterMove;  ///< all others, such as constraints and contacts
 };
 
-/// Makes those effects of `known` that `plan` lists. `values` has every setting of them.
-ChosenEffects chosenEffects(EffectList known, const Blueprint &plan, const Values &values);
+/// Creates the effects of `known` that `blueprint` lists. `values` has every parameter of these effects.
+ChosenEffects chosenEffects(EffectList known, const Blueprint &blueprint, const Values &values);
 
 }

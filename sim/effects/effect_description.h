@@ -7,30 +7,32 @@
 
 namespace sim {
 
-/// A variable of an effect's shown code.
+/// A variable in the source code that an effect shows.
 struct CodeVariable
 {
     const char *name;
     const char *unit;    ///< may be empty
-    const char *meaning; ///< one sentence
+    const char *meaning; ///< one sentence for a learner
 };
 
-/// An effect as data: what people read of it, and how the sandbox makes it. Texts are in English; see SIM_TEXT.
+/// The texts and parameters of an effect, and the function with which the sandbox creates it. Texts are in
+/// English; see SIM_TEXT.
 struct EffectDescription
 {
     const char *id; ///< in files: lower case with underscores
     const char *title;
     EffectKind kind;
-    const char *purpose;                            ///< one sentence for a learner: what it is there for
-    std::span<const ParameterSpec> parameters = {}; ///< the numbers of the whole scene that it reads
-    std::span<const ParameterSpec> pointProperties =
-        {}; ///< the numbers of each point that it reads; see BlueprintPoint::more
-    std::span<const CodeVariable> variables = {}; ///< of its shown code, where their names do not tell enough
-    /// Makes it for a scene that a learner built, where a learner can choose it there. `values` has each of `settings`.
+    const char *purpose;                            ///< one sentence for a learner
+    std::span<const ParameterSpec> parameters = {}; ///< one value each for the whole scene
+    /// One value each per point; see BlueprintPoint::properties.
+    std::span<const ParameterSpec> pointProperties = {};
+    std::span<const CodeVariable> variables = {}; ///< variables of the shown code that need an explanation
+    /// Creates the effect for a blueprint. `values` has a value for each of `parameters`. Null if a learner
+    /// cannot choose the effect in the sandbox.
     EffectPtr (*make)(const Blueprint &, const Values &) = nullptr;
 };
 
-/// An effect with the id, title and kind of its description.
+/// An effect that takes its id, title and kind from its description.
 template <class Base, const EffectDescription &description>
 class DescribedEffect : public Base
 {

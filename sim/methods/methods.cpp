@@ -37,11 +37,11 @@ MethodPtr findMethod(const std::string &id)
     return nullptr;
 }
 
-StepSize stepFor(const Method &method, StepSize own)
+StepSize stepFor(const Method &method, StepSize requested)
 {
     const bool adaptive = method.stepping() == Stepping::adaptive;
-    if (own.isAdaptive() == adaptive)
-        return own;
+    if (requested.isAdaptive() == adaptive)
+        return requested;
     return adaptive ? StepSize::withTolerance(defaultTolerance) : StepSize::ofLength(1.0);
 }
 

@@ -4,16 +4,17 @@
 
 namespace sim {
 
-/// Every method there is, in the order in which to offer them.
+/// Returns all methods, in the order in which the window lists them.
 std::vector<MethodPtr> allMethods();
 
-/// The method called `id`, or null.
+/// Returns the method with id `id`, or null.
 MethodPtr findMethod(const std::string &id);
 
-/// px a step: what an adaptive method gets where nobody says another tolerance. Far below what is seen, and cheap.
+/// px per step, the default tolerance of adaptive methods: far below what is visible, but cheap.
 constexpr double defaultTolerance = 1e-3;
 
-/// `own` where it goes with `method`; else what `method` gets where nobody says: h = 1, or defaultTolerance.
-StepSize stepFor(const Method &method, StepSize own);
+/// Returns `requested` if its kind (fixed or adaptive) is that of `method`. Else returns the default: h = 1,
+/// or defaultTolerance.
+StepSize stepFor(const Method &method, StepSize requested);
 
 }

@@ -17,7 +17,7 @@ int countOf(const std::vector<PointRange> &ranges)
     return count;
 }
 
-/// The c of each point of `runs`, added up over the drags that have one.
+/// Returns the damping rate of each point of `ranges`: the sum over all drags that have one.
 std::vector<double> ratesOf(const Scene &scene, const std::vector<PointRange> &ranges)
 {
     std::vector<double> rates(static_cast<std::size_t>(countOf(ranges)), 0.0);
@@ -32,12 +32,13 @@ std::vector<double> ratesOf(const Scene &scene, const std::vector<PointRange> &r
     return rates;
 }
 
-/// The one finite rate among the points that go on by themselves; 0 if there is none.
-std::optional<double> oneOf(const std::vector<double> &rates, const std::vector<char> &movingRanges)
+/// Returns the finite rate that all points with `movesByVelocity` share. See uniformRate().
+std::optional<double> uniformRateOf(const std::vector<double> &rates,
+                                    const std::vector<char> &movesByVelocity)
 {
     std::optional<double> found;
     for (std::size_t i = 0; i < rates.size(); ++i) {
-        if (!movingRanges[i] || std::isinf(rates[i]))
+        if (!movesByVelocity[i] || std::isinf(rates[i]))
             continue;
         if (found && *found != rates[i])
             return {};
@@ -46,15 +47,15 @@ std::optional<double> oneOf(const std::vector<double> &rates, const std::vector<
     return found.value_or(0.0);
 }
 
-/// The effects of a kind that work on points of `runs`.
+/// Returns the effects of a kind that act on points of `ranges`.
 template <class Type>
-std::vector<std::shared_ptr<const Type>> all(const Scene &scene, const std::vector<PointRange> &ranges)
+std::vector<std::shared_ptr<const Type>> effectsOn(const Scene &scene, const std::vector<PointRange> &ranges)
 {
     std::vector<std::shared_ptr<const Type>> found;
     for (const EffectPtr &effect : scene.effects) {
         const auto typed = sharedAs<Type>(effect);
-        const auto works = [&](PointRange range) { return typed->count(scene.start, range) > 0; };
-        if (typed && std::any_of(ranges.begin(), ranges.end(), works))
+        const auto acts = [&](PointRange range) { return typed->count(scene.start, range) > 0; };
+        if (typed && std::any_of(ranges.begin(), ranges.end(), acts))
             found.push_back(typed);
     }
     return found;
@@ -71,23 +72,24 @@ bool hasRates(const Drag &drag, const std::vector<PointRange> &ranges)
     return true;
 }
 
-/// As loops, which are quicker for a few numbers than a call of memcpy: see sim/CMakeLists.txt.
-void copy(const double *from, int count, double *into)
+/// Copies numbers in a loop, which is faster for a few numbers than a call of memcpy. See sim/CMakeLists.txt.
+void copy(const double *from, int count, double *to)
 {
     for (int i = 0; i < count; ++i)
-        into[i] = from[i];
+        to[i] = from[i];
 }
 
-/// The numbers of `run` in both columns, to and from rows of q that lie `apart`.
-void copy(const Eigen::ArrayX2d &columns, PointRange range, double *row, int apart)
+/// Copies the numbers of `range` in both columns to `row` in q and `distance` rows after it.
+void copy(const Eigen::ArrayX2d &columns, PointRange range, double *row, int distance)
 {
     copy(&columns(range.first, 0), range.count, row);
-    copy(&columns(range.first, 1), range.count, row + apart);
+    copy(&columns(range.first, 1), range.count, row + distance);
 }
-void copy(const double *row, int apart, Eigen::ArrayX2d &columns, PointRange range)
+/// Copies them back.
+void copy(const double *row, int distance, Eigen::ArrayX2d &columns, PointRange range)
 {
     copy(row, range.count, &columns(range.first, 0));
-    copy(row + apart, range.count, &columns(range.first, 1));
+    copy(row + distance, range.count, &columns(range.first, 1));
 }
 
 }
@@ -100,15 +102,15 @@ OdeSystem::OdeSystem(const Scene &scene, DirectionRule directionRule)
 OdeSystem::OdeSystem(const Scene &scene, DirectionRule directionRule, std::vector<PointRange> ranges)
     : m_directionRule(directionRule), m_ranges(std::move(ranges)), m_points(countOf(m_ranges)),
       m_spins(scene.start.spin.rows() > 0 ? m_points : 0), m_size(2 * m_points + m_spins),
-      m_forces(all<Force>(scene, m_ranges)), m_torques(all<Torque>(scene, m_ranges))
+      m_forces(effectsOn<Force>(scene, m_ranges)), m_torques(effectsOn<Torque>(scene, m_ranges))
 {
-    forEach([&](int point, int) {
-        m_inert.push_back(scene.movesByVelocity(point));
-        if (!m_inert.back())
-            m_idle.push_back(point);
+    forEachPoint([&](int point, int) {
+        m_movesByVelocity.push_back(scene.movesByVelocity(point));
+        if (!m_movesByVelocity.back())
+            m_prescribedPoints.push_back(point);
     });
     for (const auto &force : m_forces)
-        m_pulls.push_back(force->adderFor(m_ranges));
+        m_adders.push_back(force->adderFor(m_ranges));
     const std::vector<double> rates = ratesOf(scene, m_ranges);
     for (int row = 0; row < m_size; ++row) {
         const double rate = rates[static_cast<std::size_t>(row % m_points)];
@@ -116,12 +118,12 @@ OdeSystem::OdeSystem(const Scene &scene, DirectionRule directionRule, std::vecto
             m_rateRanges.push_back({row, 0, rate});
         ++m_rateRanges.back().count;
     }
-    m_oneRate = oneOf(rates, m_inert);
-    for (const auto &driver : all<Driver>(scene, {{0, scene.start.pointCount()}})) {
+    m_uniformRate = uniformRateOf(rates, m_movesByVelocity);
+    for (const auto &driver : effectsOn<Driver>(scene, {{0, scene.start.pointCount()}})) {
         if (driver->timing() == DriverTiming::continuous)
-            m_flowing.push_back(driver);
+            m_continuousDrivers.push_back(driver);
         else if (driver->timing() == DriverTiming::dependent)
-            m_following.push_back(driver);
+            m_dependentDrivers.push_back(driver);
     }
     listEffects(scene);
 }
@@ -165,7 +167,7 @@ int OdeSystem::pointAt(int row) const
 
 void OdeSystem::readState(const State &state, double *q, double *v) const
 {
-    forEachRun([&](PointRange range, int row) {
+    forEachRange([&](PointRange range, int row) {
         copy(state.position, range, q + row, m_points);
         copy(state.velocity, range, v + row, m_points);
         if (m_spins > 0) {
@@ -173,7 +175,7 @@ void OdeSystem::readState(const State &state, double *q, double *v) const
             copy(&state.spin[range.first], range.count, v + 2 * m_points + row);
         }
     });
-    forEach([&](int point, int row) {
+    forEachPoint([&](int point, int row) {
         if (movesByVelocity(state, point, row))
             return;
         v[row] = v[m_points + row] = 0.0;
@@ -184,7 +186,7 @@ void OdeSystem::readState(const State &state, double *q, double *v) const
 
 void OdeSystem::writePositions(const double *q, State &state) const
 {
-    forEachRun([&](PointRange range, int row) {
+    forEachRange([&](PointRange range, int row) {
         if (m_spins > 0) {
             copy(q + 2 * m_points + row, range.count, &state.angle[range.first]);
             return;
@@ -196,7 +198,7 @@ void OdeSystem::writePositions(const double *q, State &state) const
 
 void OdeSystem::writeVelocities(const double *v, State &state) const
 {
-    forEach([&](int point, int row) {
+    forEachPoint([&](int point, int row) {
         if (!movesByVelocity(state, point, row))
             return;
         state.velocity(point, 0) = v[row];
@@ -218,8 +220,8 @@ void OdeSystem::clear(State &state) const
 void OdeSystem::accelerations(State &state, double *a) const
 {
     clear(state);
-    for (const AccelerationAdder &pull : m_pulls)
-        pull(state, state.acceleration);
+    for (const AccelerationAdder &add : m_adders)
+        add(state, state.acceleration);
     for (const auto &torque : m_torques) {
         for (const PointRange &range : m_ranges)
             torque->add(state, range, 1.0, state.angularAcceleration);
@@ -232,12 +234,12 @@ void OdeSystem::forceAccelerations(const Force &force, State &state, double *a) 
     clear(state);
     for (const PointRange &range : m_ranges)
         force.add(state, range, 1.0, m_directionRule, state.acceleration);
-    take(state, a);
+    copyAccelerations(state, a);
 }
 
-void OdeSystem::take(const State &state, double *a) const
+void OdeSystem::copyAccelerations(const State &state, double *a) const
 {
-    forEachRun([&](PointRange range, int row) {
+    forEachRange([&](PointRange range, int row) {
         copy(state.acceleration, range, a + row, m_points);
         if (m_spins > 0)
             copy(&state.angularAcceleration[range.first], range.count, a + 2 * m_points + row);
@@ -246,35 +248,35 @@ void OdeSystem::take(const State &state, double *a) const
 
 void OdeSystem::readAccumulated(State &state, double *a) const
 {
-    for (const int idle : m_idle) {
-        state.acceleration.row(idle).setZero();
+    for (const int point : m_prescribedPoints) {
+        state.acceleration.row(point).setZero();
         if (m_spins > 0)
-            state.angularAcceleration[idle] = 0.0;
+            state.angularAcceleration[point] = 0.0;
     }
-    take(state, a);
+    copyAccelerations(state, a);
 }
 
 bool OdeSystem::jacobian(const State &state, Jacobian &jacobian) const
 {
-    bool known = true;
+    bool isComplete = true;
     for (const PointRange &range : m_ranges) {
         for (const auto &force : m_forces)
-            known = force->addJacobian(state, range, 1.0, m_directionRule, jacobian) && known;
+            isComplete = force->addJacobian(state, range, 1.0, m_directionRule, jacobian) && isComplete;
         for (const auto &torque : m_torques)
-            known = torque->addJacobian(state, range, 1.0, jacobian) && known;
+            isComplete = torque->addJacobian(state, range, 1.0, jacobian) && isComplete;
     }
-    return known;
+    return isComplete;
 }
 
 void OdeSystem::advanceDrivers(State &state, double h) const
 {
-    for (const auto &driver : m_flowing)
+    for (const auto &driver : m_continuousDrivers)
         driver->drive(state, h);
 }
 
 void OdeSystem::runDependentDrivers(State &state) const
 {
-    for (const auto &driver : m_following)
+    for (const auto &driver : m_dependentDrivers)
         driver->drive(state, 0.0);
 }
 

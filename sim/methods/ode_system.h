@@ -8,81 +8,87 @@
 
 namespace sim {
 
-/// A scene as a system of ordinary differential equations, q'' = a(q, t) - c q'. q is one row of numbers: x of each
-/// point, then y of each, then the angle of each that has a spin; velocities and accelerations go in the same
-/// order. What the scene does by jumps (contacts, constraints, drivers that act once a step) is not in it.
+/// A scene as a system of ordinary differential equations, q'' = a(q, t) - c q'. The vector q holds x of all
+/// points, then y of all points, then the angles if the points have spins. Velocities and accelerations have
+/// the same order. Units are px, degrees and frames. Effects that act by jumps (contacts, constraints,
+/// impulsive drivers) are not included.
 class OdeSystem
 {
 public:
+    /// Makes the system of the whole scene.
     OdeSystem(const Scene &scene, DirectionRule directionRule);
-    /// Of one island of the scene: q holds the numbers of the points of `runs`, which are in ascending order and have
-    /// among them all that any of their points is tied to. Drivers that flow or follow are the whole scene's.
+    /// Makes the system of one island: the points of `ranges`, in ascending order. No coupling joins them to
+    /// other points. Drivers still act on the whole scene.
     OdeSystem(const Scene &scene, DirectionRule directionRule, std::vector<PointRange> ranges);
 
-    /// Numbers in q: 2 a point, and 1 for each that has a spin.
+    /// Returns the length of q: 2 per point, or 3 if the points have spins.
     int size() const { return m_size; }
-    /// Points in q, and which they are.
+    /// Returns the number of points in q.
     int points() const { return m_points; }
     const std::vector<PointRange> &ranges() const { return m_ranges; }
-    /// The scene's number of the point in row `row` of q, below points().
+    /// Returns the index in the scene of the point with x in row `row` of q (0 to points() - 1).
     int pointAt(int row) const;
 
-    /// Rows of q with the same c, in 1/frame.
+    /// Neighbouring rows of q with the same damping rate c.
     struct RateRange
     {
         int first = 0;
         int count = 0;
-        double rate = 0.0;
+        double rate = 0.0; ///< 1/frame; infinite: damping stops the point at once
         int end() const { return first + count; }
     };
-    /// Together they are all rows, in order.
+    /// Returns the ranges of all rows, in order.
     const std::vector<RateRange> &rateRanges() const { return m_rateRanges; }
 
-    /// The rate at which everything that goes on by itself is slowed, but for what is stopped at once: 1/frame. Empty
-    /// where there are several.
-    std::optional<double> uniformRate() const { return m_oneRate; }
+    /// Returns the damping rate (1/frame) of all points that move by their velocities and that damping does
+    /// not stop at once. Returns 0 if there are none, and nothing if the rates differ.
+    std::optional<double> uniformRate() const { return m_uniformRate; }
 
-    /// Reads places and velocities. What does not go on by itself (a handle, what a hand holds) has velocity 0 here.
+    /// Reads positions and velocities. Handles, the dragged point and points with prescribed motion get
+    /// velocity 0.
     void readState(const State &state, double *q, double *v) const;
-    /// Puts places back.
+    /// Writes positions to `state` and runs the dependent drivers. If the points have spins, writes only the
+    /// angles: the positions follow from them.
     void writePositions(const double *q, State &state) const;
-    /// Puts velocities back, of what goes on by itself.
+    /// Writes the velocities of the points that move by them.
     void writeVelocities(const double *v, State &state) const;
-    /// a(q, t), without damping, where `state` is. Uses its scratch.
+    /// Computes a(q, t), without damping, at the positions of `state`. Overwrites its sums of accelerations.
     void accelerations(State &state, double *a) const;
-    /// The same of one force alone, also on points that do not go on by themselves.
+    /// Computes the accelerations by `force` alone, also of points with prescribed motion.
     void forceAccelerations(const Force &force, State &state, double *a) const;
-    /// What a method has gathered in State::acceleration and State::turning, as one row like a(q, t).
+    /// Reads a(q, t) from the sums in State::acceleration and State::angularAcceleration. Sets them to 0 for
+    /// points with prescribed motion.
     void readAccumulated(State &state, double *a) const;
-    /// The derivatives of a by q. False if a force of the scene has none.
+    /// Adds the derivatives of a by q to `jacobian`. Returns false if a force or torque has none.
     bool jacobian(const State &state, Jacobian &jacobian) const;
-    /// Whether anything goes by a clock: drivers that flow.
-    bool hasContinuousDrivers() const { return !m_flowing.empty(); }
-    /// Takes time on by `h` frames, without moving anything: the drivers that flow.
+    /// Returns whether a(q, t) depends on t, by continuous drivers.
+    bool hasContinuousDrivers() const { return !m_continuousDrivers.empty(); }
+    /// Runs the continuous drivers for `h` frames. No point moves by its velocity.
     void advanceDrivers(State &state, double h) const;
-    /// Gives `state` the scratch that accelerations() uses.
+    /// Gives `state` the arrays that accelerations() uses.
     void prepare(State &state) const;
 
-    /// The effects that are in the equations, in the scene's order.
+    /// Returns the effects in the equations, in the order of the scene.
     const std::vector<EffectPtr> &effects() const { return m_effects; }
-    /// The first effect that is not, or nothing: a contact, a constraint, a driver that acts once a step, or a drag
-    /// that has no rate. `contacts` says whether contacts count.
+    /// Whether firstDiscontinuity() accepts contacts.
     enum class Contacts { allowed, excluded };
+    /// Returns the first effect that the equations cannot include, or null: a constraint, an impulsive
+    /// driver, a drag without a rate, or, if `contacts` excludes them, a contact.
     static EffectPtr firstDiscontinuity(const Scene &scene, Contacts contacts);
 
 private:
     bool movesByVelocity(const State &state, int point, int row) const
     {
-        return state.isDynamic(point) && m_inert[static_cast<std::size_t>(row)];
+        return state.isDynamic(point) && m_movesByVelocity[static_cast<std::size_t>(row)];
     }
     void runDependentDrivers(State &state) const;
-    /// Sets to 0 what is gathered.
+    /// Sets the sums of accelerations to 0.
     void clear(State &state) const;
-    void take(const State &state, double *a) const;
+    void copyAccelerations(const State &state, double *a) const;
     void listEffects(const Scene &scene);
-    /// Calls `visit(point, row)` for each point of it.
+    /// Calls `visit(point, row)` for each point.
     template <class Visit>
-    void forEach(Visit &&visit) const
+    void forEachPoint(Visit &&visit) const
     {
         int row = 0;
         for (const PointRange &range : m_ranges) {
@@ -90,9 +96,9 @@ private:
                 visit(point, row++);
         }
     }
-    /// Calls `visit(run, row)` for each run, with the row of its first point.
+    /// Calls `visit(range, row)` for each range, with the row of its first point.
     template <class Visit>
-    void forEachRun(Visit &&visit) const
+    void forEachRange(Visit &&visit) const
     {
         int row = 0;
         for (const PointRange &range : m_ranges) {
@@ -106,16 +112,16 @@ private:
     int m_points = 0;
     int m_spins = 0;
     int m_size = 0;
-    std::vector<char> m_inert; ///< a row each
-    std::vector<int> m_idle;   ///< the numbers of the other points
+    std::vector<char> m_movesByVelocity; ///< per point in q, as Scene::movesByVelocity()
+    std::vector<int> m_prescribedPoints; ///< the points with prescribed motion
     std::vector<RateRange> m_rateRanges;
-    std::optional<double> m_oneRate;
+    std::optional<double> m_uniformRate;
     std::vector<EffectPtr> m_effects;
     std::vector<std::shared_ptr<const Force>> m_forces;
-    std::vector<AccelerationAdder> m_pulls; ///< of each force, on all points
+    std::vector<AccelerationAdder> m_adders; ///< one per force, for all points
     std::vector<std::shared_ptr<const Torque>> m_torques;
-    std::vector<std::shared_ptr<const Driver>> m_flowing;
-    std::vector<std::shared_ptr<const Driver>> m_following;
+    std::vector<std::shared_ptr<const Driver>> m_continuousDrivers;
+    std::vector<std::shared_ptr<const Driver>> m_dependentDrivers;
 };
 
 }

@@ -10,21 +10,23 @@ namespace sim {
 
 namespace {
 
-/// A kernel finds in the processor's cache what the one before it has left there: a point has 56 bytes in a State, and
-/// what effects know of it comes on top. In smaller blocks calls cost more than they save, and larger ones do not
-/// fit into every cache: see tests/bench/bench_blocks.cpp. Of creatures with five feet these are 256: their runs fill
-/// vectors and cache lines.
-constexpr int pointsInBlock = 1536;
-/// A run costs a call of each kernel.
-constexpr int shortestRun = 16;
+/// Points per block. A kernel should find in the cache what the previous kernel wrote: a point has 56 bytes
+/// in a State, plus the data of effects. In smaller blocks the calls cost more than the cache saves; larger
+/// blocks do not fit into every cache. Measured with tests/bench/bench_blocks.cpp. 1536 points are 256
+/// creatures with a body and five feet, so their ranges fill vectors and cache lines.
+constexpr int pointsPerBlock = 1536;
+/// Points. Each range of a block costs one call per kernel, so short ranges would make a step slower.
+constexpr int minMeanRangeLength = 16;
 
-/// The points of each block in ascending order, neighbours made one run.
-std::vector<std::vector<PointRange>> divided(const std::vector<std::vector<PointRange>> &islands, int full)
+/// Returns the points of each block: islands together until a block has `minPoints` points. Ranges are in
+/// ascending order, and neighbouring ranges are merged.
+std::vector<std::vector<PointRange>> groupIslands(const std::vector<std::vector<PointRange>> &islands,
+                                                  int minPoints)
 {
     std::vector<std::vector<PointRange>> blocks;
-    int filled = full;
+    int filled = minPoints;
     for (const std::vector<PointRange> &island : islands) {
-        if (filled >= full) {
+        if (filled >= minPoints) {
             blocks.emplace_back();
             filled = 0;
         }
@@ -38,19 +40,19 @@ std::vector<std::vector<PointRange>> divided(const std::vector<std::vector<Point
     return blocks;
 }
 
-/// Whether `phase` can be divided, and a part costs no more than its share. A constraint that ties goes through its
-/// whole list for each part, in the list's own order.
+/// Returns whether `phase` can be divided into blocks without extra cost. A constraint with couplings is not
+/// divided: it would go through its whole list for each block.
 bool isDivisible(const Phase &phase)
 {
-    std::vector<Coupling> ties;
+    std::vector<Coupling> couplings;
     if (as<Constraint>(phase.effect))
-        phase.effect->addCouplings(ties);
-    return phase.points.count > 0 && ties.empty() &&
+        phase.effect->addCouplings(couplings);
+    return phase.points.count > 0 && couplings.empty() &&
            std::all_of(phase.kernels.begin(), phase.kernels.end(),
                        [](const Kernel &kernel) { return kernel.prepareFor != nullptr; });
 }
 
-std::vector<PointRange> common(const std::vector<PointRange> &ranges, PointRange points)
+std::vector<PointRange> intersections(const std::vector<PointRange> &ranges, PointRange points)
 {
     std::vector<PointRange> parts;
     for (const PointRange &range : ranges) {
@@ -70,26 +72,27 @@ bool CacheBlock::contains(int point) const
 
 std::vector<CacheBlock> cacheBlocksOf(const Scene &scene, const std::vector<Phase> &phases)
 {
-    return cacheBlocksOf(scene, phases, {pointsInBlock, shortestRun});
+    return cacheBlocksOf(scene, phases, {pointsPerBlock, minMeanRangeLength});
 }
 
 std::vector<CacheBlock> cacheBlocksOf(const Scene &scene, const std::vector<Phase> &phases, BlockSize size)
 {
     if (scene.start.pointCount() <= size.points || !std::all_of(phases.begin(), phases.end(), isDivisible))
         return {};
-    const std::vector<std::vector<PointRange>> all = divided(islandsOf(scene), size.points);
-    std::size_t runs = 0;
-    for (const std::vector<PointRange> &block : all)
-        runs += block.size();
-    if (all.size() < 2 || scene.start.pointCount() < size.minRangeLength * static_cast<std::ptrdiff_t>(runs))
+    const std::vector<std::vector<PointRange>> blockRanges = groupIslands(islandsOf(scene), size.points);
+    std::size_t rangeCount = 0;
+    for (const std::vector<PointRange> &ranges : blockRanges)
+        rangeCount += ranges.size();
+    if (blockRanges.size() < 2 ||
+        scene.start.pointCount() < size.minRangeLength * static_cast<std::ptrdiff_t>(rangeCount))
         return {};
     std::vector<CacheBlock> blocks;
     const std::vector<StepKernel> kernels = fusedKernels(phases);
-    for (const std::vector<PointRange> &points : all) {
-        CacheBlock block{points, {}};
-        for (const StepKernel &one : kernels) {
-            if (const std::vector<PointRange> part = common(points, one.points); !part.empty())
-                block.work.push_back(one.kernel.prepareFor(part));
+    for (const std::vector<PointRange> &ranges : blockRanges) {
+        CacheBlock block{ranges, {}};
+        for (const StepKernel &step : kernels) {
+            if (const std::vector<PointRange> common = intersections(ranges, step.points); !common.empty())
+                block.work.push_back(step.kernel.prepareFor(common));
         }
         blocks.push_back(std::move(block));
     }

@@ -6,27 +6,28 @@
 
 namespace sim {
 
-/// What one step does to some islands, from its first kernel to its last. Blocks change nothing of each other, so they
-/// may run in any order, and at the same time.
+/// The kernels of one step for some islands. A cache block changes nothing that another one reads, so blocks
+/// can run in any order and at the same time.
 struct CacheBlock
 {
-    std::vector<PointRange> ranges; ///< its points, in ascending order
-    std::vector<PreparedKernel> work;
+    std::vector<PointRange> ranges;   ///< its points, in ascending order
+    std::vector<PreparedKernel> work; ///< in the order in which it runs
 
     bool contains(int point) const;
 };
 
-/// How a scene is divided into blocks.
+/// The parameters for dividing a scene into cache blocks.
 struct BlockSize
 {
-    int points = 0;         ///< islands are put together until a block has so many
-    int minRangeLength = 0; ///< where runs have fewer points on the average, there are no blocks
+    int points = 0;         ///< islands are added to a block until it has this many points
+    int minRangeLength = 0; ///< points; if the mean length of ranges is smaller, there are no blocks
 };
 
-/// The blocks of `phases`, one step of `scene`, in the size that pays. Empty where there is nothing to gain or where the
-/// step can not be taken apart: it has a kernel that cannot be divided, or all islands go into one block.
+/// Returns the cache blocks of `phases`, which are one step of `scene`, in the size that was fastest in
+/// benchmarks. Empty if blocks would not make the step faster, if a kernel cannot be divided, or if all
+/// islands fit into one block.
 std::vector<CacheBlock> cacheBlocksOf(const Scene &scene, const std::vector<Phase> &phases);
-/// The same in another size.
+/// Returns the cache blocks in the given size.
 std::vector<CacheBlock> cacheBlocksOf(const Scene &scene, const std::vector<Phase> &phases, BlockSize size);
 
 }

@@ -4,10 +4,10 @@ namespace sim {
 
 namespace {
 
-/// Adds a force to the accelerations gathered so far.
+/// Adds a force to the accelerations.
 // Shown lines are short.
 // clang-format off
-//! [gather]
+//! [sum_forces]
 void gather(
     const Force &force, State &state,
     PointRange movers, double)
@@ -16,13 +16,13 @@ void gather(
         DirectionRule::regularised,
         state.acceleration);
 }
-//! [gather]
+//! [sum_forces]
 // clang-format on
 
-/// Adds a torque to the angular accelerations gathered so far.
+/// Adds a torque to the angular accelerations.
 // Shown lines are short.
 // clang-format off
-//! [gather_torque]
+//! [sum_torques]
 void gatherTorque(
     const Torque &torque, State &state,
     PointRange movers, double)
@@ -30,7 +30,7 @@ void gatherTorque(
     torque.add(state, movers, 1.0,
         state.angularAcceleration);
 }
-//! [gather_torque]
+//! [sum_torques]
 // clang-format on
 
 }
@@ -39,8 +39,8 @@ ForceAccumulation accelerationAccumulation()
 {
     return {gather,
             gatherTorque,
-            {"sim/pipeline/force_accumulation.cpp", "gather"},
-            {"sim/pipeline/force_accumulation.cpp", "gather_torque"},
+            {"sim/pipeline/force_accumulation.cpp", "sum_forces"},
+            {"sim/pipeline/force_accumulation.cpp", "sum_torques"},
             AccumulationTarget::acceleration};
 }
 

@@ -11,51 +11,52 @@ namespace sim {
 
 namespace {
 
-/// The numbers of a fused kernel. What is missing has the number that changes no bit: a + -0.0 is a, and 1.0 * v is v.
+/// The numbers of a fused kernel. The defaults of gravity and damping change no bit (a + -0.0, 1.0 * v).
 struct FusedMotion
 {
-    double fall = -0.0; ///< px/frame^2
-    double kick = 0.0;  ///< frames
-    double keep = 1.0;
-    double move = 0.0; ///< frames
+    double gravity = -0.0;      ///< px/frame^2
+    double kick = 0.0;          ///< frames
+    double dampingFactor = 1.0; ///< fraction of the velocity that remains
+    double move = 0.0;          ///< frames
 };
 
 void moveAll(const FusedMotion &motion, State &state, PointRange range)
 {
     const XyColumns position(state.position), velocity(state.velocity), acceleration(state.acceleration);
     forEachPoint(state.inverseMass.data(), range,
-                 [motion, x = position, v = velocity, a = acceleration](int i, bool feels) {
-                     const Vec2 pull = {a.x[i], a.y[i] + motion.fall};
-                     const Vec2 speed = damp(kick(v.at(i), pull, motion.kick), motion.keep);
-                     const Vec2 place = move(x.at(i), speed, motion.move);
-                     a.y[i] = feels ? pull.y : a.y[i];
-                     v.x[i] = feels ? speed.x : v.x[i];
-                     v.y[i] = feels ? speed.y : v.y[i];
-                     x.x[i] = feels ? place.x : x.x[i];
-                     x.y[i] = feels ? place.y : x.y[i];
+                 [motion, x = position, v = velocity, a = acceleration](int i, bool isDynamic) {
+                     const Vec2 newA = {a.x[i], a.y[i] + motion.gravity};
+                     const Vec2 newV = damp(kick(v.at(i), newA, motion.kick), motion.dampingFactor);
+                     const Vec2 newX = move(x.at(i), newV, motion.move);
+                     a.y[i] = isDynamic ? newA.y : a.y[i];
+                     v.x[i] = isDynamic ? newV.x : v.x[i];
+                     v.y[i] = isDynamic ? newV.y : v.y[i];
+                     x.x[i] = isDynamic ? newX.x : x.x[i];
+                     x.y[i] = isDynamic ? newX.y : x.y[i];
                  });
 }
 
-/// How many of the kernels from `first` on are such a motion, its numbers and its points. 0: none.
-std::size_t motionAt(const std::vector<StepKernel> &all, std::size_t first, FusedMotion &motion,
-                     PointRange &points)
+/// Returns how many kernels from index `first` on can be fused; 0 if none. Sets `motion` to their numbers and
+/// `points` to their points.
+std::size_t fusibleKernels(const std::vector<StepKernel> &kernels, std::size_t first, FusedMotion &motion,
+                           PointRange &points)
 {
-    using Does = PointOperation::Kind;
+    using Kind = PointOperation::Kind;
     std::size_t next = first;
-    const auto take = [&](Does does) -> std::optional<double> {
-        const std::optional<PointOperation> step =
-            next < all.size() ? all[next].kernel.operation : std::nullopt;
-        if (!step || step->kind != does || (next > first && step->points != points))
+    const auto takeNext = [&](Kind kind) -> std::optional<double> {
+        const std::optional<PointOperation> operation =
+            next < kernels.size() ? kernels[next].kernel.operation : std::nullopt;
+        if (!operation || operation->kind != kind || (next > first && operation->points != points))
             return {};
-        points = step->points;
+        points = operation->points;
         ++next;
-        return step->amount;
+        return operation->amount;
     };
     motion = {};
-    motion.fall = take(Does::addGravity).value_or(motion.fall);
-    const std::optional<double> kick = take(Does::kick);
-    motion.keep = take(Does::damp).value_or(motion.keep);
-    const std::optional<double> move = take(Does::move);
+    motion.gravity = takeNext(Kind::addGravity).value_or(motion.gravity);
+    const std::optional<double> kick = takeNext(Kind::kick);
+    motion.dampingFactor = takeNext(Kind::damp).value_or(motion.dampingFactor);
+    const std::optional<double> move = takeNext(Kind::move);
     if (!kick || !move)
         return 0;
     motion.kick = *kick;
@@ -67,7 +68,7 @@ std::size_t motionAt(const std::vector<StepKernel> &all, std::size_t first, Fuse
 
 std::vector<StepKernel> fusedKernels(const std::vector<Phase> &phases)
 {
-    std::vector<StepKernel> all, fewer;
+    std::vector<StepKernel> all, fused;
     for (const Phase &phase : phases) {
         for (const Kernel &kernel : phase.kernels)
             all.push_back({phase.points, kernel});
@@ -75,17 +76,17 @@ std::vector<StepKernel> fusedKernels(const std::vector<Phase> &phases)
     for (std::size_t i = 0; i < all.size();) {
         FusedMotion motion;
         PointRange points;
-        const std::size_t count = motionAt(all, i, motion, points);
+        const std::size_t count = fusibleKernels(all, i, motion, points);
         if (count == 0) {
-            fewer.push_back(std::move(all[i++]));
+            fused.push_back(std::move(all[i++]));
             continue;
         }
-        fewer.push_back({points, kernelOf(points, [motion](State &state, PointRange range) {
+        fused.push_back({points, kernelOf(points, [motion](State &state, PointRange range) {
                              moveAll(motion, state, range);
                          })});
         i += count;
     }
-    return fewer;
+    return fused;
 }
 
 }

@@ -6,16 +6,16 @@
 
 namespace sim {
 
-/// The kernels of a step, with the points that each works on.
+/// A kernel of a step and the points that it works on.
 struct StepKernel
 {
     PointRange points;
     Kernel kernel;
 };
 
-/// The kernels of `phases` in order. Those that do the same to each of their points and follow each other as gravity, kick,
-/// damping and move do (gravity and damping may be missing) become one, which goes through memory once and leaves the
-/// same bits. It is for steps that nobody looks into.
+/// Returns the kernels of `phases` in order. Each sequence of gravity, kick, damping and move on the same
+/// points becomes one kernel; gravity and damping may be missing. The fused kernel passes through memory once
+/// instead of four times and gives the same bits. It serves steps that run without stopping between phases.
 std::vector<StepKernel> fusedKernels(const std::vector<Phase> &phases);
 
 }

@@ -12,71 +12,74 @@
 
 namespace sim {
 
-/// Work on some of a scene's points: found out once, done again each step.
+/// The work of a kernel on certain points: prepared once, run in each step.
 using PreparedKernel = std::function<void(State &)>;
 
-/// The same simple work for each point that feels forces, as a value.
+/// A simple kernel as a value: it applies one formula to each dynamic point.
 struct PointOperation
 {
     enum class Kind {
-        addGravity, ///< a.y = a.y + by, px/frame^2
-        kick,       ///< kick() for `by` frames
-        damp,       ///< damp(): `by` is the share of its velocity that a point keeps
-        move,       ///< move() for `by` frames
+        addGravity, ///< a.y = a.y + amount, px/frame^2
+        kick,       ///< kick() for `amount` frames
+        damp,       ///< damp() with the damping factor `amount`
+        move,       ///< move() for `amount` frames
     };
     Kind kind = Kind::move;
     double amount = 0.0;
-    PointRange points; ///< all that can feel forces, and that it works on, are among these
+    PointRange points; ///< contains every dynamic point that it changes
 };
 
-/// What runs in a phase: a piece of work that is the same for all of its points.
+/// The work of a phase on its points.
 struct Kernel
 {
-    /// The work on all of them.
+    /// Does the work on all points of the phase.
     std::function<void(State &)> run;
-    /// Only where it works point by point, or on ties of effects that see what is tied: the same work on the points of
-    /// some runs, which are in ascending order. DoubleDouble that no tie leads out of come, in any order, to what `run` does.
+    /// Prepares the same work on the points of `ranges`, which are in ascending order. If the ranges of
+    /// several calls are unions of islands and cover all points, running them in any order has the same
+    /// result as `run`. Null if the work cannot be divided.
     std::function<PreparedKernel(const std::vector<PointRange> &ranges)> prepareFor;
-    /// Where it is no more than this; see fusedKernels().
+    /// The same work as a value if it is simple enough, else empty. See fusedKernels().
     std::optional<PointOperation> operation = {};
 };
 
-/// What a learner sees of a phase.
+/// The description of a phase for the window.
 struct PhaseInfo
 {
-    std::string id;    ///< the effect's id, or the method's own: "kick", "move"
+    std::string id;    ///< the effect's id, or "kick", "move"... for a phase of the method
     std::string title; ///< in English; see SIM_TEXT
     EffectKind kind = EffectKind::motion;
-    EffectPtr effect;                    ///< whose work it is; null for the method's own
-    std::vector<EffectPtr> innerEffects; ///< the effects that a phase of the method's own computes on its way
-    PointRange points;                   ///< what it works on
-    int group = -1;                      ///< which of the scene's groups; -1: all at once
-    std::vector<Region> regions;         ///< its source, in the order in which it runs
-    bool consumesAcceleration = false;   ///< whether the gathered accelerations are spent after it
-    double kickFrames = 0.0; ///< frames for which it lets gathered accelerations act on velocities
-    bool integrates = false; ///< whether it is part of a step that forces and damping act in all along
-    /// The numbers behind what the phase did to `point`, given the states around it.
+    EffectPtr effect;                    ///< the effect that it computes; null for a phase of the method
+    std::vector<EffectPtr> innerEffects; ///< the effects that a phase of the method evaluates
+    PointRange points;                   ///< the points that it works on
+    int group = -1;                      ///< index of its group in Scene::groups; -1: all groups at once
+    std::vector<Region> regions;         ///< its source code, in the order in which it runs
+    bool consumesAcceleration = false;   ///< whether later phases ignore the accelerations summed so far
+    double kickFrames = 0.0;             ///< frames for which it applies the accelerations to velocities
+    bool integrates = false;             ///< whether forces and damping act continuously during it
+    /// Returns the numbers behind the change of `point`, from the states before and after the phase.
     std::function<std::vector<LiveValue>(const State &before, const State &after, int point)> explain;
 };
 
-/// One part of a step: the smallest stretch of time that a learner can stop after.
+/// The smallest part of a step that a learner can stop after.
 struct Phase : PhaseInfo
 {
-    /// In the order in which they run. The last one is what is shown; those before it are the method's own preparation:
-    /// sums that begin at nothing, places that are kept. To run one of those once more changes nothing.
+    /// In the order in which they run. The last one does the work that the learner sees. The ones before it
+    /// prepare it, for example set sums to 0 or save positions. Running the preparation twice changes
+    /// nothing.
     std::vector<Kernel> kernels;
-    /// Only where it may take long: does the same as the kernels, and leaves off when nobody waits any more. Returns
-    /// whether it is done; if not, the state is good for nothing.
+    /// Does the same as the kernels, but can be cancelled. Returns whether it finished; if not, the state is
+    /// invalid. Null for phases that are always fast.
     std::function<bool(State &, const ShouldContinue &)> runInterruptible;
-    /// Where it takes steps of its own: runs it, and tells each smooth part of the way. Else null.
-    std::function<void(State &, const SegmentVisitor &)> runBySegments;
+    /// Does the same as the kernels and reports each dense segment. Null for methods that are not adaptive.
+    std::function<void(State &, const SegmentVisitor &)> runWithDenseOutput;
 
+    /// Runs all kernels.
     void run(State &state) const
     {
         for (const Kernel &kernel : kernels)
             kernel.run(state);
     }
-    /// Runs the method's preparation alone.
+    /// Runs only the kernels that prepare the last one.
     void prepare(State &state) const
     {
         for (std::size_t i = 0; i + 1 < kernels.size(); ++i)
@@ -84,50 +87,50 @@ struct Phase : PhaseInfo
     }
 };
 
-/// Whether a method's steps have a length or a tolerance.
+/// How the length of a method's steps is determined.
 enum class Stepping {
-    fixed,    ///< all have length h
-    adaptive, ///< it chooses each so that its error stays within a tolerance
+    fixed,    ///< all steps have length h
+    adaptive, ///< the method chooses each length so that the error stays within a tolerance
 };
+/// Whether a method preserves phase-space volume without damping, so that the energy error stays bounded.
 enum class Symplectic { no, yes };
 
-/// What bounds the length of a method's steps, where a scene only swings.
+/// The stability limit for the step length of a method, in a scene that only oscillates.
 enum class StepLimit {
-    stiffness, ///< past a length that the stiffest spring decides, what should swing grows without end
-    none,      ///< nothing: it stays bounded at any length and stiffness
-    tolerance, ///< it keeps its steps short enough itself, by the error that they make
+    stiffness, ///< the stiffest spring sets a length; with longer steps oscillations grow without bound
+    none,      ///< stable at any step length and stiffness
+    tolerance, ///< the error control keeps the steps short enough
 };
 
-/// A time-stepping method: how a State gets from one step to the next. Knows no effect by name.
+/// A time-stepping method: it advances a State by one step. It knows no concrete effect, only roles.
 class Method
 {
 public:
     virtual ~Method() = default;
-    /// Names the method in files.
+    /// Returns the name of the method in files.
     virtual std::string id() const = 0;
-    /// In English; see SIM_TEXT.
+    /// Returns the name that a learner sees, in English; see SIM_TEXT.
     virtual std::string title() const = 0;
-    /// How the error shrinks with the step: as h^order; for an adaptive method, with its own steps.
+    /// Returns the order: the error is proportional to h^order. For adaptive methods, h is the length of each
+    /// step.
     virtual int order() const = 0;
-    /// Whether it keeps phase-space volume where nothing damps, so that energy stays bounded for ever.
     virtual Symplectic symplectic() const { return Symplectic::no; }
-    /// Whether steps have a length, or a tolerance.
     virtual Stepping stepping() const { return Stepping::fixed; }
-    /// What bounds the length of its steps.
     virtual StepLimit stepLimit() const { return StepLimit::stiffness; }
-    /// How often a step computes all forces; 0: as often as it takes, counted in State::evaluations.
+    /// Returns how many times a step computes all forces. 0: the number varies, see
+    /// State::forceEvaluations().
     virtual int evaluationsPerStep() const { return 1; }
-    /// What a scene must offer, as ids: "groups" (an update order), "smooth" (a continuous limit: no constraints, no
-    /// jumps), "one_damping" (the same for all that moves), "slopes" (forces that know their derivatives). Empty:
-    /// nothing beyond forces.
+    /// Returns what a scene must have, as ids: "groups" (an update order), "smooth" (no constraints and no
+    /// jumps, so the motion has a limit for small steps), "one_damping" (one damping rate for everything that
+    /// moves), "jacobian" (forces that know their Jacobian). Empty: no requirements.
     virtual std::vector<std::string> requirements() const = 0;
-    /// How this method's effects find directions.
+    /// Returns how the effects compute directions under this method.
     virtual DirectionRule directionRule() const = 0;
-    /// Where the order of the phases is written down.
+    /// Returns the source code that puts the phases in order.
     virtual Region region() const = 0;
-    /// Gives `state` the scratch that the phases use.
+    /// Allocates the arrays of `state` that the phases use.
     virtual void prepareState(State &state) const = 0;
-    /// The phases of one step. What the scene does not list makes no phase.
+    /// Returns the phases of one step. An effect that the scene does not have gets no phase.
     /// @throws Error "method-does-not-fit" (method, effect) for an effect that the method cannot handle
     virtual std::vector<Phase> phases(const Scene &scene, StepSize step) const = 0;
 };

@@ -8,9 +8,9 @@ namespace sim {
 
 namespace {
 
-const char *const here = "sim/pipeline/phase_builder.h";
+const char *const sourceFile = "sim/pipeline/phase_builder.h";
 
-bool runsInOrder(const EffectPtr &effect)
+bool isNoDriver(const EffectPtr &effect)
 {
     return !as<Driver>(effect);
 }
@@ -29,33 +29,33 @@ PhasePoints PhaseBuilder::allPoints() const
 
 std::vector<PhasePoints> PhaseBuilder::groups() const
 {
-    std::vector<PhasePoints> shares;
+    std::vector<PhasePoints> selections;
     for (const Group &group : m_scene.groups)
-        shares.push_back({group.points, static_cast<int>(shares.size())});
-    return shares;
+        selections.push_back({group.points, static_cast<int>(selections.size())});
+    return selections;
 }
 
-Phase PhaseBuilder::phaseOf(const EffectPtr &effect, const PhasePoints &share) const
+Phase PhaseBuilder::phaseOf(const EffectPtr &effect, const PhasePoints &selection) const
 {
     Phase phase;
     phase.id = effect->id();
     phase.title = effect->title();
     phase.kind = effect->kind();
     phase.effect = effect;
-    phase.points = share.points;
-    phase.group = share.group;
+    phase.points = selection.points;
+    phase.group = selection.group;
     phase.regions = effect->regions(m_directionRule);
     return phase;
 }
 
-Phase PhaseBuilder::ownPhase(const char *id, const char *title, const PhasePoints &share) const
+Phase PhaseBuilder::methodPhase(const char *id, const char *title, const PhasePoints &selection) const
 {
     Phase phase;
     phase.id = id;
     phase.title = title;
-    phase.points = share.points;
-    phase.group = share.group;
-    phase.regions = {{here, id}};
+    phase.points = selection.points;
+    phase.group = selection.group;
+    phase.regions = {{sourceFile, id}};
     return phase;
 }
 
@@ -67,28 +67,26 @@ std::vector<PointRange> PhaseBuilder::movingRanges(PointRange points) const
         const int end = std::min(points.end(), group.points.end());
         if (group.motion == Motion::prescribed || first >= end)
             continue;
-        const auto free = m_scene.start.inverseMass.segment(first, end - first) != 0.0;
-        if (!free.any())
-            continue;
-        ranges.push_back({first, end - first});
+        if ((m_scene.start.inverseMass.segment(first, end - first) != 0.0).any())
+            ranges.push_back({first, end - first});
     }
     return sortedRanges(std::move(ranges));
 }
 
 PointRange PhaseBuilder::trimToDynamic(PointRange points) const
 {
-    const auto feels = [&](int point) { return m_scene.start.isDynamic(point); };
-    while (points.count > 0 && !feels(points.end() - 1))
+    const auto isDynamic = [&](int point) { return m_scene.start.isDynamic(point); };
+    while (points.count > 0 && !isDynamic(points.end() - 1))
         --points.count;
-    while (points.count > 0 && !feels(points.first))
+    while (points.count > 0 && !isDynamic(points.first))
         points = {points.first + 1, points.count - 1};
     return points;
 }
 
-bool PhaseBuilder::hasConstraint(const PhasePoints &share) const
+bool PhaseBuilder::hasConstraint(const PhasePoints &selection) const
 {
     bool any = false;
-    forEach<Constraint>(share, [&](const auto &) { any = true; });
+    forEach<Constraint>(selection, [&](const auto &) { any = true; });
     return any;
 }
 
@@ -104,9 +102,9 @@ void PhaseBuilder::driver(const std::shared_ptr<const Driver> &driver, double h)
     m_phases.push_back(std::move(phase));
 }
 
-std::size_t PhaseBuilder::leading() const
+std::size_t PhaseBuilder::leadingDriverCount() const
 {
-    const auto end = std::find_if(m_scene.effects.begin(), m_scene.effects.end(), runsInOrder);
+    const auto end = std::find_if(m_scene.effects.begin(), m_scene.effects.end(), isNoDriver);
     return static_cast<std::size_t>(end - m_scene.effects.begin());
 }
 
@@ -114,47 +112,48 @@ template <class Accept>
 void PhaseBuilder::drivers(std::size_t first, std::size_t end, double h, Accept &&accept)
 {
     for (std::size_t i = first; i < end; ++i) {
-        const auto one = sharedAs<Driver>(m_scene.effects[i]);
-        if (one && accept(one->timing()))
-            driver(one, h);
+        const auto found = sharedAs<Driver>(m_scene.effects[i]);
+        if (found && accept(found->timing()))
+            driver(found, h);
     }
 }
 
 void PhaseBuilder::leadingDrivers()
 {
-    drivers(0, leading(), m_h, [](DriverTiming) { return true; });
+    drivers(0, leadingDriverCount(), m_h, [](DriverTiming) { return true; });
 }
 
 void PhaseBuilder::trailingDrivers()
 {
-    drivers(leading(), m_scene.effects.size(), m_h, [](DriverTiming) { return true; });
+    drivers(leadingDriverCount(), m_scene.effects.size(), m_h, [](DriverTiming) { return true; });
 }
 
 void PhaseBuilder::leadingImpulses()
 {
-    drivers(0, leading(), m_h, [](DriverTiming pace) { return pace == DriverTiming::impulsive; });
+    drivers(0, leadingDriverCount(), m_h,
+            [](DriverTiming timing) { return timing == DriverTiming::impulsive; });
 }
 
 void PhaseBuilder::trailingImpulses()
 {
-    drivers(leading(), m_scene.effects.size(), m_h,
-            [](DriverTiming pace) { return pace == DriverTiming::impulsive; });
+    drivers(leadingDriverCount(), m_scene.effects.size(), m_h,
+            [](DriverTiming timing) { return timing == DriverTiming::impulsive; });
 }
 
-void PhaseBuilder::continuousDrivers(double part)
+void PhaseBuilder::continuousDrivers(double fraction)
 {
-    drivers(0, m_scene.effects.size(), part * m_h,
-            [](DriverTiming pace) { return pace == DriverTiming::continuous; });
-    drivers(0, m_scene.effects.size(), part * m_h,
-            [](DriverTiming pace) { return pace == DriverTiming::dependent; });
+    drivers(0, m_scene.effects.size(), fraction * m_h,
+            [](DriverTiming timing) { return timing == DriverTiming::continuous; });
+    drivers(0, m_scene.effects.size(), fraction * m_h,
+            [](DriverTiming timing) { return timing == DriverTiming::dependent; });
 }
 
-void PhaseBuilder::force(const std::shared_ptr<const Force> &force, const PhasePoints &share,
+void PhaseBuilder::force(const std::shared_ptr<const Force> &force, const PhasePoints &selection,
                          const ForceAccumulation &accumulation)
 {
-    Phase phase = phaseOf(force, share);
+    Phase phase = phaseOf(force, selection);
     phase.regions.push_back(accumulation.forceRegion);
-    setWork(phase, [force, add = accumulation.force, h = m_h](State &state, PointRange points) {
+    appendKernel(phase, [force, add = accumulation.force, h = m_h](State &state, PointRange points) {
         add(*force, state, points, h);
     });
     if (Kernel &kernel = phase.kernels.back();
@@ -162,12 +161,13 @@ void PhaseBuilder::force(const std::shared_ptr<const Force> &force, const PhaseP
         kernel.prepareFor = [force](const std::vector<PointRange> &ranges) {
             return [add = force->adderFor(ranges), force](State &state) { add(state, state.acceleration); };
         };
-    if (const std::optional<double> fall = force->uniformGravity();
-        fall && accumulation.target == AccumulationTarget::acceleration)
-        phase.kernels.back().operation = {PointOperation::Kind::addGravity, *fall,
-                                          trimToDynamic(share.points)};
-    phase.explain = [force, way = m_directionRule](const State &before, const State &after, int point) {
-        std::vector<LiveValue> live = force->explain(before, point, way);
+    if (const std::optional<double> gravity = force->uniformGravity();
+        gravity && accumulation.target == AccumulationTarget::acceleration)
+        phase.kernels.back().operation = {PointOperation::Kind::addGravity, *gravity,
+                                          trimToDynamic(selection.points)};
+    phase.explain = [force, directionRule = m_directionRule](const State &before, const State &after,
+                                                             int point) {
+        std::vector<LiveValue> live = force->explain(before, point, directionRule);
         if (!live.empty() && before.velocityOf(point) != after.velocityOf(point))
             live.push_back({"velocity", after.velocityOf(point), before.velocityOf(point)});
         return live;
@@ -175,12 +175,12 @@ void PhaseBuilder::force(const std::shared_ptr<const Force> &force, const PhaseP
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::torque(const std::shared_ptr<const Torque> &torque, const PhasePoints &share,
+void PhaseBuilder::torque(const std::shared_ptr<const Torque> &torque, const PhasePoints &selection,
                           const ForceAccumulation &accumulation)
 {
-    Phase phase = phaseOf(torque, share);
+    Phase phase = phaseOf(torque, selection);
     phase.regions.push_back(accumulation.torqueRegion);
-    setWork(phase, [torque, add = accumulation.torque, h = m_h](State &state, PointRange points) {
+    appendKernel(phase, [torque, add = accumulation.torque, h = m_h](State &state, PointRange points) {
         add(*torque, state, points, h);
     });
     phase.explain = [torque](const State &before, const State &after, int point) {
@@ -192,71 +192,74 @@ void PhaseBuilder::torque(const std::shared_ptr<const Torque> &torque, const Pha
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::drag(const std::shared_ptr<const Drag> &drag, const PhasePoints &share, double part)
+void PhaseBuilder::drag(const std::shared_ptr<const Drag> &drag, const PhasePoints &selection,
+                        double fraction)
 {
-    Phase phase = phaseOf(drag, share);
-    const double h = part * m_h;
-    setWork(phase, [drag, h](State &state, PointRange points) { drag->apply(state, points, h); });
-    if (const std::optional<double> keep = drag->velocityFactor(share.points, h); keep && !spins())
-        phase.kernels.back().operation = {PointOperation::Kind::damp, *keep, trimToDynamic(share.points)};
+    Phase phase = phaseOf(drag, selection);
+    const double h = fraction * m_h;
+    appendKernel(phase, [drag, h](State &state, PointRange points) { drag->apply(state, points, h); });
+    if (const std::optional<double> factor = drag->velocityFactor(selection.points, h); factor && !hasSpin())
+        phase.kernels.back().operation = {PointOperation::Kind::damp, *factor,
+                                          trimToDynamic(selection.points)};
     phase.explain = [drag, h](const State &before, const State &after, int point) {
         return drag->explain(before, after, point, h);
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::forces(const PhasePoints &share, const ForceAccumulation &accumulation)
+void PhaseBuilder::forces(const PhasePoints &selection, const ForceAccumulation &accumulation)
 {
-    forEach<Force>(share, [&](const auto &one) { force(one, share, accumulation); });
-    forEach<Torque>(share, [&](const auto &one) { torque(one, share, accumulation); });
+    forEach<Force>(selection, [&](const auto &found) { force(found, selection, accumulation); });
+    forEach<Torque>(selection, [&](const auto &found) { torque(found, selection, accumulation); });
 }
 
-void PhaseBuilder::accumulateForces(const PhasePoints &share)
+void PhaseBuilder::accumulateForces(const PhasePoints &selection)
 {
     const std::size_t before = m_phases.size();
-    forces(share, accelerationAccumulation());
+    forces(selection, accelerationAccumulation());
     if (m_phases.size() == before)
         return;
-    // Nothing is gathered yet from where the step begins, or from where the last trial place was left.
-    Phase &first = m_phases[m_gathers ? before : 0];
-    m_gathers = true;
-    setWorkBefore(first, [](State &state, PointRange points) {
+    // Sums start from 0 in the first phase of the step, and again in the first phase of each further
+    // accumulation.
+    Phase &first = m_phases[m_accumulates ? before : 0];
+    m_accumulates = true;
+    prependKernel(first, [](State &state, PointRange points) {
         setZero(state.acceleration, points);
         if (state.angularAcceleration.rows() > 0)
             state.angularAcceleration.segment(points.first, points.count).setZero();
     });
 }
 
-void PhaseBuilder::damping(const PhasePoints &share, double part)
+void PhaseBuilder::damping(const PhasePoints &selection, double fraction)
 {
-    forEach<Drag>(share, [&](const auto &one) { drag(one, share, part); });
+    forEach<Drag>(selection, [&](const auto &found) { drag(found, selection, fraction); });
 }
 
-void PhaseBuilder::dampingWithoutRate(const PhasePoints &share)
+void PhaseBuilder::dampingWithoutRate(const PhasePoints &selection)
 {
-    forEach<Drag>(share, [&](const auto &one) {
-        if (!one->dampingRate(share.points.first))
-            drag(one, share, 1.0);
+    forEach<Drag>(selection, [&](const auto &found) {
+        if (!found->dampingRate(selection.points.first))
+            drag(found, selection, 1.0);
     });
 }
 
-void PhaseBuilder::inSceneOrder(const PhasePoints &share, const ForceAccumulation &accumulation)
+void PhaseBuilder::effectsInSceneOrder(const PhasePoints &selection, const ForceAccumulation &accumulation)
 {
     for (const EffectPtr &effect : m_scene.effects) {
-        if (effect->count(m_scene.start, share.points) == 0)
+        if (effect->count(m_scene.start, selection.points) == 0)
             continue;
         if (const auto asForce = sharedAs<Force>(effect))
-            force(asForce, share, accumulation);
+            force(asForce, selection, accumulation);
         else if (const auto asTorque = sharedAs<Torque>(effect))
-            torque(asTorque, share, accumulation);
+            torque(asTorque, selection, accumulation);
         else if (const auto asDrag = sharedAs<Drag>(effect))
-            drag(asDrag, share, 1.0);
+            drag(asDrag, selection, 1.0);
     }
 }
 
-std::function<void(State &, PointRange)> PhaseBuilder::savePrevious(const PhasePoints &share) const
+std::function<void(State &, PointRange)> PhaseBuilder::savePrevious(const PhasePoints &selection) const
 {
-    if (!hasConstraint(share))
+    if (!hasConstraint(selection))
         return nullptr;
     return [](State &state, PointRange points) {
         if (state.previous.rows() != state.pointCount())
@@ -266,12 +269,12 @@ std::function<void(State &, PointRange)> PhaseBuilder::savePrevious(const PhaseP
     };
 }
 
-void PhaseBuilder::rewindPrevious(const PhasePoints &share)
+void PhaseBuilder::rewindPrevious(const PhasePoints &selection)
 {
-    if (!hasConstraint(share))
+    if (!hasConstraint(selection))
         return;
-    m_keepBefore = m_phases.size();
-    m_keep = [h = m_h](State &state, PointRange points) {
+    m_rewindPhase = m_phases.size();
+    m_rewind = [h = m_h](State &state, PointRange points) {
         if (state.previous.rows() != state.pointCount())
             state.previous = state.position;
         state.previous.middleRows(points.first, points.count) =
@@ -282,17 +285,17 @@ void PhaseBuilder::rewindPrevious(const PhasePoints &share)
 
 std::vector<Phase> PhaseBuilder::take()
 {
-    if (m_keep && m_keepBefore < m_phases.size())
-        setWorkBefore(m_phases[m_keepBefore], m_keep);
+    if (m_rewind && m_rewindPhase < m_phases.size())
+        prependKernel(m_phases[m_rewindPhase], m_rewind);
     return std::move(m_phases);
 }
 
 namespace {
 
-/// Returns the title of a phase: `whole` if it takes the whole step, else `halved`.
-const char *half(double part, const char *whole, const char *halved)
+/// Returns the title of a phase: `whole` if it takes the whole step, else `half`.
+const char *titleFor(double fraction, const char *whole, const char *half)
 {
-    return part == 1.0 ? whole : halved;
+    return fraction == 1.0 ? whole : half;
 }
 
 void kickAll(State &state, PointRange range, double h)
@@ -309,56 +312,57 @@ void moveAll(State &state, PointRange range, double h)
                   [=](int i) { return sim::move(x.at(i), v.at(i), h); });
 }
 
-void kickSpinOfAll(State &state, PointRange range, double h)
+void kickAllSpins(State &state, PointRange range, double h)
 {
-    const double *spin = state.spin.data(), *turning = state.angularAcceleration.data();
+    const double *spin = state.spin.data(), *acceleration = state.angularAcceleration.data();
     updateDynamic(state.inverseMass, range, state.spin.data(),
-                  [=](int i) { return kickSpin(spin[i], turning[i], h); });
+                  [=](int i) { return kickSpin(spin[i], acceleration[i], h); });
 }
 
-void turnAll(State &state, PointRange range, double h)
+void turnAllAngles(State &state, PointRange range, double h)
 {
     const double *angle = state.angle.data(), *spin = state.spin.data();
     updateDynamic(state.inverseMass, range, state.angle.data(),
                   [=](int i) { return turn(angle[i], spin[i], h); });
 }
 
-/// Gives all points of `run` the velocity with which they came to where they are.
-void takeVelocities(State &state, PointRange range, double h)
+/// Sets the velocities of `range` to the displacement of the step divided by its length.
+void updateVelocities(State &state, PointRange range, double h)
 {
     const XyColumns x(state.position), before(state.previous);
     updateDynamic(state.inverseMass, range, state.velocity,
                   [=](int i) { return velocityFromPositions(x.at(i), before.at(i), h); });
 }
 
-/// Calls `visit(run)` for each of `runs` as far as it is among `points`.
+/// Calls `visit` with the part of each range that is in `points`.
 template <class Visit>
-void forEachRun(const std::vector<PointRange> &ranges, PointRange points, Visit &&visit)
+void forEachIntersection(const std::vector<PointRange> &ranges, PointRange points, Visit &&visit)
 {
     for (const PointRange &range : ranges) {
-        if (const PointRange part = intersection(range, points); part.count > 0)
-            visit(part);
+        if (const PointRange common = intersection(range, points); common.count > 0)
+            visit(common);
     }
 }
+
 }
 
-void PhaseBuilder::kick(const PhasePoints &share, double part)
+void PhaseBuilder::kick(const PhasePoints &selection, double fraction)
 {
     bool anyForce = false, anyTorque = false;
-    forEach<Force>(share, [&](const auto &) { anyForce = true; });
-    forEach<Torque>(share, [&](const auto &) { anyTorque = true; });
-    const std::vector<PointRange> ranges = movingRanges(share.points);
+    forEach<Force>(selection, [&](const auto &) { anyForce = true; });
+    forEach<Torque>(selection, [&](const auto &) { anyTorque = true; });
+    const std::vector<PointRange> ranges = movingRanges(selection.points);
     if (anyTorque)
-        kickSpins(share, part);
+        kickSpins(selection, fraction);
     if (!anyForce || ranges.empty())
         return;
-    Phase phase = ownPhase("kick", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
-    phase.kickFrames = part * m_h;
-    setWork(phase, [ranges, h = part * m_h](State &state, PointRange points) {
-        forEachRun(ranges, points, [&](PointRange range) { kickAll(state, range, h); });
+    Phase phase = methodPhase("kick", titleFor(fraction, SIM_TEXT("kick"), SIM_TEXT("half kick")), selection);
+    phase.kickFrames = fraction * m_h;
+    appendKernel(phase, [ranges, h = fraction * m_h](State &state, PointRange points) {
+        forEachIntersection(ranges, points, [&](PointRange range) { kickAll(state, range, h); });
     });
     if (ranges.size() == 1)
-        phase.kernels.back().operation = {PointOperation::Kind::kick, part * m_h,
+        phase.kernels.back().operation = {PointOperation::Kind::kick, fraction * m_h,
                                           trimToDynamic(ranges.front())};
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<LiveValue>{{"v", after.velocityOf(point), before.velocityOf(point)}};
@@ -366,12 +370,14 @@ void PhaseBuilder::kick(const PhasePoints &share, double part)
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::kickSpins(const PhasePoints &share, double part)
+void PhaseBuilder::kickSpins(const PhasePoints &selection, double fraction)
 {
-    Phase phase = ownPhase("kick_spin", half(part, SIM_TEXT("kick"), SIM_TEXT("half kick")), share);
-    phase.kickFrames = part * m_h;
-    setWork(phase, [ranges = movingRanges(share.points), h = part * m_h](State &state, PointRange points) {
-        forEachRun(ranges, points, [&](PointRange range) { kickSpinOfAll(state, range, h); });
+    Phase phase =
+        methodPhase("kick_spin", titleFor(fraction, SIM_TEXT("kick"), SIM_TEXT("half kick")), selection);
+    phase.kickFrames = fraction * m_h;
+    appendKernel(phase, [ranges = movingRanges(selection.points), h = fraction * m_h](State &state,
+                                                                                      PointRange points) {
+        forEachIntersection(ranges, points, [&](PointRange range) { kickAllSpins(state, range, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<LiveValue>{{"spin", after.spin[point], before.spin[point]}};
@@ -379,37 +385,38 @@ void PhaseBuilder::kickSpins(const PhasePoints &share, double part)
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::move(const PhasePoints &share, double part)
+void PhaseBuilder::move(const PhasePoints &selection, double fraction)
 {
-    const std::vector<PointRange> ranges = movingRanges(share.points);
+    const std::vector<PointRange> ranges = movingRanges(selection.points);
     if (ranges.empty())
         return;
-    if (spins()) {
-        turnAngles(share, part);
+    if (hasSpin()) {
+        turnAngles(selection, fraction);
         return;
     }
-    Phase phase = ownPhase("move", half(part, SIM_TEXT("move"), SIM_TEXT("half move")), share);
+    Phase phase = methodPhase("move", titleFor(fraction, SIM_TEXT("move"), SIM_TEXT("half move")), selection);
     phase.consumesAcceleration = true;
-    setWork(phase, [ranges, h = part * m_h](State &state, PointRange points) {
-        forEachRun(ranges, points, [&](PointRange range) { moveAll(state, range, h); });
+    appendKernel(phase, [ranges, h = fraction * m_h](State &state, PointRange points) {
+        forEachIntersection(ranges, points, [&](PointRange range) { moveAll(state, range, h); });
     });
     if (ranges.size() == 1)
-        phase.kernels.back().operation = {PointOperation::Kind::move, part * m_h,
+        phase.kernels.back().operation = {PointOperation::Kind::move, fraction * m_h,
                                           trimToDynamic(ranges.front())};
-    if (const auto keep = savePrevious(share))
-        setWorkBefore(phase, keep);
+    if (const auto save = savePrevious(selection))
+        prependKernel(phase, save);
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<LiveValue>{{"x", after.positionOf(point), before.positionOf(point)}};
     };
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::turnAngles(const PhasePoints &share, double part)
+void PhaseBuilder::turnAngles(const PhasePoints &selection, double fraction)
 {
-    Phase phase = ownPhase("turn", half(part, SIM_TEXT("turn"), SIM_TEXT("half turn")), share);
+    Phase phase = methodPhase("turn", titleFor(fraction, SIM_TEXT("turn"), SIM_TEXT("half turn")), selection);
     phase.consumesAcceleration = true;
-    setWork(phase, [ranges = movingRanges(share.points), h = part * m_h](State &state, PointRange points) {
-        forEachRun(ranges, points, [&](PointRange range) { turnAll(state, range, h); });
+    appendKernel(phase, [ranges = movingRanges(selection.points), h = fraction * m_h](State &state,
+                                                                                      PointRange points) {
+        forEachIntersection(ranges, points, [&](PointRange range) { turnAllAngles(state, range, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<LiveValue>{{"angle", after.angle[point], before.angle[point]}};
@@ -417,30 +424,31 @@ void PhaseBuilder::turnAngles(const PhasePoints &share, double part)
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::constraints(const PhasePoints &share)
+void PhaseBuilder::constraints(const PhasePoints &selection)
 {
-    forEach<Constraint>(share, [&](const std::shared_ptr<const Constraint> &constraint) {
-        Phase phase = phaseOf(constraint, share);
-        setWork(phase, [constraint, way = m_directionRule, h = m_h](State &state, PointRange points) {
-            constraint->enforce(state, points, way, h);
-        });
+    forEach<Constraint>(selection, [&](const std::shared_ptr<const Constraint> &constraint) {
+        Phase phase = phaseOf(constraint, selection);
+        appendKernel(phase,
+                     [constraint, directionRule = m_directionRule, h = m_h](State &state, PointRange points) {
+                         constraint->enforce(state, points, directionRule, h);
+                     });
         phase.explain = [constraint](const State &before, const State &after, int point) {
             return constraint->explain(before, after, point);
         };
         m_phases.push_back(std::move(phase));
     });
-    if (hasConstraint(share))
-        velocities(share);
+    if (hasConstraint(selection))
+        velocityUpdate(selection);
 }
 
-void PhaseBuilder::velocities(const PhasePoints &share)
+void PhaseBuilder::velocityUpdate(const PhasePoints &selection)
 {
-    const std::vector<PointRange> ranges = movingRanges(share.points);
-    if (ranges.empty() || spins())
+    const std::vector<PointRange> ranges = movingRanges(selection.points);
+    if (ranges.empty() || hasSpin())
         return;
-    Phase phase = ownPhase("came", SIM_TEXT("new velocity"), share);
-    setWork(phase, [ranges, h = m_h](State &state, PointRange points) {
-        forEachRun(ranges, points, [&](PointRange range) { takeVelocities(state, range, h); });
+    Phase phase = methodPhase("came", SIM_TEXT("new velocity"), selection);
+    appendKernel(phase, [ranges, h = m_h](State &state, PointRange points) {
+        forEachIntersection(ranges, points, [&](PointRange range) { updateVelocities(state, range, h); });
     });
     phase.explain = [](const State &before, const State &after, int point) {
         return std::vector<LiveValue>{{"v", after.velocityOf(point), before.velocityOf(point)}};
@@ -448,11 +456,11 @@ void PhaseBuilder::velocities(const PhasePoints &share)
     m_phases.push_back(std::move(phase));
 }
 
-void PhaseBuilder::contacts(const PhasePoints &share)
+void PhaseBuilder::contacts(const PhasePoints &selection)
 {
-    forEach<Contact>(share, [&](const std::shared_ptr<const Contact> &contact) {
-        Phase phase = phaseOf(contact, share);
-        setWork(phase, [contact](State &state, PointRange points) { contact->resolve(state, points); });
+    forEach<Contact>(selection, [&](const std::shared_ptr<const Contact> &contact) {
+        Phase phase = phaseOf(contact, selection);
+        appendKernel(phase, [contact](State &state, PointRange points) { contact->resolve(state, points); });
         phase.explain = [](const State &before, const State &after, int point) {
             return motionChange(before, after, point);
         };

@@ -4,15 +4,15 @@
 
 namespace sim {
 
-/// Which of a scene's points a phase takes, and under which group's name.
+/// The points that a phase works on.
 struct PhasePoints
 {
     PointRange points;
-    int group = -1;
+    int group = -1; ///< index of their group in Scene::groups; -1: all groups at once
 };
 
-/// One step of velocity: h in frames, a in px/frame^2.
-// The marker leaves out what learners need not read.
+/// Returns the velocity after a step of `h` frames with the acceleration `a` (px/frame^2).
+// The marker skips `inline`, which learners need not read.
 // clang-format off
 inline
 //! [kick]
@@ -24,8 +24,8 @@ Vec2 kick(Vec2 v, Vec2 a, double h)
 //! [kick]
 // clang-format on
 
-/// One step of position.
-// The marker leaves out what learners need not read.
+/// Returns the position after a step of `h` frames with the velocity `v` (px/frame).
+// The marker skips `inline`, which learners need not read.
 // clang-format off
 inline
 //! [move]
@@ -37,8 +37,8 @@ Vec2 move(Vec2 x, Vec2 v, double h)
 //! [move]
 // clang-format on
 
-/// One step of a spin: h in frames, a in degrees/frame^2.
-// The marker leaves out what learners need not read.
+/// Returns the spin after a step of `h` frames with the angular acceleration `a` (degrees/frame^2).
+// The marker skips `inline`, which learners need not read.
 // clang-format off
 inline
 //! [kick_spin]
@@ -50,8 +50,8 @@ double kickSpin(double spin, double a, double h)
 //! [kick_spin]
 // clang-format on
 
-/// One step of an angle.
-// The marker leaves out what learners need not read.
+/// Returns the angle after a step of `h` frames with the spin `spin` (degrees/frame).
+// The marker skips `inline`, which learners need not read.
 // clang-format off
 inline
 //! [turn]
@@ -63,10 +63,11 @@ double turn(double angle, double spin, double h)
 //! [turn]
 // clang-format on
 
-/// The velocity of a point that constraints have put in its place: the way it came in a step of `h` frames.
-/// Source: Jakobsen, "Advanced character physics", 2001, section 2; Mueller et al., "Position based dynamics",
-/// 2007, line 13 of the algorithm.
-// The marker leaves out what learners need not read.
+/// Returns the velocity of a point that constraints have moved: its displacement in a step, divided by the
+/// `h` frames of the step.
+/// Source: Jakobsen, "Advanced character physics", 2001, section 2; Mueller et al., "Position based
+/// dynamics", 2007, line 13 of the algorithm.
+// The marker skips `inline`, which learners need not read.
 // clang-format off
 inline
 //! [came]
@@ -78,14 +79,17 @@ Vec2 velocityFromPositions(Vec2 x, Vec2 before, double h)
 //! [came]
 // clang-format on
 
-/// How a method adds up one force: onto what, and how much of it. `h` in frames.
+/// Adds the accelerations of `force` on `movers` to an array of `state`. `h` is the length of a step in
+/// frames.
 using AddForce = void (*)(const Force &force, State &state, PointRange movers, double h);
+/// Adds the angular accelerations of `torque` on `movers` to an array of `state`. `h` is the length of a step
+/// in frames.
 using AddTorque = void (*)(const Torque &torque, State &state, PointRange movers, double h);
 
-/// What forces are added to.
+/// The array of State to which forces are added.
 enum class AccumulationTarget { acceleration, velocity };
 
-/// Where the source of the two stands.
+/// How a method adds up forces and torques, with the source code of both functions.
 struct ForceAccumulation
 {
     AddForce force = nullptr;
@@ -95,98 +99,103 @@ struct ForceAccumulation
     AccumulationTarget target = AccumulationTarget::acceleration;
 };
 
-/// Adds every force to State::acceleration and every torque to State::turning.
+/// Returns functions that add forces to State::acceleration and torques to State::angularAcceleration.
 ForceAccumulation accelerationAccumulation();
 
-/// The phases of one step in the making, from the parts that methods are made of. Each function adds the phases of
-/// a share of the points; an effect that has nothing to do there adds none.
+/// A builder for the phases of one step. Methods call its functions in their own order. Most functions add
+/// phases for a selection of points. An effect that does nothing to those points gets no phase.
 class PhaseBuilder
 {
 public:
-    /// `h` in frames.
+    /// `h` is the length of a step in frames.
     PhaseBuilder(const Scene &scene, DirectionRule directionRule, double h);
 
-    /// All points at once.
+    /// Returns all points, without a group.
     PhasePoints allPoints() const;
-    /// The scene's groups, in order.
+    /// Returns the points of each group, in order.
     std::vector<PhasePoints> groups() const;
 
-    /// Whether any point can move and goes on by itself.
+    /// Returns whether any dynamic point moves by its velocity.
     bool anyMoves() const { return !movingRanges(allPoints().points).empty(); }
 
-    /// Each driver that the scene lists before everything else.
+    /// Adds the drivers that the scene lists before all other effects.
     void leadingDrivers();
-    /// Each of the other drivers.
+    /// Adds the other drivers.
     void trailingDrivers();
-    /// The same for those only that act once a step.
+    /// Adds the leading drivers that are impulsive.
     void leadingImpulses();
+    /// Adds the trailing drivers that are impulsive.
     void trailingImpulses();
-    /// Each driver that flows, for `part` of the step; and each that follows from the rest of the state.
-    void continuousDrivers(double part);
-    /// Each force and torque of the scene as `adding` adds it up.
-    void forces(const PhasePoints &share, const ForceAccumulation &accumulation);
-    /// The sum of all forces, and of all torques, at the places where points are.
-    void accumulateForces(const PhasePoints &share);
-    /// v = v + h a, from the gathered accelerations, for `part` of the step; likewise the spin.
-    void kick(const PhasePoints &share, double part = 1.0);
-    /// Each drag of the scene, for `part` of the step.
-    void damping(const PhasePoints &share, double part = 1.0);
-    /// Each drag of the scene that has no rate.
-    void dampingWithoutRate(const PhasePoints &share);
-    /// Forces, torques and drags in the very order in which the scene lists them.
-    void inSceneOrder(const PhasePoints &share, const ForceAccumulation &accumulation);
-    /// x = x + h v, of the points that go on by themselves, for `part` of the step; likewise the angle.
-    void move(const PhasePoints &share, double part = 1.0);
-    /// A phase of the method's own, which runs on all points.
+    /// Adds the continuous drivers for `fraction` of the step, then the dependent drivers.
+    void continuousDrivers(double fraction);
+    /// Adds each force, then each torque. `accumulation` says how they are added up.
+    void forces(const PhasePoints &selection, const ForceAccumulation &accumulation);
+    /// Adds the phases that sum all forces and torques at the current positions, starting from 0.
+    void accumulateForces(const PhasePoints &selection);
+    /// Adds the kick v = v + h a for `fraction` of the step, and the same for spins.
+    void kick(const PhasePoints &selection, double fraction = 1.0);
+    /// Adds each drag for `fraction` of the step.
+    void damping(const PhasePoints &selection, double fraction = 1.0);
+    /// Adds each drag that has no damping rate.
+    void dampingWithoutRate(const PhasePoints &selection);
+    /// Adds forces, torques and drags in the order in which the scene lists them.
+    void effectsInSceneOrder(const PhasePoints &selection, const ForceAccumulation &accumulation);
+    /// Adds the move x = x + h v for `fraction` of the step, or angle = angle + h spin if the scene has
+    /// spins. Only for points that move by their velocity.
+    void move(const PhasePoints &selection, double fraction = 1.0);
+    /// Adds a phase that the method defines itself.
     void add(Phase phase) { m_phases.push_back(std::move(phase)); }
-    /// Before constraints, where a step is not one kick and one move: takes for the place that a point came from the
-    /// one from which its velocity has led it. So the velocity that constraints give it is that one and what they add.
-    void rewindPrevious(const PhasePoints &share);
-    /// Each constraint of the scene, then the velocities of what they moved.
-    void constraints(const PhasePoints &share);
-    /// Each contact of the scene.
-    void contacts(const PhasePoints &share);
+    /// Sets the previous positions to x - h v before the next phase. Methods whose step is not one kick and
+    /// one move call it before constraints(). The velocity update then gives v plus the corrections of the
+    /// constraints.
+    void rewindPrevious(const PhasePoints &selection);
+    /// Adds each constraint, then the velocity update from positions.
+    void constraints(const PhasePoints &selection);
+    /// Adds each contact.
+    void contacts(const PhasePoints &selection);
 
+    /// Returns the phases. The builder must not be used afterwards.
     std::vector<Phase> take();
 
 private:
     template <class Type, class Visit>
-    void forEach(const PhasePoints &share, Visit &&visit) const;
-    Phase phaseOf(const EffectPtr &effect, const PhasePoints &share) const;
-    Phase ownPhase(const char *id, const char *title, const PhasePoints &share) const;
+    void forEach(const PhasePoints &selection, Visit &&visit) const;
+    Phase phaseOf(const EffectPtr &effect, const PhasePoints &selection) const;
+    Phase methodPhase(const char *id, const char *title, const PhasePoints &selection) const;
     template <class Accept>
     void drivers(std::size_t first, std::size_t end, double h, Accept &&accept);
-    /// How many effects the scene lists before the first that is not a driver.
-    std::size_t leading() const;
-    /// `points` without those at either end that never feel forces.
+    /// Returns how many drivers the scene lists before all other effects.
+    std::size_t leadingDriverCount() const;
+    /// Returns `points` without the points at either end that are not dynamic.
     PointRange trimToDynamic(PointRange points) const;
-    /// The stretches of points that can move and go on by themselves.
+    /// Returns the ranges of `points` that move by their velocity and contain a dynamic point.
     std::vector<PointRange> movingRanges(PointRange points) const;
-    bool spins() const { return m_scene.start.spin.rows() > 0; }
-    bool hasConstraint(const PhasePoints &share) const;
-    /// Keeps the places of points in State::previous; null where no constraint asks for them.
-    std::function<void(State &, PointRange)> savePrevious(const PhasePoints &share) const;
+    bool hasSpin() const { return m_scene.start.spin.rows() > 0; }
+    bool hasConstraint(const PhasePoints &selection) const;
+    /// Returns a kernel that copies positions to State::previous; null if there are no constraints.
+    std::function<void(State &, PointRange)> savePrevious(const PhasePoints &selection) const;
 
-    void force(const std::shared_ptr<const Force> &force, const PhasePoints &share,
+    void force(const std::shared_ptr<const Force> &force, const PhasePoints &selection,
                const ForceAccumulation &accumulation);
-    void torque(const std::shared_ptr<const Torque> &torque, const PhasePoints &share,
+    void torque(const std::shared_ptr<const Torque> &torque, const PhasePoints &selection,
                 const ForceAccumulation &accumulation);
-    void drag(const std::shared_ptr<const Drag> &drag, const PhasePoints &share, double part);
+    void drag(const std::shared_ptr<const Drag> &drag, const PhasePoints &selection, double fraction);
     void driver(const std::shared_ptr<const Driver> &driver, double h);
-    void kickSpins(const PhasePoints &share, double part);
-    void turnAngles(const PhasePoints &share, double part);
-    void velocities(const PhasePoints &share);
+    void kickSpins(const PhasePoints &selection, double fraction);
+    void turnAngles(const PhasePoints &selection, double fraction);
+    void velocityUpdate(const PhasePoints &selection);
 
     const Scene &m_scene;
     DirectionRule m_directionRule;
     double m_h;
     std::vector<Phase> m_phases;
-    bool m_gathers = false;       ///< whether a phase of the step gathers already
-    std::size_t m_keepBefore = 0; ///< the phase before which m_keep runs
-    std::function<void(State &, PointRange)> m_keep;
+    bool m_accumulates = false;    ///< whether a phase of this step already accumulates forces
+    std::size_t m_rewindPhase = 0; ///< index of the phase before which m_rewind runs
+    /// Null if the scene has no constraint. See rewindPrevious().
+    std::function<void(State &, PointRange)> m_rewind;
 };
 
-/// A kernel that does work(state, points) with all of `points`, and with parts of them run by run.
+/// Returns a kernel that calls work(state, points). Divided, it calls `work` for each range.
 template <class Work>
 Kernel kernelOf(PointRange points, Work work)
 {
@@ -201,28 +210,29 @@ Kernel kernelOf(PointRange points, Work work)
     return kernel;
 }
 
-/// Gives `phase`, which knows its points and its effect, its own kernel.
+/// Appends a kernel that does `work` on the points of `phase`. `phase.effect` decides whether the kernel can
+/// be divided.
 template <class Work>
-void setWork(Phase &phase, Work work)
+void appendKernel(Phase &phase, Work work)
 {
     phase.kernels.push_back(kernelOf(phase.points, std::move(work)));
     if (phase.effect && phase.effect->dependence() != Dependence::coupledPoints)
         phase.kernels.back().prepareFor = nullptr;
 }
 
-/// The same for a kernel before that of `phase`, on the same points.
+/// Inserts a kernel that does `work` on the points of `phase` before its other kernels.
 template <class Work>
-void setWorkBefore(Phase &phase, Work before)
+void prependKernel(Phase &phase, Work work)
 {
-    phase.kernels.insert(phase.kernels.begin(), kernelOf(phase.points, std::move(before)));
+    phase.kernels.insert(phase.kernels.begin(), kernelOf(phase.points, std::move(work)));
 }
 
 template <class Type, class Visit>
-void PhaseBuilder::forEach(const PhasePoints &share, Visit &&visit) const
+void PhaseBuilder::forEach(const PhasePoints &selection, Visit &&visit) const
 {
     for (const EffectPtr &effect : m_scene.effects) {
         const auto typed = sharedAs<Type>(effect);
-        if (typed && typed->count(m_scene.start, share.points) > 0)
+        if (typed && typed->count(m_scene.start, selection.points) > 0)
             visit(typed);
     }
 }

@@ -8,29 +8,30 @@
 
 namespace sim {
 
-/// The phases of one step, ready to run.
+/// One step of a scene under a method, ready to run.
 struct Pipeline
 {
     std::vector<Phase> phases;
     StepSize step;
-    std::vector<EffectPtr> idleEffects; ///< listed, but idle: no phase computes them
-    /// The same step for those who do not look into it: kernel after kernel, see fusedKernels().
+    std::vector<EffectPtr> idleEffects; ///< effects of the scene without a phase, because they are idle
+    /// The same step for running without stopping between phases. See fusedKernels().
     std::vector<StepKernel> kernels;
-    std::vector<CacheBlock>
-        blocks; ///< the same in blocks of islands; empty where that gains nothing. See runStep()
+    /// The same step divided into cache blocks; empty if that is not faster. See runStep().
+    std::vector<CacheBlock> blocks;
 
     int phasesPerStep() const { return static_cast<int>(phases.size()); }
     int phasesPerOutput() const { return phasesPerStep() * step.stepsPerOutput; }
-    /// The phase that runs as number `index` of a row.
+    /// Returns the phase with the index `index` within an output step.
     const Phase &phaseAt(int index) const
     {
         return phases[static_cast<std::size_t>(index % phasesPerStep())];
     }
 };
 
-/// Puts a scene and a method together.
-/// @throws Error "method-does-not-fit" (method, effect) where they do not go together, "nothing-moves" for a
-/// scene in which no point can move, "needs-tolerance" or "needs-step" (method) for the wrong kind of step
+/// Composes a scene and a method into a pipeline.
+/// @throws Error "method-does-not-fit" (method, effect) if the method cannot handle an effect,
+/// "nothing-moves" (method) if no point can move, "needs-tolerance" or "needs-step" (method) for the wrong
+/// kind of step size
 Pipeline compose(const Scene &scene, const Method &method, StepSize step);
 
 }

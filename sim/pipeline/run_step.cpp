@@ -6,22 +6,24 @@ namespace sim {
 
 namespace {
 
-/// So many take 70 us on one thread: 4 us each in bench_blocks, where 10,000 creatures are 40 blocks.
-constexpr std::size_t blocksWorthSharing = 16;
+/// With fewer blocks a step is not divided among threads. This many take about 70 us on one thread: in
+/// bench_blocks, 10,000 creatures are 40 blocks of 4 us each.
+constexpr std::size_t minBlocksForThreads = 16;
 
-/// Blocks share State::previous: the first phase that keeps places there would make room for all of them.
-void makeRoom(const Pipeline &pipeline, State &state)
+/// Allocates State::previous before the blocks run. They share it, so none of them may allocate it while
+/// others run.
+void allocatePrevious(const Pipeline &pipeline, State &state)
 {
-    const auto constrains = [](const Phase &phase) { return as<Constraint>(phase.effect) != nullptr; };
-    const bool remembers = std::any_of(pipeline.phases.begin(), pipeline.phases.end(), constrains);
-    if (remembers && state.previous.rows() != state.pointCount())
+    const auto isConstraint = [](const Phase &phase) { return as<Constraint>(phase.effect) != nullptr; };
+    const bool hasConstraint = std::any_of(pipeline.phases.begin(), pipeline.phases.end(), isConstraint);
+    if (hasConstraint && state.previous.rows() != state.pointCount())
         state.previous = state.position;
 }
 
 void runKernels(const Pipeline &pipeline, State &state)
 {
-    for (const StepKernel &step : pipeline.kernels)
-        step.kernel.run(state);
+    for (const StepKernel &kernel : pipeline.kernels)
+        kernel.kernel.run(state);
 }
 
 }
@@ -32,8 +34,8 @@ void runStep(const Pipeline &pipeline, State &state)
         runKernels(pipeline, state);
         return;
     }
-    ThreadPool alone(1);
-    runStep(pipeline, state, alone);
+    ThreadPool singleThread(1);
+    runStep(pipeline, state, singleThread);
 }
 
 void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool)
@@ -41,23 +43,23 @@ void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool)
     runStep(pipeline, state, pool, {});
 }
 
-void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool, const std::vector<char> &asleep)
+void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool, const std::vector<char> &sleeping)
 {
     if (pipeline.blocks.empty()) {
         runKernels(pipeline, state);
         return;
     }
-    makeRoom(pipeline, state);
+    allocatePrevious(pipeline, state);
     const int blocks = static_cast<int>(pipeline.blocks.size());
-    const auto run = [&](int number) {
-        const auto block = static_cast<std::size_t>(number);
-        if (!asleep.empty() && asleep[block] != 0)
+    const auto run = [&](int block) {
+        const auto index = static_cast<std::size_t>(block);
+        if (!sleeping.empty() && sleeping[index] != 0)
             return;
-        for (const PreparedKernel &work : pipeline.blocks[block].work)
+        for (const PreparedKernel &work : pipeline.blocks[index].work)
             work(state);
     };
-    const auto sleepers = static_cast<std::size_t>(std::count(asleep.begin(), asleep.end(), 1));
-    if (pipeline.blocks.size() - sleepers >= blocksWorthSharing) {
+    const auto sleepingBlocks = static_cast<std::size_t>(std::count(sleeping.begin(), sleeping.end(), 1));
+    if (pipeline.blocks.size() - sleepingBlocks >= minBlocksForThreads) {
         pool.parallelFor(blocks, run);
     } else {
         for (int i = 0; i < blocks; ++i)

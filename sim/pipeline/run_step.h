@@ -7,14 +7,15 @@
 
 namespace sim {
 
-/// Runs one step: block after block where the pipeline has blocks, else phase after phase. Either way
-/// `state` comes out the same in every bit.
+/// Runs one step: cache block after cache block, or kernel after kernel if the pipeline has no blocks. Both
+/// give the same bits as the phases one after the other.
 void runStep(const Pipeline &pipeline, State &state);
 
-/// The same; what is large enough to gain by it `crew` shares among its threads. The same bits again.
+/// Runs one step. If it has enough cache blocks, the threads of `pool` share them. The bits are the same.
 void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool);
 
-/// The same without the blocks whose entry in `asleep` is not 0; empty: with all of them.
-void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool, const std::vector<char> &asleep);
+/// Runs one step and skips the cache blocks with a nonzero entry in `sleeping`. If `sleeping` is empty, all
+/// blocks run.
+void runStep(const Pipeline &pipeline, State &state, ThreadPool &pool, const std::vector<char> &sleeping);
 
 }

@@ -7,34 +7,36 @@ namespace sim {
 
 namespace {
 
-/// How large what `force` last says about itself is, its pull; infinite where that is not finite.
-double sizeOf(const std::vector<LiveValue> &live)
+/// Returns the magnitude of the last explained value of a force, which is its pull; infinity if it is not
+/// finite.
+double magnitudeOf(const std::vector<LiveValue> &live)
 {
     if (live.empty())
         return 0.0;
     const auto *pull = std::get_if<Vec2>(&live.back().value);
-    const double size = pull ? length(*pull) : std::abs(std::get<double>(live.back().value));
-    return std::isfinite(size) ? size : std::numeric_limits<double>::infinity();
+    const double magnitude = pull ? length(*pull) : std::abs(std::get<double>(live.back().value));
+    return std::isfinite(magnitude) ? magnitude : std::numeric_limits<double>::infinity();
 }
 
-EffectPtr hardestOn(int point, const Scene &scene, const State &before, DirectionRule directionRule)
+EffectPtr strongestForceOn(int point, const Scene &scene, const State &before, DirectionRule directionRule)
 {
-    EffectPtr hardest;
-    double most = 0.0;
+    EffectPtr strongest;
+    double largest = 0.0;
     for (const EffectPtr &effect : scene.effects) {
         const auto *force = as<Force>(effect);
         if (!force || force->count(before, {point, 1}) == 0)
             continue;
-        const double size = sizeOf(force->explain(before, point, directionRule));
-        if (size > most) {
-            most = size;
-            hardest = effect;
+        const double magnitude = magnitudeOf(force->explain(before, point, directionRule));
+        if (magnitude > largest) {
+            largest = magnitude;
+            strongest = effect;
         }
     }
-    return hardest;
+    return strongest;
 }
 
-/// The point whose place `force` on `point` depends on most, by how far it is along the axis; -1 where there is none.
+/// Returns the other point on which `force` at `point` depends most, or -1. The measure is the derivative
+/// times the distance along its axis.
 int otherEnd(const Force &force, const State &before, int point, DirectionRule directionRule)
 {
     const int points = before.pointCount();
@@ -42,16 +44,17 @@ int otherEnd(const Force &force, const State &before, int point, DirectionRule d
     if (!force.addJacobian(before, {point, 1}, 1.0, directionRule, jacobian))
         return -1;
     int other = -1;
-    double most = 0.0;
-    for (const Jacobian::Entry &one : jacobian.entries()) {
-        const int by = one.column % points;
-        if (one.row % points != point || by == point || one.column >= 2 * points)
+    double largest = 0.0;
+    for (const Jacobian::Entry &entry : jacobian.entries()) {
+        const int source = entry.column % points;
+        if (entry.row % points != point || source == point || entry.column >= 2 * points)
             continue;
-        const int axis = one.column / points;
-        const double pull = std::abs(one.value * (before.position(by, axis) - before.position(point, axis)));
-        if (pull > most) {
-            most = pull;
-            other = by;
+        const int axis = entry.column / points;
+        const double distance = before.position(source, axis) - before.position(point, axis);
+        const double pull = std::abs(entry.value * distance);
+        if (pull > largest) {
+            largest = pull;
+            other = source;
         }
     }
     return other;
@@ -63,7 +66,8 @@ FailureCause failureCauseOf(const Phase &phase, const Scene &scene, const State 
                             DirectionRule directionRule)
 {
     FailureCause cause;
-    cause.effect = phase.effect || point < 0 ? phase.effect : hardestOn(point, scene, before, directionRule);
+    cause.effect =
+        phase.effect || point < 0 ? phase.effect : strongestForceOn(point, scene, before, directionRule);
     if (const auto *force = as<Force>(cause.effect); force && point >= 0)
         cause.other = otherEnd(*force, before, point, directionRule);
     return cause;

@@ -4,15 +4,17 @@
 
 namespace sim {
 
-/// What made a point fail.
+/// The effect that made a number of a point non-finite.
 struct FailureCause
 {
-    EffectPtr effect; ///< null where nothing acts on the point
-    int other = -1;   ///< the point at the other end of the pull; -1: it pulls to a place, or it is no pull
+    EffectPtr effect; ///< null if no effect acts on the point
+    /// The point at the other end of the force; -1: it has no other end, or the effect is not a force.
+    int other = -1;
 };
 
-/// Whose doing it is that `phase` failed at `point` (-1: at what belongs to no point), coming from `before`: the effect
-/// whose phase it is, and in a phase of the method's own what pulls the point hardest.
+/// Returns the effect that produced the first non-finite value in `phase`, at `point` (-1: the value belongs
+/// to no point). If the phase belongs to the method and not to an effect, returns the strongest force on the
+/// point. `before`: the state before the phase.
 FailureCause failureCauseOf(const Phase &phase, const Scene &scene, const State &before, int point,
                             DirectionRule directionRule);
 

@@ -9,15 +9,16 @@ namespace sim {
 
 namespace {
 
-/// A part that one thread looks at: about 20 us, far more than handing it out takes.
-constexpr int pointsInPart = 16'384;
+/// The points that one task checks. They take about 20 us, far more than the pool needs to start a task.
+constexpr int pointsPerTask = 16'384;
 
-/// Returns 0 if the numbers of `points` in one column are finite, else 1.
+/// Returns 0 if the numbers of `points` in `column` are finite, else 1. An integer, so that the loop
+/// vectorises.
 template <class Number>
 std::int64_t notFinite(const Number *column, PointRange points)
 {
     std::int64_t found = 0;
-    // x - x is 0 for every finite x, and NaN for the others
+    // x - x is 0 for every finite x, else NaN
     for (int i = points.first; i < points.end(); ++i)
         found |= column[i] - column[i] == Number{0} ? std::int64_t{0} : std::int64_t{1};
     return found;
@@ -27,7 +28,7 @@ std::int64_t notFinite(const Number *column, PointRange points)
 
 bool areFinite(const State &state, PointRange points)
 {
-    std::int64_t others = 0;
+    std::int64_t nonFinite = 0;
     dispatch([&] {
         std::int64_t found = 0;
         forEachColumn([&](ColumnKind kind, auto values) {
@@ -36,9 +37,9 @@ bool areFinite(const State &state, PointRange points)
             for (Eigen::Index column = 0; column < columns; ++column)
                 found |= notFinite(array.data() + column * array.rows(), points);
         });
-        others = found;
+        nonFinite = found;
     });
-    return others == 0;
+    return nonFinite == 0;
 }
 
 bool isFinite(const State &state, ThreadPool &pool)
@@ -46,22 +47,24 @@ bool isFinite(const State &state, ThreadPool &pool)
     if (!state.gait.isFinite().all() || !state.gaitSpeed.isFinite().all())
         return false;
     const int points = state.pointCount();
-    const int parts = points / pointsInPart;
-    if (parts < 2)
+    const int tasks = points / pointsPerTask;
+    if (tasks < 2)
         return areFinite(state, {0, points});
-    std::atomic<bool> all = true;
-    pool.parallelFor(parts, [&](int part) {
-        const auto from = [&](int number) { return static_cast<int>(std::int64_t{points} * number / parts); };
-        if (!areFinite(state, {from(part), from(part + 1) - from(part)}))
-            all = false;
+    std::atomic<bool> allFinite = true;
+    pool.parallelFor(tasks, [&](int task) {
+        const auto firstOf = [&](int number) {
+            return static_cast<int>(std::int64_t{points} * number / tasks);
+        };
+        if (!areFinite(state, {firstOf(task), firstOf(task + 1) - firstOf(task)}))
+            allFinite = false;
     });
-    return all;
+    return allFinite;
 }
 
 int firstNonFinitePoint(const State &state)
 {
-    const bool clocks = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
-    if (clocks && areFinite(state, {0, state.pointCount()}))
+    const bool clocksAreFinite = state.gait.isFinite().all() && state.gaitSpeed.isFinite().all();
+    if (clocksAreFinite && areFinite(state, {0, state.pointCount()}))
         return -1;
     for (int i = 0; i < state.pointCount(); ++i) {
         if (!areFinite(state, {i, 1}))

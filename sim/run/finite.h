@@ -5,15 +5,14 @@
 
 namespace sim {
 
-/// Whether all numbers that `points` have in `state` are finite.
+/// Returns whether all positions, velocities, angles, spins and accelerations of `points` are finite.
 bool areFinite(const State &state, PointRange points);
 
-/// Whether all numbers of `state` are: the same as firstNonFinitePoint() finding none. Where there are many, `crew` shares
-/// them among its threads.
+/// Returns whether `firstNonFinitePoint(state)` is -1. Uses the threads of `pool` if there are many points.
 bool isFinite(const State &state, ThreadPool &pool);
 
-/// Returns the first point with a position, velocity, angle, spin or acceleration that is not finite, or -1. A number
-/// that belongs to no point gives the number of points.
+/// Returns the first point with a position, velocity, angle, spin or acceleration that is not finite, or -1.
+/// If only a gait clock is not finite, returns the number of points.
 int firstNonFinitePoint(const State &state);
 
 }

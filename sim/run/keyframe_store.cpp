@@ -7,7 +7,7 @@ namespace sim {
 
 namespace {
 
-/// The memory of a kept state, with the map's node, the pointer's counters and the allocator's headers.
+/// Returns the memory of a keyframe, with the map's node, the pointer's counters and the allocator's headers.
 std::size_t costOf(const State &state)
 {
     constexpr std::size_t bookkeeping = 192;
@@ -18,17 +18,17 @@ std::size_t costOf(const State &state)
 
 void KeyframeStore::store(const State &state)
 {
-    const std::int64_t row = state.frame / m_framesPerOutput;
-    if (row % m_spacing != 0 || (m_budget == 0 && row > 0) || m_kept.contains(state.frame))
+    const std::int64_t outputStep = state.frame / m_framesPerOutput;
+    if (outputStep % m_spacing != 0 || (m_budget == 0 && outputStep > 0) || m_keyframes.contains(state.frame))
         return;
-    m_kept.emplace(state.frame, std::make_shared<const State>(state));
+    m_keyframes.emplace(state.frame, std::make_shared<const State>(state));
     m_bytes += costOf(state);
-    thin();
+    dropExcess();
 }
 
 std::int64_t KeyframeStore::lastAtOrBefore(std::int64_t frame) const
 {
-    return std::prev(m_kept.upper_bound(frame))->first;
+    return std::prev(m_keyframes.upper_bound(frame))->first;
 }
 
 void KeyframeStore::add(Sleep sleep)
@@ -38,7 +38,7 @@ void KeyframeStore::add(Sleep sleep)
                          [](std::int64_t frame, const Sleep &other) { return frame < other.from(); });
     m_sleepBytes += sleep.bytes();
     m_sleeps.insert(after, std::move(sleep));
-    thin();
+    dropExcess();
 }
 
 void KeyframeStore::dropSleep(std::vector<Sleep>::iterator sleep)
@@ -57,9 +57,9 @@ const Sleep *KeyframeStore::lastSleepAtOrBefore(std::int64_t frame) const
 
 void KeyframeStore::forget(std::int64_t frame)
 {
-    while (m_kept.rbegin()->first >= frame) { // from the end: a hand edits there, many times a second
-        m_bytes -= costOf(*m_kept.rbegin()->second);
-        m_kept.erase(std::prev(m_kept.end()));
+    while (m_keyframes.rbegin()->first >= frame) { // from the end: a drag edits there many times a second
+        m_bytes -= costOf(*m_keyframes.rbegin()->second);
+        m_keyframes.erase(std::prev(m_keyframes.end()));
     }
     while (!m_sleeps.empty() && m_sleeps.back().from() >= frame)
         dropSleep(std::prev(m_sleeps.end()));
@@ -68,17 +68,17 @@ void KeyframeStore::forget(std::int64_t frame)
 void KeyframeStore::setBudget(std::size_t budget)
 {
     m_budget = budget;
-    thin();
+    dropExcess();
 }
 
-void KeyframeStore::thin()
+void KeyframeStore::dropExcess()
 {
-    while (m_kept.size() > 1 && m_bytes > m_budget) {
+    while (m_keyframes.size() > 1 && m_bytes > m_budget) {
         m_spacing *= 2;
-        std::erase_if(m_kept, [this](const auto &kept) {
-            const bool goes = kept.first / m_framesPerOutput % m_spacing != 0;
-            m_bytes -= goes ? costOf(*kept.second) : 0;
-            return goes;
+        std::erase_if(m_keyframes, [this](const auto &keyframe) {
+            const bool isDropped = keyframe.first / m_framesPerOutput % m_spacing != 0;
+            m_bytes -= isDropped ? costOf(*keyframe.second) : 0;
+            return isDropped;
         });
     }
     while (m_sleeps.size() > 1 && m_sleepBytes > m_budget)

@@ -10,47 +10,53 @@
 
 namespace sim {
 
-/// What is kept of a run, so that going back is exact and quick: states at the ends of rows, and the stretches in which
-/// it sleeps. Kept states take at most `budget` bytes: when they are full, every second one is dropped.
+/// The keyframes of a run (states at the ends of output steps) and its sleeps, which make seeking back exact
+/// and fast. The keyframes take at most `budget` bytes. If they exceed it, every second one is dropped.
 class KeyframeStore
 {
 public:
-    /// With a budget of 0 only the start is kept.
+    /// With a budget of 0, only the initial state is kept.
     KeyframeStore(std::size_t budget, int framesPerOutput)
         : m_budget(budget), m_framesPerOutput(framesPerOutput)
     {
     }
 
-    /// Keeps `state`, at the end of a row, if its turn is now. The start is always kept.
+    /// Keeps `state`, the end of an output step, if the current spacing selects it. The initial state is
+    /// always kept.
     void store(const State &state);
-    /// The frame of the last kept state that is not after `frame`, which is 0 or later.
+    /// Returns the frame of the last keyframe at or before `frame` (0 or later).
     std::int64_t lastAtOrBefore(std::int64_t frame) const;
-    /// The one at exactly that frame.
-    const State &at(std::int64_t frame) const { return *m_kept.at(frame); }
+    /// Returns the keyframe at exactly `frame`, which must exist.
+    const State &at(std::int64_t frame) const { return *m_keyframes.at(frame); }
 
-    /// Where a run sleeps, in order. All of them together take no more than the budget, but for the last one.
+    /// Adds a sleep. If all sleeps together exceed the budget, the earliest are dropped, but never the last
+    /// one.
     void add(Sleep sleep);
-    /// The last one that begins at `frame` or before; null if there is none.
+    /// Returns the last sleep that begins at or before `frame`, or null.
     const Sleep *lastSleepAtOrBefore(std::int64_t frame) const;
 
-    /// Forgets all that is at `frame` or after.
+    /// Drops the keyframes at or after `frame` (1 or later) and the sleeps that begin there.
     void forget(std::int64_t frame);
+    /// Limits the keyframes to `budget` bytes from now on, and the sleeps to as many.
     void setBudget(std::size_t budget);
+    /// Returns the memory of the keyframes, in bytes.
     std::size_t bytes() const { return m_bytes; }
     std::size_t sleepBytes() const { return m_sleepBytes; }
-    std::size_t count() const { return m_kept.size(); }
+    /// Returns the number of keyframes.
+    std::size_t count() const { return m_keyframes.size(); }
 
 private:
-    void thin();
+    /// Drops keyframes and sleeps until they are within the budget.
+    void dropExcess();
     void dropSleep(std::vector<Sleep>::iterator sleep);
 
-    std::map<std::int64_t, std::shared_ptr<const State>> m_kept; ///< by frame; 0 is never dropped
-    std::vector<Sleep> m_sleeps;                                 ///< by frame
+    std::map<std::int64_t, std::shared_ptr<const State>> m_keyframes; ///< by frame; 0 is never dropped
+    std::vector<Sleep> m_sleeps;                                      ///< in order of from()
     std::size_t m_bytes = 0;
     std::size_t m_sleepBytes = 0;
     std::size_t m_budget;
     int m_framesPerOutput;
-    std::int64_t m_spacing = 1; ///< rows between two kept states
+    std::int64_t m_spacing = 1; ///< output steps between two keyframes
 };
 
 }

@@ -7,13 +7,13 @@ namespace sim {
 
 std::optional<State> stateBeforeLastPhase(const Track &track)
 {
-    const Cursor at = track.cursor();
-    if (at.phase == 0)
+    const Cursor cursor = track.cursor();
+    if (cursor.phase == 0)
         return {};
     const FlushDenormals flush;
-    State state = track.stateAfterInput(track.stateAt(at.frame), at.frame);
+    State state = track.stateAfterInput(track.stateAt(cursor.frame), cursor.frame);
     const std::shared_ptr<const ComposedInterval> interval = track.nextInterval();
-    for (int i = 0; i + 1 < at.phase; ++i)
+    for (int i = 0; i + 1 < cursor.phase; ++i)
         interval->pipeline.phaseAt(i).run(state);
     return state;
 }

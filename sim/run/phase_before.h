@@ -4,8 +4,8 @@
 
 namespace sim {
 
-/// Returns the state before the last phase that is done of the row under way; empty between two rows. Computes the row
-/// again from its start.
+/// Returns the state before the last finished phase of the current output step, or nothing if the cursor is
+/// between two output steps. Computes the output step again from its start.
 std::optional<State> stateBeforeLastPhase(const Track &track);
 
 }

@@ -19,8 +19,8 @@ const Values &Timeline::values() const
 void Timeline::seek(Cursor target)
 {
     m_track.seek(target);
-    if (m_ghost)
-        m_ghost->seek({m_track.cursor().frame, 0});
+    if (m_comparison)
+        m_comparison->seek({m_track.cursor().frame, 0});
 }
 
 void Timeline::nextPhase()
@@ -48,33 +48,35 @@ void Timeline::previousOutputStep()
     seek({cursor().phase > 0 ? cursor().frame : cursor().frame - m_track.framesPerOutput(), 0});
 }
 
-bool Timeline::openOutputStep(std::int64_t frame)
+bool Timeline::prepareEdit(std::int64_t frame)
 {
     m_track.seek({cursor().frame, 0});
     if (computed() == cursor().frame)
         return false;
-    becomeComparison(frame);
+    copyToComparison(frame);
     return true;
 }
 
-void Timeline::becomeComparison(std::int64_t fork)
+void Timeline::copyToComparison(std::int64_t forkFrame)
 {
-    m_ghost = m_track;
-    m_ghost->setBudget(m_budget / 2);
-    m_ghost->seek({cursor().frame, 0});
-    m_fork = fork;
+    m_comparison = m_track;
+    m_comparison->setBudget(m_budget / 2);
+    m_comparison->seek({cursor().frame, 0});
+    m_forkFrame = forkFrame;
 }
 
 namespace {
 
-/// Whether of two events in one row the first has no effect, because the second says the same thing anew.
+/// Returns whether `second` cancels the effect of `first` in the same output step: both move the same
+/// pointer, or the dragged body.
 bool replaces(const Event &second, const Event &first)
 {
     if (first.frame != second.frame || first.what.index() != second.what.index())
         return false;
-    const auto *was = std::get_if<Pointer>(&first.what);
-    const auto *is = std::get_if<Pointer>(&second.what);
-    return std::holds_alternative<Move>(first.what) || (was && is->down == was->down);
+    const auto *firstPointer = std::get_if<Pointer>(&first.what);
+    const auto *secondPointer = std::get_if<Pointer>(&second.what);
+    return std::holds_alternative<Move>(first.what) ||
+           (firstPointer && secondPointer->down == firstPointer->down);
 }
 
 }
@@ -85,14 +87,14 @@ bool Timeline::applyInput(const Input &what)
     const Event event = eventOf(frame, what);
     checkFinite(event);
     const int phase = cursor().phase;
-    const bool forked = openOutputStep(frame);
+    const bool forked = prepareEdit(frame);
     std::vector<Event> input = script().input;
     std::erase_if(input, [&](const Event &other) { return other.frame > frame; });
     if (!input.empty() && replaces(event, input.back()))
         input.pop_back();
     input.push_back(event);
     m_track.replaceInput(m_track.prepareInput(std::move(input), frame));
-    m_fork = std::min(m_fork, frame);
+    m_forkFrame = std::min(m_forkFrame, frame);
     seek({cursor().frame, phase});
     return forked;
 }
@@ -114,9 +116,9 @@ bool Timeline::setParameter(const std::string &parameter, double value)
     sortByFrame(input);
     Track::NewInput changed = m_track.prepareInput(std::move(input), frame);
     const int phase = cursor().phase;
-    const bool forked = openOutputStep(frame);
+    const bool forked = prepareEdit(frame);
     m_track.replaceInput(std::move(changed));
-    m_fork = std::min(m_fork, frame);
+    m_forkFrame = std::min(m_forkFrame, frame);
     seek({cursor().frame, phase});
     return forked;
 }
@@ -124,14 +126,14 @@ bool Timeline::setParameter(const std::string &parameter, double value)
 bool Timeline::replaceScript(Script script)
 {
     Track next(std::move(script), m_budget / 2);
-    const Cursor was = cursor();
+    const Cursor before = cursor();
     const bool forked = computed() > 0;
     if (forked)
-        becomeComparison(0);
+        copyToComparison(0);
     m_track = std::move(next);
-    seek({was.frame, 0});
-    if (was.phase > 0)
-        seek({was.frame, std::min(was.phase, m_track.phasesPerOutput() - 1)});
+    seek({before.frame, 0});
+    if (before.phase > 0)
+        seek({before.frame, std::min(before.phase, m_track.phasesPerOutput() - 1)});
     return forked;
 }
 
@@ -141,20 +143,21 @@ bool Timeline::replaceInput(std::vector<Event> input)
         return false;
     const std::int64_t frame = firstDifference(script().input, input);
     Track::NewInput changed = m_track.prepareInput(std::move(input), frame);
-    const Cursor was = cursor();
-    m_track.seek({std::min(was.frame, std::max<std::int64_t>(0, frame - 1)), 0});
+    const Cursor before = cursor();
+    m_track.seek({std::min(before.frame, std::max<std::int64_t>(0, frame - 1)), 0});
     const bool forked = computed() > cursor().frame;
     if (forked)
-        becomeComparison(frame);
+        copyToComparison(frame);
     m_track.replaceInput(std::move(changed));
-    m_fork = std::min(m_fork, frame);
-    seek(was);
+    m_forkFrame = std::min(m_forkFrame, frame);
+    seek(before);
     return forked;
 }
 
 bool Timeline::isFinished() const
 {
-    return m_track.isFinished() && cursor().frame >= computed() && (!m_ghost || m_ghost->isFinished());
+    return m_track.isFinished() && cursor().frame >= computed() &&
+           (!m_comparison || m_comparison->isFinished());
 }
 
 bool Timeline::hasPendingInput() const
@@ -170,21 +173,21 @@ bool Timeline::hasPendingInput() const
 
 void Timeline::dropComparison()
 {
-    m_ghost.reset();
+    m_comparison.reset();
 }
 
-void Timeline::setComparison(Track run, std::int64_t fork)
+void Timeline::setComparison(Track run, std::int64_t forkFrame)
 {
-    m_ghost = std::move(run);
-    m_ghost->setBudget(comparisonBudget());
-    m_ghost->seek({cursor().frame, 0});
-    m_fork = fork;
+    m_comparison = std::move(run);
+    m_comparison->setBudget(comparisonBudget());
+    m_comparison->seek({cursor().frame, 0});
+    m_forkFrame = forkFrame;
 }
 
 void Timeline::swapWithComparison()
 {
-    std::swap(m_track, *m_ghost);
-    seek({std::max(cursor().frame, m_ghost->cursor().frame), 0});
+    std::swap(m_track, *m_comparison);
+    seek({std::max(cursor().frame, m_comparison->cursor().frame), 0});
 }
 
 }

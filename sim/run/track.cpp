@@ -17,13 +17,13 @@ namespace {
 struct Failure
 {
     StopReason reason;
-    int point; ///< the point count for what belongs to no point
+    int point; ///< the number of points if the failed number belongs to no point
 };
 
-/// What keeps a run from going on from `state`, if anything does.
+/// Returns the failure in `state`, if any.
 std::optional<Failure> failureOf(const State &state)
 {
-    // first: where steps lead no further, tries may have left any numbers
+    // First, because rejected attempts of a stuck method may have left numbers that are not finite.
     if (const int point = firstStuckPoint(state); point >= 0)
         return Failure{StopReason::tooManySteps, point};
     if (const int point = firstNonFinitePoint(state); point >= 0)
@@ -37,13 +37,13 @@ void checkInput(const Script &script)
         checkFinite(event);
 }
 
-/// -1 for what belongs to no point.
+/// Returns the failed point, or -1 if the failed number belongs to no point.
 int pointOf(const Failure &failure, const State &state)
 {
     return failure.point < state.pointCount() ? failure.point : -1;
 }
 
-/// Returns false when `goesOn` (which may be empty) said no.
+/// Runs `phase`. Returns false if `shouldContinue` (which may be empty) was false.
 bool run(const Phase &phase, State &state, const ShouldContinue &shouldContinue)
 {
     if (shouldContinue && phase.runInterruptible)
@@ -108,8 +108,8 @@ bool Track::seek(Cursor target, const ShouldContinue &shouldContinue)
     if (cachedFrameBefore(target.frame) > m_at.frame)
         restore(target.frame);
     Progress next = Progress::continues;
-    // Inside a row the numbers are looked at only where the cursor stops: where they are no good, the rest of the
-    // row tells whether the run ends here.
+    // Within an output step, only the state at the target is checked. If it is not finite, the loop computes
+    // the rest of the output step, whose end decides whether the run ends here.
     while (next == Progress::continues && (m_at < target || (m_at.phase > 0 && failureOf(m_now)))) {
         if (m_at.phase > 0 || !skipSleep(target.frame))
             next = advance(target, shouldContinue);
@@ -117,7 +117,7 @@ bool Track::seek(Cursor target, const ShouldContinue &shouldContinue)
     if (next == Progress::cancelled)
         restore(m_at.frame);
     else if (next == Progress::stopped)
-        return seek(target, shouldContinue); // now that the end is known
+        return seek(target, shouldContinue); // with the end known
     return next != Progress::cancelled;
 }
 
@@ -127,10 +127,10 @@ void Track::restore(std::int64_t frame)
     m_at = {m_now.frame, 0};
     m_interval = intervalAt(m_now.frame);
     m_computed = std::max(m_computed, m_at.frame);
-    m_blocks.wakeAll();
+    m_blockDetector.wakeAll();
 }
 
-void Track::begin(State &state, std::int64_t outputEnd) const
+void Track::applyInput(State &state, std::int64_t outputEnd) const
 {
     sim::beginOutputStep(state, m_script, intervalAt(outputEnd - framesPerOutput()), intervalAt(outputEnd),
                          outputEnd);
@@ -139,18 +139,18 @@ void Track::begin(State &state, std::int64_t outputEnd) const
 void Track::beginOutputStep(Cursor target)
 {
     const std::int64_t outputEnd = m_at.frame + framesPerOutput();
-    const int held = m_now.hold.point;
-    begin(m_now, outputEnd);
+    const int draggedPoint = m_now.hold.point;
+    applyInput(m_now, outputEnd);
     const std::shared_ptr<const ComposedInterval> interval = intervalAt(outputEnd);
     if (interval != m_interval || setsParameters(m_script, outputEnd))
-        m_blocks.wakeAll();
+        m_blockDetector.wakeAll();
     m_interval = interval;
-    if (!m_blocks.asleep().empty()) {
-        m_blocks.wake(interval->pipeline, held);
+    if (!m_blockDetector.asleep().empty()) {
+        m_blockDetector.wake(interval->pipeline, draggedPoint);
         for (const int point : grabbedPoints(m_script, interval->scene, outputEnd))
-            m_blocks.wake(interval->pipeline, point);
+            m_blockDetector.wake(interval->pipeline, point);
     }
-    m_skips = Cursor{outputEnd, 0} <= target; // inside a row even what rests may be elsewhere
+    m_skipsSleepingBlocks = Cursor{outputEnd, 0} <= target; // a sleeping block may move within an output step
 }
 
 Track::Progress Track::advance(Cursor target, const ShouldContinue &shouldContinue)
@@ -159,14 +159,15 @@ Track::Progress Track::advance(Cursor target, const ShouldContinue &shouldContin
         beginOutputStep(target);
     const Pipeline &pipeline = m_interval->pipeline;
     const int step = pipeline.phasesPerStep();
-    const bool whole = m_at.phase % step == 0 && Cursor{m_at.frame, m_at.phase + step} <= target;
+    const bool isWholeStep = m_at.phase % step == 0 && Cursor{m_at.frame, m_at.phase + step} <= target;
     const std::vector<char> none;
-    const bool isDone = whole
-                            ? runOneStep(pipeline, m_now, m_skips ? m_blocks.asleep() : none, shouldContinue)
-                            : run(pipeline.phaseAt(m_at.phase), m_now, shouldContinue);
+    const bool isDone =
+        isWholeStep ? runOneStep(pipeline, m_now, m_skipsSleepingBlocks ? m_blockDetector.asleep() : none,
+                                 shouldContinue)
+                    : run(pipeline.phaseAt(m_at.phase), m_now, shouldContinue);
     if (!isDone)
         return Progress::cancelled;
-    m_at.phase += whole ? step : 1;
+    m_at.phase += isWholeStep ? step : 1;
     return m_at.phase < pipeline.phasesPerOutput() ? Progress::continues : endOutputStep(shouldContinue);
 }
 
@@ -208,7 +209,7 @@ Track::Progress Track::recordStop(const ShouldContinue &shouldContinue)
     Stop stop;
     stop.frame = last;
     State state = *good;
-    begin(state, last + framesPerOutput());
+    applyInput(state, last + framesPerOutput());
     std::optional<Failure> failure = failureOf(state);
     while (!failure && stop.phases < interval->pipeline.phasesPerOutput()) {
         const Phase &next = interval->pipeline.phaseAt(stop.phases);
@@ -243,7 +244,7 @@ Track::Progress Track::recordStop(const ShouldContinue &shouldContinue)
 
 bool Track::runOutputStep(State &state, std::int64_t outputEnd, const ShouldContinue &shouldContinue) const
 {
-    begin(state, outputEnd);
+    applyInput(state, outputEnd);
     const std::shared_ptr<const ComposedInterval> interval = intervalAt(outputEnd);
     for (int step = 0; step < interval->pipeline.step.stepsPerOutput; ++step) {
         if (!runOneStep(interval->pipeline, state, {}, shouldContinue))
@@ -273,7 +274,7 @@ void Track::setBudget(std::size_t budget)
 State Track::stateAfterInput(State end, std::int64_t frame) const
 {
     const FlushDenormals flush;
-    begin(end, frame + framesPerOutput());
+    applyInput(end, frame + framesPerOutput());
     return end;
 }
 
@@ -283,7 +284,7 @@ State Track::preview(std::shared_ptr<const ComposedInterval> &interval) const
     State state = m_now;
     interval = m_interval;
     if (m_at.phase == 0) {
-        begin(state, m_at.frame + framesPerOutput());
+        applyInput(state, m_at.frame + framesPerOutput());
         interval = nextInterval();
     }
     return state;
@@ -295,10 +296,10 @@ std::vector<PhaseExplanation> Track::explainPhases(const std::string &body) cons
     const bool between = m_at.phase == 0;
     if (between && m_at.frame == 0)
         return {};
-    const std::int64_t rowStart = between ? m_at.frame - framesPerOutput() : m_at.frame;
-    State state = stateAt(rowStart);
-    begin(state, rowStart + framesPerOutput());
-    const std::shared_ptr<const ComposedInterval> interval = intervalAt(rowStart + framesPerOutput());
+    const std::int64_t outputStart = between ? m_at.frame - framesPerOutput() : m_at.frame;
+    State state = stateAt(outputStart);
+    applyInput(state, outputStart + framesPerOutput());
+    const std::shared_ptr<const ComposedInterval> interval = intervalAt(outputStart + framesPerOutput());
     const Pipeline &pipeline = interval->pipeline;
     const int point = interval->scene.find(body);
     if (point < 0)
@@ -313,7 +314,7 @@ std::vector<PhaseExplanation> Track::explainPhases(const std::string &body) cons
         const State before = state;
         phase.run(state);
         PhaseExplanation moment{i - stepStart, {}};
-        const bool pushed = before.velocityOf(point) != state.velocityOf(point); // a reaction, say
+        const bool pushed = before.velocityOf(point) != state.velocityOf(point); // a reaction, for example
         if (phase.points.contains(point) || pushed)
             moment.live = phase.explain(before, state, point);
         all.push_back(std::move(moment));
@@ -325,10 +326,10 @@ void Track::replaceInput(NewInput input)
 {
     m_script.input = std::move(input.events);
     m_intervals = std::move(input.intervals);
-    // events of frame 0 come with the first row: the start stays
+    // The events of frame 0 belong to the first output step, so the initial state stays.
     const std::int64_t frame = std::max<std::int64_t>(1, input.frame);
     m_keyframes.forget(frame);
-    m_watch.forget(frame);
+    m_cycleDetector.forget(frame);
     m_computed = std::min(m_computed, m_at.frame);
     m_stop.reset();
     m_interval = intervalAt(m_at.frame);
@@ -336,8 +337,8 @@ void Track::replaceInput(NewInput input)
 
 namespace {
 
-/// Bytes that the states of one round may take, if they are several.
-constexpr std::size_t mostOfARound = std::size_t{16} << 20;
+/// Bytes that the states of a cycle may take, if it has more than one.
+constexpr std::size_t maxCycleBytes = std::size_t{16} << 20;
 
 }
 
@@ -345,8 +346,8 @@ std::int64_t Track::cachedFrameBefore(std::int64_t frame) const
 {
     const std::int64_t kept = m_keyframes.lastAtOrBefore(frame);
     const Sleep *sleep = m_keyframes.lastSleepAtOrBefore(frame);
-    const std::int64_t row = frame / framesPerOutput() * framesPerOutput();
-    return sleep ? std::max(kept, std::min(row, lastFrameOf(*sleep))) : kept;
+    const std::int64_t outputEnd = frame / framesPerOutput() * framesPerOutput();
+    return sleep ? std::max(kept, std::min(outputEnd, lastFrameOf(*sleep))) : kept;
 }
 
 State Track::cachedState(std::int64_t frame) const
@@ -364,8 +365,8 @@ const Sleep *Track::sleepAt(std::int64_t frame) const
 
 std::int64_t Track::lastFrameOf(const Sleep &sleep) const
 {
-    const std::optional<std::int64_t> wakes = nextInputFrame(m_script, sleep.from());
-    return wakes ? *wakes - framesPerOutput() : std::numeric_limits<std::int64_t>::max();
+    const std::optional<std::int64_t> nextInput = nextInputFrame(m_script, sleep.from());
+    return nextInput ? *nextInput - framesPerOutput() : std::numeric_limits<std::int64_t>::max();
 }
 
 bool Track::isFinished() const
@@ -381,45 +382,47 @@ void Track::detectSleep()
     if (m_sleeping == Sleeping::never)
         return;
     detectSleepingBlocks();
-    const std::optional<CycleDetector::Again> again = m_watch.check(m_now, framesPerOutput());
-    const std::int64_t rows = again ? (m_at.frame - again->since) / framesPerOutput() : 0;
-    const bool fits = rows == 1 || static_cast<std::size_t>(rows) * byteSize(m_now) <= mostOfARound;
-    if (!again || !fits || nextInputFrame(m_script, again->since).value_or(m_at.frame + 1) <= m_at.frame ||
+    const std::optional<CycleDetector::Repetition> repetition =
+        m_cycleDetector.check(m_now, framesPerOutput());
+    const std::int64_t period = repetition ? (m_at.frame - repetition->since) / framesPerOutput() : 0;
+    const bool fits = period == 1 || static_cast<std::size_t>(period) * byteSize(m_now) <= maxCycleBytes;
+    if (!repetition || !fits ||
+        nextInputFrame(m_script, repetition->since).value_or(m_at.frame + 1) <= m_at.frame ||
         preventsSleep(m_interval->pipeline, m_now))
         return;
-    // The round that has just ended is the one that comes, too, unless something comes in: so input to come, which may
-    // be another one by then, is not in it.
-    std::vector<std::shared_ptr<const State>> round;
-    State state = *m_watch.mark();
-    while (static_cast<std::int64_t>(round.size()) < rows) {
+    // Without input, the next cycle repeats the last one. The loop computes the last one again, which had no
+    // input, and not the next one, because later input may still change.
+    std::vector<std::shared_ptr<const State>> cycle;
+    State state = *m_cycleDetector.mark();
+    while (static_cast<std::int64_t>(cycle.size()) < period) {
         auto later = std::make_shared<State>(state);
-        later->frame += rows * framesPerOutput();
-        later->pointEvaluations += again->evaluations;
-        round.push_back(std::move(later));
-        if (static_cast<std::int64_t>(round.size()) < rows)
+        later->frame += period * framesPerOutput();
+        later->pointEvaluations += repetition->evaluations;
+        cycle.push_back(std::move(later));
+        if (static_cast<std::int64_t>(cycle.size()) < period)
             runOutputStep(state, state.frame + framesPerOutput(), {});
     }
-    m_keyframes.add(Sleep(std::move(round), framesPerOutput(), again->evaluations));
+    m_keyframes.add(Sleep(std::move(cycle), framesPerOutput(), repetition->evaluations));
 }
 
 void Track::detectSleepingBlocks()
 {
-    const State *mark = m_watch.mark();
+    const State *mark = m_cycleDetector.mark();
     if (!m_interval->pipeline.blocks.empty() && mark && mark->frame + framesPerOutput() == m_at.frame &&
         m_intervals.areInSameInterval(mark->frame, m_at.frame))
-        m_blocks.check(m_interval->pipeline, *mark, m_now);
+        m_blockDetector.check(m_interval->pipeline, *mark, m_now);
 }
 
 bool Track::skipSleep(std::int64_t frame)
 {
     const Sleep *sleep = sleepAt(m_at.frame);
-    const std::int64_t to = sleep ? std::min(frame, lastFrameOf(*sleep)) : m_at.frame;
-    if (to <= m_at.frame)
+    const std::int64_t target = sleep ? std::min(frame, lastFrameOf(*sleep)) : m_at.frame;
+    if (target <= m_at.frame)
         return false;
-    sleep->take(m_now, to);
-    m_at = {to, 0};
-    m_interval = intervalAt(to);
-    m_computed = std::max(m_computed, to);
+    sleep->take(m_now, target);
+    m_at = {target, 0};
+    m_interval = intervalAt(target);
+    m_computed = std::max(m_computed, target);
     return true;
 }
 

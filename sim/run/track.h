@@ -18,7 +18,7 @@
 
 namespace sim {
 
-/// A moment of a run: `frame` frames are done, and `phase` phases of the next row.
+/// A moment of a run: `frame` frames are computed, and `phase` phases of the next output step.
 struct Cursor
 {
     std::int64_t frame = 0;
@@ -26,147 +26,159 @@ struct Cursor
     friend auto operator<=>(const Cursor &, const Cursor &) = default;
 };
 
-/// What keeps a run from its next frame.
+/// The reason why a run ends.
 enum class StopReason {
     notFinite,    ///< a number stopped being finite
-    tooManySteps, ///< a method that chooses its steps needs more of them for one frame than it may take
+    tooManySteps, ///< an adaptive method exceeded its step budget for one frame
 };
 
 /// Where and why a run ends.
 struct Stop
 {
     StopReason reason = StopReason::notFinite;
-    std::int64_t frame = 0; ///< the last good one
-    int phases = 0;         ///< how many phases of the row after it leave good numbers
+    std::int64_t frame = 0; ///< the last frame without failure
+    int phases = 0;         ///< the number of phases of the next output step that succeed
     std::string phase;      ///< title of the phase that failed first
-    EffectPtr
-        effect;     ///< whose phase that is; of a method's own, what pulls that point hardest; null: nothing
-    int point = -1; ///< the one that failed first; -1 for what belongs to no point
-    std::string body; ///< its name
-    int other = -1;   ///< the point at the other end of that pull; -1: it pulls to a place, or is none
-    std::string otherBody;
+    /// The effect that failed. If the phase belongs to the method: the strongest force on `point`, or null.
+    EffectPtr effect;
+    int point = -1;        ///< the point that failed first; -1: the failed number belongs to no point
+    std::string body;      ///< name of `point`
+    int other = -1;        ///< the point at the other end of the force; -1: none
+    std::string otherBody; ///< name of `other`
 };
 
-/// What one phase did to one point.
+/// The effect of one phase on one point.
 struct PhaseExplanation
 {
-    int phase = 0; ///< index into the pipeline's phases
-    std::vector<LiveValue> live;
+    int phase = 0;               ///< index into the pipeline's phases
+    std::vector<LiveValue> live; ///< values of variables in the shown code
 };
 
-/// One run of a script, and a cursor in it. Going back is exact: the nearest kept state is restored and the rest
-/// is computed again. Kept states take at most `budget` bytes: when they are full, every second one is dropped.
-/// What has come to rest sleeps: rows that can only be the same again are not computed, and what they cost does not
-/// depend on their number. That changes no bit of the run.
+/// A run of a script with a cursor. Seeking back is exact: the track restores the nearest keyframe and
+/// computes the rest again. The keyframes take at most `budget` bytes. If they exceed it, every second one is
+/// dropped. A run whose states repeat exactly sleeps: it is not computed again, and skipping any number of
+/// output steps costs the same. The result is the same in every bit.
 class Track
 {
 public:
-    /// With a budget of 0 only the start is kept.
-    /// @throws Error when scene and method do not fit, with any of the values that the input sets
+    /// Starts at frame 0. With a budget of 0, only the initial state is kept.
+    /// @throws Error if the method cannot compute the scene with all parameter values that the input sets
     Track(Script script, std::size_t budget, Sleeping sleeping = Sleeping::allowed);
 
     const Script &script() const { return m_script; }
     const State &state() const { return m_now; }
     Cursor cursor() const { return m_at; }
-    /// The last frame that was ever computed, or slept through.
+    /// Returns the last frame that was computed or skipped in sleep.
     std::int64_t computed() const { return m_computed; }
+    /// Returns why the run ends, or nothing as long as no end is known.
     const std::optional<Stop> &stop() const { return m_stop; }
     int framesPerOutput() const { return m_script.step.framesPerOutput; }
 
-    /// The segment that the state at the cursor belongs to.
+    /// Returns the composed interval of the state at the cursor.
     const ComposedInterval &interval() const { return *m_interval; }
     std::shared_ptr<const ComposedInterval> intervalPtr() const { return m_interval; }
-    /// The segment whose phases run next.
+    /// Returns the composed interval of the next output step.
     std::shared_ptr<const ComposedInterval> nextInterval() const
     {
         return intervalAt(m_at.frame + framesPerOutput());
     }
+    /// Returns the number of phases in the next output step.
     int phasesPerOutput() const;
 
-    /// Goes to `target`. A frame between two rows is rounded down to a row; a phase past the row's last leads to
-    /// the next row; past the end of the run it goes to stop()->frame, from inside the row that fails to the last
-    /// phase that leaves good numbers.
+    /// Moves the cursor to `target`. Rounds the frame down to the end of an output step. A phase after the
+    /// last of an output step means the start of the next one. A target after the end of the run becomes
+    /// stop()->frame. Within the output step that fails, a later phase becomes the last one that succeeds.
     void seek(Cursor target);
-    /// The same, asking `goesOn` after each phase or step, and within a phase that takes long. Returns false when that
-    /// said no: the cursor is then at a moment that was kept before, and at 0 at worst.
+    /// Does the same, and calls `shouldContinue` after each phase or step and within long phases. If it
+    /// returns false, this returns false too, with the cursor at the last known state before the moment it
+    /// had reached.
     bool seek(Cursor target, const ShouldContinue &shouldContinue);
-    /// The state at the cursor after the input that the next row begins with; `segment` is set to its segment.
+    /// Returns the state at the cursor. Between two output steps, the input of the next one is already
+    /// applied. Sets `interval` to the composed interval of the result.
     State preview(std::shared_ptr<const ComposedInterval> &interval) const;
-    /// What the phases of the step under way (or, between rows, of the last step done) did to the point named.
+    /// Explains the finished phases of the current step for the point named `body`. Between two output steps,
+    /// explains the last step.
     std::vector<PhaseExplanation> explainPhases(const std::string &body) const;
 
     /// Composes every scene of `script`.
-    /// @throws Error when one does not fit its method, or when a number of the input is not finite
+    /// @throws Error if the method cannot compute one of them, or if a number of the input is not finite
     static void check(const Script &script);
-    /// Input for replaceInput(), with its scenes.
+    /// New input for replaceInput(), with its composed scenes.
     struct NewInput
     {
         std::vector<Event> events;
-        std::int64_t frame = 0; ///< the first in which it may differ
+        std::int64_t frame = 0; ///< the first frame at which it may differ from the old input
         ComposedIntervals intervals;
     };
-    /// Composes every scene of the script with `events` from `frame` on, before anything changes, so that no step
-    /// meets a scene that its method cannot compute.
-    /// @throws Error when one does not, or when a number of the input is not finite
+    /// Composes every scene that `events` produce from `frame` on. The run does not change yet, so an error
+    /// leaves it intact.
+    /// @throws Error if the method cannot compute one of them, or if a number of the input is not finite
     NewInput prepareInput(std::vector<Event> events, std::int64_t frame) const;
-    /// Replaces the input, which prepared() has returned, and forgets what was computed from its frame on. The cursor
-    /// must stand between two rows, before that frame.
+    /// Replaces the input by a result of prepareInput() and forgets everything computed from its frame on.
+    /// The cursor must be between two output steps, before that frame.
     void replaceInput(NewInput input);
-    /// The sleep that the cursor is in; null while the run is awake.
+    /// Returns the sleep at the cursor, or null if the run is awake there.
     const Sleep *sleep() const { return sleepAt(m_at.frame); }
-    /// Whether the cursor stands between two rows where nothing is to be seen any more, however long the run goes on: it
-    /// sleeps without moving (see Sleep::isStill()) and no input is to come, or it has come to its end.
+    /// Returns whether nothing visible happens after the cursor: the run ends here, or it sleeps without
+    /// moving (see Sleep::isStill()) and has no more input. Asleep, the cursor must also be between two
+    /// output steps.
     bool isFinished() const;
-    /// Limits the kept states to `budget` bytes from now on.
+    /// Limits the keyframes to `budget` bytes from now on.
     void setBudget(std::size_t budget);
-    /// The state at the end of row `frame`, which was computed before.
+    /// Returns the state at `frame`, the end of an output step that was computed before.
     State stateAt(std::int64_t frame) const { return *outputState(frame, {}); }
-    /// `end`, the state at the end of row `frame`, after the input that the next row begins with.
+    /// Returns `end`, the state at `frame`, with the input of the next output step applied.
     State stateAfterInput(State end, std::int64_t frame) const;
-    /// The segment that it belongs to.
+    /// Returns the composed interval of the output step that ends at `frame`.
     std::shared_ptr<const ComposedInterval> intervalAt(std::int64_t frame) const
     {
         return m_intervals.at(m_script, frame);
     }
-    /// The last frame up to `frame` whose state is known: from there the way to `frame` is computed again.
+    /// Returns the last frame at or before `frame` whose state is known without computing a step.
     std::int64_t cachedFrameBefore(std::int64_t frame) const;
+    /// Returns the memory of the keyframes, in bytes.
     std::size_t keyframeBytes() const { return m_keyframes.bytes(); }
     std::size_t keyframeCount() const { return m_keyframes.count(); }
-    /// The memory of what sleeps: the states of one round each.
+    /// Returns the memory of the states of all sleeps, in bytes.
     std::size_t sleepBytes() const { return m_keyframes.sleepBytes(); }
 
 private:
+    /// Moves the cursor to the last known state at or before `frame`.
     void restore(std::int64_t frame);
-    /// The nearest known state at the end of a row that is not after `frame`.
+    /// Returns the last known state at or before `frame`.
     State cachedState(std::int64_t frame) const;
-    /// Takes `state`, at the end of a row, into the row that ends at `rowEnd`: applies its input.
-    void begin(State &state, std::int64_t outputEnd) const;
-    /// Whether the run goes on.
+    /// Applies the input of the output step that ends at `outputEnd` to `state`, the end of the one before.
+    void applyInput(State &state, std::int64_t outputEnd) const;
+    /// The result of an attempt to advance the run.
     enum class Progress { continues, stopped, cancelled };
-    /// Runs the next step if `target` is not inside it, else the next phase.
+    /// Runs the next step if it ends at or before `target`, else the next phase.
     Progress advance(Cursor target, const ShouldContinue &shouldContinue);
-    /// One step on a state that is at the beginning of one, without the blocks that are `asleep` (see runStep()).
-    /// Returns false when `goesOn` said no on the way.
+    /// Runs one step from its start, without the cache blocks that are `asleep` (see runStep()). Returns
+    /// false if it was cancelled.
     bool runOneStep(const Pipeline &pipeline, State &state, const std::vector<char> &asleep,
                     const ShouldContinue &shouldContinue) const;
-    /// Takes the state at the cursor into the next row.
+    /// Applies the input of the next output step at the cursor.
     void beginOutputStep(Cursor target);
+    /// Checks the result, moves the cursor to the end of the output step, and keeps the state.
     Progress endOutputStep(const ShouldContinue &shouldContinue);
-    /// Takes `state`, at the end of the row before, through the row that ends at `rowEnd`. Returns whether it is done.
+    /// Computes the output step that ends at `outputEnd`, from `state`, the end of the one before. Returns
+    /// false if it was cancelled.
     bool runOutputStep(State &state, std::int64_t outputEnd, const ShouldContinue &shouldContinue) const;
-    /// Goes back to the last good row, and finds out what failed after it.
+    /// Goes back to the last good output step and sets `m_stop` to the first failure after it.
     Progress recordStop(const ShouldContinue &shouldContinue);
-    /// The state at the end of a row that was computed before, computed again from the nearest known one. Empty when
-    /// `goesOn` said no on the way.
+    /// Returns the state at `frame`, computed again from the last known one. Returns nothing if it was
+    /// cancelled.
     std::optional<State> outputState(std::int64_t frame, const ShouldContinue &shouldContinue) const;
 
+    /// Returns the sleep at `frame`, or null if the run is awake there.
     const Sleep *sleepAt(std::int64_t frame) const;
-    /// The last frame that `sleep` reaches: the next input ends it.
+    /// Returns the last frame of `sleep`, which the next input ends.
     std::int64_t lastFrameOf(const Sleep &sleep) const;
-    /// At the end of a row: whether the run, or a block of it, has come to rest.
+    /// Detects at the end of an output step whether the run, or a cache block of it, repeats.
     void detectSleep();
     void detectSleepingBlocks();
-    /// Sleeps on, up to `frame` if nothing wakes it before. Returns whether it got anywhere.
+    /// If the run sleeps, moves the cursor to `frame` or to the end of the sleep, whichever is first. Returns
+    /// whether the cursor moved.
     bool skipSleep(std::int64_t frame);
 
     Script m_script;
@@ -178,10 +190,10 @@ private:
     std::int64_t m_computed = 0;
     std::optional<Stop> m_stop;
     KeyframeStore m_keyframes;
-    CycleDetector m_watch;
-    BlockCycleDetector m_blocks;
-    bool m_skips = false;      ///< whether the row under way leaves out the blocks that sleep
-    mutable ThreadPool m_pool; ///< for steps that are large enough to share
+    CycleDetector m_cycleDetector;
+    BlockCycleDetector m_blockDetector;
+    bool m_skipsSleepingBlocks = false; ///< whether the current output step skips sleeping cache blocks
+    mutable ThreadPool m_pool;          ///< for steps with many points
 };
 
 }

@@ -25,13 +25,13 @@ void BlueprintDraft::addSpring(const BlueprintSpring &spring, bool pullsBoth)
 
 int BlueprintDraft::addFixedPoint(const std::string &name, Vec2 x)
 {
-    std::string free = name;
-    const auto isTaken = [&](const BlueprintPoint &one) { return one.name == free; };
+    std::string uniqueName = name;
+    const auto isTaken = [&](const BlueprintPoint &point) { return point.name == uniqueName; };
     for (int i = 2; std::any_of(blueprint.points.begin(), blueprint.points.end(), isTaken); ++i)
-        free = name + std::to_string(i);
-    BlueprintPoint nail{free, x, {}};
-    nail.fixed = true;
-    blueprint.points.push_back(nail);
+        uniqueName = name + std::to_string(i);
+    BlueprintPoint point{uniqueName, x, {}};
+    point.fixed = true;
+    blueprint.points.push_back(point);
     return static_cast<int>(blueprint.points.size()) - 1;
 }
 
@@ -41,9 +41,9 @@ void BlueprintDraft::omit(const std::string &what)
         omitted.push_back(what);
 }
 
-bool hasEffect(const Blueprint &plan, const std::string &id)
+bool hasEffect(const Blueprint &blueprint, const std::string &id)
 {
-    return std::find(plan.effects.begin(), plan.effects.end(), id) != plan.effects.end();
+    return std::find(blueprint.effects.begin(), blueprint.effects.end(), id) != blueprint.effects.end();
 }
 
 double valueOf(const BlueprintPoint &point, const ParameterSpec &parameter)
@@ -60,72 +60,72 @@ void setValue(BlueprintPoint &point, const ParameterSpec &parameter, double valu
         point.properties[parameter.id] = value;
 }
 
-Eigen::ArrayXd valuesOf(const Blueprint &plan, const ParameterSpec &parameter)
+Eigen::ArrayXd valuesOf(const Blueprint &blueprint, const ParameterSpec &parameter)
 {
-    Eigen::ArrayXd all(static_cast<Eigen::Index>(plan.points.size()));
-    for (Eigen::Index i = 0; i < all.size(); ++i)
-        all[i] = valueOf(plan.points[static_cast<std::size_t>(i)], parameter);
-    return all;
+    Eigen::ArrayXd values(static_cast<Eigen::Index>(blueprint.points.size()));
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        values[i] = valueOf(blueprint.points[static_cast<std::size_t>(i)], parameter);
+    return values;
 }
 
-Eigen::ArrayXd widths(const Blueprint &plan)
+Eigen::ArrayXd widths(const Blueprint &blueprint)
 {
-    Eigen::ArrayXd all(static_cast<Eigen::Index>(plan.points.size()));
-    for (Eigen::Index i = 0; i < all.size(); ++i)
-        all[i] = plan.points[static_cast<std::size_t>(i)].size;
-    return all;
+    Eigen::ArrayXd values(static_cast<Eigen::Index>(blueprint.points.size()));
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        values[i] = blueprint.points[static_cast<std::size_t>(i)].size;
+    return values;
 }
 
-Eigen::ArrayXd halfWidths(const Blueprint &plan)
+Eigen::ArrayXd halfWidths(const Blueprint &blueprint)
 {
-    return 0.5 * widths(plan);
+    return 0.5 * widths(blueprint);
 }
 
-std::vector<int> feetOf(const Blueprint &plan)
+std::vector<int> feetOf(const Blueprint &blueprint)
 {
     std::vector<int> feet;
-    for (const BlueprintFoot &one : plan.feet)
-        feet.push_back(one.foot);
+    for (const BlueprintFoot &foot : blueprint.feet)
+        feet.push_back(foot.foot);
     std::sort(feet.begin(), feet.end());
     return feet;
 }
 
-int clocksOf(const Blueprint &plan)
+int clockCount(const Blueprint &blueprint)
 {
-    return static_cast<int>(plan.gaits.size()) + 2;
+    return static_cast<int>(blueprint.gaits.size()) + 2;
 }
 
-int windClockOf(const Blueprint &plan)
+int windClockOf(const Blueprint &blueprint)
 {
-    return static_cast<int>(plan.gaits.size());
+    return static_cast<int>(blueprint.gaits.size());
 }
 
-std::vector<int> clockOf(const Blueprint &plan)
+std::vector<int> clockOf(const Blueprint &blueprint)
 {
-    std::vector<int> clocks(plan.points.size(), clocksOf(plan) - 1);
-    for (const BlueprintFoot &one : plan.feet) {
-        clocks[static_cast<std::size_t>(one.foot)] = one.gait;
-        clocks[static_cast<std::size_t>(one.body)] = one.gait;
+    std::vector<int> clocks(blueprint.points.size(), clockCount(blueprint) - 1);
+    for (const BlueprintFoot &foot : blueprint.feet) {
+        clocks[static_cast<std::size_t>(foot.foot)] = foot.gait;
+        clocks[static_cast<std::size_t>(foot.body)] = foot.gait;
     }
     return clocks;
 }
 
-std::vector<std::vector<int>> partnerClocksOf(const Blueprint &plan)
+std::vector<std::vector<int>> partnerClocksOf(const Blueprint &blueprint)
 {
-    std::map<int, std::set<int>> ofBody;
-    for (const BlueprintFoot &one : plan.feet)
-        ofBody[one.body].insert(one.gait);
-    std::vector<std::set<int>> mates(static_cast<std::size_t>(clocksOf(plan)));
-    for (const auto &[body, clocks] : ofBody) {
+    std::map<int, std::set<int>> clocksOfBody;
+    for (const BlueprintFoot &foot : blueprint.feet)
+        clocksOfBody[foot.body].insert(foot.gait);
+    std::vector<std::set<int>> partners(static_cast<std::size_t>(clockCount(blueprint)));
+    for (const auto &[body, clocks] : clocksOfBody) {
         for (const int clock : clocks)
-            mates[static_cast<std::size_t>(clock)].insert(clocks.begin(), clocks.end());
+            partners[static_cast<std::size_t>(clock)].insert(clocks.begin(), clocks.end());
     }
-    std::vector<std::vector<int>> all;
-    for (std::size_t i = 0; i < mates.size(); ++i) {
-        mates[i].erase(static_cast<int>(i));
-        all.emplace_back(mates[i].begin(), mates[i].end());
+    std::vector<std::vector<int>> result;
+    for (std::size_t i = 0; i < partners.size(); ++i) {
+        partners[i].erase(static_cast<int>(i));
+        result.emplace_back(partners[i].begin(), partners[i].end());
     }
-    return all;
+    return result;
 }
 
 }

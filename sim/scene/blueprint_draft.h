@@ -12,48 +12,57 @@
 
 namespace sim {
 
-/// A scene as a learner could have built it.
+/// A scene translated to a Blueprint, so that a learner can edit it in the sandbox.
 struct BlueprintDraft
 {
     Blueprint blueprint;
-    std::map<std::string, double> parameters; ///< settings of the scene, by id
-    std::vector<std::string> omitted;         ///< what of it nobody can build, in English; see SIM_TEXT
-    State state; ///< of the scene: points that the blueprint has beyond these stand for something else
+    std::map<std::string, double> parameters; ///< of the scene, by id
+    std::vector<std::string> omitted;         ///< what a blueprint cannot express, in English; see SIM_TEXT
+    /// The state of the original scene. Points that the blueprint has in addition are fixed ends of springs.
+    State state;
 
-    /// Adds an effect with its settings.
+    /// Adds the effect with the id `effect`, unless it is there already, and sets its parameters.
     void addEffect(const std::string &effect,
                    std::initializer_list<std::pair<const char *, double>> settings);
-    /// Adds a spring. One that is built pulls both ends; `pullsBoth`: whether this one does, too.
+    /// Adds a spring. A spring of a blueprint always pulls both ends. If the original pulls only `a`
+    /// (`pullsBoth` is false) and `b` is not fixed, the difference is added to `omitted`.
     void addSpring(const BlueprintSpring &spring, bool pullsBoth);
-    /// Adds a point that stands fast, and returns its number. It is called `name`, with a number behind it where a point
-    /// is called so already.
+    /// Adds a fixed point at `x` (px) and returns its index. If a point called `name` exists, a number is
+    /// appended to the name.
     int addFixedPoint(const std::string &name, Vec2 x);
+    /// Adds `what` to `omitted`, once.
     void omit(const std::string &what);
 };
 
-/// Whether the effect called `id` was chosen for the scene.
-bool hasEffect(const Blueprint &plan, const std::string &id);
+/// Returns whether the scene has the effect `id`.
+bool hasEffect(const Blueprint &blueprint, const std::string &id);
 
-/// The number that a setting of points has at `point`: its preset where the point has none of its own.
+/// Returns the value of a point property at `point`, or the default value if the point does not set it.
 double valueOf(const BlueprintPoint &point, const ParameterSpec &parameter);
+/// Sets a point property. The default value is not stored.
 void setValue(BlueprintPoint &point, const ParameterSpec &parameter, double value);
-/// One entry a point.
-Eigen::ArrayXd valuesOf(const Blueprint &plan, const ParameterSpec &parameter);
+/// Returns the values of a point property, one per point.
+Eigen::ArrayXd valuesOf(const Blueprint &blueprint, const ParameterSpec &parameter);
 
-/// Each point's width, and half of it, in px.
-Eigen::ArrayXd widths(const Blueprint &plan);
-Eigen::ArrayXd halfWidths(const Blueprint &plan);
+/// Returns the width of each point in px.
+Eigen::ArrayXd widths(const Blueprint &blueprint);
+/// Returns half the width of each point in px.
+Eigen::ArrayXd halfWidths(const Blueprint &blueprint);
 
-/// The points that are feet, in order.
-std::vector<int> feetOf(const Blueprint &plan);
+/// Returns the points that are feet, in ascending order.
+std::vector<int> feetOf(const Blueprint &blueprint);
 
-// The clocks of a scene: one a gait group, then that of the wind, then one that no leg goes by.
+// A scene has one clock for each gait group, then the wind's clock, then one for points that belong to no
+// leg.
 
-int clocksOf(const Blueprint &plan);
-int windClockOf(const Blueprint &plan);
-/// Which clock each point goes by, one a point.
-std::vector<int> clockOf(const Blueprint &plan);
-/// For each clock those of the other gait groups with feet on the same bodies: one creature.
-std::vector<std::vector<int>> partnerClocksOf(const Blueprint &plan);
+/// Returns the number of clocks.
+int clockCount(const Blueprint &blueprint);
+/// Returns the index of the wind's clock.
+int windClockOf(const Blueprint &blueprint);
+/// Returns the index of the clock that each point follows.
+std::vector<int> clockOf(const Blueprint &blueprint);
+/// Returns, for each clock, the other gait clocks of the same creature: their groups have feet on the same
+/// bodies.
+std::vector<std::vector<int>> partnerClocksOf(const Blueprint &blueprint);
 
 }

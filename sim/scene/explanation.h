@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// A part of a source file between two lines `//! [marker]`, which the code panel shows.
+/// A part of a source file that the code panel shows: it stands between two lines `//! [marker]`.
 struct Region
 {
     std::string file; ///< path from the project's top folder, with slashes
@@ -17,12 +17,13 @@ struct Region
     friend auto operator<=>(const Region &, const Region &) = default;
 };
 
-/// A number or vector that a formula computed.
+/// The current value of a variable in the shown code.
 struct LiveValue
 {
-    std::string name; ///< of the variable in the shown code
+    std::string name; ///< of the variable
     std::variant<double, Vec2> value;
-    std::optional<std::variant<double, Vec2>> before = {}; ///< the old value, where the line changes one
+    std::optional<std::variant<double, Vec2>> before =
+        {}; ///< previous value, if the code changes the variable
 };
 
 }

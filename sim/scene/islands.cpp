@@ -9,38 +9,38 @@ namespace sim {
 
 namespace {
 
-/// Sets of points that can be united. Source: Galler and Fischer, "An improved equivalence algorithm", 1964.
+/// A union-find structure of points. Source: Galler and Fischer, "An improved equivalence algorithm", 1964.
 class DisjointSets
 {
 public:
-    explicit DisjointSets(int points) : m_above(static_cast<std::size_t>(points))
+    explicit DisjointSets(int points) : m_parents(static_cast<std::size_t>(points))
     {
-        std::iota(m_above.begin(), m_above.end(), 0);
+        std::iota(m_parents.begin(), m_parents.end(), 0);
     }
 
-    /// The lowest point of the set that `point` is in.
+    /// Returns the lowest point of the set that contains `point`.
     int lowest(int point)
     {
-        while (above(point) != point) {
-            above(point) = above(above(point)); // so the next way is half as long
-            point = above(point);
+        while (parent(point) != point) {
+            parent(point) = parent(parent(point)); // path halving: makes the next search shorter
+            point = parent(point);
         }
         return point;
     }
 
-    void unite(const Coupling &tie)
+    void unite(const Coupling &coupling)
     {
-        const auto [low, high] = std::minmax({lowest(tie.first), lowest(tie.second)});
-        above(high) = low;
+        const auto [low, high] = std::minmax({lowest(coupling.first), lowest(coupling.second)});
+        parent(high) = low;
     }
 
 private:
-    int &above(int point) { return m_above[static_cast<std::size_t>(point)]; }
+    int &parent(int point) { return m_parents[static_cast<std::size_t>(point)]; }
 
-    std::vector<int> m_above; ///< a point of the same set each, itself where it is the lowest
+    std::vector<int> m_parents; ///< per point: a point of the same set, or itself if it is the lowest
 };
 
-bool acts(const Effect &effect, const Scene &scene)
+bool isActive(const Effect &effect, const Scene &scene)
 {
     return !effect.isIdle() && effect.count(scene.start, {0, scene.start.pointCount()}) > 0;
 }
@@ -50,19 +50,19 @@ bool acts(const Effect &effect, const Scene &scene)
 std::vector<std::vector<PointRange>> islandsOf(const Scene &scene)
 {
     const int points = scene.start.pointCount();
-    std::vector<Coupling> ties;
+    std::vector<Coupling> couplings;
     for (const EffectPtr &effect : scene.effects) {
-        if (!acts(*effect, scene))
+        if (!isActive(*effect, scene))
             continue;
         if (effect->dependence() != Dependence::coupledPoints)
             return {{{0, points}}};
-        effect->addCouplings(ties);
+        effect->addCouplings(couplings);
     }
     DisjointSets sets(points);
-    for (const Coupling &tie : ties)
-        sets.unite(tie);
+    for (const Coupling &coupling : couplings)
+        sets.unite(coupling);
     std::vector<std::vector<PointRange>> islands;
-    std::vector<std::size_t> islandOf(static_cast<std::size_t>(points)); // of each set's lowest point
+    std::vector<std::size_t> islandOf(static_cast<std::size_t>(points)); // only valid for lowest points
     for (int i = 0; i < points; ++i) {
         const int lowest = sets.lowest(i);
         if (lowest == i) {
@@ -81,14 +81,14 @@ std::vector<std::vector<PointRange>> islandsOf(const Scene &scene)
 std::vector<PointRange> sortedRanges(std::vector<PointRange> ranges)
 {
     std::sort(ranges.begin(), ranges.end(), [](PointRange a, PointRange b) { return a.first < b.first; });
-    std::vector<PointRange> fewer;
+    std::vector<PointRange> merged;
     for (const PointRange &range : ranges) {
-        if (!fewer.empty() && fewer.back().end() == range.first)
-            fewer.back().count += range.count;
+        if (!merged.empty() && merged.back().end() == range.first)
+            merged.back().count += range.count;
         else
-            fewer.push_back(range);
+            merged.push_back(range);
     }
-    return fewer;
+    return merged;
 }
 
 }

@@ -6,9 +6,10 @@
 
 namespace sim {
 
-/// The parts of a scene that nothing ties to each other: what happens in one changes nothing in the others. Each is
-/// a list of runs of neighbouring points in ascending order; together they hold every point once, and the one with the
-/// lowest point comes first. One part where an effect that acts sees more than what it ties.
+/// Returns the islands of a scene: sets of points that no coupling joins to others, so they can be computed
+/// separately. An island is a list of ranges in ascending order. Each point is in exactly one island. Islands
+/// are sorted by their lowest point. The whole scene is one island if an active effect depends on more than
+/// its couplings.
 std::vector<std::vector<PointRange>> islandsOf(const Scene &scene);
 
 }

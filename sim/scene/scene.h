@@ -8,13 +8,13 @@
 
 namespace sim {
 
-/// Whether points go on by themselves.
+/// How the points of a group move.
 enum class Motion {
-    byVelocity, ///< they have a velocity (or spin), and move by it
-    prescribed, ///< they go only where drivers and constraints put them
+    byVelocity, ///< they have a velocity (or spin) and move by it
+    prescribed, ///< only drivers and constraints move them
 };
 
-/// Points that a sequential method (`published`) moves together, before the next group sees them.
+/// Points that a sequential method (`published`) moves together, before it computes the next group.
 struct Group
 {
     std::string title; ///< in English; see SIM_TEXT
@@ -22,17 +22,17 @@ struct Group
     Motion motion = Motion::byVelocity;
 };
 
-/// What is simulated: a start, the effects that act (no others are computed), and the published update order.
+/// A simulation: its initial state, its effects, and the update order of its points.
 struct Scene
 {
-    State start;
-    std::vector<std::string> names; ///< one a point; how files and events call it
-    std::vector<Group> groups;      ///< in update order; together they hold every point that can move
+    State start;                    ///< the initial state
+    std::vector<std::string> names; ///< per point: the name that files and events use
+    std::vector<Group> groups;      ///< in update order; every point that can move is in one
     std::vector<EffectPtr> effects; ///< in the order in which they act
 
-    /// The number of the point called `name`, or -1.
+    /// Returns the index of the point called `name`, or -1.
     int find(const std::string &name) const;
-    /// Whether `point` is in a group that goes on by itself. (What is in no group is a handle.)
+    /// Returns whether `point` is in a group that moves by its velocity. (A point in no group is a handle.)
     bool movesByVelocity(int point) const;
 };
 

@@ -27,16 +27,16 @@ void State::setVelocity(int point, Vec2 v)
 
 bool sameBits(const State &a, const State &b)
 {
-    std::vector<char> flatA, flatB;
-    const auto flatten = [](std::vector<char> &into) {
-        return [&into](const void *data, std::size_t bytes) {
+    std::vector<char> bytesA, bytesB;
+    const auto appendTo = [](std::vector<char> &buffer) {
+        return [&buffer](const void *data, std::size_t bytes) {
             const char *first = static_cast<const char *>(data);
-            into.insert(into.end(), first, first + bytes);
+            buffer.insert(buffer.end(), first, first + bytes);
         };
     };
-    visitBytes(a, flatten(flatA));
-    visitBytes(b, flatten(flatB));
-    return flatA == flatB;
+    visitBytes(a, appendTo(bytesA));
+    visitBytes(b, appendTo(bytesB));
+    return bytesA == bytesB;
 }
 
 std::size_t byteSize(const State &state)

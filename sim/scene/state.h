@@ -12,14 +12,14 @@
 
 namespace sim {
 
-/// What a hand holds: that body stands at `hand` until it is let go.
+/// The point that the learner drags. It stays at `hand` until the learner releases it.
 struct Hold
 {
-    int point = -1; ///< -1: nothing is held
-    Vec2 hand;      ///< px
+    int point = -1; ///< -1: none
+    Vec2 hand;      ///< px, position of the pointer
 };
 
-/// The keys that steer, and whether each is down.
+/// Whether each steering key is down.
 struct Keys
 {
     bool left = false;
@@ -29,96 +29,100 @@ struct Keys
     friend bool operator==(const Keys &, const Keys &) = default;
 };
 
-/// How far a gust of wind has run from where it began; both 0 when there is none.
+/// How far the two ends of a gust of wind have travelled from its origin. Both are 0 if there is no gust.
 struct GustExtent
 {
     double front = 0.0; ///< px
-    double tail = 0.0;  ///< px, where it is over already
+    double tail = 0.0;  ///< px; the gust has passed everything nearer than this
 };
 
-/// What a learner tells a scene besides dragging. Each holds until the next event of its kind.
+/// A learner's input besides dragging. Unless stated otherwise, each value holds until the next event of its
+/// kind.
 struct InputState
 {
     std::optional<Vec2> pointer; ///< px; empty before the first event
     bool pointerDown = false;
     Vec2 target; ///< px
-    std::vector<Vec2>
-        newTargets; ///< px, those that came with the row under way and that no driver has taken yet
-    std::optional<double> gust; ///< degrees, in place of the random one; for the row under way only
+    /// px, targets of the current output step that no driver has processed yet
+    std::vector<Vec2> newTargets;
+    std::optional<double> gust; ///< degrees, replaces the random gust in the current output step
     Keys keys;
 };
 
-/// The stretch of time that a method with steps of its own has computed for one island of a scene, seen from the frame
-/// that is done. Whole frames inside it are read off; State::stages holds what for.
+/// The last step of an adaptive method for one island. It may end after the current frame. Frames that lie
+/// inside it are interpolated (dense output) from State::stages. Its times are relative to the current frame.
 struct AdaptiveStep
 {
-    double start = 0.0;      ///< frames, where its last step began; 0 or less
-    double end = 0.0;        ///< frames, where that ended; nothing is ahead if it is not above 0
-    double length = 0.0;     ///< frames, of that step before a contact cut it short
-    double nextLength = 0.0; ///< frames, the length that its next step should have; 0: not known yet
-    int stuckPoint =
-        -1; ///< the point pulled hardest where too many steps did not reach the next frame; -1: they did
+    double start = 0.0;      ///< frames, when the step began; 0 or less
+    double end = 0.0;        ///< frames, when it ended; if above 0, time ahead is already computed
+    double length = 0.0;     ///< frames, length of the step before a contact cut it short
+    double nextLength = 0.0; ///< frames, planned length of the next step; 0: not known yet
+    /// The point with the largest acceleration if the step budget ran out before the next frame, else -1.
+    int stuckPoint = -1;
     friend bool operator==(const AdaptiveStep &, const AdaptiveStep &) = default;
 };
 
-/// All that a step reads and writes, as plain values. Copying it is the snapshot; two equal States run on alike.
-/// Arrays have one row per point: structure of arrays, x and y each in one run of memory.
+/// Everything that a step reads and writes, as plain values. A copy is a snapshot: two equal States have the
+/// same future. Arrays have one row per point. x and y are separate columns, each contiguous in memory
+/// (structure of arrays).
 struct State
 {
     Eigen::ArrayX2d position;     ///< px
     Eigen::ArrayX2d velocity;     ///< px/frame
-    Eigen::ArrayX2d acceleration; ///< px/frame^2, gathered so far; empty for methods that gather none
-    Eigen::ArrayX2d previous;     ///< px, where points were before they moved; empty where no constraint asks
-    Eigen::ArrayXd inverseMass;   ///< 1/mass; 0 for what feels nothing: a handle, or a body in the hand
+    Eigen::ArrayX2d acceleration; ///< px/frame^2, sum so far; empty for methods that accumulate none
+    Eigen::ArrayX2d previous;     ///< px, positions before the move of this step; empty without constraints
+    Eigen::ArrayXd inverseMass;   ///< 1/mass; 0 if not dynamic: a handle or a dragged body
 
-    Eigen::ArrayXd angle; ///< degrees, clockwise from the x axis; empty for scenes whose points do not turn
-    Eigen::ArrayXd spin;  ///< degrees/frame; empty for scenes whose points have no angular inertia
-    Eigen::ArrayXd
-        angularAcceleration; ///< degrees/frame^2, gathered so far; empty for methods that gather none
+    Eigen::ArrayXd angle; ///< degrees, clockwise from the x axis; empty if the points cannot turn
+    Eigen::ArrayXd spin;  ///< degrees/frame; empty if the points have no angular inertia
+    /// degrees/frame^2, sum so far; empty for methods that accumulate none
+    Eigen::ArrayXd angularAcceleration;
 
-    Eigen::ArrayXXd stages; ///< scratch of methods with several stages, one column each; empty for others
-    /// For each point the surfaces that it rests on, a bit each (the first is 1); empty for methods that do not locate
-    /// contacts.
+    Eigen::ArrayXXd stages; ///< scratch of methods with several stages, one column per stage; else empty
+    /// Per point, a bit set of the surfaces that it rests on (the first surface is bit 1). Empty for methods
+    /// that do not locate contact events.
     Eigen::ArrayXi restingContacts;
-    std::vector<AdaptiveStep>
-        adaptiveSteps; ///< one an island; empty for other methods, and before the first step
-    /// On how many points methods that choose this themselves have computed all forces, one time after the other:
-    /// divided by points() it is how often all points had their turn.
+    /// One per island. Empty for methods that are not adaptive, and before the first step.
+    std::vector<AdaptiveStep> adaptiveSteps;
+    /// The number of points on which all forces were computed, summed over all evaluations since the start.
+    /// Only methods without a fixed number of evaluations per step count it. See forceEvaluations().
     std::int64_t pointEvaluations = 0;
 
-    Eigen::ArrayXd gait;      ///< rad, one a gait clock
-    Eigen::ArrayXd gaitSpeed; ///< rad/frame, one a gait clock
+    Eigen::ArrayXd gait;      ///< rad, per gait clock
+    Eigen::ArrayXd gaitSpeed; ///< rad/frame, per gait clock
     GustExtent gustExtent;
-    std::int64_t frame = 0; ///< the frame that is under way or done
+    std::int64_t frame = 0; ///< the frame that is being computed, or the last one computed
     InputState input;
     Hold hold;
 
-    /// A state of `points` points of mass 1, all at rest at (0, 0).
+    /// Returns a state of `points` points of mass 1, all at rest at (0, 0).
     static State ofPoints(int points);
 
     int pointCount() const { return static_cast<int>(position.rows()); }
     Vec2 positionOf(int point) const { return {position(point, 0), position(point, 1)}; }
     Vec2 velocityOf(int point) const { return {velocity(point, 0), velocity(point, 1)}; }
+    /// Sets the position of `point` to `x` (px).
     void place(int point, Vec2 x);
     void setVelocity(int point, Vec2 v);
+    /// Returns whether `point` responds to forces.
     bool isDynamic(int point) const { return inverseMass[point] != 0.0; }
-    /// How often all points had their turn, see `evaluations`.
+    /// Returns `pointEvaluations` per point: how many times the forces on the whole scene were computed.
     double forceEvaluations() const
     {
         return static_cast<double>(pointEvaluations) / std::max(1, pointCount());
     }
 };
 
-/// What the numbers of a column are, and so who looks at them. All columns are compared by sameBits().
+/// The purpose of a column of State, which decides what code uses it. sameBits() compares all columns.
 enum class ColumnKind {
-    motion, ///< what a learner sees: must be finite, decides whether a run rests, goes over to a changed scene
-    accumulator, ///< gathered in each step: must be finite, and where it changes a block does not rest
-    persistent,  ///< read by the next step: where it changes a block does not rest
-    scratch,     ///< of a method while it steps: it leaves no block at rest while there is any
+    motion,      ///< visible: must be finite, decides whether a run sleeps, is transferred to a changed scene
+    accumulator, ///< a sum of one step: must be finite; a cache block sleeps only if it does not change
+    persistent,  ///< read by the next step; a cache block sleeps only if it does not change
+    scratch,     ///< scratch of a method; no cache block sleeps unless it is empty
 };
 
-/// Calls `visit(kind, &State::values)` for each array of a State that has a row a point, or none at all. The one list of
-/// them: whoever goes through the columns of a state uses it, so a new column is one line here.
+/// Calls `visit(kind, &State::column)` for each array of State that has one row per point or is empty. This
+/// is the only list of these columns: all code that iterates over them uses it.
 template <class Visit>
 constexpr void forEachColumn(Visit &&visit)
 {
@@ -134,64 +138,63 @@ constexpr void forEachColumn(Visit &&visit)
     visit(ColumnKind::persistent, &State::restingContacts);
 }
 
-/// Whether numbers of this kind have to be finite for a run to go on.
+/// Returns whether a run fails if a number of this kind is not finite.
 constexpr bool mustBeFinite(ColumnKind kind)
 {
     return kind == ColumnKind::motion || kind == ColumnKind::accumulator;
 }
 
-/// Calls `visit(data, bytes)` for each run of memory that makes up `state`, sizes included: comparing and counting both
-/// use it.
+/// Calls `visit(data, bytes)` for each block of memory that makes up `state`, including array sizes.
 template <class Visit>
 void visitBytes(const State &state, Visit &&visit)
 {
-    const auto one = [&](const auto &value) { visit(&value, sizeof value); };
-    const auto place = [&](Vec2 at) {
-        one(at.x);
-        one(at.y);
+    const auto scalar = [&](const auto &value) { visit(&value, sizeof value); };
+    const auto vector = [&](Vec2 value) {
+        scalar(value.x);
+        scalar(value.y);
     };
     const auto array = [&](const auto &values) {
-        one(static_cast<std::int64_t>(values.rows()));
+        scalar(static_cast<std::int64_t>(values.rows()));
         visit(values.data(), static_cast<std::size_t>(values.size()) * sizeof *values.data());
     };
-    forEachColumn([&](ColumnKind, auto values) { array(state.*values); });
-    one(state.adaptiveSteps.size());
-    for (const AdaptiveStep &lastStep :
-         state.adaptiveSteps) { // each number by itself: there is room between them that means nothing
-        one(lastStep.start);
-        one(lastStep.end);
-        one(lastStep.length);
-        one(lastStep.nextLength);
-        one(lastStep.stuckPoint);
+    forEachColumn([&](ColumnKind, auto column) { array(state.*column); });
+    scalar(state.adaptiveSteps.size());
+    // Field by field, because the padding of the struct has no defined value.
+    for (const AdaptiveStep &lastStep : state.adaptiveSteps) {
+        scalar(lastStep.start);
+        scalar(lastStep.end);
+        scalar(lastStep.length);
+        scalar(lastStep.nextLength);
+        scalar(lastStep.stuckPoint);
     }
-    one(state.pointEvaluations);
+    scalar(state.pointEvaluations);
     array(state.gait);
     array(state.gaitSpeed);
-    one(state.gustExtent.front);
-    one(state.gustExtent.tail);
-    one(state.frame);
-    const InputState &outside = state.input;
-    one(outside.pointer.has_value());
-    place(outside.pointer.value_or(Vec2{}));
-    one(outside.pointerDown);
-    place(outside.target);
-    one(outside.newTargets.size());
-    visit(outside.newTargets.data(), outside.newTargets.size() * sizeof(Vec2));
-    one(outside.gust.has_value());
-    one(outside.gust.value_or(0.0));
-    for (const bool key : {outside.keys.left, outside.keys.right, outside.keys.up, outside.keys.down})
-        one(key);
-    one(state.hold.point);
-    place(state.hold.hand);
+    scalar(state.gustExtent.front);
+    scalar(state.gustExtent.tail);
+    scalar(state.frame);
+    const InputState &input = state.input;
+    scalar(input.pointer.has_value());
+    vector(input.pointer.value_or(Vec2{}));
+    scalar(input.pointerDown);
+    vector(input.target);
+    scalar(input.newTargets.size());
+    visit(input.newTargets.data(), input.newTargets.size() * sizeof(Vec2));
+    scalar(input.gust.has_value());
+    scalar(input.gust.value_or(0.0));
+    for (const bool key : {input.keys.left, input.keys.right, input.keys.up, input.keys.down})
+        scalar(key);
+    scalar(state.hold.point);
+    vector(state.hold.hand);
 }
 
-/// Whether two states are equal in every bit (so 0 differs from -0, and NaN equals itself).
+/// Returns whether two states are equal in every bit (so 0 differs from -0, and NaN equals itself).
 bool sameBits(const State &a, const State &b);
 
-/// How much memory a copy of `state` takes, in bytes.
+/// Returns the memory that a copy of `state` takes, in bytes.
 std::size_t byteSize(const State &state);
 
-/// AdaptiveStep::stuck of the first island that has one, or -1.
+/// Returns AdaptiveStep::stuckPoint of the first island that has one, or -1.
 int firstStuckPoint(const State &state);
 
 }

@@ -12,23 +12,26 @@
 
 namespace sim {
 
-/// A rigid stick between two points.
+/// A rigid stick between the points `a` and `b`.
 struct Stick
 {
     int a = 0;
     int b = 0;
     double length = 0.0; ///< px
-    double share = 0.5;  ///< of a wrong length, the part that `a` makes good; `b` does the rest
+    double share = 0.5;  ///< fraction of a length error that `a` corrects; `b` corrects the rest
     friend bool operator==(const Stick &, const Stick &) = default;
 };
 
-/// What a scene is made from: parameters by id (a choice by its position), the seed of all that is random, and the
-/// points and sticks, or the whole scene, that a file gives in place of the step's own.
+/// The input from which a scene is made: parameters by id (a choice as its index) and the random seed. An
+/// experiment file may also replace the number of points, the sticks or the whole scene of a lesson step.
 class Values
 {
 public:
-    /// @throws std::out_of_range for an id that is not there
+    /// Returns the parameter `id`.
+    /// @throws std::out_of_range for an unknown id
     double operator[](const std::string &id) const { return m_numbers.at(id); }
+    /// Returns the parameter `id`, rounded to a whole number.
+    /// @throws std::out_of_range for an unknown id
     int integer(const std::string &id) const { return static_cast<int>(std::lround(m_numbers.at(id))); }
     bool has(const std::string &id) const { return m_numbers.contains(id); }
     void set(const std::string &id, double value) { m_numbers[id] = value; }
@@ -40,9 +43,10 @@ public:
     }
 
     std::uint64_t seed = 1;
-    std::optional<int> points;                  ///< how many
-    std::optional<std::vector<Stick>> sticks;   ///< in the order in which they are enforced
-    std::shared_ptr<const Blueprint> blueprint; ///< of the whole scene; null: the step sets it up
+    std::optional<int> points; ///< number of points; empty: that of the lesson step
+    /// In the order in which they are enforced. Empty: those of the lesson step.
+    std::optional<std::vector<Stick>> sticks;
+    std::shared_ptr<const Blueprint> blueprint; ///< the whole scene; null: that of the lesson step
 
 private:
     static bool sameScene(const Values &a, const Values &b)

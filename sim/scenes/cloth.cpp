@@ -11,10 +11,10 @@ namespace scenes::cloth {
 sim::Scene hung(int side, double k, double damp)
 {
     const int points = side * side;
-    std::vector<sim::Vec2> places;
+    std::vector<sim::Vec2> positions;
     for (int point = 0; point < points; ++point)
-        places.push_back({100.0 + spacing * (point % side), 50.0 + spacing * (point / side)});
-    sim::Scene scene = pointsAt(places);
+        positions.push_back({100.0 + spacing * (point % side), 50.0 + spacing * (point / side)});
+    sim::Scene scene = pointsAt(positions);
     scene.start.inverseMass.head(side).setZero();
     scene.groups.front().points = {side, points - side};
     add<sim::RadialSpring>(scene, gridLinks(side), k, spacing);

@@ -11,7 +11,7 @@ namespace scenes {
 
 namespace {
 
-sim::Scene pointsInTheMiddle(int points)
+sim::Scene pointsAtCentre(int points)
 {
     sim::Scene scene;
     scene.start = sim::State::ofPoints(points);
@@ -21,8 +21,8 @@ sim::Scene pointsInTheMiddle(int points)
     return scene;
 }
 
-/// Makes a handle of the body of a creature.
-sim::Scene onHandle(sim::Scene scene)
+/// Returns `scene` with the body of its creature, the last point, as a handle.
+sim::Scene withBodyAsHandle(sim::Scene scene)
 {
     scene.start.inverseMass[scene.start.pointCount() - 1] = 0.0;
     scene.groups.pop_back();
@@ -33,7 +33,7 @@ sim::Scene onHandle(sim::Scene scene)
 
 sim::Scene creature(int feet)
 {
-    sim::Scene scene = pointsInTheMiddle(feet + 1);
+    sim::Scene scene = pointsAtCentre(feet + 1);
     for (int i = 0; i < feet; ++i)
         scene.names.push_back("foot" + std::to_string(i));
     scene.names.push_back("body");
@@ -43,7 +43,7 @@ sim::Scene creature(int feet)
 
 sim::Scene creatureOnHandle(int feet)
 {
-    return onHandle(creature(feet));
+    return withBodyAsHandle(creature(feet));
 }
 
 sim::Scene pair()
@@ -56,10 +56,10 @@ sim::Scene pair()
 
 sim::Scene pairOnHandle()
 {
-    return onHandle(pair());
+    return withBodyAsHandle(pair());
 }
 
-sim::Scene loneFoot()
+sim::Scene singleFoot()
 {
     return onePoint(SIM_TEXT("foot"), centre);
 }
@@ -80,7 +80,7 @@ sim::Scene linearCreature(int feet, double k)
 
 sim::Scene crowd(int creatures, int feet)
 {
-    sim::Scene scene = pointsInTheMiddle(creatures * (feet + 1));
+    sim::Scene scene = pointsAtCentre(creatures * (feet + 1));
     for (int creature = 0; creature < creatures; ++creature) {
         const std::string name = SIM_TEXT("creature") + std::to_string(creature);
         const int first = creature * (feet + 1);
@@ -95,7 +95,7 @@ sim::Scene crowd(int creatures, int feet)
 
 sim::Scene crowdByParts(int creatures, int feet)
 {
-    sim::Scene scene = pointsInTheMiddle(creatures * (feet + 1));
+    sim::Scene scene = pointsAtCentre(creatures * (feet + 1));
     const auto namePart = [&](const std::string &part) {
         for (int creature = 0; creature < creatures; ++creature)
             scene.names.push_back(SIM_TEXT("creature") + std::to_string(creature) + part);
@@ -108,12 +108,12 @@ sim::Scene crowdByParts(int creatures, int feet)
     return scene;
 }
 
-void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &places)
+void placeFeet(sim::Scene &scene, const std::vector<sim::Vec2> &positions)
 {
     const int feet = scene.start.pointCount() - 1;
-    const int placed = std::min(feet, static_cast<int>(places.size()));
+    const int placed = std::min(feet, static_cast<int>(positions.size()));
     for (int i = 0; i < placed; ++i)
-        scene.start.place(i, places[static_cast<std::size_t>(i)]);
+        scene.start.place(i, positions[static_cast<std::size_t>(i)]);
     const sim::Vec2 body = scene.start.positionOf(feet);
     for (int i = placed; i < feet; ++i) {
         const double angle = 2.0 * std::numbers::pi * (i - placed) / (feet - placed);
@@ -128,12 +128,12 @@ bool isBody(const std::string &name)
 
 Eigen::ArrayXd halfWidths(const sim::Scene &scene)
 {
-    Eigen::ArrayXd half = Eigen::ArrayXd::Constant(scene.start.pointCount(), footWidth / 2);
+    Eigen::ArrayXd halfWidth = Eigen::ArrayXd::Constant(scene.start.pointCount(), footWidth / 2);
     for (int i = 0; i < scene.start.pointCount(); ++i) {
         if (isBody(scene.names[static_cast<std::size_t>(i)]))
-            half[i] = bodyWidth / 2;
+            halfWidth[i] = bodyWidth / 2;
     }
-    return half;
+    return halfWidth;
 }
 
 }

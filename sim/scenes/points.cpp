@@ -16,13 +16,13 @@ sim::Scene onePoint(const std::string &name, sim::Vec2 x, sim::Vec2 v)
     return scene;
 }
 
-sim::Scene pointsAt(const std::vector<sim::Vec2> &places)
+sim::Scene pointsAt(const std::vector<sim::Vec2> &positions)
 {
-    const int count = static_cast<int>(places.size());
+    const int count = static_cast<int>(positions.size());
     sim::Scene scene;
     scene.start = sim::State::ofPoints(count);
     for (int i = 0; i < count; ++i) {
-        scene.start.place(i, places[static_cast<std::size_t>(i)]);
+        scene.start.place(i, positions[static_cast<std::size_t>(i)]);
         scene.names.push_back(std::string("p").append(std::to_string(i)));
     }
     scene.groups = {{SIM_TEXT("points"), {0, count}}};

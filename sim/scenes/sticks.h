@@ -5,23 +5,23 @@
 
 #include <vector>
 
-/// Chains, and other figures of sticks.
+/// Scenes made of sticks, such as chains.
 namespace scenes {
 
-/// Returns the sticks from each point to the next one, `links` of them and each `length` px long.
+/// Returns a chain of `links` sticks from each point to the next. `length`: px, of each stick.
 std::vector<sim::Stick> chainOfSticks(int links, double length);
 
-/// Points joined by sticks.
+/// Points connected by sticks.
 struct StickFigure
 {
-    std::vector<sim::Vec2> places = {}; ///< px
-    std::vector<sim::Stick> sticks = {};
-    std::vector<int> pinned = {}; ///< the points that are handles
-    double gravity = 0.5;         ///< px/frame^2
-    double damp = 1.0;            ///< the share of a velocity that is left after each frame
-    int passes = 1;               ///< over all sticks, in each step
+    std::vector<sim::Vec2> places = {};  ///< px, position of each point
+    std::vector<sim::Stick> sticks = {}; ///< in the order in which they are enforced
+    std::vector<int> pinned = {};        ///< indices of the points that are handles
+    double gravity = 0.5;                ///< px/frame^2
+    double damp = 1.0;                   ///< damping factor per frame
+    int passes = 1;                      ///< iterations over all sticks per step
 };
-/// Returns the points "p0", "p1"... of `figure`, which fall. Its effects: gravity, damping, sticks.
+/// Returns the points "p0", "p1"... of `figure` with the effects gravity, damping and sticks.
 sim::Scene fallingSticks(const StickFigure &figure);
 
 }

@@ -16,8 +16,8 @@ sim::Tree forkedTree(int levels, double slope, double baseLength)
     for (int level = 0, first = 0; level < levels; ++level) {
         const int end = tree.branchCount();
         for (int i = first; i < end; ++i) {
-            const auto row = static_cast<std::size_t>(i);
-            const double angle = tree.rest[row], scale = slope * tree.scale[row];
+            const auto index = static_cast<std::size_t>(i);
+            const double angle = tree.rest[index], scale = slope * tree.scale[index];
             tree.addBranch(i, angle - spread, scale);
             tree.addBranch(i, angle + spread, scale);
         }
@@ -55,7 +55,7 @@ sim::Scene standingTree(const sim::Tree &tree, sim::Vec2 root, sim::TreeFormula 
     return scene;
 }
 
-void letSwing(sim::Scene &scene)
+void enableSpins(sim::Scene &scene)
 {
     scene.start.spin.setZero(scene.start.pointCount());
     scene.groups.front().motion = sim::Motion::byVelocity;
@@ -63,10 +63,10 @@ void letSwing(sim::Scene &scene)
 
 void addSway(sim::Scene &scene, const sim::TreePtr &tree, const Sway &sway)
 {
-    const sim::BranchMechanics limbs = sim::branchMechanicsOf(*tree, sway.k);
+    const sim::BranchMechanics mechanics = sim::branchMechanicsOf(*tree, sway.k);
     add<sim::GustFront>(scene, sway.front);
-    add<sim::Torsion>(scene, tree, limbs);
-    add<sim::WindTorque>(scene, tree, limbs.inertia, sway.wind, sway.gusts);
+    add<sim::Torsion>(scene, tree, mechanics);
+    add<sim::WindTorque>(scene, tree, mechanics.inertia, sway.wind, sway.gusts);
     add<sim::SpinDamping>(scene, sway.damp);
     add<sim::Joints>(scene, tree, sim::degreesPerRadian);
 }

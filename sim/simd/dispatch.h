@@ -1,38 +1,39 @@
 #pragma once
 
-/// Before a loop over points: no turn of it reads what another one writes, so several may run at once.
+/// Stands before a loop whose iterations are independent: none reads what another one writes. It lets the
+/// compiler vectorise the loop.
 #if defined(__clang__)
-#define SIM_TURNS_ARE_APART _Pragma("clang loop vectorize(assume_safety)")
+#define SIM_INDEPENDENT_ITERATIONS _Pragma("clang loop vectorize(assume_safety)")
 #elif defined(__GNUC__)
-#define SIM_TURNS_ARE_APART _Pragma("GCC ivdep")
+#define SIM_INDEPENDENT_ITERATIONS _Pragma("GCC ivdep")
 #else
-#define SIM_TURNS_ARE_APART
+#define SIM_INDEPENDENT_ITERATIONS
 #endif
 
 namespace sim {
 
-/// The instructions that loops over many numbers run with.
+/// The instruction set for loops over many numbers.
 enum class InstructionSet {
-    baseline, ///< those of every machine of its kind
-    avx2,     ///< four numbers at a time
-    avx512,   ///< eight
+    baseline, ///< what every processor of the architecture has
+    avx2,     ///< four doubles at a time
+    avx512,   ///< eight doubles at a time
 };
 
-/// The widest that this machine has. The environment variable SPRINGSTEP_INSTRUCTIONS=baseline, or avx2, says that it
-/// may be no wider. Found out once.
+/// Returns the widest instruction set of this machine. The environment variable SPRINGSTEP_INSTRUCTIONS
+/// limits it to "baseline" or "avx2". It is read at the first call.
 InstructionSet instructionSet();
 
 #if defined(__GNUC__) && defined(__x86_64__)
 
-/// `work` compiled for machines with AVX2, with all that it calls. Multiply-add in one instruction is left out on
-/// purpose: it rounds once where two instructions round twice, and the same input would not give the same bits.
+/// Runs `work`, compiled for AVX2 with everything that it calls. FMA instructions are disabled on purpose: a
+/// fused multiply-add rounds once instead of twice, so results would differ from machine to machine.
 template <class Work>
 [[gnu::target("avx2"), gnu::flatten, gnu::noinline]] void runAvx2(const Work &work)
 {
     work();
 }
 
-/// The same for AVX-512. It has that instruction, too: -ffp-contract=off keeps it out.
+/// Runs `work`, compiled for AVX-512. AVX-512 includes FMA instructions; -ffp-contract=off disables them.
 template <class Work>
 [[gnu::target("avx512f,avx512vl,avx512dq,avx512bw,prefer-vector-width=512"), gnu::flatten,
   gnu::noinline]] void
@@ -43,7 +44,7 @@ runAvx512(const Work &work)
 
 #endif
 
-/// The same compiled for every machine of its kind.
+/// Runs `work`, compiled for every processor of the architecture.
 template <class Work>
 #if defined(__GNUC__)
 [[gnu::flatten, gnu::noinline]]
@@ -53,8 +54,8 @@ void runBaseline(const Work &work)
     work();
 }
 
-/// Runs `work`, a loop over many numbers, in the form that is the fastest on this machine. All forms come to the same
-/// bits.
+/// Runs `work`, a loop over many numbers, with the widest instruction set of this machine. All instruction
+/// sets give the same bits.
 template <class Work>
 void dispatch(const Work &work)
 {

@@ -8,12 +8,13 @@
 
 namespace sim {
 
-/// While it lives, numbers too small for full precision (below 2.2e-308) are read and written as 0 on this thread; then
-/// all is as it was. Whatever runs phases does so under one of these, so that the same run has the same bits whoever
-/// computes it, and what settles comes to rest at 0 without a long way through numbers that many processors are slow
-/// at. On processors other than x86-64 and 64-bit ARM it does nothing.
-/// Source: Intel, "64 and IA-32 architectures software developer's manual", volume 1, sections 10.2.3.3 and 10.2.3.4
-/// (FTZ, DAZ); Arm, "Architecture reference manual", FPCR, bit FZ.
+/// A scope in which this thread reads and writes denormal numbers (below 2.2e-308) as 0. The destructor
+/// restores the previous mode. All code that runs phases needs such a scope, so that a run has the same bits
+/// on every thread. Motion that dies out also reaches 0 soon. Otherwise it would need many steps with
+/// denormals, which are slow on many processors. On processors other than x86-64 and 64-bit ARM it does
+/// nothing.
+/// Source: Intel, "64 and IA-32 architectures software developer's manual", volume 1, sections 10.2.3.3 and
+/// 10.2.3.4 (FTZ, DAZ); Arm, "Architecture reference manual", FPCR, bit FZ.
 class FlushDenormals
 {
 public:
@@ -22,7 +23,7 @@ public:
     FlushDenormals(const FlushDenormals &) = delete;
     FlushDenormals &operator=(const FlushDenormals &) = delete;
 
-    /// Whether this thread is under one.
+    /// Returns whether this thread flushes denormals to 0. Always false on other processors.
     static bool isActive() { return flushBits != 0 && (mode() & flushBits) == flushBits; }
 
 private:

@@ -9,17 +9,17 @@
 
 namespace sim {
 
-/// The x and the y of all points, each in one run of memory.
+/// Pointers to the x and y columns of an array with one row per point.
 struct XyColumns
 {
     double *x;
     double *y;
 
-    explicit XyColumns(Eigen::ArrayX2d &of) : x(of.data()), y(of.data() + of.rows()) {}
+    explicit XyColumns(Eigen::ArrayX2d &array) : x(array.data()), y(array.data() + array.rows()) {}
     Vec2 at(int point) const { return {x[point], y[point]}; }
 };
 
-/// What `points` and `others` have in common.
+/// Returns the points that are in both ranges.
 inline PointRange intersection(PointRange points, PointRange others)
 {
     const int first = std::max(points.first, others.first);
@@ -27,10 +27,10 @@ inline PointRange intersection(PointRange points, PointRange others)
     return {first, std::max(0, end - first)};
 }
 
-/// The same points in ascending order, neighbouring runs made one.
+/// Returns the ranges in ascending order, with neighbouring ranges merged.
 std::vector<PointRange> sortedRanges(std::vector<PointRange> ranges);
 
-/// Sets the numbers of `points` to 0.
+/// Sets the rows of `points` to 0.
 inline void setZero(Eigen::ArrayX2d &columns, PointRange points)
 {
     double *x = &columns(points.first, 0), *y = &columns(points.first, 1);
@@ -38,69 +38,72 @@ inline void setZero(Eigen::ArrayX2d &columns, PointRange points)
         x[i] = y[i] = 0.0;
 }
 
-/// Whether none of `points` has an inverse mass of 0.
+/// Returns whether no point of `points` has the inverse mass 0.
 inline bool areAllDynamic(const double *inverseMass, PointRange points)
 {
-    std::int64_t held = 0;
+    std::int64_t anyFixed = 0;
     for (int i = points.first; i < points.end(); ++i)
-        held |= inverseMass[i] == 0.0 ? std::int64_t{1} : std::int64_t{0};
-    return held == 0;
+        anyFixed |= inverseMass[i] == 0.0 ? std::int64_t{1} : std::int64_t{0};
+    return anyFixed == 0;
 }
 
-/// Runs `one(point, feels)` for each point of `points`, several at once. No point looks at another one.
-template <class One>
-void forEachPoint(const double *inverseMass, PointRange points, const One &one)
+/// Calls `kernel(point, isDynamic)` for each point of `points` in a vectorised loop. A call must not read
+/// what a call for another point writes.
+template <class PointKernel>
+void forEachPoint(const double *inverseMass, PointRange points, const PointKernel &kernel)
 {
     dispatch([&] {
-        const One work = one; // numbers that no store can change
-        const double *share = inverseMass;
+        // Local copies, so the compiler knows that no store of the loop changes them.
+        const PointKernel work = kernel;
+        const double *localInverseMass = inverseMass;
         const int first = points.first, end = points.end();
-        if (areAllDynamic(share,
-                          points)) { // as they mostly do: a store that depends takes longer than this look
-            SIM_TURNS_ARE_APART
+        // The usual case. Checking first takes less time than conditional stores.
+        if (areAllDynamic(localInverseMass, points)) {
+            SIM_INDEPENDENT_ITERATIONS
             for (int i = first; i < end; ++i)
                 work(i, true);
             return;
         }
-        SIM_TURNS_ARE_APART
+        SIM_INDEPENDENT_ITERATIONS
         for (int i = first; i < end; ++i)
-            work(i, share[i] != 0.0);
+            work(i, localInverseMass[i] != 0.0);
     });
 }
 
-/// Gives each point of `points` that feels forces what `rule(point)` says, a Vec2 for its row of `into`.
+/// Sets the row of each dynamic point of `points` to `rule(point)`, a Vec2.
 template <class Rule>
-void updateDynamic(const Eigen::ArrayXd &inverseMass, PointRange points, Eigen::ArrayX2d &into,
+void updateDynamic(const Eigen::ArrayXd &inverseMass, PointRange points, Eigen::ArrayX2d &rows,
                    const Rule &rule)
 {
-    forEachPoint(inverseMass.data(), points, [rule, at = XyColumns(into)](int i, bool feels) {
+    forEachPoint(inverseMass.data(), points, [rule, columns = XyColumns(rows)](int i, bool isDynamic) {
         const Vec2 value = rule(i);
-        at.x[i] = feels ? value.x : at.x[i];
-        at.y[i] = feels ? value.y : at.y[i];
+        columns.x[i] = isDynamic ? value.x : columns.x[i];
+        columns.y[i] = isDynamic ? value.y : columns.y[i];
     });
 }
 
-/// The same for one number a point.
+/// Sets the number of each dynamic point of `points` to `rule(point)`, a double.
 template <class Rule>
-void updateDynamic(const Eigen::ArrayXd &inverseMass, PointRange points, double *into, const Rule &rule)
+void updateDynamic(const Eigen::ArrayXd &inverseMass, PointRange points, double *numbers, const Rule &rule)
 {
-    forEachPoint(inverseMass.data(), points, [rule, into](int i, bool feels) {
+    forEachPoint(inverseMass.data(), points, [rule, numbers](int i, bool isDynamic) {
         const double value = rule(i);
-        into[i] = feels ? value : into[i];
+        numbers[i] = isDynamic ? value : numbers[i];
     });
 }
 
-/// The same for position and velocity at once: `rule(point)` says a value with `x` and `v`, both Vec2.
+/// Sets the position and velocity of each dynamic point of `points` to the `x` and `v` of `rule(point)`, both
+/// Vec2.
 template <class Rule>
 void updateDynamicMotion(State &state, PointRange points, const Rule &rule)
 {
     const XyColumns position(state.position), velocity(state.velocity);
-    forEachPoint(state.inverseMass.data(), points, [rule, x = position, v = velocity](int i, bool feels) {
+    forEachPoint(state.inverseMass.data(), points, [rule, x = position, v = velocity](int i, bool isDynamic) {
         const auto after = rule(i);
-        x.x[i] = feels ? after.x.x : x.x[i];
-        x.y[i] = feels ? after.x.y : x.y[i];
-        v.x[i] = feels ? after.v.x : v.x[i];
-        v.y[i] = feels ? after.v.y : v.y[i];
+        x.x[i] = isDynamic ? after.x.x : x.x[i];
+        x.y[i] = isDynamic ? after.x.y : x.y[i];
+        v.x[i] = isDynamic ? after.v.x : v.x[i];
+        v.y[i] = isDynamic ? after.v.y : v.y[i];
     });
 }
 

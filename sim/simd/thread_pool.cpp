@@ -11,21 +11,21 @@
 
 namespace sim {
 
-/// Helpers that wait for jobs. All that they share is written while no helper is inside a job.
+/// The helper threads and the current job. The members of a job are written only while no helper works on it.
 class ThreadPool::Workers
 {
 public:
-    explicit Workers(int threads) : m_portions(static_cast<std::size_t>(threads))
+    explicit Workers(int threads) : m_shares(static_cast<std::size_t>(threads))
     {
-        for (std::size_t i = 1; i < m_portions.size(); ++i)
-            m_helpers.emplace_back([this, i] { help(i); });
+        for (std::size_t i = 1; i < m_shares.size(); ++i)
+            m_helpers.emplace_back([this, i] { helperLoop(i); });
     }
 
     ~Workers()
     {
-        m_ends = true;
-        m_job.fetch_add(1);
-        m_job.notify_all();
+        m_isStopping = true;
+        m_jobNumber.fetch_add(1);
+        m_jobNumber.notify_all();
         for (std::thread &helper : m_helpers)
             helper.join();
     }
@@ -36,88 +36,91 @@ public:
     void parallelFor(int parts, const std::function<void(int)> &work)
     {
         m_work = &work;
-        std::fegetenv(&m_mode);
-        const auto count = static_cast<int>(m_portions.size());
+        std::fegetenv(&m_floatingPointMode);
+        const auto count = static_cast<int>(m_shares.size());
         for (int i = 0; i < count; ++i) {
-            Range &portion = m_portions[static_cast<std::size_t>(i)];
-            portion.next = static_cast<int>(std::int64_t{parts} * i / count);
-            portion.end = static_cast<int>(std::int64_t{parts} * (i + 1) / count);
+            Share &share = m_shares[static_cast<std::size_t>(i)];
+            share.next = static_cast<int>(std::int64_t{parts} * i / count);
+            share.end = static_cast<int>(std::int64_t{parts} * (i + 1) / count);
         }
-        m_inside.store(0); // the gate is open
-        m_job.fetch_add(1);
-        m_job.notify_all();
-        take(0);
-        close();
+        m_activeHelpers.store(0); // lets helpers join
+        m_jobNumber.fetch_add(1);
+        m_jobNumber.notify_all();
+        runParts(0);
+        finishJob();
     }
 
 private:
-    /// The parts of a job that one thread begins with. The same ones in each job, so that what it computes stays in
-    /// its processor's cache; whoever is done takes from the others.
-    struct alignas(64) Range
+    /// The parts of a job that one thread starts with. A thread has the same share in each job, so its data
+    /// stays in the cache of its processor. A thread that has finished its share continues with those of the
+    /// others.
+    struct alignas(64) Share
     {
         std::atomic<int> next = 0;
         int end = 0;
     };
 
-    void take(std::size_t self)
+    void runParts(std::size_t self)
     {
-        for (std::size_t i = 0; i < m_portions.size(); ++i) {
-            Range &portion = m_portions[(self + i) % m_portions.size()];
-            for (int part = portion.next++; part < portion.end; part = portion.next++)
+        for (std::size_t i = 0; i < m_shares.size(); ++i) {
+            Share &share = m_shares[(self + i) % m_shares.size()];
+            for (int part = share.next++; part < share.end; part = share.next++)
                 (*m_work)(part);
         }
     }
 
-    void help(std::size_t self)
+    void helperLoop(std::size_t self)
     {
         unsigned seen = 0;
         for (;;) {
             waitForJob(seen);
-            seen = m_job;
-            if (m_ends)
+            seen = m_jobNumber;
+            if (m_isStopping)
                 return;
-            if (!enter())
-                continue; // too late: it is done
-            std::fesetenv(&m_mode);
-            take(self);
-            if (m_inside.fetch_sub(1) - 1 == closed)
-                m_inside.notify_one();
+            if (!joinJob())
+                continue; // the job has finished already
+            std::fesetenv(&m_floatingPointMode);
+            runParts(self);
+            if (m_activeHelpers.fetch_sub(1) - 1 == closedOffset)
+                m_activeHelpers.notify_one();
         }
     }
 
-    /// Looks again for a while before it sleeps: while frames follow each other, the next job comes soon, and to be
-    /// woken takes longer than that.
+    /// Waits for a job after the job `seen`. It spins for a while before it sleeps: in a running animation
+    /// the next job comes soon, and waking a thread takes longer.
     void waitForJob(unsigned seen)
     {
-        lookUntil([&] { return m_job != seen; });
-        m_job.wait(seen);
+        spinUntil([&] { return m_jobNumber != seen; });
+        m_jobNumber.wait(seen);
     }
 
-    bool enter()
+    /// Counts this helper as active. Returns false if the job has finished.
+    bool joinJob()
     {
-        int inside = m_inside;
-        while (inside >= 0) {
-            if (m_inside.compare_exchange_weak(inside, inside + 1))
+        int active = m_activeHelpers;
+        while (active >= 0) {
+            if (m_activeHelpers.compare_exchange_weak(active, active + 1))
                 return true;
         }
         return false;
     }
 
-    /// Lets nobody in any more, and waits until all are out. Who has not woken up yet is not waited for.
-    void close()
+    /// Stops helpers from joining, and waits for those that have joined. It does not wait for helpers that
+    /// still sleep.
+    void finishJob()
     {
-        int inside = m_inside.fetch_add(closed) + closed;
-        lookUntil([&] { return (inside = m_inside) == closed; });
-        for (; inside != closed; inside = m_inside)
-            m_inside.wait(inside);
+        int active = m_activeHelpers.fetch_add(closedOffset) + closedOffset;
+        spinUntil([&] { return (active = m_activeHelpers) == closedOffset; });
+        for (; active != closedOffset; active = m_activeHelpers)
+            m_activeHelpers.wait(active);
     }
 
-    /// Asks `isSo` again and again until it is, for `patience` at most.
-    template <class Ask>
-    static void lookUntil(const Ask &isSo)
+    /// Spins until `condition()` is true, but at most for `spinTime`.
+    template <class Condition>
+    static void spinUntil(const Condition &condition)
     {
-        const auto end = std::chrono::steady_clock::now() + patience;
-        while (!isSo() && std::chrono::steady_clock::now() < end)
+        const auto end = std::chrono::steady_clock::now() + spinTime;
+        while (!condition() && std::chrono::steady_clock::now() < end)
             pause();
     }
 
@@ -128,17 +131,20 @@ private:
 #endif
     }
 
-    static constexpr int closed = std::numeric_limits<int>::min() / 2;
-    /// By the clock: what a processor takes for a pause differs by a factor of ten. About what it takes to be woken in a
-    /// virtual machine, and next to nothing of the time between two pictures.
-    static constexpr std::chrono::microseconds patience{100};
+    /// Added to the number of active helpers, it makes the number negative.
+    static constexpr int closedOffset = std::numeric_limits<int>::min() / 2;
+    /// About as long as waking a thread takes in a virtual machine, and much shorter than the time between
+    /// two frames. It is a time and not a number of pauses, because processors differ by a factor of ten in
+    /// the length of a pause.
+    static constexpr std::chrono::microseconds spinTime{100};
 
-    std::vector<Range> m_portions; ///< one a thread, the calling one first
+    std::vector<Share> m_shares; ///< one per thread, the calling thread first
     const std::function<void(int)> *m_work = nullptr;
-    std::fenv_t m_mode{};
-    std::atomic<int> m_inside = closed; ///< helpers in a job; that plus `closed` when no more may come in
-    std::atomic<unsigned> m_job = 0;    ///< goes up by one with each
-    std::atomic<bool> m_ends = false;
+    std::fenv_t m_floatingPointMode{};
+    /// The number of helpers that work on the job, plus `closedOffset` if no more may join.
+    std::atomic<int> m_activeHelpers = closedOffset;
+    std::atomic<unsigned> m_jobNumber = 0; ///< increases by one with each job
+    std::atomic<bool> m_isStopping = false;
     std::vector<std::thread> m_helpers;
 };
 
@@ -151,7 +157,7 @@ ThreadPool::ThreadPool(const ThreadPool &other) : ThreadPool(other.m_threads) {}
 ThreadPool &ThreadPool::operator=(const ThreadPool &other)
 {
     m_threads = other.m_threads;
-    m_running.reset();
+    m_workers.reset();
     return *this;
 }
 
@@ -166,9 +172,9 @@ void ThreadPool::parallelFor(int parts, const std::function<void(int)> &work)
             work(i);
         return;
     }
-    if (!m_running)
-        m_running = std::make_unique<Workers>(m_threads);
-    m_running->parallelFor(parts, work);
+    if (!m_workers)
+        m_workers = std::make_unique<Workers>(m_threads);
+    m_workers->parallelFor(parts, work);
 }
 
 }

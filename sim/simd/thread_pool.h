@@ -5,32 +5,32 @@
 
 namespace sim {
 
-/// Workers that share the parts of a job with the thread that has it. They are started with the first job, sleep
-/// between two jobs, and end with the crew.
+/// A pool of threads that share a job with the calling thread. The threads start with the first job, sleep
+/// between jobs, and end with the pool.
 class ThreadPool
 {
 public:
-    /// Two threads; one where the machine has no second processor.
+    /// Uses two threads, or one if the machine has one processor.
     ThreadPool();
-    /// `threads`: how many compute, the calling one included; at least 1. 1 starts none.
+    /// Uses `threads` threads, including the calling one. Values below 1 count as 1, which starts no thread.
     explicit ThreadPool(int threads);
-    /// A crew of as many threads, which starts its own.
+    /// Creates a pool with the same number of threads. A copy starts its own threads.
     ThreadPool(const ThreadPool &other);
     ThreadPool &operator=(const ThreadPool &other);
     ThreadPool(ThreadPool &&) noexcept;
     ThreadPool &operator=(ThreadPool &&) noexcept;
     ~ThreadPool();
 
-    /// Calls `work(part)` for each part from 0 to `parts` - 1, on any of the threads and in any order, and returns when
-    /// all are done. The threads compute in the calling one's floating-point mode: how it rounds, and whether it flushes
-    /// what is too small to 0. `work` must not throw.
+    /// Calls `work(part)` for each part from 0 to `parts` - 1, on any thread and in any order. Returns when
+    /// all calls have finished. The threads use the floating-point mode of the calling thread: its rounding,
+    /// and whether it flushes denormals. `work` must not throw.
     void parallelFor(int parts, const std::function<void(int part)> &work);
 
 private:
     class Workers;
 
     int m_threads;
-    std::unique_ptr<Workers> m_running; ///< null before the first job
+    std::unique_ptr<Workers> m_workers; ///< null before the first job
 };
 
 }

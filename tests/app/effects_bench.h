@@ -61,7 +61,7 @@ inline lessons::Step puppetStep()
     step.id = "puppet";
     step.title = "A puppet";
     step.scene = [](const sim::Values &) {
-        sim::Scene scene = scenes::loneFoot();
+        sim::Scene scene = scenes::singleFoot();
         scene.groups.front().motion = sim::Motion::prescribed;
         scenes::add<sim::CarriedByPointer>(scene, 0);
         return scene;

@@ -26,7 +26,7 @@ inline lessons::Step loneStep(const char *id, sim::Vec2 start, const char *metho
     step.method = method;
     step.parameters = {lessons::stiffness(stiffness)};
     step.scene = [start, addEffects](const sim::Values &values) {
-        sim::Scene scene = scenes::loneFoot();
+        sim::Scene scene = scenes::singleFoot();
         scene.start.place(0, start);
         addEffects(scene, values);
         return scene;

@@ -101,7 +101,7 @@ private:
         if (!parameter.choices.isEmpty())
             return errs() ? m_draw.of(noNumbers) : quoted(m_draw.of(parameter.choices));
         // Counts decide how much work a frame is: mostly few.
-        if (parameter.hasWholeValues()) {
+        if (parameter.isInteger) {
             const double most = parameter.scale == lessons::Scale::logarithmic ? 1000.0 : parameter.max;
             return whole(parameter.min, m_draw.chance(0.05) ? most : std::min(most, parameter.min + 12));
         }
@@ -143,7 +143,7 @@ private:
             field("parameters", '{' + entries.join(", ") + '}');
     }
 
-    bool takesPoints() const { return m_known.step->points == lessons::PointsFrom::file; }
+    bool takesPoints() const { return m_known.step->points == lessons::PointSource::file; }
 
     void bodies()
     {

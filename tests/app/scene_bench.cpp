@@ -41,7 +41,7 @@ sim::Scene creatureInARoom(const sim::Values &values)
 
 sim::Scene footOnASpring(const sim::Values &values)
 {
-    sim::Scene scene = scenes::loneFoot();
+    sim::Scene scene = scenes::singleFoot();
     scene.start.place(0, {300, 210});
     scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{270, 200}, values["k"]);
     return scene;

@@ -300,7 +300,7 @@ private slots:
         QFETCH(double, y);
         sim::Script script;
         script.build = [x, y](const sim::Values &) {
-            sim::Scene scene = scenes::loneFoot();
+            sim::Scene scene = scenes::singleFoot();
             scene.start.place(0, {x, y});
             scenes::add<sim::PointSpring>(scene, 0, sim::Vec2{}, 0.2);
             return scene;

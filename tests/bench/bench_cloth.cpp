@@ -1,5 +1,6 @@
-// A frame of a soft cloth by an explicit step. And the matrix of a stiff cloth's step, solved by our conjugate gradients, spring by spring, and by Eigen's with a matrix
-// put together; both from the same slopes to the same tolerance, with the same division by the diagonal.
+// Measures a frame of a soft cloth by an explicit step. Also solves the linear system of a stiff cloth's step, by our
+// conjugate gradients spring by spring and by Eigen's with an assembled matrix. Both use the same Jacobian,
+// tolerance and diagonal preconditioner.
 
 #include "support.h"
 
@@ -69,8 +70,9 @@ void clothOurs(benchmark::State &run)
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(system.right.size());
     for (auto _ : run) {
         const auto matrix = sim::SpringMatrix::of(system.entries, ones);
-        const sim::Conjugate found = sim::conjugateGradients(*matrix, sim::inTurn(system.right), tolerance);
-        Eigen::VectorXd x = sim::inColumns(found.x);
+        const sim::ConjugateResult found =
+            sim::conjugateGradients(*matrix, sim::interleaved(system.right), tolerance);
+        Eigen::VectorXd x = sim::separated(found.x);
         benchmark::DoNotOptimize(x.data());
         run.counters["products"] = found.iterations;
     }

@@ -1,5 +1,5 @@
 // One whole frame of a creature with five feet, gravity and walls: through the pipeline, through the timeline
-// with its history, and by a loop over plain doubles. Runs start again before all lies still: what is left of velocities
+// with its keyframes, and by a loop over plain doubles. Runs start again before all lies still: what is left of velocities
 // then gets so small that a processor takes much longer for it.
 
 #include "crowd_numbers.h"

@@ -49,7 +49,7 @@ void seekTinyBudget(benchmark::State &run)
     seekWithin(run, tinyBudget);
 }
 
-/// What reaching the frame in the middle costs without a history: as much as any frame on the average.
+/// Seeks the middle frame without keyframes, which costs as much as the average frame.
 void computeStraight(benchmark::State &run)
 {
     const int frames = static_cast<int>(run.range(0));
@@ -84,7 +84,7 @@ void playFrame(benchmark::State &run)
     }
 }
 
-/// A hand that moves a body while the run goes on.
+/// Drags a body while the run continues.
 void dragFrame(benchmark::State &run)
 {
     sim::Timeline timeline(creature());

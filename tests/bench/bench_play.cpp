@@ -1,5 +1,5 @@
 // What a long play costs with every panel open: how long a turn of the window's event loop ever takes, and what memory
-// grows beside the history: bench_play [--from N] [--frames N] [--speed F] [--size WxH]... [LESSON/STEP[,PARAMETER=VALUE]...]...
+// grows besides the keyframes: bench_play [--from N] [--frames N] [--speed F] [--size WxH]... [LESSON/STEP[,PARAMETER=VALUE]...]...
 // It plays at twice the usual speed, 60 frames and 60 pictures a second, so that 36 000 frames are ten minutes. Panels
 // that are tabs of each other come to the front in turn. Times are processor time of this thread, so that a machine with
 // other things to do does not add to them, and what passed by the clock beside it.
@@ -47,7 +47,7 @@ struct Memory
 {
     std::int64_t frame = 0;
     double resident = 0.0; ///< MiB
-    double history = 0.0;  ///< MiB, of the kept states
+    double history = 0.0;  ///< MiB, of the keyframes
     std::size_t pictures = 0;
 };
 

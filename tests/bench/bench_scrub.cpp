@@ -108,7 +108,7 @@ void jump(Session &session, Theme &theme, const Plan &plan, QTextStream &out)
         seeking.push_back(sim::threadCpuSeconds() - start);
         window.render(&image);
         all.push_back(sim::threadCpuSeconds() - start);
-        QApplication::processEvents(); // what is due later: readings, courses
+        QApplication::processEvents(); // delayed work: readings, time series
     }
     out << "  jumping, 1280 x 800 px, seeking:       " << percentiles(seeking)
         << "\n  jumping, seeking and painting it all:  " << percentiles(all) << Qt::endl;

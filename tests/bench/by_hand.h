@@ -14,7 +14,7 @@ std::string missing();
 std::unique_ptr<crowd::Runner> creatures(const sim::Scene &scene, int creatures);
 std::unique_ptr<crowd::Runner> creaturesInAir(const sim::Scene &scene, int creatures);
 
-/// limit_cloth.h, from a scene of tests/sim/cloth.h.
+/// limit_cloth.h, from a scene of sim/scenes/cloth.h.
 class Cloth
 {
 public:

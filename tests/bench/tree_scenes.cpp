@@ -39,7 +39,7 @@ sim::Scene inTheWind(const sim::TreePtr &tree, sim::TreeFormula formula)
 sim::Scene thatSwings(const sim::TreePtr &tree)
 {
     sim::Scene scene = sceneOf(*tree);
-    scenes::letSwing(scene);
+    scenes::enableSpins(scene);
     scenes::addSway(scene, tree, {.k = 0.05, .damp = 0.96, .front = 12.0, .wind = 5.0, .gusts = 0.6});
     return scene;
 }

@@ -1,4 +1,5 @@
-// Any bytes as an experiment file: refused with a sentence, or read, and then written and read again as the same.
+// Feeds any bytes to the reader of experiment files. They are rejected with a user error, or read. An
+// experiment that was read must survive writing and reading unchanged.
 
 #include "support.h"
 

@@ -1,5 +1,5 @@
-// Any text as a lesson's metadata, as lesson.json has it: it describes a lesson, or is refused with a sentence. (How Qt reads
-// it from a plugin's file is Qt's own.)
+// Feeds any text to the reader of lesson metadata (lesson.json). It describes a lesson or is rejected with a
+// user error. Qt's extraction of the metadata from a plugin file is not tested here.
 
 #include "app/model/lesson_plugin.h"
 #include "support.h"

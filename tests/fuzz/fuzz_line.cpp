@@ -1,5 +1,5 @@
-// Any text that is pasted as an experiment. The first byte says what is done with the others: they are the text; or the
-// compressed data of a line; or the JSON that a line is made of.
+// Feeds any pasted text to the reader of experiment lines. The first byte selects the meaning of the others:
+// the text itself, the compressed data of a line, or the JSON to compress into a line.
 
 #include "app/model/experiment_line.h"
 #include "support.h"
@@ -11,7 +11,7 @@ QString lineOf(const QByteArray &bytes, std::uint8_t kind)
     constexpr auto encoding = QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals;
     if (kind % 3 == 0)
         return QString::fromUtf8(bytes);
-    constexpr int lengthBytes = 4; // that Qt puts before what zlib makes
+    constexpr int lengthBytes = 4; // the length that qCompress() puts before the zlib data
     const QByteArray packed = kind % 3 == 1 ? bytes : qCompress(bytes).mid(lengthBytes);
     return "springstep:" + QString::fromLatin1(packed.toBase64(encoding));
 }

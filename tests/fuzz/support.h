@@ -5,22 +5,24 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// What the fuzzers share. A fault ends the program, which is how libFuzzer hears of it.
+/// Shared by the fuzzers. They report a failure to libFuzzer by aborting the program.
 namespace fuzz {
 
+/// Returns the lessons of the release build.
 inline const app::LessonLibrary &library()
 {
     static const app::LessonLibrary all = app::LessonLibrary::load({LESSON_DIR});
     return all;
 }
 
+/// Prints `what` and `text`, and aborts.
 [[noreturn]] inline void fail(const char *what, const QString &text)
 {
     std::fprintf(stderr, "%s: %s\n", what, text.toUtf8().constData());
     std::abort();
 }
 
-/// A refusal is one line of bounded length that ends as a sentence, whatever is in the input.
+/// Checks that a user error is a single line of bounded length that ends with a full stop, for any input.
 inline void check(const app::Refusal &refusal)
 {
     constexpr qsizetype longest = 1200;
@@ -29,7 +31,7 @@ inline void check(const app::Refusal &refusal)
         fail("Not a sentence", sentence);
 }
 
-/// An experiment that was read is written, and read again as the same.
+/// Checks that an experiment is the same after writing and reading.
 inline void check(const app::Experiment &experiment)
 {
     QByteArray text;

@@ -5,13 +5,13 @@ namespace support {
 
 namespace {
 
-/// A stopwatch that says that every run takes `nanoseconds` a frame.
-lessons::TimeMeasurement taking(double nanoseconds)
+/// Returns a time measurement that reports `nanoseconds` per frame for every run.
+lessons::TimeMeasurement fixedTiming(double nanoseconds)
 {
     return [nanoseconds](const sim::Script &, std::int64_t) { return nanoseconds; };
 }
 
-void withStep(Player &p, const char *method, double h, int frames)
+void playWith(Player &p, const char *method, double h, int frames)
 {
     p.useMethod(method);
     p.useStep(h);
@@ -23,7 +23,7 @@ void withStep(Player &p, const char *method, double h, int frames)
 std::vector<Attempt> attempts()
 {
     return {
-        {"big_step", 0, "1/8 frame", [](Player &p) { withStep(p, "semi_implicit_euler", 0.125, 100); }},
+        {"big_step", 0, "1/8 frame", [](Player &p) { playWith(p, "semi_implicit_euler", 0.125, 100); }},
         {"big_step", 1, "2 frames",
          [](Player &p) {
              p.useStep(2.0);
@@ -34,7 +34,7 @@ std::vector<Attempt> attempts()
              p.useStep(5.0);
              p.playUntilDone(20);
          }},
-        {"big_step", 3, "a slow swing",
+        {"big_step", 3, "a slow oscillation",
          [](Player &p) {
              p.set("k", 0.02);
              p.play(100);
@@ -44,17 +44,17 @@ std::vector<Attempt> attempts()
              p.useMethod("explicit_euler");
              p.playUntilDone(40);
          }},
-        {"energy", 1, "small steps of it",
+        {"energy", 1, "explicit Euler, small steps",
          [](Player &p) {
              p.useMethod("explicit_euler");
              p.useStep(0.125);
              p.playUntilDone(60);
          }},
-        {"energy", 2, "Verlet", [](Player &p) { withStep(p, "velocity_verlet", 1.0, 200); }},
-        {"halve", 0, "order 1", [](Player &p) { withStep(p, "semi_implicit_euler", 1.0 / 16, 60); }},
-        {"halve", 1, "order 2", [](Player &p) { withStep(p, "midpoint", 1.0 / 16, 60); }},
-        {"halve", 2, "order 4", [](Player &p) { withStep(p, "rk4", 1.0 / 16, 60); }},
-        {"halve", 3, "Runge-Kutta 4, 1/4 frame", [](Player &p) { withStep(p, "rk4", 0.25, 60); }},
+        {"energy", 2, "Verlet", [](Player &p) { playWith(p, "velocity_verlet", 1.0, 200); }},
+        {"halve", 0, "order 1", [](Player &p) { playWith(p, "semi_implicit_euler", 1.0 / 16, 60); }},
+        {"halve", 1, "order 2", [](Player &p) { playWith(p, "midpoint", 1.0 / 16, 60); }},
+        {"halve", 2, "order 4", [](Player &p) { playWith(p, "rk4", 1.0 / 16, 60); }},
+        {"halve", 3, "Runge-Kutta 4, 1/4 frame", [](Player &p) { playWith(p, "rk4", 0.25, 60); }},
         {"halve", 3, "Dormand-Prince, 0.0001 px",
          [](Player &p) {
              p.useMethod("dormand_prince");
@@ -66,16 +66,16 @@ std::vector<Attempt> attempts()
              p.useTolerance(0.1);
              p.play(150);
          }},
-        {"adapt", 1, "thrown past the middle",
+        {"adapt", 1, "thrown past the centre",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({120, 110}, 8);
-             p.carryTo({195, 158}, 3);
+             p.dragTo({120, 110}, 8);
+             p.dragTo({195, 158}, 3);
              p.letGo();
              p.playUntilDone(60);
          }},
-        {"adapt", 2, "Runge-Kutta 4, 1/4 frame", [](Player &p) { withStep(p, "rk4", 0.25, 150); }},
-        {"bounce", 0, "1/8 frame", [](Player &p) { withStep(p, "rk4", 0.125, 200); }},
+        {"adapt", 2, "Runge-Kutta 4, 1/4 frame", [](Player &p) { playWith(p, "rk4", 0.25, 150); }},
+        {"bounce", 0, "1/8 frame", [](Player &p) { playWith(p, "rk4", 0.125, 200); }},
         {"bounce", 1, "Dormand-Prince",
          [](Player &p) {
              p.useMethod("dormand_prince");
@@ -89,23 +89,23 @@ std::vector<Attempt> attempts()
          }},
         {"budget", 0, "small steps",
          [](Player &p) {
-             p.useTiming(taking(4000.0));
-             withStep(p, "semi_implicit_euler", 1.0 / 16, 200);
+             p.useTiming(fixedTiming(4000.0));
+             playWith(p, "semi_implicit_euler", 1.0 / 16, 200);
          }},
         {"budget", 1, "Velocity Verlet, 1/2 frame",
          [](Player &p) {
-             p.useTiming(taking(400.0));
-             withStep(p, "velocity_verlet", 0.5, 200);
+             p.useTiming(fixedTiming(400.0));
+             playWith(p, "velocity_verlet", 0.5, 200);
          }},
         {"budget", 1, "Runge-Kutta 4, 1 frame",
          [](Player &p) {
-             p.useTiming(taking(400.0));
-             withStep(p, "rk4", 1.0, 200);
+             p.useTiming(fixedTiming(400.0));
+             playWith(p, "rk4", 1.0, 200);
          }},
         {"budget", 2, "Runge-Kutta 4, 1/2 frame",
          [](Player &p) {
-             p.useTiming(taking(900.0));
-             withStep(p, "rk4", 0.5, 200);
+             p.useTiming(fixedTiming(900.0));
+             playWith(p, "rk4", 0.5, 200);
          }},
         {"crowd", 0, "20 000 creatures",
          [](Player &p) {
@@ -125,24 +125,24 @@ std::vector<Attempt> attempts()
              p.set("gravity", 0.0);
              p.play(61);
          }},
-        // Near misses, and what is still to do then
-        {"big_step", 0, "not far enough", [](Player &p) { withStep(p, "semi_implicit_euler", 0.125, 40); },
+        // Near misses, with the expected hint
+        {"big_step", 0, "not far enough", [](Player &p) { playWith(p, "semi_implicit_euler", 0.125, 40); },
          "go to frame 100. This is frame 40."},
-        {"big_step", 3, "set on the way",
+        {"big_step", 3, "set during the run",
          [](Player &p) {
              p.play(20);
              p.set("k", 0.02);
              p.play(100);
          },
          "set **k** at frame 0: press **Home**."},
-        {"big_step", 2, "with the soft spring of the slow swing",
+        {"big_step", 2, "with the soft spring of the slow oscillation",
          [](Player &p) {
              p.set("k", 0.02);
              p.useStep(5.0);
              p.play(100);
          },
          "set **k** back to 0.2."},
-        {"halve", 3, "too dear", [](Player &p) { withStep(p, "rk4", 0.125, 60); },
+        {"halve", 3, "too expensive", [](Player &p) { playWith(p, "rk4", 0.125, 60); },
          "choose something cheaper. This needs 32 computations a frame."},
         {"adapt", 1, "too slow",
          [](Player &p) {

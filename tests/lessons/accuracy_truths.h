@@ -2,28 +2,30 @@
 
 #include <cmath>
 
-/// What the scenes of the lesson `accuracy` come to, in closed form.
+/// Closed-form solutions of the scenes of the lesson `accuracy`.
 namespace support {
 
-/// Where a spring without damping, let go `amplitude` px away, has its foot after `frames`.
-inline double cosine(double amplitude, double k, double frames)
+/// Returns the displacement of an undamped spring after `frames`, in px. It starts at rest, `amplitude` px
+/// from its centre. Mass 1, `k` in 1/frame^2.
+inline double springDisplacement(double amplitude, double k, double frames)
 {
     return amplitude * std::cos(std::sqrt(k) * frames);
 }
 
-/// How high above the floor a ball is that falls from `height` and keeps the share `bounce` of its speed.
+/// Returns the height of a bouncing ball above the floor after `frames`, in px. The ball falls from rest at
+/// `height`. `gravity` is in px/frame^2. Each contact multiplies its speed by `bounce`.
 inline double bouncingHeight(double height, double gravity, double bounce, double frames)
 {
-    double left = frames - std::sqrt(2 * height / gravity);
-    if (left < 0.0)
+    double remaining = frames - std::sqrt(2 * height / gravity);
+    if (remaining < 0.0)
         return height - 0.5 * gravity * frames * frames;
     double speed = std::sqrt(2 * height * gravity);
     for (int i = 0; i < 200; ++i) {
         speed *= bounce;
         const double flight = 2 * speed / gravity;
-        if (left < flight)
-            return speed * left - 0.5 * gravity * left * left;
-        left -= flight;
+        if (remaining < flight)
+            return speed * remaining - 0.5 * gravity * remaining * remaining;
+        remaining -= flight;
     }
     return 0.0;
 }

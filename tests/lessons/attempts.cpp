@@ -8,7 +8,7 @@ namespace support {
 
 namespace {
 
-/// `text` with plain spaces in place of thin ones.
+/// Returns `text` with plain spaces in place of thin ones.
 QString plainSpaces(QString text)
 {
     return text.replace(QChar(0x2009), ' ').replace(QChar(0x202f), ' ');
@@ -23,12 +23,12 @@ void addAttemptRows(const LoadedLesson &lesson, const std::vector<Attempt> &all)
         QTest::addRow("%s: %s", attempt.step, attempt.name) << attempt;
     for (const lessons::Step &step : lesson.steps) {
         for (std::size_t number = 0; number < step.tries.size(); ++number) {
-            const bool tried = std::any_of(all.begin(), all.end(), [&](const Attempt &attempt) {
+            const bool hasAttempt = std::any_of(all.begin(), all.end(), [&](const Attempt &attempt) {
                 return step.id == attempt.step && number == attempt.number && !attempt.isNearMiss();
             });
             QVERIFY2(
-                tried,
-                qPrintable(QStringLiteral("%1: nobody tries: %2").arg(step.id, step.tries[number].text)));
+                hasAttempt,
+                qPrintable(QStringLiteral("%1: no attempt for: %2").arg(step.id, step.tries[number].text)));
         }
     }
 }
@@ -44,7 +44,7 @@ void checkAttempt(const LoadedLesson &lesson)
         QCOMPARE(plainSpaces(player.todo()), QString::fromUtf8(attempt.todo));
     } else {
         QVERIFY2(player.done(), qPrintable(player.todo()));
-        QVERIFY(!player.wasSilent());
+        QVERIFY(!player.lackedHint());
     }
 }
 

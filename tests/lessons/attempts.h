@@ -10,28 +10,29 @@
 
 namespace support {
 
-/// What a learner does who follows a "thing to try": the action that its text describes, or nearly so.
+/// A scripted attempt at a "thing to try": the action that its text describes, or a near miss.
 struct Attempt
 {
     const char *step = nullptr;
-    std::size_t number = 0; ///< of the try in its step, from 0
+    std::size_t number = 0; ///< index of the thing to try in its step, from 0
     const char *name = nullptr;
     std::function<void(Player &)> act;
-    /// What is still to do after a near miss; empty for an attempt that does it.
+    /// The hint that is expected after a near miss; empty for an attempt that succeeds.
     const char *todo = "";
 
     bool isNearMiss() const { return *todo; }
 };
 
-/// An attempt or more for each thing to try of a lesson. Each lesson's suite defines its own, in
+/// Returns at least one attempt for each thing to try of a lesson. Each lesson's suite defines it, in
 /// <lesson>_attempts.cpp.
 std::vector<Attempt> attempts();
 
-/// Adds a test row an attempt, and fails the test if a try of `lesson` has none that does it.
+/// Adds one test row per attempt. Fails the test if a thing to try of `lesson` has no successful attempt.
 void addAttemptRows(const LoadedLesson &lesson, const std::vector<Attempt> &all);
 
-/// Checks the attempt of the current row: not done at the start, and done by it, with something to say about what is
-/// missing at each moment on the way. A near miss does not do it, and is told what is still to do.
+/// Checks the attempt of the current row. The thing to try is not done at the start and is done at the end.
+/// Once it has begun, it always has a hint about what is missing. A near miss does not complete it and gets
+/// the expected hint.
 void checkAttempt(const LoadedLesson &lesson);
 
 }

@@ -4,8 +4,8 @@ namespace support {
 
 namespace {
 
-/// Sends it to and fro between two places.
-void zigzag(Player &p, sim::Vec2 a, sim::Vec2 b, int times, int frames)
+/// Sends the codeling back and forth between two targets.
+void sendBackAndForth(Player &p, sim::Vec2 a, sim::Vec2 b, int times, int frames)
 {
     for (int i = 0; i < times && !p.done(); ++i) {
         p.target(i % 2 ? b : a);
@@ -29,7 +29,7 @@ std::vector<Attempt> attempts()
              p.drag("lead", {400, 300}, 10);
              p.playUntilDone(200);
          }},
-        {"motor", 2, "keeps all",
+        {"motor", 2, "keep 1",
          [](Player &p) {
              p.set("keep", 1.0);
              p.target({300, 100});
@@ -66,7 +66,7 @@ std::vector<Attempt> attempts()
              p.target({400, 300});
              p.playUntilDone(20);
          }},
-        {"anticipation", 2, "another one",
+        {"anticipation", 2, "another anticipation",
          [](Player &p) {
              p.play(10);
              p.target({450, 200});
@@ -80,7 +80,7 @@ std::vector<Attempt> attempts()
              p.target({500, 80});
              p.playUntilDone(60);
          }},
-        {"squash_stretch", 1, "sent where it looks",
+        {"squash_stretch", 1, "sent straight ahead",
          [](Player &p) {
              p.play(5);
              p.target({520, 200});
@@ -109,19 +109,19 @@ std::vector<Attempt> attempts()
          [](Player &p) {
              p.play(5);
              p.grab("side0");
-             p.carryTo({180, 120}, 20);
+             p.dragTo({180, 120}, 20);
              p.playUntilDone(30);
          }},
-        {"tentacles", 0, "eight of them",
+        {"tentacles", 0, "eight tentacles",
          [](Player &p) {
              p.set("tentacles", 8.0);
              p.target({450, 120});
              p.playUntilDone(200);
          }},
-        {"tentacles", 1, "to and fro",
+        {"tentacles", 1, "back and forth",
          [](Player &p) {
              p.set("water", 0.98);
-             zigzag(p, {500, 60}, {60, 340}, 12, 15);
+             sendBackAndForth(p, {500, 60}, {60, 340}, 12, 15);
          }},
         {"tentacles", 2, "thicker water",
          [](Player &p) {
@@ -131,7 +131,7 @@ std::vector<Attempt> attempts()
              p.set("water", 0.5);
              p.play(20);
          }},
-        // Near misses, and what is still to do then
+        // Near misses, with the expected hint
         {"motor", 0, "too close",
          [](Player &p) {
              p.play(5);

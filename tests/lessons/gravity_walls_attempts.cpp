@@ -29,14 +29,14 @@ std::vector<Attempt> attempts()
         {"gravity", 0, "held up",
          [](Player &p) {
              p.grab("body");
-             p.carryTo({270, 100}, 10);
+             p.dragTo({270, 100}, 10);
              p.playUntilDone(600);
          }},
         {"gravity", 1, "held up, damping 0.6",
          [](Player &p) {
              p.set("damp", 0.6);
              p.grab("body");
-             p.carryTo({270, 100}, 10);
+             p.dragTo({270, 100}, 10);
              p.playUntilDone(600);
          }},
         {"gravity", 2, "stopped after gravity",
@@ -50,13 +50,13 @@ std::vector<Attempt> attempts()
              p.set("left", 240.0);
              p.set("right", 300.0);
              p.grab("body");
-             p.carryTo({270, 250}, 20);
+             p.dragTo({270, 250}, 20);
              p.play(60);
-             p.carryTo({270, 320}, 40);
+             p.dragTo({270, 320}, 40);
              p.letGo();
              p.playUntilDone(900);
          }},
-        {"gravity", 3, "lifted, dropped from a little above",
+        {"gravity", 3, "lifted, dropped from slightly above",
          [](Player &p) {
              p.play(100);
              p.set("left", 240.0);
@@ -64,7 +64,7 @@ std::vector<Attempt> attempts()
              p.drag("body", {270, 290}, 20);
              p.playUntilDone(900);
          }},
-        {"gravity", 3, "lifted off the middle",
+        {"gravity", 3, "lifted away from the centre",
          [](Player &p) {
              p.play(100);
              p.set("left", 240.0);
@@ -72,7 +72,7 @@ std::vector<Attempt> attempts()
              p.drag("body", {262, 300}, 20);
              p.playUntilDone(900);
          }},
-        // Near misses, and what is still to do then
+        // Near misses, with the expected hint
         {"walls", 0, "too slow",
          [](Player &p) {
              p.drag("body", p.at("body") + sim::Vec2{-40, 0}, 20);
@@ -89,7 +89,7 @@ std::vector<Attempt> attempts()
          [](Player &p) {
              p.play(100);
              p.grab("body");
-             p.carryTo({270, 380}, 20);
+             p.dragTo({270, 380}, 20);
              p.play(100);
          },
          "hold it still, high over the floor, until the feet hang still."},

@@ -6,8 +6,8 @@ namespace support {
 
 namespace {
 
-/// The position of a case in the choice of the last step.
-double caseCalled(const char *id)
+/// Returns the index of a case among the choices of the last step.
+double caseIndex(const char *id)
 {
     const LoadedLesson lesson = loadLesson(QStringLiteral("hard_cases"));
     const qsizetype position =
@@ -73,18 +73,18 @@ std::vector<Attempt> attempts()
              p.set("k", 0.1);
              p.playUntilDone(300);
          }},
-        {"one_place", 0, "the other rule",
+        {"one_place", 0, "the other method",
          [](Player &p) {
              p.useMethod("semi_implicit_euler");
              p.play(60);
          }},
-        {"one_place", 1, "a foot dragged out of the line",
+        {"one_place", 1, "a foot dragged out of line",
          [](Player &p) {
              p.play(60);
              p.drag("foot0", {290, 120}, 20);
              p.playUntilDone(400);
          }},
-        {"one_place", 2, "together, and apart again",
+        {"one_place", 2, "collapsed and expanded again",
          [](Player &p) {
              p.useMethod("semi_implicit_euler");
              p.play(60);
@@ -98,13 +98,13 @@ std::vector<Attempt> attempts()
              p.useStep(1.0 / 64);
              p.playUntilDone(400);
          }},
-        {"stiff", 1, "a million",
+        {"stiff", 1, "stiffness 1e6",
          [](Player &p) {
              p.useMethod("backward_euler");
              p.set("k", 1e6);
              p.play(30);
          }},
-        {"stiff", 2, "the price",
+        {"stiff", 2, "energy loss at low stiffness",
          [](Player &p) {
              p.useMethod("backward_euler");
              p.set("k", 0.2);
@@ -140,37 +140,37 @@ std::vector<Attempt> attempts()
          }},
         {"torture", 0, "Backward Euler",
          [](Player &p) {
-             p.set("case", caseCalled("stiffness_1e9"));
+             p.set("case", caseIndex("stiffness_1e9"));
              p.useMethod("backward_euler");
              p.playUntilDone(100);
          }},
-        {"torture", 1, "torn away, by Semi-implicit Euler",
+        {"torture", 1, "dragged far away, Semi-implicit Euler",
          [](Player &p) {
              p.useMethod("semi_implicit_euler");
-             p.set("case", caseCalled("dragged_1e9"));
+             p.set("case", caseIndex("dragged_1e9"));
              p.playUntilDone(399);
          }},
-        {"torture", 1, "torn away, by Backward Euler",
+        {"torture", 1, "dragged far away, Backward Euler",
          [](Player &p) {
              p.useMethod("backward_euler");
-             p.set("case", caseCalled("dragged_1e9"));
+             p.set("case", caseIndex("dragged_1e9"));
              p.playUntilDone(399);
          }},
-        {"torture", 2, "a spring that is too stiff",
+        {"torture", 2, "a spring that is too stiff for the step",
          [](Player &p) {
              p.useMethod("semi_implicit_euler");
-             p.set("case", caseCalled("stiffness_1e3"));
+             p.set("case", caseIndex("stiffness_1e3"));
              p.playUntilDone(400);
          }},
-        // Near misses, and what is still to do then
-        {"limit", 1, "set on the way",
+        // Near misses, with the expected hint
+        {"limit", 1, "set during the run",
          [](Player &p) {
              p.play(20);
              p.set("k", 3.9);
              p.play(100);
          },
          "press **Home**, and set **k** to 3.9 there."},
-        {"one_place", 2, "for a moment only",
+        {"one_place", 2, "only briefly",
          [](Player &p) {
              p.useMethod("semi_implicit_euler");
              p.play(60);

@@ -6,29 +6,32 @@
 
 #include <cmath>
 
-/// What suites of the lesson of hard cases share.
-namespace hard_cases_bench {
+/// Shared by the suites of the lesson on hard cases.
+namespace hard_cases_support {
 
 using namespace support;
 
-inline constexpr double centre = 270.0; ///< px: where the lone spring ends, along x
+inline constexpr double centre = 270.0; ///< px, x of the centre of the single spring
 
-/// The largest of something over the frames of a run from `from` on; infinite where the run ends before.
-template <class Of>
-inline double largest(const sim::Script &script, std::int64_t from, std::int64_t frames, Of &&of)
+/// Returns the maximum of `quantity(state)` over the frames `from` to `frames` of a run. Infinite if the run
+/// stops before.
+template <class Quantity>
+inline double maxOverFrames(const sim::Script &script, std::int64_t from, std::int64_t frames,
+                            Quantity &&quantity)
 {
     sim::Track track(script, 0);
-    double most = 0.0;
+    double largest = 0.0;
     for (std::int64_t frame = from; frame <= frames; frame += track.framesPerOutput()) {
         track.seek({frame, 0});
         if (track.stop())
             return std::numeric_limits<double>::infinity();
-        most = std::max(most, of(track.state()));
+        largest = std::max(largest, quantity(track.state()));
     }
-    return most;
+    return largest;
 }
 
-inline double reach(const sim::State &state)
+/// Returns the distance of the farthest point from (270, 200), in px.
+inline double maxDistance(const sim::State &state)
 {
     return (state.position.rowwise() - Eigen::Array2d(270.0, 200.0).transpose())
         .matrix()
@@ -37,41 +40,45 @@ inline double reach(const sim::State &state)
         .maxCoeff();
 }
 
-inline double fastest(const sim::State &state)
+/// Returns the speed of the fastest point, in px/frame.
+inline double maxSpeed(const sim::State &state)
 {
     return state.velocity.matrix().rowwise().norm().maxCoeff();
 }
 
-inline sim::Vec2 middleOf(const sim::State &state)
+/// Returns the centroid of all points.
+inline sim::Vec2 centroidOf(const sim::State &state)
 {
     return {state.position.col(0).mean(), state.position.col(1).mean()};
 }
 
-inline double apart(const sim::State &state, int a, int b)
+inline double distanceBetween(const sim::State &state, int a, int b)
 {
     return sim::length(state.positionOf(a) - state.positionOf(b));
 }
 
-/// px: how far the worst leg is from 50 px; the body comes last.
-inline double worstLeg(const sim::State &state)
+/// Returns the largest error of a leg, in px. Legs are 50 px long at rest and join the last point to all
+/// others.
+inline double maxLegError(const sim::State &state)
 {
-    double worst = 0.0;
+    double largest = 0.0;
     for (int i = 0; i + 1 < state.pointCount(); ++i)
-        worst = std::max(worst, std::abs(apart(state, i, state.pointCount() - 1) - 50.0));
-    return worst;
+        largest = std::max(largest, std::abs(distanceBetween(state, i, state.pointCount() - 1) - 50.0));
+    return largest;
 }
 
-/// The lesson, and runs of its steps.
-struct HardCases
+/// The lesson on hard cases, with scripts of its steps.
+struct HardCaseScripts
 {
     const LoadedLesson m_lesson = loadLesson(QStringLiteral("hard_cases"));
 
     const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
-    bool saysOf(const char *id, const QString &words) const
+    bool narrationContains(const char *id, const QString &text) const
     {
-        return step(id).narration.simplified().contains(words);
+        return step(id).narration.simplified().contains(text);
     }
-    sim::Script run(const char *id, const char *method, double h = 1.0, const Changes &changes = {}) const
+    sim::Script scriptFor(const char *id, const char *method, double h = 1.0,
+                          const Changes &changes = {}) const
     {
         return scriptOf(step(id), method, h, changes);
     }

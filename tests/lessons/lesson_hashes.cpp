@@ -1,8 +1,8 @@
-// Prints a hash of 1000 frames (300 under the sanitizers) of every step of every lesson: one line a step and method.
-// What it prints must not depend on the instructions that it runs with, nor on how it gets from frame to frame:
-//   lesson_hashes      as the app does: what has come to rest sleeps, and neighbouring phases run as one
-//   lesson_hashes 1    each row is computed phase by phase, by one thread, what hangs together at a time
-//   lesson_hashes 2    the same by two threads
+// Prints one line per lesson step and method, with a hash of 1000 frames (300 under the sanitizers).
+// The output must not depend on the instruction set, nor on how the frames are computed:
+//   lesson_hashes      as in the app, with sleeping islands and fused phases
+//   lesson_hashes 1    without sleeping, one cache block per island, on one thread
+//   lesson_hashes 2    the same on two threads
 
 #include "sim/run/finite.h"
 #include "sim/run/script/composed_interval.h"
@@ -23,8 +23,8 @@
 
 namespace {
 
-/// Source: Fowler, Noll and Vo, FNV-1a with 64 bits.
-std::uint64_t hashed(std::uint64_t hash, const sim::State &state)
+/// Updates a 64-bit FNV-1a hash with all bits of `state`. Source: Fowler, Noll and Vo.
+std::uint64_t updatedHash(std::uint64_t hash, const sim::State &state)
 {
     sim::visitBytes(state, [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
@@ -34,24 +34,24 @@ std::uint64_t hashed(std::uint64_t hash, const sim::State &state)
     return hash;
 }
 
-constexpr std::uint64_t begun = 0xcbf29ce484222325u;
+constexpr std::uint64_t offsetBasis = 0xcbf29ce484222325u;
 constexpr int frames = tests::sized(1000, 300);
-constexpr int looks = 10; ///< frames from one look at the state to the next
+constexpr int hashInterval = 10; ///< frames from one hashed state to the next
 
 std::uint64_t hashOfRun(const sim::Script &script)
 {
     sim::Track run(script, 0);
-    std::uint64_t hash = begun;
-    for (int frame = looks; frame <= frames; frame += looks) {
+    std::uint64_t hash = offsetBasis;
+    for (int frame = hashInterval; frame <= frames; frame += hashInterval) {
         run.seek({frame, 0});
-        hash = hashed(hash, run.state());
+        hash = updatedHash(hash, run.state());
     }
     return hash;
 }
 
-/// The same run computed row by row, each step phase by phase, in as many blocks as there are islands. It stays where
-/// numbers stop being finite, as a Track does.
-std::uint64_t hashOfRows(const sim::Script &script, int threads)
+/// Returns the same hash, computed step by step with one cache block per island. Like a Track, the run stays
+/// at the last finite state.
+std::uint64_t hashWithBlocks(const sim::Script &script, int threads)
 {
     const sim::FlushDenormals flush;
     const sim::ComposedIntervals intervals(script);
@@ -60,31 +60,31 @@ std::uint64_t hashOfRows(const sim::Script &script, int threads)
     sim::Pipeline pipeline = interval->pipeline;
     pipeline.blocks = sim::cacheBlocksOf(interval->scene, pipeline.phases, {1, 1});
     sim::State state = interval->scene.start;
-    std::uint64_t hash = begun;
-    bool goesOn = true;
-    const int row = script.step.framesPerOutput;
-    for (int frame = looks; frame <= frames; frame += looks) {
-        while (goesOn && state.frame + row <= frame) {
+    std::uint64_t hash = offsetBasis;
+    bool isRunning = true;
+    const int framesPerOutput = script.step.framesPerOutput;
+    for (int frame = hashInterval; frame <= frames; frame += hashInterval) {
+        while (isRunning && state.frame + framesPerOutput <= frame) {
             sim::State next = state;
-            sim::beginOutputStep(next, script, interval, interval, state.frame + row);
+            sim::beginOutputStep(next, script, interval, interval, state.frame + framesPerOutput);
             for (int step = 0; step < script.step.stepsPerOutput; ++step)
                 sim::runStep(pipeline, next, pool);
-            goesOn = sim::firstStuckPoint(next) < 0 && sim::firstNonFinitePoint(next) < 0;
-            if (goesOn)
+            isRunning = sim::firstStuckPoint(next) < 0 && sim::firstNonFinitePoint(next) < 0;
+            if (isRunning)
                 state = std::move(next);
         }
-        hash = hashed(hash, state);
+        hash = updatedHash(hash, state);
     }
     return hash;
 }
 
-/// An implicit method solves for all of a crowd together, and one that chooses its steps takes some for each touch: a
-/// thousand frames of those take too long here.
-bool takesLong(const sim::Script &script)
+/// Returns whether a thousand frames take too long here. In a large crowd, an implicit method solves for all
+/// points at once, and an adaptive method takes extra steps for each contact.
+bool isTooSlow(const sim::Script &script)
 {
     const std::vector<std::string> needs = script.method->requirements();
-    const bool solves = std::find(needs.begin(), needs.end(), "slopes") != needs.end();
-    return (solves || script.step.isAdaptive()) &&
+    const bool isImplicit = std::find(needs.begin(), needs.end(), "jacobian") != needs.end();
+    return (isImplicit || script.step.isAdaptive()) &&
            sim::sceneOf(script, script.values).start.pointCount() > 500;
 }
 
@@ -100,9 +100,10 @@ int main(int count, char **arguments)
             for (const sim::MethodPtr &method : sim::allMethods()) {
                 try {
                     const sim::Script script = support::scriptOf(step, method->id());
-                    if (takesLong(script))
+                    if (isTooSlow(script))
                         continue;
-                    const std::uint64_t hash = threads == 0 ? hashOfRun(script) : hashOfRows(script, threads);
+                    const std::uint64_t hash =
+                        threads == 0 ? hashOfRun(script) : hashWithBlocks(script, threads);
                     std::printf("%s/%s %s %016llx\n", qPrintable(lesson), qPrintable(step.id),
                                 method->id().c_str(), static_cast<unsigned long long>(hash));
                 } catch (const sim::Error &) {

@@ -10,12 +10,12 @@ std::vector<Attempt> attempts()
              p.drag("foot0", {420, 300}, 20);
              p.playUntilDone(600);
          }},
-        {"two_feet", 1, "the body carried",
+        {"two_feet", 1, "the body dragged",
          [](Player &p) {
              p.grab("body");
-             p.carryTo({500, 200}, 20);
+             p.dragTo({500, 200}, 20);
          }},
-        {"two_feet", 2, "flown off",
+        {"two_feet", 2, "flies away",
          [](Player &p) {
              p.set("damp", 0.9);
              p.playUntilDone(900);
@@ -31,14 +31,14 @@ std::vector<Attempt> attempts()
              p.set("feet", 12.0);
              p.playUntilDone(201);
          }},
-        {"any_number", 2, "a ghost",
+        {"any_number", 2, "changed in the past",
          [](Player &p) {
              p.play(90);
              p.goTo(30);
              p.set("damp", 0.7);
              p.play(30);
          }},
-        {"grown_feet", 0, "sixteen feet, all at once",
+        {"grown_feet", 0, "sixteen feet, moved all at once",
          [](Player &p) {
              p.play(50);
              p.set("feet", 16.0);
@@ -51,7 +51,7 @@ std::vector<Attempt> attempts()
              p.set("feet", 60.0);
              p.playUntilDone(900);
          }},
-        {"grown_feet", 2, "sixty feet in half frames, after the explosion",
+        {"grown_feet", 2, "sixty feet with half-frame steps, after the instability",
          [](Player &p) {
              p.set("feet", 60.0);
              p.play(600);
@@ -59,7 +59,7 @@ std::vector<Attempt> attempts()
              p.useStep(0.5);
              p.playUntilDone(600);
          }},
-        // Near misses, and what is still to do then
+        // Near misses, with the expected hint
         {"two_feet", 0, "not far enough",
          [](Player &p) {
              p.drag("foot0", p.at("foot0") + sim::Vec2{50, 0}, 20);
@@ -72,7 +72,7 @@ std::vector<Attempt> attempts()
              p.play(150);
          },
          "let time run for 200 frames with this value. So far: 150."},
-        {"grown_feet", 0, "by the published method",
+        {"grown_feet", 0, "with the published method",
          [](Player &p) {
              p.set("feet", 16.0);
              p.play(5);

@@ -8,26 +8,26 @@
 
 namespace support {
 
-RunPlayer::RunPlayer(const lessons::Step &step, std::size_t wanted)
-    : m_step(step), m_run(step.script()), m_try(step.tries.at(wanted)),
+RunPlayer::RunPlayer(const lessons::Step &step, std::size_t number)
+    : m_step(step), m_run(step.script()), m_try(step.tries.at(number)),
       m_timing([](const sim::Script &, std::int64_t) { return std::numeric_limits<double>::infinity(); })
 {
-    look();
+    checkTry();
 }
 
-void RunPlayer::look()
+void RunPlayer::checkTry()
 {
     m_done = m_done || (m_try.isDone(m_run) &&
                         (!m_try.budget || lessons::staysWithin(*m_try.budget, m_run.script(), m_timing)));
     const bool isOpen = !m_done && m_try.conditions.hasBegun(m_run) && !m_try.isDone(m_run);
-    m_wasSilent = m_wasSilent || (isOpen && todo().isEmpty());
+    m_lackedHint = m_lackedHint || (isOpen && todo().isEmpty());
 }
 
 void RunPlayer::play(int frames)
 {
     for (int i = 0; i < frames; ++i) {
         m_run.nextOutputStep();
-        look();
+        checkTry();
     }
 }
 
@@ -41,10 +41,10 @@ void RunPlayer::grab(const std::string &body)
 {
     m_held = body;
     m_run.applyInput(sim::Grab{body});
-    look();
+    checkTry();
 }
 
-void Player::carryTo(sim::Vec2 to, int frames)
+void Player::dragTo(sim::Vec2 to, int frames)
 {
     const sim::Vec2 from = at(m_held);
     for (int i = 1; i <= frames; ++i) {
@@ -61,32 +61,32 @@ void RunPlayer::moveHand(sim::Vec2 to)
 void RunPlayer::letGo()
 {
     m_run.applyInput(sim::Release{});
-    look();
+    checkTry();
 }
 
 void Player::drag(const std::string &body, sim::Vec2 to, int frames)
 {
     grab(body);
-    carryTo(to, frames);
+    dragTo(to, frames);
     letGo();
 }
 
 void RunPlayer::point(sim::Vec2 at, bool down)
 {
     m_run.applyInput(sim::Pointer{at, down});
-    look();
+    checkTry();
 }
 
 void RunPlayer::target(sim::Vec2 at)
 {
     m_run.applyInput(sim::Target{at});
-    look();
+    checkTry();
 }
 
 void RunPlayer::key(bool sim::Keys::*key, bool down)
 {
     m_run.applyInput(sim::Key{key, down});
-    look();
+    checkTry();
 }
 
 void RunPlayer::set(const std::string &parameter, double value)
@@ -99,14 +99,14 @@ void RunPlayer::set(const std::string &parameter, double value)
     } else {
         m_run.setParameter(parameter, value);
     }
-    look();
+    checkTry();
 }
 
 void RunPlayer::use(sim::Script script)
 {
     script.step = sim::stepFor(*script.method, script.step);
     m_run.replaceScript(std::move(script));
-    look();
+    checkTry();
 }
 
 void RunPlayer::useMethod(const std::string &id)
@@ -138,14 +138,14 @@ void RunPlayer::useTiming(lessons::TimeMeasurement timing)
 void RunPlayer::goTo(std::int64_t frame)
 {
     m_run.seek({frame, 0});
-    look();
+    checkTry();
 }
 
 void RunPlayer::stepPhases(int count)
 {
     for (int i = 0; i < count; ++i) {
         m_run.nextPhase();
-        look();
+        checkTry();
     }
 }
 

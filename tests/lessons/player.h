@@ -8,8 +8,9 @@
 
 namespace support {
 
-/// A learner at a step, who follows one "thing to try": does what a hand can do in the app. What an attempt does is
-/// told once, and done in two ways: by code on a run alone (RunPlayer), and with mouse and keys in the window.
+/// Performs the actions of a learner who follows one "thing to try". Attempts are written once against this
+/// interface. RunPlayer performs them on a run. In tests/app/by_hand, a player performs them in the window
+/// with mouse and keys.
 class Player
 {
 public:
@@ -17,20 +18,21 @@ public:
 
     virtual void play(int frames) = 0;
     virtual void grab(const std::string &body) = 0;
-    /// Moves the hand that holds a body.
+    /// Moves the pointer that drags the grabbed body.
     virtual void moveHand(sim::Vec2 to) = 0;
     virtual void letGo() = 0;
-    /// The pointer at a place, its button down or up; and the other things that reach a scene.
+    /// Sets the pointer and its button, for scenes that feel the pointer.
     virtual void point(sim::Vec2 at, bool down) = 0;
+    /// Clicks the background, for scenes with a target.
     virtual void target(sim::Vec2 at) = 0;
     virtual void key(bool sim::Keys::*key, bool down) = 0;
-    /// A parameter that opens another experiment begins the run anew, as in the app.
+    /// Sets a parameter. One that opens another experiment restarts the run, as in the app.
     virtual void set(const std::string &parameter, double value) = 0;
     virtual void useMethod(const std::string &id) = 0;
-    virtual void useStep(double h) = 0;
-    /// For a method that chooses its steps: px a step.
+    virtual void useStep(double h) = 0; ///< frames
+    /// Sets the error tolerance of an adaptive method, in px per step.
     virtual void useTolerance(double tolerance) = 0;
-    /// How the time is told that a run takes, for tries with a budget; before, no time keeps one.
+    /// Sets the time measurement for things to try with a budget. Without one, no run keeps a budget.
     virtual void useTiming(lessons::TimeMeasurement timing) = 0;
     virtual void goTo(std::int64_t frame) = 0;
     virtual void stepPhases(int count) = 0;
@@ -38,25 +40,27 @@ public:
     virtual bool done() const = 0;
     virtual const sim::Timeline &run() const = 0;
 
-    /// Plays until the try is done, for at most `frames` frames.
+    /// Plays until the thing to try is done, for at most `frames` frames.
     void playUntilDone(int frames);
-    /// Moves the hand to `to` in equal parts, one a frame, from where the held body is.
-    void carryTo(sim::Vec2 to, int frames);
-    /// Grabs, carries and lets go: a throw, if `frames` is small.
+    /// Drags the grabbed body to `to` in equal steps, one per frame.
+    void dragTo(sim::Vec2 to, int frames);
+    /// Grabs `body`, drags it to `to` and releases it. With few frames, that is a throw.
     void drag(const std::string &body, sim::Vec2 to, int frames);
     void reset() { goTo(0); }
+    /// Returns the position of `body`.
     sim::Vec2 at(const std::string &body) const;
 
 protected:
-    std::string m_held; ///< the body that was grabbed last
+    std::string m_held; ///< name of the body that was grabbed last
 };
 
-/// Does it on a run alone, and looks at the try after each frame and each change, as the app does.
+/// Performs attempts on a run without a window. Checks the thing to try after each frame and each change, as
+/// the app does.
 class RunPlayer : public Player
 {
 public:
-    /// `wanted`: the number of the try to look at.
-    RunPlayer(const lessons::Step &step, std::size_t wanted);
+    /// `number` is the index of the thing to try in `step`.
+    RunPlayer(const lessons::Step &step, std::size_t number);
 
     void play(int frames) override;
     void grab(const std::string &body) override;
@@ -74,14 +78,14 @@ public:
     void stepPhases(int count) override;
 
     bool done() const override { return m_done; }
-    /// What is still to do; empty where nobody has begun.
+    /// Returns the hint about what is still to do. Empty before the attempt has begun.
     QString todo() const { return m_try.conditions.todo(m_run); }
-    /// Whether the try was begun and not done at some moment when nothing said what was missing.
-    bool wasSilent() const { return m_wasSilent; }
+    /// Returns whether there was a moment, between begin and success, without a hint.
+    bool lackedHint() const { return m_lackedHint; }
     const sim::Timeline &run() const override { return m_run; }
 
 private:
-    void look();
+    void checkTry();
     void use(sim::Script script);
 
     lessons::Step m_step;
@@ -89,7 +93,7 @@ private:
     lessons::Try m_try;
     lessons::TimeMeasurement m_timing;
     bool m_done = false;
-    bool m_wasSilent = false;
+    bool m_lackedHint = false;
 };
 
 }

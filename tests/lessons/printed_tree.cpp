@@ -13,24 +13,25 @@ struct PrintedTree::Branch
     double endX = 0.0, endY = 0.0, globalEndX = 0.0, globalEndY = 0.0;
     std::vector<std::unique_ptr<Branch>> children;
 
-    /// `number` counts breadth first; both children are there or none, so those of n are 2n + 1 and 2n + 2.
-    Branch(const PrintedTree &of, double initialAngle, double scaleOf, double originX, double originY,
+    /// `number` counts in breadth-first order. A branch has two children or none, so n has 2n + 1 and 2n + 2.
+    Branch(const PrintedTree &owner, double initialAngle, double initialScale, double originX, double originY,
            std::uint64_t number)
-        : tree(of), x(originX), y(originY), scale(scaleOf), angle(initialAngle), restAngle(initialAngle)
+        : tree(owner), x(originX), y(originY), scale(initialScale), angle(initialAngle),
+          restAngle(initialAngle)
     {
         const Numbers &numbers = tree.m_numbers;
         getEndPoint();
         localToGlobal();
         if (scale * numbers.slope > numbers.minScale) {
-            const double left = angle - numbers.spread + chance(2 * number + 1);
-            const double right = angle + numbers.spread + chance(2 * number + 2);
-            for (const auto &[at, child] : {std::pair{left, 2 * number + 1}, {right, 2 * number + 2}})
-                children.push_back(
-                    std::make_unique<Branch>(tree, at, scale * numbers.slope, globalEndX, globalEndY, child));
+            const double left = angle - numbers.spread + randomJitter(2 * number + 1);
+            const double right = angle + numbers.spread + randomJitter(2 * number + 2);
+            for (const auto &[childAngle, child] : {std::pair{left, 2 * number + 1}, {right, 2 * number + 2}})
+                children.push_back(std::make_unique<Branch>(tree, childAngle, scale * numbers.slope,
+                                                            globalEndX, globalEndY, child));
         }
     }
 
-    double chance(std::uint64_t number) const
+    double randomJitter(std::uint64_t number) const
     {
         const double jitter = tree.m_numbers.jitter;
         return tree.random(0, number) * 2 * jitter - jitter;
@@ -133,16 +134,16 @@ void PrintedTree::enterFrame(const double *gust)
     m_trunk->bend(turbulence);
 }
 
-std::vector<PrintedTree::Row> PrintedTree::rows() const
+std::vector<PrintedTree::BranchPose> PrintedTree::branchPoses() const
 {
     std::vector<const Branch *> queue = {m_trunk.get()};
-    std::vector<Row> rows;
+    std::vector<BranchPose> poses;
     for (std::size_t i = 0; i < queue.size(); ++i) {
-        rows.push_back({queue[i]->x, queue[i]->y, queue[i]->angle});
+        poses.push_back({queue[i]->x, queue[i]->y, queue[i]->angle});
         for (const auto &child : queue[i]->children)
             queue.push_back(child.get());
     }
-    return rows;
+    return poses;
 }
 
 }

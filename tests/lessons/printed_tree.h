@@ -8,8 +8,8 @@
 
 namespace support {
 
-/// The tutorial's tree, written down a second time straight from the printed code, recursion and all, with nothing of
-/// sim's tree in it: the yardstick for the lesson. Which of its printed stages runs is a matter of `stage`.
+/// The tutorial's tree, transcribed from the printed code with its recursion. It shares no code with sim's
+/// tree and serves as the reference for the lesson. `Stage` selects one of the printed stages.
 class PrintedTree
 {
 public:
@@ -22,20 +22,21 @@ public:
         std::uint64_t seed = 1;
     };
 
-    struct Row
+    struct BranchPose
     {
-        double x = 0.0, y = 0.0, angle = 0.0;
+        double x = 0.0, y = 0.0; ///< px, origin of the branch
+        double angle = 0.0;      ///< degrees
     };
 
     PrintedTree(Stage stage, const Numbers &numbers);
     ~PrintedTree();
 
-    /// The mouse and its button from the next frame on.
+    /// Sets the mouse and its button from the next frame on.
     void mouse(double x, double y, bool down);
-    /// Computes one frame. `gust`: its turbulence in degrees, in place of the random one.
+    /// Computes one frame. `gust` replaces the random turbulence, in degrees, unless it is null.
     void enterFrame(const double *gust);
-    /// All branches, breadth first, the left one first.
-    std::vector<Row> rows() const;
+    /// Returns all branches in breadth-first order, left before right.
+    std::vector<BranchPose> branchPoses() const;
 
 private:
     struct Branch;

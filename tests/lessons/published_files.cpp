@@ -29,13 +29,13 @@ QByteArray contents(const QString &path)
     return file.readAll();
 }
 
-sim::Vec2 pair(const QJsonObject &object, const QString &first, const QString &second)
+sim::Vec2 vec2(const QJsonObject &object, const QString &first, const QString &second)
 {
     return {object[first].toDouble(), object[second].toDouble()};
 }
 
-/// 3 for "p3".
-int pointOf(const QJsonValue &name)
+/// Returns the number of a point from its name: 3 for "p3".
+int pointNumber(const QJsonValue &name)
 {
     return name.toString().mid(1).toInt();
 }
@@ -47,14 +47,14 @@ sim::Event readEvent(const QJsonObject &object)
     if (what == u"grab")
         return {frame, sim::Grab{object[QStringLiteral("body")].toString().toStdString()}};
     if (what == u"move")
-        return {frame, sim::Move{pair(object, QStringLiteral("x"), QStringLiteral("y"))}};
+        return {frame, sim::Move{vec2(object, QStringLiteral("x"), QStringLiteral("y"))}};
     if (what == u"release")
         return {frame, sim::Release{}};
     if (what == u"pointer")
-        return {frame, sim::Pointer{pair(object, QStringLiteral("x"), QStringLiteral("y")),
+        return {frame, sim::Pointer{vec2(object, QStringLiteral("x"), QStringLiteral("y")),
                                     object[QStringLiteral("down")].toBool()}};
     if (what == u"target")
-        return {frame, sim::Target{pair(object, QStringLiteral("x"), QStringLiteral("y"))}};
+        return {frame, sim::Target{vec2(object, QStringLiteral("x"), QStringLiteral("y"))}};
     if (what == u"gust")
         return {frame, sim::Gust{object[QStringLiteral("degrees")].toDouble()}};
     throw std::runtime_error("unknown event " + what.toStdString());
@@ -78,19 +78,19 @@ sim::Script readScript(const QJsonObject &file, const lessons::Step &step)
     const QJsonObject bodies = file[QStringLiteral("bodies")].toObject();
     for (const QString &name : bodies.keys()) {
         const QJsonObject start = bodies[name].toObject();
-        sim::BodyStart body{pair(start, QStringLiteral("x"), QStringLiteral("y")), {}};
+        sim::BodyStart body{vec2(start, QStringLiteral("x"), QStringLiteral("y")), {}};
         if (start.contains(QStringLiteral("vx")))
-            body.v = pair(start, QStringLiteral("vx"), QStringLiteral("vy"));
+            body.v = vec2(start, QStringLiteral("vx"), QStringLiteral("vy"));
         script.bodies[name.toStdString()] = body;
     }
-    if (step.points == lessons::PointsFrom::file && !bodies.isEmpty())
+    if (step.points == lessons::PointSource::file && !bodies.isEmpty())
         script.values.points = static_cast<int>(bodies.size());
     if (file.contains(QStringLiteral("links"))) {
         script.values.sticks.emplace();
         for (const QJsonValue &value : file[QStringLiteral("links")].toArray()) {
             const QJsonObject link = value.toObject();
             script.values.sticks->push_back(
-                {pointOf(link[QStringLiteral("a")]), pointOf(link[QStringLiteral("b")]),
+                {pointNumber(link[QStringLiteral("a")]), pointNumber(link[QStringLiteral("b")]),
                  link[QStringLiteral("length")].toDouble(), link[QStringLiteral("share")].toDouble()});
         }
     }

@@ -12,7 +12,7 @@
 
 namespace support {
 
-/// One row of a published trajectory: positions in px, velocities in px/frame, angles in degrees.
+/// One line of a published trajectory: positions in px, velocities in px/frame, angles in degrees.
 struct PublishedRow
 {
     std::int64_t frame = 0;
@@ -22,7 +22,7 @@ struct PublishedRow
     std::optional<double> angle;
 };
 
-/// An experiment of the tutorials, and what their own code computes for it.
+/// An experiment of the tutorials, with the trajectory that their code computes for it.
 struct PublishedRun
 {
     QString step;
@@ -30,13 +30,14 @@ struct PublishedRun
     std::vector<PublishedRow> rows;
 };
 
-/// The names of the published files of a lesson, without ending.
+/// Returns the names of the published files of a lesson, without extension.
 QStringList publishedNames(const QString &lesson);
-/// Reads a published experiment and its trajectory. Knows just what these files hold.
-/// @throws std::runtime_error when one cannot be read
+/// Reads a published experiment and its trajectory. Supports only the keys that these files contain.
+/// @throws std::runtime_error if a file cannot be read
 PublishedRun readPublished(const QString &name, const LoadedLesson &lesson);
 
-/// The largest difference of a position, a velocity or an angle between `run`'s rows and what its script computes.
+/// Returns the largest difference in any position, velocity or angle between the published rows and a run of
+/// the script. Infinite if the run lacks a body or a frame.
 double largestDifference(const PublishedRun &run);
 
 }

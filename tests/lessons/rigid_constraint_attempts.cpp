@@ -4,8 +4,8 @@ namespace support {
 
 namespace {
 
-/// Leads the pointer to `to` in equal parts, one a frame.
-void lead(Player &p, sim::Vec2 to, int frames)
+/// Moves the pressed pointer to `to` in equal steps, one per frame.
+void movePointer(Player &p, sim::Vec2 to, int frames)
 {
     const sim::Vec2 from = p.run().state().input.pointer.value_or(p.at("p0"));
     for (int i = 1; i <= frames; ++i) {
@@ -21,7 +21,7 @@ std::vector<Attempt> attempts()
     return {
         {"pair", 0, "led to the right",
          [](Player &p) {
-             lead(p, {430, 200}, 30);
+             movePointer(p, {430, 200}, 30);
          }},
         {"pair", 1, "stopped after the pointer",
          [](Player &p) {
@@ -33,58 +33,58 @@ std::vector<Attempt> attempts()
          [](Player &p) {
              p.play(5);
              p.set("length", 0.0);
-             lead(p, {400, 300}, 20);
+             movePointer(p, {400, 300}, 20);
          }},
-        {"shared_error", 0, "round the nail",
+        {"shared_error", 0, "around the fixed point",
          [](Player &p) {
              p.play(3);
-             lead(p, {400, 165}, 15);
-             lead(p, {240, 20}, 15);
+             movePointer(p, {400, 165}, 15);
+             movePointer(p, {240, 20}, 15);
          }},
         {"shared_error", 1, "share 0",
          [](Player &p) {
              p.set("share", 0.0);
-             lead(p, {430, 300}, 30);
+             movePointer(p, {430, 300}, 30);
          }},
         {"shared_error", 2, "share 0.5, then held still",
          [](Player &p) {
              p.play(3);
              p.set("share", 0.5);
-             lead(p, {420, 300}, 10);
+             movePointer(p, {420, 300}, 10);
              p.playUntilDone(60);
          }},
         {"triangle", 0, "fast",
          [](Player &p) {
-             lead(p, {300, 200}, 10);
-             lead(p, {480, 300}, 2);
+             movePointer(p, {300, 200}, 10);
+             movePointer(p, {480, 300}, 2);
          }},
         {"triangle", 1, "fast, then still",
          [](Player &p) {
-             lead(p, {300, 200}, 10);
-             lead(p, {480, 300}, 3);
+             movePointer(p, {300, 200}, 10);
+             movePointer(p, {480, 300}, 3);
              p.playUntilDone(300);
          }},
         {"triangle", 2, "longer sticks",
          [](Player &p) {
              p.set("length", 150.0);
              p.play(10);
-             lead(p, {320, 120}, 20);
+             movePointer(p, {320, 120}, 20);
              p.playUntilDone(300);
          }},
         {"list", 0, "led, then still",
          [](Player &p) {
-             lead(p, {300, 60}, 30);
+             movePointer(p, {300, 60}, 30);
              p.playUntilDone(600);
          }},
         {"list", 1, "shaken",
          [](Player &p) {
              p.set("triangles", 15.0);
              for (int i = 0; i < 10; ++i)
-                 lead(p, {120.0 + 150 * (i % 2), 120.0}, 3);
+                 movePointer(p, {120.0 + 150 * (i % 2), 120.0}, 3);
          }},
         {"list", 2, "another length",
          [](Player &p) {
-             lead(p, {300, 60}, 30);
+             movePointer(p, {300, 60}, 30);
              p.play(30);
              p.goTo(20);
              p.set("length", 80.0);
@@ -96,7 +96,7 @@ std::vector<Attempt> attempts()
              p.drag("p0", {80, 200}, 10);
              p.playUntilDone(100);
          }},
-        {"verlet", 1, "stiff, dropped",
+        {"verlet", 1, "many iterations, dropped",
          [](Player &p) {
              p.set("iterations", 20.0);
              p.play(60);
@@ -139,9 +139,9 @@ std::vector<Attempt> attempts()
              p.play(20);
              p.grab("p5");
              for (int i = 0; i < 10; ++i)
-                 p.carryTo({200.0 + 150 * (i % 2), 150.0}, 5);
+                 p.dragTo({200.0 + 150 * (i % 2), 150.0}, 5);
          }},
-        {"ragdoll", 3, "another number of passes",
+        {"ragdoll", 3, "another number of iterations",
          [](Player &p) {
              p.play(20);
              p.drag("p0", {90, 150}, 10);
@@ -150,10 +150,10 @@ std::vector<Attempt> attempts()
              p.set("iterations", 2.0);
              p.play(20);
          }},
-        // Near misses, and what is still to do then
+        // Near misses, with the expected hint
         {"pair", 0, "not far enough",
          [](Player &p) {
-             lead(p, p.at("p0") + sim::Vec2{60, 80}, 10);
+             movePointer(p, p.at("p0") + sim::Vec2{60, 80}, 10);
          },
          "lead p0 150 px away or more, with the mouse button down. So far: 100 px."},
         {"verlet", 0, "too slow",

@@ -9,8 +9,8 @@ std::vector<Attempt> attempts()
         {"drag", 0, "to the cross",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({270, 205}, 30);
-             p.play(5); // holds still: lets go without a throw
+             p.dragTo({270, 205}, 30);
+             p.play(5); // holds still, so that the release is no throw
              p.letGo();
              p.playUntilDone(200);
          }},
@@ -42,14 +42,14 @@ std::vector<Attempt> attempts()
              p.drag("foot", {100, 100}, 10);
              p.playUntilDone(101);
          }},
-        {"fixed_centre", 3, "a ghost",
+        {"fixed_centre", 3, "changed in the past",
          [](Player &p) {
              p.play(90);
              p.goTo(30);
              p.set("damp", 0.7);
              p.play(30);
          }},
-        {"moving_body", 0, "carried away",
+        {"moving_body", 0, "body dragged away",
          [](Player &p) {
              p.play(20);
              p.drag("body", {500, 200}, 20);
@@ -60,8 +60,8 @@ std::vector<Attempt> attempts()
              p.set("k", 0.02);
              p.play(60);
              p.grab("body");
-             p.carryTo({520, 380}, 6);
-             p.carryTo({20, 20}, 15);
+             p.dragTo({520, 380}, 6);
+             p.dragTo({20, 20}, 15);
          }},
         {"moving_body", 2, "thrown and stopped",
          [=](Player &p) {
@@ -80,7 +80,7 @@ std::vector<Attempt> attempts()
              p.set("offset", -60.0);
              p.playUntilDone(300);
          }},
-        {"offset", 2, "carried",
+        {"offset", 2, "body dragged",
          [](Player &p) {
              p.drag("body", {400, 200}, 9);
              p.play(1);
@@ -94,7 +94,7 @@ std::vector<Attempt> attempts()
         {"radial", 1, "held below",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({270, 290}, 10);
+             p.dragTo({270, 290}, 10);
              p.play(6);
          }},
         {"radial", 2, "a wide ring",
@@ -103,11 +103,11 @@ std::vector<Attempt> attempts()
              p.playUntilDone(300);
          }},
         {"radial", 3, "stopped inside", [](Player &p) { p.stepPhases(1); }},
-        // Near misses, and what is still to do then
-        {"drag", 0, "to the cross, let go at once",
+        // Near misses, with the expected hint
+        {"drag", 0, "to the cross, released at once",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({270, 205}, 20);
+             p.dragTo({270, 205}, 20);
              p.letGo();
              p.play(1);
          },
@@ -115,7 +115,7 @@ std::vector<Attempt> attempts()
         {"drag", 0, "beside the cross",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({300, 240}, 30);
+             p.dragTo({300, 240}, 30);
              p.play(5);
              p.letGo();
              p.play(200);
@@ -161,7 +161,7 @@ std::vector<Attempt> attempts()
              p.play(300);
          },
          "let go at least 100 px from the cross. Yours left 50 px from it."},
-        {"fixed_centre", 3, "gone on for five frames",
+        {"fixed_centre", 3, "played on for five frames",
          [](Player &p) {
              p.play(90);
              p.goTo(30);
@@ -187,16 +187,16 @@ std::vector<Attempt> attempts()
              p.play(300);
          },
          "let go closer to the body, on its left: the foot came to rest elsewhere."},
-        {"radial", 1, "beside it",
+        {"radial", 1, "below on the right",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({320, 250}, 10);
+             p.dragTo({320, 250}, 10);
          },
          "hold it straight below the body. It is off by 45°."},
-        {"radial", 1, "only passing by",
+        {"radial", 1, "only passing below",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({270, 290}, 10);
+             p.dragTo({270, 290}, 10);
          },
          "hold it still there for a moment."},
     };

@@ -90,9 +90,9 @@ std::optional<QString> regionText(const sim::Region &region)
 std::vector<sim::MethodPtr> walkingMethods()
 {
     std::vector<sim::MethodPtr> methods = sim::allMethods();
-    std::erase_if(methods, [](const sim::MethodPtr &one) {
-        return one->stepping() == sim::Stepping::adaptive || one->order() > 2 ||
-               one->id() == "explicit_euler" || one->id() == "midpoint";
+    std::erase_if(methods, [](const sim::MethodPtr &method) {
+        return method->stepping() == sim::Stepping::adaptive || method->order() > 2 ||
+               method->id() == "explicit_euler" || method->id() == "midpoint";
     });
     return methods;
 }
@@ -114,22 +114,22 @@ sim::State stateAfter(const sim::Script &script, std::int64_t frames)
     return track.state();
 }
 
-double farthestApart(const sim::State &a, const sim::State &b)
+double largestDistance(const sim::State &a, const sim::State &b)
 {
     return (a.position - b.position).matrix().rowwise().norm().maxCoeff();
 }
 
-Slope slopeOf(const std::function<double(double)> &error, int first, int last)
+OrderRange observedOrders(const std::function<double(double)> &error, int first, int last)
 {
     std::vector<double> logs;
     for (int n = first; n <= last; ++n)
         logs.push_back(std::log2(error(1.0 / (1 << n))));
-    Slope jacobian{1e9, -1e9};
+    OrderRange range{1e9, -1e9};
     for (std::size_t i = 1; i < logs.size(); ++i) {
-        jacobian.least = std::min(jacobian.least, logs[i - 1] - logs[i]);
-        jacobian.greatest = std::max(jacobian.greatest, logs[i - 1] - logs[i]);
+        range.min = std::min(range.min, logs[i - 1] - logs[i]);
+        range.max = std::max(range.max, logs[i - 1] - logs[i]);
     }
-    return jacobian;
+    return range;
 }
 
 }

@@ -13,52 +13,57 @@
 
 namespace support {
 
-/// A lesson's plugin: what its metadata says, and its steps.
+/// A loaded lesson plugin: its metadata and its steps.
 struct LoadedLesson
 {
     QJsonObject metadata;
     std::vector<lessons::Step> steps;
 
-    /// The step called `id`. @throws std::out_of_range if there is none
+    /// Returns the step `id`. @throws std::out_of_range if there is none
     const lessons::Step &step(const QString &id) const;
 };
 
-/// The ids of all lessons in the build, from the names of their files.
+/// Returns the ids of all lessons in the build, from their file names.
 QStringList lessonIds();
-/// The lesson called `id`. @throws std::runtime_error with Qt's reason when it does not load
+/// Loads the lesson `id`. @throws std::runtime_error with Qt's message if it does not load
 LoadedLesson loadLesson(const QString &id);
 
-/// Adds one row a step of every lesson, of columns "lesson" and "id"; and the step of the row under way.
+/// Adds one test row per step of every lesson, with the columns "lesson" and "id".
 void addStepRows();
+/// Returns the step of the current test row.
 lessons::Step stepOfRow();
 
-/// The text of a region as it was embedded; empty unless the file is there and has exactly two marker lines.
+/// Returns the embedded text of a source region. Empty if the file is missing or lacks exactly two marker
+/// lines.
 std::optional<QString> regionText(const sim::Region &region);
 
-/// The methods that the walking lesson is tested with: of fixed step, since a hand that steers acts once a step; that hold
-/// at a step a frame for ever, which explicit Euler and the midpoint rule do not, as both gain energy where nothing
-/// damps; and whose errors are not lost in rounding at the steps at which orders are measured there.
+/// Returns the methods that the walking lesson is tested with. They have a fixed step, because steering acts
+/// once per step. They stay stable with steps of one frame: explicit Euler and the midpoint rule gain energy
+/// without damping. Their order is at most 2, so that rounding does not hide their errors at the steps where
+/// orders are measured.
 std::vector<sim::MethodPtr> walkingMethods();
 
-/// The script of `step` with another method and step, and other values for some parameters. Methods that choose their
-/// steps get the preset tolerance in place of `h`.
+/// Values of parameters by id.
 using Changes = std::vector<std::pair<std::string, double>>;
+/// Returns the script of `step` with another method, step `h` in frames and changed parameters. Adaptive
+/// methods get the default tolerance in place of `h`.
 sim::Script scriptOf(const lessons::Step &step, const std::string &method = "published", double h = 1.0,
                      const Changes &changes = {});
 
-/// The state after `frames` frames of `script`.
+/// Computes the state after `frames` frames of `script`.
 sim::State stateAfter(const sim::Script &script, std::int64_t frames);
 
-/// The largest distance between points of the same number, in px.
-double farthestApart(const sim::State &a, const sim::State &b);
+/// Returns the largest distance between points of equal number, in px.
+double largestDistance(const sim::State &a, const sim::State &b);
 
-/// How fast `error(h)` shrinks from h = 1/2^first to 1/2^last: the least and the greatest log2 of the ratio between
-/// neighbours. A method of order 1 has 1.
-struct Slope
+/// The range of observed convergence orders.
+struct OrderRange
 {
-    double least = 0.0;
-    double greatest = 0.0;
+    double min = 0.0;
+    double max = 0.0;
 };
-Slope slopeOf(const std::function<double(double)> &error, int first, int last);
+/// Computes the observed orders of `error(h)` for h from 1/2^first to 1/2^last: the log2 of the ratio of two
+/// successive errors. It is near 1 for a method of order 1.
+OrderRange observedOrders(const std::function<double(double)> &error, int first, int last);
 
 }

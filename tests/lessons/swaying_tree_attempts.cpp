@@ -4,20 +4,20 @@ namespace support {
 
 namespace {
 
-/// Holds the button down at `at` for `frames` frames.
+/// Presses the button at `at` and plays `frames` frames.
 void blow(Player &p, sim::Vec2 at, int frames)
 {
     p.point(at, true);
     p.play(frames);
 }
 
-void blowAndLetGo(Player &p, sim::Vec2 at, int frames)
+void blowAndRelease(Player &p, sim::Vec2 at, int frames)
 {
     blow(p, at, frames);
     p.point(at, false);
 }
 
-/// Blows at a branch from `away` px beside its end, and stays there.
+/// Blows from `at`, then goes back and plays on with the other formula.
 void compareFormulas(Player &p, sim::Vec2 at)
 {
     p.play(5);
@@ -63,9 +63,9 @@ std::vector<Attempt> attempts()
              p.point({30, 150}, true);
              p.playUntilDone(120);
          }},
-        {"towards_pointer", 2, "pulled down, let go",
+        {"towards_pointer", 2, "pulled down, released",
          [](Player &p) {
-             blowAndLetGo(p, {500, 390}, 10);
+             blowAndRelease(p, {500, 390}, 10);
              p.play(30);
          }},
         {"wind", 0, "blown from low on the left",
@@ -75,24 +75,24 @@ std::vector<Attempt> attempts()
         {"wind", 1, "first fast, then slow",
          [](Player &p) {
              p.set("ease", 2.0);
-             blowAndLetGo(p, {20, 390}, 10);
+             blowAndRelease(p, {20, 390}, 10);
              p.goTo(0);
              p.set("ease", 30.0);
              blow(p, {20, 390}, 12);
          }},
-        {"wind", 2, "gone back, other formula",
+        {"wind", 2, "went back, other formula",
          [](Player &p) {
              compareFormulas(p, {200, 200});
          }},
         {"rest", 0, "blown from below",
          [](Player &p) {
-             blowAndLetGo(p, {275, 390}, 60);
+             blowAndRelease(p, {275, 390}, 60);
              p.playUntilDone(200);
          }},
         {"rest", 1, "the same, slowly",
          [](Player &p) {
              p.set("ease", 30.0);
-             blowAndLetGo(p, {275, 390}, 200);
+             blowAndRelease(p, {275, 390}, 200);
              p.playUntilDone(400);
          }},
         {"rest", 2, "stopped after the return",
@@ -111,7 +111,7 @@ std::vector<Attempt> attempts()
          [](Player &p) {
              blow(p, {5, 5}, 70);
          }},
-        {"distance", 2, "gone back, other formula",
+        {"distance", 2, "went back, other formula",
          [](Player &p) {
              compareFormulas(p, {200, 200});
          }},
@@ -124,7 +124,7 @@ std::vector<Attempt> attempts()
              p.set("wind", 20.0);
              blow(p, {230, 330}, 60);
          }},
-        {"thickness", 2, "gone back, other formula",
+        {"thickness", 2, "went back, other formula",
          [](Player &p) {
              compareFormulas(p, {200, 200});
          }},
@@ -132,7 +132,7 @@ std::vector<Attempt> attempts()
          [](Player &p) {
              blow(p, {60, 200}, 65);
          }},
-        {"turbulence", 1, "gone back, without",
+        {"turbulence", 1, "went back, no turbulence",
          [](Player &p) {
              p.play(5);
              blow(p, {60, 200}, 60);
@@ -145,14 +145,14 @@ std::vector<Attempt> attempts()
              p.set("spread", 60.0);
              blow(p, {60, 200}, 40);
          }},
-        {"real_sway", 0, "blown from the left, let go",
+        {"real_sway", 0, "blown from the left, released",
          [](Player &p) {
-             blowAndLetGo(p, {60, 250}, 60);
+             blowAndRelease(p, {60, 250}, 60);
              p.playUntilDone(300);
          }},
         {"real_sway", 0, "a short puff from the right",
          [](Player &p) {
-             blowAndLetGo(p, {500, 300}, 10);
+             blowAndRelease(p, {500, 300}, 10);
              p.playUntilDone(300);
          }},
         {"real_sway", 1, "stopped half-way",
@@ -163,7 +163,7 @@ std::vector<Attempt> attempts()
         {"real_sway", 2, "without damping",
          [](Player &p) {
              p.set("damp", 1.0);
-             blowAndLetGo(p, {60, 250}, 30);
+             blowAndRelease(p, {60, 250}, 30);
              p.play(320);
          }},
         {"real_sway", 3, "another tree",
@@ -171,7 +171,7 @@ std::vector<Attempt> attempts()
              p.set("spread", 60.0);
              blow(p, {60, 200}, 60);
          }},
-        // Near misses, and what is still to do then
+        // Near misses, with the expected hint
         {"branches", 2, "seven branches",
          [](Player &p) {
              p.set("min_scale", 0.6);
@@ -180,7 +180,7 @@ std::vector<Attempt> attempts()
          "make it three branches. This tree has 7."},
         {"towards_pointer", 2, "high up",
          [](Player &p) {
-             blowAndLetGo(p, {300, 20}, 10);
+             blowAndRelease(p, {300, 20}, 10);
              p.play(30);
          },
          "hold the button lower, so that the trunk leans by more than 45°. Yours leans by 4°."},

@@ -7,17 +7,17 @@
 
 namespace support {
 
-/// Where a point came between two frames, in px.
-struct Course
+/// The extent, in px, and the mean velocity of a point over some frames.
+struct MotionSummary
 {
     double top = std::numeric_limits<double>::infinity();
     double bottom = -std::numeric_limits<double>::infinity();
     double left = std::numeric_limits<double>::infinity();
     double right = -std::numeric_limits<double>::infinity();
-    double pace = 0.0; ///< px to the right per frame, on the average
+    double meanVelocity = 0.0; ///< px/frame, positive to the right
 };
 
-/// The course of the point called `body` from frame `from` to frame `to`.
-Course courseOf(const sim::Script &script, const std::string &body, int from, int to);
+/// Returns the motion of the point `body` from frame `from` to frame `to`.
+MotionSummary motionOf(const sim::Script &script, const std::string &body, int from, int to);
 
 }

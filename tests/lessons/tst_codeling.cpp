@@ -11,25 +11,25 @@ using namespace support;
 
 namespace {
 
-struct Place
+struct Position
 {
     double x = 0.0, y = 0.0;
-    Place minus(Place other) const { return {x - other.x, y - other.y}; }
+    Position minus(Position other) const { return {x - other.x, y - other.y}; }
     double length() const { return std::hypot(x, y); }
 };
 
-/// The tutorial's code for lead and tail, written down a second time from its text, with nothing of sim in it:
-/// places now and before, and no velocities.
+/// The tutorial's code for lead and tail, transcribed from its text without any code of sim. It keeps current
+/// and previous positions, and no velocities.
 struct Printed
 {
     double k = 0.9, dt = 0.25, keep = 0.7, anticipation = 0.2, along = 0.7, across = 0.5;
-    double soft = 0.1, hard = 0.8, least = 20, rest = 40, most = 60;
-    Place lead, leadBefore, tail, tailBefore, target;
+    double soft = 0.1, hard = 0.8, minLength = 20, restLength = 40, maxLength = 60;
+    Position lead, leadBefore, tail, tailBefore, target;
 
-    void mouseDown(Place at)
+    void mouseDown(Position at)
     {
         target = at;
-        const Place displacement = lead.minus(target);
+        const Position displacement = lead.minus(target);
         lead.x += displacement.x * anticipation;
         lead.y += displacement.y * anticipation;
     }
@@ -44,20 +44,20 @@ struct Printed
 private:
     void moveLead()
     {
-        const Place force = {-k * (lead.x - target.x), -k * (lead.y - target.y)};
-        const Place next = {(1 + keep) * lead.x - keep * leadBefore.x + force.x * dt * dt,
-                            (1 + keep) * lead.y - keep * leadBefore.y + force.y * dt * dt};
+        const Position force = {-k * (lead.x - target.x), -k * (lead.y - target.y)};
+        const Position next = {(1 + keep) * lead.x - keep * leadBefore.x + force.x * dt * dt,
+                               (1 + keep) * lead.y - keep * leadBefore.y + force.y * dt * dt};
         leadBefore = lead;
         lead = next;
     }
 
     void moveTail()
     {
-        const Place velocity = tail.minus(tailBefore), displacement = lead.minus(tail);
+        const Position velocity = tail.minus(tailBefore), displacement = lead.minus(tail);
         const double dot = velocity.x * displacement.x + velocity.y * displacement.y;
         const double ratio = dot / (displacement.length() * displacement.length());
-        const Place parallel = {displacement.x * ratio, displacement.y * ratio};
-        const Place perpendicular = velocity.minus(parallel);
+        const Position parallel = {displacement.x * ratio, displacement.y * ratio};
+        const Position perpendicular = velocity.minus(parallel);
         tailBefore = tail;
         tail.x += along * parallel.x + across * perpendicular.x;
         tail.y += along * parallel.y + across * perpendicular.y;
@@ -65,11 +65,11 @@ private:
 
     void relax()
     {
-        const Place displacement = lead.minus(tail);
+        const Position displacement = lead.minus(tail);
         const double length = displacement.length();
-        double wanted = rest, strength = soft;
-        if (length < least || length > most) {
-            wanted = length < least ? least : most;
+        double wanted = restLength, strength = soft;
+        if (length < minLength || length > maxLength) {
+            wanted = length < minLength ? minLength : maxLength;
             strength = hard;
         }
         const double ratio = (length - wanted) / length * strength;
@@ -91,20 +91,20 @@ class Codeling : public QObject
 private slots:
     void publishedTrajectories_data();
     void publishedTrajectories();
-    void matchesThePrintedCode_data();
-    void matchesThePrintedCode();
-    void theMotorIsTheExactDampedOscillator_data();
-    void theMotorIsTheExactDampedOscillator();
-    void theMotorConvergesToItsContinuousModel();
-    void theTailIsAlwaysAtItsRestLength();
-    void anticipationIsOppositeToTheMove_data();
-    void anticipationIsOppositeToTheMove();
-    void twoTargetsInOneFrameBothCount();
-    void aHeldLeadDoesNotAnticipate();
-    void twoHalfStepsOfASoftStickAreOne();
-    void settingTheTargetParameterSendsIt();
-    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
-    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+    void matchesPrintedCode_data();
+    void matchesPrintedCode();
+    void motorIsExactDampedOscillator_data();
+    void motorIsExactDampedOscillator();
+    void motorConvergesToContinuousModel();
+    void tailKeepsItsRestLength();
+    void anticipationIsOppositeToMove_data();
+    void anticipationIsOppositeToMove();
+    void bothTargetsInOneFrameCount();
+    void heldLeadDoesNotAnticipate();
+    void softStickRelaxationDoesNotDependOnStep();
+    void settingTheTargetParameterMovesIt();
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void Codeling::publishedTrajectories_data()
@@ -120,7 +120,7 @@ void Codeling::publishedTrajectories()
     QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
 }
 
-void Codeling::matchesThePrintedCode_data()
+void Codeling::matchesPrintedCode_data()
 {
     QTest::addColumn<int>("seed");
     for (int seed = 1; seed <= 20; ++seed)
@@ -129,7 +129,7 @@ void Codeling::matchesThePrintedCode_data()
         QTest::addRow("random parameters and targets %d", seed) << seed;
 }
 
-void Codeling::matchesThePrintedCode()
+void Codeling::matchesPrintedCode()
 {
     QFETCH(int, seed);
     constexpr int frames = 400;
@@ -138,7 +138,7 @@ void Codeling::matchesThePrintedCode()
         return std::uniform_real_distribution<double>(low, high)(random);
     };
     Printed printed;
-    if (seed > 20) { // not so wild that the tail comes near the lead, where rounding is blown up
+    if (seed > 20) { // in ranges that keep the tail off the lead, where rounding errors grow
         printed.k = real(0.3, 2);
         printed.dt = real(0.15, 0.4);
         printed.keep = real(0.3, 0.9);
@@ -147,9 +147,9 @@ void Codeling::matchesThePrintedCode()
         printed.across = real(0.3, 0.9);
         printed.soft = real(0.05, 0.5);
         printed.hard = real(0.7, 1);
-        printed.least = real(15, 25);
-        printed.rest = printed.least + real(10, 30);
-        printed.most = printed.rest + real(10, 30);
+        printed.minLength = real(15, 25);
+        printed.restLength = printed.minLength + real(10, 30);
+        printed.maxLength = printed.restLength + real(10, 30);
     }
     printed.target = {real(0, 540), real(0, 400)};
     printed.lead = printed.leadBefore = {real(0, 540), real(0, 400)};
@@ -163,15 +163,15 @@ void Codeling::matchesThePrintedCode()
                                    {"across", printed.across},
                                    {"soft", printed.soft},
                                    {"hard", printed.hard},
-                                   {"min_length", printed.least},
-                                   {"rest_length", printed.rest},
-                                   {"max_length", printed.most},
+                                   {"min_length", printed.minLength},
+                                   {"rest_length", printed.restLength},
+                                   {"max_length", printed.maxLength},
                                    {"target_x", printed.target.x},
                                    {"target_y", printed.target.y}});
     script.bodies = {{"lead", {{printed.lead.x, printed.lead.y}, {}}},
                      {"tail", {{printed.tail.x, printed.tail.y}, {}}}};
     const Targets targets = randomTargets(frames, seed % 2, 40, static_cast<unsigned>(seed));
-    send(script, targets);
+    addTargets(script, targets);
     sim::Track track(script, 0);
     auto next = targets.begin();
     for (int frame = 1; frame <= frames; ++frame) {
@@ -187,7 +187,7 @@ void Codeling::matchesThePrintedCode()
     }
 }
 
-void Codeling::theMotorIsTheExactDampedOscillator_data()
+void Codeling::motorIsExactDampedOscillator_data()
 {
     QTest::addColumn<double>("k");
     QTest::addColumn<double>("keep");
@@ -197,9 +197,9 @@ void Codeling::theMotorIsTheExactDampedOscillator_data()
     QTest::newRow("stiff") << 20.0 << 0.7;
 }
 
-/// x(n+1) = (1 + keep - k dt^2) x(n) - keep x(n-1), seen from the target: a sum of powers of the two roots of
-/// z^2 = (1 + keep - k dt^2) z - keep, with x(0) = 1 and x(1) = 1 - k dt^2 from rest.
-void Codeling::theMotorIsTheExactDampedOscillator()
+/// Relative to the target, x(n+1) = (1 + keep - k dt^2) x(n) - keep x(n-1). The solution is a sum of powers
+/// of the two roots of z^2 = (1 + keep - k dt^2) z - keep. From rest, x(0) = 1 and x(1) = 1 - k dt^2.
+void Codeling::motorIsExactDampedOscillator()
 {
     QFETCH(double, k);
     QFETCH(double, keep);
@@ -212,33 +212,33 @@ void Codeling::theMotorIsTheExactDampedOscillator()
     script.values.set("target_x", 450);
     script.values.set("target_y", 120);
     for (const int n : {1, 2, 3, 10, 40, 100}) {
-        const double left = (part1 * std::pow(z1, n) + part2 * std::pow(z2, n)).real();
-        const sim::Vec2 wanted = sim::Vec2{450, 120} + left * sim::Vec2{-250, 80};
+        const double remaining = (part1 * std::pow(z1, n) + part2 * std::pow(z2, n)).real();
+        const sim::Vec2 wanted = sim::Vec2{450, 120} + remaining * sim::Vec2{-250, 80};
         QVERIFY(sim::length(stateAfter(script, n).positionOf(0) - wanted) <= 1e-9);
     }
 }
 
-/// x'' = k dt^2 (target - x) - c x' with c = -ln(keep), from rest.
-void Codeling::theMotorConvergesToItsContinuousModel()
+/// The model is x'' = k dt^2 (target - x) - c x' with c = -ln(keep), from rest.
+void Codeling::motorConvergesToContinuousModel()
 {
     const double c = -std::log(0.7), w2 = 0.9 * 0.0625, w = std::sqrt(w2 - c * c / 4), t = 12;
-    const double left = std::exp(-c * t / 2) * (std::cos(w * t) + c / (2 * w) * std::sin(w * t));
+    const double remaining = std::exp(-c * t / 2) * (std::cos(w * t) + c / (2 * w) * std::sin(w * t));
     for (const char *method : {"published", "semi_implicit_euler"}) {
-        const Slope jacobian = slopeOf(
+        const OrderRange order = observedOrders(
             [&](double h) {
                 const sim::Script script = scriptOf(step("motor"), method, h, {{"target_x", 450}});
-                return std::abs(stateAfter(script, 12).position(0, 0) - (450 - 250 * left));
+                return std::abs(stateAfter(script, 12).position(0, 0) - (450 - 250 * remaining));
             },
             4, 9);
-        QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
+        QVERIFY(order.min > 0.9 && order.max < 1.1);
     }
 }
 
-void Codeling::theTailIsAlwaysAtItsRestLength()
+void Codeling::tailKeepsItsRestLength()
 {
     for (const char *id : {"orientation", "anticipation"}) {
         sim::Script script = step(id).script();
-        send(script, randomTargets(1000, 1, 60, 11));
+        addTargets(script, randomTargets(1000, 1, 60, 11));
         sim::Track track(script, 0);
         for (int frame = 1; frame <= 1000; ++frame) {
             track.seek({frame, 0});
@@ -248,50 +248,51 @@ void Codeling::theTailIsAlwaysAtItsRestLength()
     }
 }
 
-void Codeling::anticipationIsOppositeToTheMove_data()
+void Codeling::anticipationIsOppositeToMove_data()
 {
     QTest::addColumn<QString>("id");
-    for (const lessons::Step &one : m_lesson.steps) {
-        if (one.parameter("anticipation"))
-            QTest::addRow("%s", qPrintable(one.id)) << one.id;
+    for (const lessons::Step &each : m_lesson.steps) {
+        if (each.parameter("anticipation"))
+            QTest::addRow("%s", qPrintable(each.id)) << each.id;
     }
 }
 
-/// From rest at (200, 200): the shift is 0.2 of the way, and goes away from the target. Then it keeps 0.7 of that, and
-/// the motor pulls 0.05625 of the way of now 1.2 times: 0.2 + 0.14 - 0.0675 of the way in the first frame.
-void Codeling::anticipationIsOppositeToTheMove()
+/// From rest at (200, 200), the shift is 0.2 of the distance, away from the target. In the first frame the
+/// lead keeps 0.7 of that shift as velocity. The motor pulls it by 0.05625 of the distance, which is now 1.2
+/// times as long. The sum is 0.2 + 0.14 - 0.0675 of the distance.
+void Codeling::anticipationIsOppositeToMove()
 {
     QFETCH(QString, id);
     for (const double angle : {0.0, 1.0, 2.5, 4.0}) {
-        const sim::Vec2 way = 150.0 * sim::Vec2{std::cos(angle), std::sin(angle)};
+        const sim::Vec2 toTarget = 150.0 * sim::Vec2{std::cos(angle), std::sin(angle)};
         sim::Script script = m_lesson.step(id).script();
-        script.input = {{10, sim::Target{sim::Vec2{200, 200} + way}}};
-        const sim::Vec2 came = stateAfter(script, 10).positionOf(0) - sim::Vec2{200, 200};
-        QVERIFY(sim::length(came + (0.2 + 0.14 - 0.0675) * way) <= 1e-9);
-        QVERIFY(sim::length(stateAfter(script, 100).positionOf(0) - sim::Vec2{200, 200} - way) < 0.1);
+        script.input = {{10, sim::Target{sim::Vec2{200, 200} + toTarget}}};
+        const sim::Vec2 moved = stateAfter(script, 10).positionOf(0) - sim::Vec2{200, 200};
+        QVERIFY(sim::length(moved + (0.2 + 0.14 - 0.0675) * toTarget) <= 1e-9);
+        QVERIFY(sim::length(stateAfter(script, 100).positionOf(0) - sim::Vec2{200, 200} - toTarget) < 0.1);
     }
 }
 
-void Codeling::twoTargetsInOneFrameBothCount()
+void Codeling::bothTargetsInOneFrameCount()
 {
     sim::Script script = step("anticipation").script();
     script.input = {{1, sim::Target{{300, 200}}}, {1, sim::Target{{200, 400}}}};
-    const sim::State both = stateAfter(script, 1);
+    const sim::State state = stateAfter(script, 1);
     // 200 - 20 = 180 and 200, then + 0.2 (180 - 200, 200 - 400): (176, 160), with the velocity (-24, -40).
     const sim::Vec2 v = sim::Vec2{0.7 * -24, 0.7 * -40} + 0.05625 * sim::Vec2{200 - 176, 400 - 160};
-    QVERIFY(sim::length(both.positionOf(0) - sim::Vec2{176, 160} - v) <= 1e-9);
+    QVERIFY(sim::length(state.positionOf(0) - sim::Vec2{176, 160} - v) <= 1e-9);
 }
 
-void Codeling::aHeldLeadDoesNotAnticipate()
+void Codeling::heldLeadDoesNotAnticipate()
 {
     sim::Script script = step("squash_stretch").script();
     script.input = {{1, sim::Grab{"lead"}}, {1, sim::Move{{300, 300}}}, {5, sim::Target{{100, 100}}}};
     QCOMPARE(stateAfter(script, 20).positionOf(0), (sim::Vec2{300, 300}));
 }
 
-/// What is left of the error after h frames is (1 - soft)^h of it, whatever the step. Lead and tail at rest, nothing
-/// else acting on the tail: it keeps no speed.
-void Codeling::twoHalfStepsOfASoftStickAreOne()
+/// After h frames (1 - soft)^h of the error remains, for any step. Lead and tail are at rest and nothing else
+/// acts on the tail.
+void Codeling::softStickRelaxationDoesNotDependOnStep()
 {
     for (const double h : {1.0, 0.5, 0.125}) {
         sim::Script script = scriptOf(step("squash_stretch"), "published", h, {{"along", 0}, {"across", 0}});
@@ -304,7 +305,7 @@ void Codeling::twoHalfStepsOfASoftStickAreOne()
     }
 }
 
-void Codeling::settingTheTargetParameterSendsIt()
+void Codeling::settingTheTargetParameterMovesIt()
 {
     sim::Script script = step("anticipation").script();
     script.input = {{10, sim::Set{"target_x", 400.0}}};

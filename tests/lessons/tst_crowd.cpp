@@ -14,8 +14,8 @@
 
 using namespace support;
 
-/// The step in which creatures are counted.
-class CrowdStep : public QObject
+/// The step `crowd`, with up to thousands of creatures.
+class Crowd : public QObject
 {
     Q_OBJECT
 
@@ -36,7 +36,8 @@ class CrowdStep : public QObject
         return script.build(script.values);
     }
 
-    /// One creature of a crowd as the other lessons set one up: its feet, then its body, alone in the same room.
+    /// Returns a scene with one creature of a crowd alone in the same room. It is set up as in the other
+    /// lessons: feet, then body.
     static sim::Scene alone(const sim::Scene &crowd, int creature, const sim::Room &room,
                             const sim::Values &values)
     {
@@ -54,18 +55,18 @@ class CrowdStep : public QObject
     }
 
 private slots:
-    void eachCreatureRunsAsItDoesAlone_data();
-    void eachCreatureRunsAsItDoesAlone();
-    void whatCreaturesHaveAlikeLiesSideBySide();
-    void itsWorkGrowsAsItsCreatures();
-    void eachStartsElsewhereInItsOwnShape();
-    void theRoomGrowsWithTheCrowd();
-    void aCreatureThatComesInDisturbsNobody();
-    void whatWouldTakeTooLongDeclines();
-    void theTextSaysWhatHolds();
+    void creaturesMoveAsTheyDoAlone_data();
+    void creaturesMoveAsTheyDoAlone();
+    void equalPartsAreContiguous();
+    void workIsProportionalToCreatures();
+    void creaturesStartWithDifferentPositionsAndShapes();
+    void roomGrowsWithTheCrowd();
+    void addedCreatureDoesNotDisturbOthers();
+    void analysesOfTooManyPointsAreRejected();
+    void numbersOfTheTextHold();
 };
 
-void CrowdStep::eachCreatureRunsAsItDoesAlone_data()
+void Crowd::creaturesMoveAsTheyDoAlone_data()
 {
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("h");
@@ -74,8 +75,8 @@ void CrowdStep::eachCreatureRunsAsItDoesAlone_data()
     QTest::newRow("Runge-Kutta 4, half steps") << "rk4" << 0.5;
 }
 
-/// In every bit, down to the floor and up again.
-void CrowdStep::eachCreatureRunsAsItDoesAlone()
+/// Compares all bits, including the fall to the floor and the bounce.
+void Crowd::creaturesMoveAsTheyDoAlone()
 {
     QFETCH(QString, method);
     QFETCH(double, h);
@@ -83,25 +84,25 @@ void CrowdStep::eachCreatureRunsAsItDoesAlone()
     constexpr int frames = 300;
     const sim::Script script = crowdOf(count, method.toStdString(), h, 0.8);
     const sim::Scene crowd = script.build(script.values);
-    const auto look = step().view(crowd, script.values);
-    sim::Room room = look.room.value();
+    const auto view = step().view(crowd, script.values);
+    sim::Room room = view.room.value();
     room.bounce = 0.8;
     const sim::State end = stateAfter(script, frames);
     for (int creature = 0; creature < count; ++creature) {
-        sim::Script one = script;
-        one.build = [&](const sim::Values &values) { return alone(crowd, creature, room, values); };
-        const sim::State own = stateAfter(one, frames);
-        QVERIFY(own.positionOf(feet).y > 340.0); // it has come down
-        const auto place = [&](const QString &part) {
+        sim::Script singleScript = script;
+        singleScript.build = [&](const sim::Values &values) { return alone(crowd, creature, room, values); };
+        const sim::State single = stateAfter(singleScript, frames);
+        QVERIFY(single.positionOf(feet).y > 340.0); // it has reached the floor
+        const auto positionInCrowd = [&](const QString &part) {
             return end.positionOf(crowd.find(QString("creature%1.%2").arg(creature).arg(part).toStdString()));
         };
-        QVERIFY(place("body") == own.positionOf(feet));
+        QVERIFY(positionInCrowd("body") == single.positionOf(feet));
         for (int i = 0; i < feet; ++i)
-            QVERIFY(place(QString("foot%1").arg(i)) == own.positionOf(i));
+            QVERIFY(positionInCrowd(QString("foot%1").arg(i)) == single.positionOf(i));
     }
 }
 
-void CrowdStep::whatCreaturesHaveAlikeLiesSideBySide()
+void Crowd::equalPartsAreContiguous()
 {
     constexpr int count = 4;
     const sim::Scene scene = sceneOf(count);
@@ -119,7 +120,7 @@ void CrowdStep::whatCreaturesHaveAlikeLiesSideBySide()
     QCOMPARE(scene.groups[1].points.end(), count);
 }
 
-void CrowdStep::itsWorkGrowsAsItsCreatures()
+void Crowd::workIsProportionalToCreatures()
 {
     for (const int count : {1, 10, 100, 1000}) {
         const sim::Scene scene = sceneOf(count);
@@ -134,7 +135,7 @@ void CrowdStep::itsWorkGrowsAsItsCreatures()
     }
 }
 
-void CrowdStep::eachStartsElsewhereInItsOwnShape()
+void Crowd::creaturesStartWithDifferentPositionsAndShapes()
 {
     constexpr int count = 100;
     const sim::Scene scene = sceneOf(count);
@@ -150,28 +151,29 @@ void CrowdStep::eachStartsElsewhereInItsOwnShape()
     QVERIFY((step().scene(values).start.position != scene.start.position).all());
 }
 
-void CrowdStep::theRoomGrowsWithTheCrowd()
+void Crowd::roomGrowsWithTheCrowd()
 {
-    const auto placeOf = [&](int count) {
+    const auto widthPerRootOf = [&](int count) {
         const sim::Scene scene = sceneOf(count);
-        const lessons::View look = step().view(scene, crowdOf(count).values);
+        const lessons::View view = step().view(scene, crowdOf(count).values);
         for (int i = 0; i < scene.start.pointCount(); ++i) {
-            const sim::Vec2 at = scene.start.positionOf(i);
-            if (!look.stage.contains(at.x, at.y) || at.x < look.room->left || at.x > look.room->right ||
-                at.y > look.room->floor)
+            const sim::Vec2 position = scene.start.positionOf(i);
+            if (!view.stage.contains(position.x, position.y) || position.x < view.room->left ||
+                position.x > view.room->right || position.y > view.room->floor)
                 return 0.0;
         }
-        QTest::qCompare(look.room->floor, 380.0, "floor", "380", __FILE__, __LINE__);
-        return (look.room->right - look.room->left) / std::sqrt(double(count));
+        QTest::qCompare(view.room->floor, 380.0, "floor", "380", __FILE__, __LINE__);
+        return (view.room->right - view.room->left) / std::sqrt(double(count));
     };
-    const double each = placeOf(20);
-    QVERIFY(each > 100.0);
+    const double expected = widthPerRootOf(20);
+    QVERIFY(expected > 100.0);
     for (const int count : {100, 1000, 20'000})
-        QVERIFY2(std::abs(placeOf(count) / each - 1.0) < 1e-12, qPrintable(QString::number(count)));
-    QVERIFY(placeOf(1) >= 500.0);
+        QVERIFY2(std::abs(widthPerRootOf(count) / expected - 1.0) < 1e-12,
+                 qPrintable(QString::number(count)));
+    QVERIFY(widthPerRootOf(1) >= 500.0);
 }
 
-void CrowdStep::aCreatureThatComesInDisturbsNobody()
+void Crowd::addedCreatureDoesNotDisturbOthers()
 {
     sim::Script script = crowdOf(3);
     const sim::State before = stateAfter(script, 40);
@@ -182,7 +184,7 @@ void CrowdStep::aCreatureThatComesInDisturbsNobody()
         QVERIFY(before.positionOf(i) == after.positionOf(i));
 }
 
-void CrowdStep::whatWouldTakeTooLongDeclines()
+void Crowd::analysesOfTooManyPointsAreRejected()
 {
     const auto boundOf = [&](int count) {
         const sim::Script script = crowdOf(count);
@@ -194,13 +196,13 @@ void CrowdStep::whatWouldTakeTooLongDeclines()
     try {
         sim::studyAccuracy(crowdOf(sim::maxStudiedPoints / 6 + 1), {},
                            [](const sim::Accuracy &, double) { return false; });
-        QFAIL("it was studied");
+        QFAIL("studyAccuracy did not throw");
     } catch (const sim::Error &error) {
         QCOMPARE(error.id(), std::string("too-many-points"));
     }
 }
 
-void CrowdStep::theTextSaysWhatHolds()
+void Crowd::numbersOfTheTextHold()
 {
     const QString text = QString(step().narration).replace(QChar(0x2009), ' ');
     QVERIFY(text.contains("6 points, and 10 pulls in every step"));
@@ -208,5 +210,5 @@ void CrowdStep::theTextSaysWhatHolds()
     QCOMPARE(std::lround(1000.0 / 30.0), 33l);
 }
 
-QTEST_GUILESS_MAIN(CrowdStep)
+QTEST_GUILESS_MAIN(Crowd)
 #include "tst_crowd.moc"

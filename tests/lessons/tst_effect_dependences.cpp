@@ -12,11 +12,11 @@ using namespace support;
 
 namespace {
 
-/// Everything that an effect can change, one row a point, and what belongs to no point.
-struct Done
+/// The quantities that an effect can change.
+struct Result
 {
-    std::vector<std::vector<double>> points;
-    std::vector<double> rest;
+    std::vector<std::vector<double>> points; ///< per point
+    std::vector<double> global;              ///< that belong to no point
 };
 
 bool sameBitsIn(const std::vector<double> &a, const std::vector<double> &b)
@@ -24,8 +24,8 @@ bool sameBitsIn(const std::vector<double> &a, const std::vector<double> &b)
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-/// What `effect` does where things are as in `before`.
-Done doneBy(const sim::Effect &effect, const sim::State &before, sim::DirectionRule way)
+/// Applies `effect` to a copy of `before`.
+Result resultOf(const sim::Effect &effect, const sim::State &before, sim::DirectionRule rule)
 {
     constexpr double h = 0.5; // frames
     sim::State state = before;
@@ -33,7 +33,7 @@ Done doneBy(const sim::Effect &effect, const sim::State &before, sim::DirectionR
     state.acceleration.setZero(state.pointCount(), 2);
     state.angularAcceleration.setZero(state.spin.rows());
     if (const auto *force = dynamic_cast<const sim::Force *>(&effect))
-        force->add(before, all, 1.0, way, state.acceleration);
+        force->add(before, all, 1.0, rule, state.acceleration);
     else if (const auto *torque = dynamic_cast<const sim::Torque *>(&effect))
         torque->add(before, all, 1.0, state.angularAcceleration);
     else if (const auto *drag = dynamic_cast<const sim::Drag *>(&effect))
@@ -41,36 +41,36 @@ Done doneBy(const sim::Effect &effect, const sim::State &before, sim::DirectionR
     else if (const auto *driver = dynamic_cast<const sim::Driver *>(&effect))
         driver->drive(state, h);
     else if (const auto *constraint = dynamic_cast<const sim::Constraint *>(&effect))
-        constraint->enforce(state, all, way, h);
+        constraint->enforce(state, all, rule, h);
     else if (const auto *contact = dynamic_cast<const sim::Contact *>(&effect))
         contact->resolve(state, all);
-    Done done;
+    Result result;
     for (int i = 0; i < state.pointCount(); ++i) {
-        done.points.push_back({state.position(i, 0), state.position(i, 1), state.velocity(i, 0),
-                               state.velocity(i, 1), state.acceleration(i, 0), state.acceleration(i, 1)});
+        result.points.push_back({state.position(i, 0), state.position(i, 1), state.velocity(i, 0),
+                                 state.velocity(i, 1), state.acceleration(i, 0), state.acceleration(i, 1)});
         for (const Eigen::ArrayXd *numbers : {&state.angle, &state.spin, &state.angularAcceleration}) {
             if (numbers->rows() > 0)
-                done.points.back().push_back((*numbers)[i]);
+                result.points.back().push_back((*numbers)[i]);
         }
     }
-    // How far it moves what belongs to no point, not where that comes to: what is changed there is not seen.
+    // The change of each global quantity, so that a changed start value alone is no difference.
     for (Eigen::Index i = 0; i < state.gait.rows(); ++i)
-        done.rest.insert(done.rest.end(),
-                         {state.gait[i] - before.gait[i], state.gaitSpeed[i] - before.gaitSpeed[i]});
-    done.rest.insert(done.rest.end(), {state.gustExtent.front - before.gustExtent.front,
-                                       state.gustExtent.tail - before.gustExtent.tail});
-    return done;
+        result.global.insert(result.global.end(),
+                             {state.gait[i] - before.gait[i], state.gaitSpeed[i] - before.gaitSpeed[i]});
+    result.global.insert(result.global.end(), {state.gustExtent.front - before.gustExtent.front,
+                                               state.gustExtent.tail - before.gustExtent.tail});
+    return result;
 }
 
-/// Another state of the world: the same but for one thing.
+/// A change of one quantity of a state.
 struct Change
 {
-    std::string what;
+    std::string quantity;
     bool isTime = false;
-    std::function<void(sim::State &)> make;
+    std::function<void(sim::State &)> apply;
 };
 
-std::vector<Change> changesOfTheRest()
+std::vector<Change> changesOfTheGlobals()
 {
     return {
         {"gait", false, [](sim::State &s) { s.gait += 0.7; }},
@@ -90,7 +90,7 @@ std::vector<Change> changesOfTheRest()
          }},
         {"gust", false, [](sim::State &s) { s.input.gust = 13.0; }},
         {"key", false, [](sim::State &s) { s.input.keys.right = !s.input.keys.right; }},
-        {"gale", false,
+        {"gust extent", false,
          [](sim::State &s) {
              s.gustExtent = {700.0, 30.0};
          }},
@@ -101,11 +101,11 @@ std::vector<Change> changesOfTheRest()
 std::vector<Change> changesOf(int point)
 {
     return {
-        {"place", false,
+        {"position", false,
          [=](sim::State &s) {
              s.place(point, s.positionOf(point) + sim::Vec2{37.0, -21.0});
          }},
-        {"speed", false,
+        {"velocity", false,
          [=](sim::State &s) {
              s.setVelocity(point, s.velocityOf(point) + sim::Vec2{-3.0, 5.0});
          }},
@@ -120,7 +120,7 @@ std::vector<Change> changesOf(int point)
              if (s.spin.rows() > 0)
                  s.spin[point] += 4.0;
          }},
-        {"place before", false,
+        {"previous position", false,
          [=](sim::State &s) {
              if (s.previous.rows() > 0)
                  s.previous(point, 0) += 9.0;
@@ -128,123 +128,128 @@ std::vector<Change> changesOf(int point)
     };
 }
 
-/// For each point whether `effect` ties it to `point`, straight or by way of others.
-std::vector<bool> tiedTo(const sim::Effect &effect, int point, int points)
+/// Returns for each point whether `effect` couples it to `point`, directly or through other points.
+std::vector<bool> coupledTo(const sim::Effect &effect, int point, int points)
 {
-    std::vector<sim::Coupling> ties;
-    effect.addCouplings(ties);
-    std::vector<bool> tied(static_cast<std::size_t>(points), false);
-    tied[static_cast<std::size_t>(point)] = true;
+    std::vector<sim::Coupling> couplings;
+    effect.addCouplings(couplings);
+    std::vector<bool> isCoupled(static_cast<std::size_t>(points), false);
+    isCoupled[static_cast<std::size_t>(point)] = true;
     for (bool grows = true; grows;) {
         grows = false;
-        for (const auto &[a, b] : ties) {
+        for (const auto &[a, b] : couplings) {
             const auto first = static_cast<std::size_t>(a), second = static_cast<std::size_t>(b);
-            if (tied[first] != tied[second])
-                tied[first] = tied[second] = grows = true;
+            if (isCoupled[first] != isCoupled[second])
+                isCoupled[first] = isCoupled[second] = grows = true;
         }
     }
-    return tied;
+    return isCoupled;
 }
 
-/// States of a run of `step` to try effects in: as it runs by itself, and with all that comes from outside there.
+/// Returns states of a run in which effects are tested: without input, with all input, contracted, and
+/// outside walls.
 std::vector<sim::State> statesOf(const sim::Script &script)
 {
     sim::State state = stateAfter(script, 20);
     if (state.previous.rows() == 0)
         state.previous = state.position;
-    sim::State blown = state;
-    blown.input.pointer = sim::Vec2{200.0, 150.0};
-    blown.input.pointerDown = true;
-    blown.input.newTargets.push_back({100.0, 300.0});
-    blown.input.keys.left = true;
-    blown.gustExtent = {900.0, 0.0};
-    sim::State close = state; // some effects see those nearby only, or do nothing to what stands still
-    for (int i = 0; i < close.pointCount(); ++i) {
-        close.place(i, close.positionOf(0) + 0.05 * (close.positionOf(i) - close.positionOf(0)));
-        close.setVelocity(i, {3.0 + i, 2.0 - i});
+    sim::State withInput = state;
+    withInput.input.pointer = sim::Vec2{200.0, 150.0};
+    withInput.input.pointerDown = true;
+    withInput.input.newTargets.push_back({100.0, 300.0});
+    withInput.input.keys.left = true;
+    withInput.gustExtent = {900.0, 0.0};
+    sim::State contracted = state; // some effects act only on near or moving points
+    for (int i = 0; i < contracted.pointCount(); ++i) {
+        contracted.place(i, contracted.positionOf(0) +
+                                0.05 * (contracted.positionOf(i) - contracted.positionOf(0)));
+        contracted.setVelocity(i, {3.0 + i, 2.0 - i});
     }
-    sim::State outside = state; // or at a wall
+    sim::State outside = state; // some act only at a wall
     outside.position.col(0) -= 1e4;
-    return {state, blown, close, outside};
+    return {state, withInput, contracted, outside};
 }
 
-/// Some points of a scene, its first and its last among them.
-std::vector<int> somePoints(int points)
+/// Returns about ten points of a scene, including the first and the last.
+std::vector<int> somePoints(int pointCount)
 {
-    std::set<int> some = {0, points - 1};
-    for (int i = 0; i < points; i += 1 + points / 10)
-        some.insert(i);
-    return {some.begin(), some.end()};
+    std::set<int> chosen = {0, pointCount - 1};
+    for (int i = 0; i < pointCount; i += 1 + pointCount / 10)
+        chosen.insert(i);
+    return {chosen.begin(), chosen.end()};
 }
 
 }
 
-/// What an effect says that it sees decides what may sleep and what is computed apart. Here nobody is believed: one
-/// thing in a state is changed, and what the effect does elsewhere may differ only if it said so.
-class WhatEffectsSee : public QObject
+/// Tests Effect::dependence() and Effect::addCouplings(). They decide which points may sleep and which are
+/// computed separately. The tests change one quantity of a state. The effect may change elsewhere only as it
+/// has declared.
+class EffectDependences : public QObject
 {
     Q_OBJECT
 
-    /// Of the effects called so, those that did something else elsewhere once another point, or what belongs to none,
-    /// was changed. Filled by the first test, over all lessons.
+    /// The dependences observed for an effect: quantities of other points and global quantities that changed
+    /// its result. Filled by the first test, over all lessons.
     struct Found
     {
         sim::Dependence dependence = sim::Dependence::coupledPoints;
-        bool ties = false;
-        std::set<std::string> byOthers;
-        std::set<std::string> byTheRest;
+        bool hasCouplings = false;
+        std::set<std::string> quantitiesOfOthers;
+        std::set<std::string> globalQuantities;
     };
-    std::map<std::string, Found> m_found;
+    std::map<std::string, Found> m_found; ///< by name of the effect
 
     static std::string nameOf(const sim::Effect &effect)
     {
-        const std::map<sim::Dependence, std::string> words = {{sim::Dependence::coupledPoints, "tied"},
-                                                              {sim::Dependence::scene, "scene"},
-                                                              {sim::Dependence::time, "time"}};
+        const std::map<sim::Dependence, std::string> words = {
+            {sim::Dependence::coupledPoints, "coupled points"},
+            {sim::Dependence::scene, "scene"},
+            {sim::Dependence::time, "time"}};
         return effect.id() + " (" + words.at(effect.dependence()) + ")";
     }
 
-    /// What changes elsewhere when the rest of the state does: nothing that the effect has not said.
-    void checkRest(const sim::Effect &effect, const sim::State &state, sim::DirectionRule way)
+    /// Checks that changed global quantities affect the result only as declared.
+    void checkGlobals(const sim::Effect &effect, const sim::State &state, sim::DirectionRule rule)
     {
-        const Done before = doneBy(effect, state, way);
-        for (const Change &change : changesOfTheRest()) {
+        const Result before = resultOf(effect, state, rule);
+        for (const Change &change : changesOfTheGlobals()) {
             sim::State other = state;
-            change.make(other);
-            const Done after = doneBy(effect, other, way);
-            bool same = sameBitsIn(before.rest, after.rest);
+            change.apply(other);
+            const Result after = resultOf(effect, other, rule);
+            bool same = sameBitsIn(before.global, after.global);
             for (std::size_t i = 0; i < before.points.size(); ++i)
                 same = same && sameBitsIn(before.points[i], after.points[i]);
             if (same)
                 continue;
-            m_found[nameOf(effect)].byTheRest.insert(change.what);
-            const bool said = effect.dependence() == sim::Dependence::time ||
-                              (effect.dependence() == sim::Dependence::scene && !change.isTime);
-            QVERIFY2(said, (nameOf(effect) + " sees: " + change.what).c_str());
+            m_found[nameOf(effect)].globalQuantities.insert(change.quantity);
+            const bool isDeclared = effect.dependence() == sim::Dependence::time ||
+                                    (effect.dependence() == sim::Dependence::scene && !change.isTime);
+            QVERIFY2(isDeclared, (nameOf(effect) + " depends on: " + change.quantity).c_str());
         }
     }
 
-    /// The same for one point.
-    void checkPoint(const sim::Effect &effect, const sim::State &state, sim::DirectionRule way, int point)
+    /// Checks that a changed quantity of `point` affects other points only as declared.
+    void checkPoint(const sim::Effect &effect, const sim::State &state, sim::DirectionRule rule, int point)
     {
-        const Done before = doneBy(effect, state, way);
-        const std::vector<bool> tied = tiedTo(effect, point, state.pointCount());
+        const Result before = resultOf(effect, state, rule);
+        const std::vector<bool> isCoupled = coupledTo(effect, point, state.pointCount());
         for (const Change &change : changesOf(point)) {
             sim::State other = state;
-            change.make(other);
-            const Done after = doneBy(effect, other, way);
+            change.apply(other);
+            const Result after = resultOf(effect, other, rule);
             for (std::size_t i = 0; i < before.points.size(); ++i) {
                 if (static_cast<int>(i) == point || sameBitsIn(before.points[i], after.points[i]))
                     continue;
-                m_found[nameOf(effect)].byOthers.insert(change.what);
-                QVERIFY2(effect.dependence() != sim::Dependence::coupledPoints || tied[i],
-                         (nameOf(effect) + " sees the " + change.what + " of another point").c_str());
+                m_found[nameOf(effect)].quantitiesOfOthers.insert(change.quantity);
+                QVERIFY2(
+                    effect.dependence() != sim::Dependence::coupledPoints || isCoupled[i],
+                    (nameOf(effect) + " depends on the " + change.quantity + " of another point").c_str());
             }
         }
     }
 
 private slots:
-    void noEffectSeesMoreThanItSays_data()
+    void effectsDependOnlyOnWhatTheyDeclare_data()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("id");
@@ -253,7 +258,7 @@ private slots:
                 QTest::addRow("%s/%s", qPrintable(lesson), qPrintable(step.id)) << lesson << step.id;
         }
     }
-    void noEffectSeesMoreThanItSays()
+    void effectsDependOnlyOnWhatTheyDeclare()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, id);
@@ -261,34 +266,34 @@ private slots:
         const sim::Scene scene = sim::sceneOf(script, script.values);
         for (const sim::State &state : statesOf(script)) {
             for (const sim::EffectPtr &effect : scene.effects) {
-                std::vector<sim::Coupling> ties;
-                effect->addCouplings(ties);
+                std::vector<sim::Coupling> couplings;
+                effect->addCouplings(couplings);
                 Found &found = m_found[nameOf(*effect)];
                 found.dependence = effect->dependence();
-                found.ties = found.ties || !ties.empty();
-                for (const sim::DirectionRule way :
+                found.hasCouplings = found.hasCouplings || !couplings.empty();
+                for (const sim::DirectionRule rule :
                      {sim::DirectionRule::regularised, sim::DirectionRule::published}) {
-                    checkRest(*effect, state, way);
+                    checkGlobals(*effect, state, rule);
                     for (const int point : somePoints(state.pointCount()))
-                        checkPoint(*effect, state, way, point);
+                        checkPoint(*effect, state, rule, point);
                 }
             }
         }
     }
 
-    void eachSeesWhatItSaysSomewhere()
+    void declaredDependencesOccur()
     {
         QVERIFY(m_found.size() > 10);
         for (const auto &[name, found] : m_found) {
             if (found.dependence != sim::Dependence::coupledPoints)
-                QVERIFY2(!found.byTheRest.empty(), name.c_str());
+                QVERIFY2(!found.globalQuantities.empty(), name.c_str());
             if (found.dependence == sim::Dependence::time)
-                QVERIFY2(found.byTheRest.contains("frame"), name.c_str());
-            if (found.dependence == sim::Dependence::coupledPoints && found.ties)
-                QVERIFY2(!found.byOthers.empty(), name.c_str());
+                QVERIFY2(found.globalQuantities.contains("frame"), name.c_str());
+            if (found.dependence == sim::Dependence::coupledPoints && found.hasCouplings)
+                QVERIFY2(!found.quantitiesOfOthers.empty(), name.c_str());
         }
     }
 };
 
-QTEST_GUILESS_MAIN(WhatEffectsSee)
+QTEST_GUILESS_MAIN(EffectDependences)
 #include "tst_effect_dependences.moc"

@@ -17,14 +17,14 @@ namespace {
 
 constexpr int frames = 6;
 
-/// How often each kind of effect is computed in one step, written down from what the methods are, in books and in the
-/// tutorials: not from how they are built here.
+/// How often a method computes each kind of effect in one step. Taken from textbooks and the tutorials, not
+/// from the implementation.
 struct Stages
 {
     int forces = 1;
-    int drags = 1;         ///< with a rate: in halves where a step is symmetric
-    int flows = 1;         ///< drivers that go with time
-    bool hasDecay = false; ///< whether drags with a rate are part of its arithmetic
+    int drags = 1;         ///< with a damping rate; twice where a symmetric step applies two halves
+    int flows = 1;         ///< drivers that advance with time
+    bool hasDecay = false; ///< whether the equations of the method contain the damping rates
 };
 
 const std::map<std::string, Stages> &stagesByMethod()
@@ -41,29 +41,29 @@ const std::map<std::string, Stages> &stagesByMethod()
     return all;
 }
 
-/// A step's scene whose effects note what they are asked.
-struct Counted
+/// A script whose effects count their calls.
+struct CountedScript
 {
-    explicit Counted(sim::Script from) : script(std::move(from))
+    explicit CountedScript(sim::Script original) : script(std::move(original))
     {
         const sim::Scene plain = sim::sceneOf(script, script.values);
         effects = plain.effects;
         for (const sim::EffectPtr &effect : effects)
-            tallies.push_back(std::make_unique<sim::CallCounter>(sim::affectedPoints(*effect, plain.start)));
+            counters.push_back(std::make_unique<sim::CallCounter>(sim::affectedPoints(*effect, plain.start)));
         script.build = [this, build = script.build](const sim::Values &values) {
             sim::Scene scene = build(values);
             for (std::size_t i = 0; i < scene.effects.size(); ++i)
-                scene.effects[i] = sim::instrumented(scene.effects[i], *tallies[i]);
+                scene.effects[i] = sim::instrumented(scene.effects[i], *counters[i]);
             return scene;
         };
     }
 
     sim::Script script;
     std::vector<sim::EffectPtr> effects;
-    std::vector<std::unique_ptr<sim::CallCounter>> tallies;
+    std::vector<std::unique_ptr<sim::CallCounter>> counters;
 };
 
-bool anyMoves(const sim::Scene &scene)
+bool anyPointMovesByVelocity(const sim::Scene &scene)
 {
     for (int i = 0; i < scene.start.pointCount(); ++i) {
         if (scene.start.isDynamic(i) && scene.movesByVelocity(i))
@@ -72,8 +72,8 @@ bool anyMoves(const sim::Scene &scene)
     return false;
 }
 
-/// How often a step of a fixed method computes `effect`.
-int expected(const sim::Effect &effect, const Stages &stages, const sim::Scene &scene)
+/// Returns how often one step of a method with fixed stages computes `effect`.
+int expectedEvaluations(const sim::Effect &effect, const Stages &stages, const sim::Scene &scene)
 {
     if (effect.isIdle() || effect.count(scene.start, {0, scene.start.pointCount()}) == 0)
         return 0;
@@ -84,13 +84,13 @@ int expected(const sim::Effect &effect, const Stages &stages, const sim::Scene &
     const auto *driver = dynamic_cast<const sim::Driver *>(&effect);
     if (!driver || driver->timing() == sim::DriverTiming::impulsive)
         return 1;
-    return stages.hasDecay && !anyMoves(scene) ? 1 : stages.flows;
+    return stages.hasDecay && !anyPointMovesByVelocity(scene) ? 1 : stages.flows;
 }
 
 }
 
-/// How often each effect is computed, for every step of every lesson and every method that fits.
-class TestEvaluations : public QObject
+/// Tests how often each effect is computed, for all lesson steps with all compatible methods.
+class Evaluations : public QObject
 {
     Q_OBJECT
 
@@ -132,13 +132,13 @@ class TestEvaluations : public QObject
     }
 
 private slots:
-    void exactlyTheListedEffectsAtExactlyTheStagesOfTheMethod_data()
+    void effectsAreComputedAtTheStagesOfTheMethod_data()
     {
         addRows([](const sim::Method &method) { return stagesByMethod().count(method.id()) > 0; });
     }
-    void exactlyTheListedEffectsAtExactlyTheStagesOfTheMethod()
+    void effectsAreComputedAtTheStagesOfTheMethod()
     {
-        Counted counted(scriptOfRow());
+        CountedScript counted(scriptOfRow());
         sim::Track track(counted.script, 0, sim::Sleeping::never);
         track.seek({frames, 0});
         QVERIFY(!track.stop());
@@ -146,46 +146,47 @@ private slots:
         const Stages &stages = stagesByMethod().at(counted.script.method->id());
         for (std::size_t i = 0; i < counted.effects.size(); ++i) {
             const sim::Effect &effect = *counted.effects[i];
-            const double found = counted.tallies[i]->evaluations;
+            const double found = counted.counters[i]->evaluations;
             QVERIFY2(
-                std::abs(found - frames * expected(effect, stages, scene)) < 1e-9,
+                std::abs(found - frames * expectedEvaluations(effect, stages, scene)) < 1e-9,
                 qPrintable(QString("%1: %2 in %3 frames").arg(effect.id().c_str()).arg(found).arg(frames)));
         }
     }
 
-    /// Those that choose how often: each force as often as the run has counted, since it counts all forces at once.
-    void aMethodThatChoosesItsStagesComputesEveryForceInEach_data()
+    /// Adaptive and implicit methods choose their stages. They compute all forces in each, as often as the
+    /// run counts.
+    void methodsWithVariableStagesComputeAllForces_data()
     {
         addRows([](const sim::Method &method) { return method.evaluationsPerStep() == 0; });
     }
-    void aMethodThatChoosesItsStagesComputesEveryForceInEach()
+    void methodsWithVariableStagesComputeAllForces()
     {
-        Counted counted(scriptOfRow());
+        CountedScript counted(scriptOfRow());
         sim::Track track(counted.script, 0, sim::Sleeping::never);
         track.seek({frames, 0});
         const sim::Scene scene = sim::sceneOf(counted.script, counted.script.values);
         for (std::size_t i = 0; i < counted.effects.size() && !track.stop(); ++i) {
             const sim::Effect &effect = *counted.effects[i];
-            const bool isPull =
+            const bool isForce =
                 dynamic_cast<const sim::Force *>(&effect) || dynamic_cast<const sim::Torque *>(&effect);
             const bool acts =
                 !effect.isIdle() && effect.count(scene.start, {0, scene.start.pointCount()}) > 0;
-            const double found = counted.tallies[i]->evaluations;
-            if (isPull && acts)
+            const double found = counted.counters[i]->evaluations;
+            if (isForce && acts)
                 QCOMPARE(found, track.state().forceEvaluations());
             else if (!acts)
                 QCOMPARE(found, 0.0);
             else if (dynamic_cast<const sim::Drag *>(&effect))
-                QCOMPARE(found, 0.0); // in the equations as a rate
+                QCOMPARE(found, 0.0); // its damping rate is in the equations
         }
     }
 
-    /// What the ledger tells is what was counted.
-    void theLedgerTellsTheSameNumbers_data()
+    /// CostMeter reports the counted evaluations.
+    void costMeterReportsCountedEvaluations_data()
     {
         addRows([](const sim::Method &) { return true; });
     }
-    void theLedgerTellsTheSameNumbers()
+    void costMeterReportsCountedEvaluations()
     {
         const sim::Script script = scriptOfRow();
         const sim::Scene scene = sim::sceneOf(script, script.values);
@@ -195,15 +196,18 @@ private slots:
         QCOMPARE(cost.rounds, 1);
         QCOMPARE(cost.effects.size() + meter.pipeline().idleEffects.size(), scene.effects.size());
         const auto stages = stagesByMethod().find(script.method->id());
-        for (const sim::EffectCost &one : cost.effects) {
-            QVERIFY(one.ns >= 0.0 || one.evaluations > 0.0);
-            QVERIFY(one.points >= 0 && one.points <= scene.start.pointCount());
+        for (const sim::EffectCost &effectCost : cost.effects) {
+            QVERIFY(effectCost.ns >= 0.0 || effectCost.evaluations > 0.0);
+            QVERIFY(effectCost.points >= 0 && effectCost.points <= scene.start.pointCount());
             if (stages != stagesByMethod().end())
-                QVERIFY2(std::abs(one.evaluations - expected(*one.effect, stages->second, scene)) < 1e-9,
-                         qPrintable(QString("%1: %2").arg(one.effect->id().c_str()).arg(one.evaluations)));
+                QVERIFY2(
+                    std::abs(effectCost.evaluations -
+                             expectedEvaluations(*effectCost.effect, stages->second, scene)) < 1e-9,
+                    qPrintable(
+                        QString("%1: %2").arg(effectCost.effect->id().c_str()).arg(effectCost.evaluations)));
         }
     }
 };
 
-QTEST_GUILESS_MAIN(TestEvaluations)
+QTEST_GUILESS_MAIN(Evaluations)
 #include "tst_evaluations.moc"

@@ -20,12 +20,12 @@
 
 using namespace support;
 
-/// What holds for every step of every lesson, found by walking the plugins: a new lesson is tested here at once.
+/// Tests that run for every step of every lesson plugin in the build. New lessons are included automatically.
 class EveryLesson : public QObject
 {
     Q_OBJECT
 
-    /// Whether `method` can compute `step` at all: those that need more than forces refuse some.
+    /// Returns whether `method` can compute `step`. Methods with requirements reject some steps.
     static bool fits(const lessons::Step &step, const sim::Method &method)
     {
         const sim::Script script = scriptOf(step, method.id(), 1.0);
@@ -55,35 +55,35 @@ class EveryLesson : public QObject
         }
     }
 
-    /// An implicit method solves for all of a crowd together, and one that chooses its steps takes some for each touch:
-    /// that takes too long here.
-    static bool takesLong(const lessons::Step &step, const sim::Method &method)
+    /// Returns whether a run takes too long for these tests. In a large crowd, an implicit method solves for
+    /// all points at once, and an adaptive method takes extra steps for each contact.
+    static bool isTooSlow(const lessons::Step &step, const sim::Method &method)
     {
         const std::vector<std::string> needs = method.requirements();
-        const bool solves = std::find(needs.begin(), needs.end(), "slopes") != needs.end();
+        const bool isImplicit = std::find(needs.begin(), needs.end(), "jacobian") != needs.end();
         const sim::Script script = scriptOf(step, "semi_implicit_euler", 1.0);
-        return (solves || method.stepping() == sim::Stepping::adaptive) &&
+        return (isImplicit || method.stepping() == sim::Stepping::adaptive) &&
                sim::sceneOf(script, script.values).start.pointCount() > 500;
     }
 
-    /// Each step with the methods that it is taught with and one other, in turn, so that each has its share of steps.
-    static void addStepAndSomeMethodRows()
+    /// Adds each step with the methods of the lessons and one other method. The other methods take turns.
+    static void addStepAndSelectedMethodRows()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("id");
         QTest::addColumn<QString>("method");
-        std::size_t turn = 0;
+        std::size_t nextOther = 0;
         for (const QString &lesson : lessonIds()) {
             for (const lessons::Step &step : loadLesson(lesson).steps) {
                 std::vector<sim::MethodPtr> taught, others;
                 for (const sim::MethodPtr &method : sim::allMethods()) {
                     const bool isTaught =
                         method->id() == "published" || method->id() == "semi_implicit_euler";
-                    if (fits(step, *method) && !takesLong(step, *method))
+                    if (fits(step, *method) && !isTooSlow(step, *method))
                         (isTaught ? taught : others).push_back(method);
                 }
                 if (!others.empty())
-                    taught.push_back(others[turn++ % others.size()]);
+                    taught.push_back(others[nextOther++ % others.size()]);
                 for (const sim::MethodPtr &method : taught)
                     QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id),
                                   method->id().c_str())
@@ -98,20 +98,20 @@ class EveryLesson : public QObject
         return scriptOf(stepOfRow(), method.toStdString(), h);
     }
 
-    /// What hand, pointer, target and keys can do, all in one run; each step takes what it lets in.
-    static std::vector<sim::Event> busyInput(const sim::Scene &scene, const lessons::Step &step)
+    /// Returns input that drags bodies and uses pointer, target and keys, as far as `step` accepts them.
+    static std::vector<sim::Event> inputOfEveryKind(const sim::Scene &scene, const lessons::Step &step)
     {
         const std::string body = scene.names.back(), other = scene.names.front();
-        const sim::Vec2 at = scene.start.positionOf(scene.find(body));
+        const sim::Vec2 position = scene.start.positionOf(scene.find(body));
         std::vector<sim::Event> input = {{2, sim::Grab{other}},
                                          {2, sim::Move{{300, 300}}},
                                          {8, sim::Move{{250, 260}}},
                                          {9, sim::Move{{200, 240}}},
                                          {10, sim::Release{}},
                                          {14, sim::Grab{body}},
-                                         {14, sim::Move{at}},
-                                         {20, sim::Move{at + sim::Vec2{40, -30}}},
-                                         {21, sim::Move{at + sim::Vec2{80, -40}}},
+                                         {14, sim::Move{position}},
+                                         {20, sim::Move{position + sim::Vec2{40, -30}}},
+                                         {21, sim::Move{position + sim::Vec2{80, -40}}},
                                          {22, sim::Release{}}};
         if (step.accepts(lessons::Interaction::pointer)) {
             input.push_back({30, sim::Pointer{{200, 200}, true}});
@@ -124,7 +124,7 @@ class EveryLesson : public QObject
         return input;
     }
 
-    /// Another value than the preset that a learner can choose.
+    /// Returns a value that differs from the default and that a learner can choose.
     static double otherValue(const lessons::Parameter &parameter)
     {
         if (!parameter.choices.isEmpty())
@@ -132,26 +132,26 @@ class EveryLesson : public QObject
         return parameter.defaultValue == parameter.sliderMax ? parameter.sliderMin : parameter.sliderMax;
     }
 
-    static bool sameLook(const lessons::View &a, const lessons::View &b)
+    static bool haveSameView(const lessons::View &a, const lessons::View &b)
     {
-        const auto curves = [](const lessons::View &look) {
-            std::vector<double> all{look.ground.value_or(0.0)};
-            for (const lessons::LegView &leg : look.legs)
+        const auto curves = [](const lessons::View &view) {
+            std::vector<double> all{view.ground.value_or(0.0)};
+            for (const lessons::LegView &leg : view.legs)
                 all.push_back(leg.curve);
-            for (const lessons::StickView &stick : look.sticks)
+            for (const lessons::StickView &stick : view.sticks)
                 all.push_back(stick.length);
-            if (look.tree)
-                all.insert(all.end(), look.tree->length.begin(), look.tree->length.end());
-            if (look.room)
-                all.insert(all.end(), {look.room->left, look.room->right, look.room->floor});
+            if (view.tree)
+                all.insert(all.end(), view.tree->length.begin(), view.tree->length.end());
+            if (view.room)
+                all.insert(all.end(), {view.room->left, view.room->right, view.room->floor});
             return all;
         };
         return curves(a) == curves(b);
     }
 
-    static bool differInTime(const sim::Script &one, const sim::Script &other, int frames)
+    static bool runsDiffer(const sim::Script &first, const sim::Script &second, int frames)
     {
-        sim::Timeline a(one), b(other);
+        sim::Timeline a(first), b(second);
         for (int frame = 0; frame < frames; ++frame) {
             if (!sim::sameBits(a.state(), b.state()))
                 return true;
@@ -161,7 +161,7 @@ class EveryLesson : public QObject
         return false;
     }
 
-    /// What the code shows of the first frame.
+    /// Returns the live values that the code panel shows for the first frame.
     static std::vector<std::variant<double, sim::Vec2>> valuesInCode(const sim::Script &script)
     {
         const sim::Scene scene = sim::sceneOf(script, script.values);
@@ -176,30 +176,30 @@ class EveryLesson : public QObject
         return all;
     }
 
-    /// Whether another value of `parameter` makes another run, another picture of it, or other numbers in the code.
-    static bool differsBy(const lessons::Step &step, const lessons::Parameter &parameter)
+    /// Returns whether another value of `parameter` changes the run, the view or the live values.
+    static bool hasEffect(const lessons::Step &step, const lessons::Parameter &parameter)
     {
         sim::Script script = step.script(), other = script;
         other.values.set(parameter.id.toStdString(), otherValue(parameter));
         const sim::Scene scene = sim::sceneOf(script, script.values);
         const sim::Scene changed = sim::sceneOf(other, other.values);
         if (scene.names != changed.names ||
-            !sameLook(step.view(scene, script.values), step.view(changed, other.values)))
+            !haveSameView(step.view(scene, script.values), step.view(changed, other.values)))
             return true;
-        if (differInTime(script, other, 600) || valuesInCode(script) != valuesInCode(other))
+        if (runsDiffer(script, other, 600) || valuesInCode(script) != valuesInCode(other))
             return true;
-        script.input = other.input = busyInput(scene, step);
-        return differInTime(script, other, 200);
+        script.input = other.input = inputOfEveryKind(scene, step);
+        return runsDiffer(script, other, 200);
     }
 
-    /// What a hand can take, or a dozen of them where there are many.
+    /// Returns the bodies that can be grabbed, or about a dozen of them.
     static std::vector<std::string> someBodies(const lessons::Step &step)
     {
         const sim::Scene scene = step.scene(step.defaultValues());
-        const lessons::View look = step.view(scene, step.defaultValues());
+        const lessons::View view = step.view(scene, step.defaultValues());
         std::vector<std::string> names;
         for (std::size_t i = 0; i < scene.names.size(); i += 1 + scene.names.size() / 12) {
-            if (look.bodies[i].shape != lessons::BodyView::Shape::none)
+            if (view.bodies[i].shape != lessons::BodyView::Shape::none)
                 names.push_back(scene.names[i]);
         }
         return names;
@@ -208,30 +208,31 @@ class EveryLesson : public QObject
 private slots:
     void thereAreLessons() { QVERIFY(lessonIds().size() >= 4); }
 
-    void onlyMethodsThatNeedMoreRefuseAStep()
+    void onlyMethodsWithRequirementsRejectSteps()
     {
-        QSet<QString> refused;
+        QSet<QString> rejected;
         for (const QString &lesson : lessonIds()) {
             for (const lessons::Step &step : loadLesson(lesson).steps) {
                 for (const sim::MethodPtr &method : sim::allMethods()) {
                     const std::vector<std::string> needs = method->requirements();
-                    const bool any = needs.empty() || needs == std::vector<std::string>{"groups"};
-                    QVERIFY2(!any || fits(step, *method),
+                    const bool acceptsEveryStep =
+                        needs.empty() || needs == std::vector<std::string>{"groups"};
+                    QVERIFY2(!acceptsEveryStep || fits(step, *method),
                              (method->id() + " " + step.id.toStdString()).c_str());
                     if (!fits(step, *method))
-                        refused << lesson;
+                        rejected << lesson;
                 }
             }
         }
-        // sticks that constraints hold, and trees that only turn as they are told
-        QVERIFY(refused.contains(QStringLiteral("rigid_constraint")));
-        QVERIFY(refused.contains(QStringLiteral("walking_gait"))); // where a hand steers
-        for (const char *smooth : {"single_spring", "two_body", "multi_foot", "gravity_walls", "accuracy"})
-            QVERIFY2(!refused.contains(QString::fromUtf8(smooth)), smooth);
+        // Some methods support neither stick constraints nor steering.
+        QVERIFY(rejected.contains(QStringLiteral("rigid_constraint")));
+        QVERIFY(rejected.contains(QStringLiteral("walking_gait")));
+        for (const char *lesson : {"single_spring", "two_body", "multi_foot", "gravity_walls", "accuracy"})
+            QVERIFY2(!rejected.contains(QString::fromUtf8(lesson)), lesson);
     }
 
-    void presetsLieWhereTheyMay_data() { addStepRows(); }
-    void presetsLieWhereTheyMay()
+    void defaultValuesAreInRange_data() { addStepRows(); }
+    void defaultValuesAreInRange()
     {
         QSet<QString> ids;
         for (const lessons::Parameter &parameter : stepOfRow().parameters) {
@@ -241,58 +242,57 @@ private slots:
             QVERIFY(parameter.min <= parameter.sliderMin && parameter.sliderMax <= parameter.max);
             QVERIFY(parameter.sliderMin <= parameter.defaultValue &&
                     parameter.defaultValue <= parameter.sliderMax);
-            QVERIFY(!parameter.hasWholeValues() ||
-                    parameter.defaultValue == std::round(parameter.defaultValue));
+            QVERIFY(!parameter.isInteger || parameter.defaultValue == std::round(parameter.defaultValue));
         }
     }
 
-    void theSceneIsDrawnWhole_data() { addStepRows(); }
-    void theSceneIsDrawnWhole()
+    void viewCoversTheScene_data() { addStepRows(); }
+    void viewCoversTheScene()
     {
         const lessons::Step step = stepOfRow();
         const sim::Scene scene = step.scene(step.defaultValues());
         const int points = scene.start.pointCount();
         QCOMPARE(static_cast<int>(scene.names.size()), points);
-        const lessons::View look = step.view(scene, step.defaultValues());
-        QCOMPARE(static_cast<int>(look.bodies.size()), points);
-        for (const lessons::LegView &leg : look.legs)
+        const lessons::View view = step.view(scene, step.defaultValues());
+        QCOMPARE(static_cast<int>(view.bodies.size()), points);
+        for (const lessons::LegView &leg : view.legs)
             QVERIFY(leg.from >= 0 && leg.from < points && leg.to >= 0 && leg.to < points);
-        for (const lessons::SpringView &spring : look.springs)
+        for (const lessons::SpringView &spring : view.springs)
             QVERIFY(spring.a >= 0 && spring.a < points && spring.b >= -1 && spring.b < points);
         for (int i = 0; i < points; ++i)
-            QVERIFY(look.stage.contains(scene.start.positionOf(i).x, scene.start.positionOf(i).y));
+            QVERIFY(view.stage.contains(scene.start.positionOf(i).x, scene.start.positionOf(i).y));
     }
 
-    void aSpringIsDrawnToWhereItPulls_data() { addStepRows(); }
-    void aSpringIsDrawnToWhereItPulls()
+    void springsAreDrawnWhereTheyPull_data() { addStepRows(); }
+    void springsAreDrawnWhereTheyPull()
     {
         QFETCH(QString, lesson);
         if (lesson == QStringLiteral("sandbox"))
-            return; // there each spring has a stiffness of its own
+            return; // its springs have different stiffnesses
         const lessons::Step step = stepOfRow();
         const sim::Values values = step.defaultValues();
         const sim::Scene scene = step.scene(values);
         sim::State state = scene.start;
-        for (int i = 0; i < state.pointCount(); ++i) // anywhere, so that nothing is at rest
+        for (int i = 0; i < state.pointCount(); ++i) // displaced, so that no spring is at rest
             state.place(i, state.positionOf(i) + sim::Vec2{31.0 * (i % 3 - 1) + 7.0, 17.0 * (i % 5) - 40.0});
-        Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+        Eigen::ArrayX2d forces = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
         for (const sim::EffectPtr &effect : scene.effects) {
-            const auto *force = dynamic_cast<const sim::Force *>(effect.get());
-            if (force && effect->kind() == sim::EffectKind::spring)
-                force->add(state, {0, state.pointCount()}, 1.0, sim::DirectionRule::published, pulls);
+            const auto *springForce = dynamic_cast<const sim::Force *>(effect.get());
+            if (springForce && effect->kind() == sim::EffectKind::spring)
+                springForce->add(state, {0, state.pointCount()}, 1.0, sim::DirectionRule::published, forces);
         }
         for (const lessons::SpringView &spring : step.view(scene, values).springs) {
             const sim::Vec2 end = spring.b < 0 ? spring.at : state.positionOf(spring.b) + spring.at;
-            const sim::Vec2 way = end - state.positionOf(spring.a);
-            const sim::Vec2 missing = (1.0 - spring.length / sim::length(way)) * way;
-            const sim::Vec2 pull{pulls(spring.a, 0), pulls(spring.a, 1)};
-            QVERIFY(sim::length(pull) > 0.0);
-            QVERIFY(sim::length(pull - values["k"] * missing) < 1e-9 * sim::length(pull));
+            const sim::Vec2 toEnd = end - state.positionOf(spring.a);
+            const sim::Vec2 extension = (1.0 - spring.length / sim::length(toEnd)) * toEnd;
+            const sim::Vec2 force{forces(spring.a, 0), forces(spring.a, 1)};
+            QVERIFY(sim::length(force) > 0.0);
+            QVERIFY(sim::length(force - values["k"] * extension) < 1e-9 * sim::length(force));
         }
     }
 
-    void guidesAreFiniteWhereverThePointsAre_data() { addStepRows(); }
-    void guidesAreFiniteWhereverThePointsAre()
+    void overlaysAreAlwaysFinite_data() { addStepRows(); }
+    void overlaysAreAlwaysFinite()
     {
         const lessons::Step step = stepOfRow();
         if (!step.overlays)
@@ -301,54 +301,53 @@ private slots:
         const sim::Scene scene = step.scene(values);
         sim::State state = scene.start;
         const auto finite = [&] {
-            for (const lessons::Overlay &guide : step.overlays(scene, state, values)) {
-                if (!std::isfinite(guide.a.x + guide.a.y + guide.b.x + guide.b.y + guide.size))
+            for (const lessons::Overlay &overlay : step.overlays(scene, state, values)) {
+                if (!std::isfinite(overlay.a.x + overlay.a.y + overlay.b.x + overlay.b.y + overlay.size))
                     return false;
             }
             return true;
         };
         QVERIFY(finite());
-        state.position.setConstant(100.0); // all in one place
+        state.position.setConstant(100.0); // all points coincide
         QVERIFY(finite());
     }
 
-    void anIdleRunDoesNoneOfTheTries_data() { addStepRows(); }
-    void anIdleRunDoesNoneOfTheTries()
+    void runWithoutInputCompletesNoThingToTry_data() { addStepRows(); }
+    void runWithoutInputCompletesNoThingToTry()
     {
         const lessons::Step step = stepOfRow();
         sim::Timeline run(step.script());
         for (int frame = 0; frame <= 600; ++frame) {
-            for (const lessons::Try &one : step.tries) {
-                QVERIFY2(!one.isDone(run), qPrintable(u"frame %1: %2"_qs.arg(frame).arg(one.text)));
-                QVERIFY2(!one.conditions.hasBegun(run),
-                         qPrintable(one.text)); // and nothing is said to be missing
+            for (const lessons::Try &item : step.tries) {
+                QVERIFY2(!item.isDone(run), qPrintable(u"frame %1: %2"_qs.arg(frame).arg(item.text)));
+                QVERIFY2(!item.conditions.hasBegun(run), qPrintable(item.text)); // so no hint is shown
             }
             run.nextOutputStep();
         }
     }
 
-    void aMereClickOnABodyDoesNoneOfTheTries_data() { addStepRows(); }
-    void aMereClickOnABodyDoesNoneOfTheTries()
+    void clickOnABodyCompletesNoThingToTry_data() { addStepRows(); }
+    void clickOnABodyCompletesNoThingToTry()
     {
         const lessons::Step step = stepOfRow();
         for (const std::string &body : someBodies(step)) {
             sim::Timeline run(step.script());
             run.seek({50, 0});
-            const sim::Vec2 at = run.state().positionOf(run.track().interval().scene.find(body));
+            const sim::Vec2 position = run.state().positionOf(run.track().interval().scene.find(body));
             run.applyInput(sim::Grab{body});
-            run.applyInput(sim::Move{at});
+            run.applyInput(sim::Move{position});
             run.nextOutputStep();
             run.applyInput(sim::Release{});
             for (int frame = 0; frame < 300; ++frame) {
-                for (const lessons::Try &one : step.tries)
-                    QVERIFY2(!one.isDone(run), qPrintable(one.text));
+                for (const lessons::Try &item : step.tries)
+                    QVERIFY2(!item.isDone(run), qPrintable(item.text));
                 run.nextOutputStep();
             }
         }
     }
 
-    void everyParameterThatIsOfferedActs_data() { addStepRows(); }
-    void everyParameterThatIsOfferedActs()
+    void offeredParametersHaveAnEffect_data() { addStepRows(); }
+    void offeredParametersHaveAnEffect()
     {
         const lessons::Step step = stepOfRow();
         const sim::Script script = step.script();
@@ -356,41 +355,41 @@ private slots:
         for (const lessons::Parameter &parameter : step.parameters) {
             const bool isOffered =
                 parameter.effects.isEmpty() ||
-                std::any_of(scene.effects.begin(), scene.effects.end(), [&](const sim::EffectPtr &one) {
-                    return parameter.effects.contains(QString::fromStdString(one->id()));
+                std::any_of(scene.effects.begin(), scene.effects.end(), [&](const sim::EffectPtr &effect) {
+                    return parameter.effects.contains(QString::fromStdString(effect->id()));
                 });
             if (isOffered)
-                QVERIFY2(differsBy(step, parameter), qPrintable(parameter.id));
+                QVERIFY2(hasEffect(step, parameter), qPrintable(parameter.id));
         }
     }
 
-    void everyConditionButTheFirstSaysWhatIsMissing_data() { addStepRows(); }
-    void everyConditionButTheFirstSaysWhatIsMissing()
+    void conditionsAfterTheFirstHaveHints_data() { addStepRows(); }
+    void conditionsAfterTheFirstHaveHints()
     {
-        for (const lessons::Try &one : stepOfRow().tries) {
-            const std::vector<lessons::Condition> &all = one.conditions.all();
-            QVERIFY2(!all.empty(), qPrintable(one.text));
+        for (const lessons::Try &item : stepOfRow().tries) {
+            const std::vector<lessons::Condition> &all = item.conditions.all();
+            QVERIFY2(!all.empty(), qPrintable(item.text));
             for (std::size_t i = 1; i < all.size(); ++i) {
-                QVERIFY2(all[i].todo.endsWith('.'), qPrintable(one.text));
+                QVERIFY2(all[i].todo.endsWith('.'), qPrintable(item.text));
                 QVERIFY2(all[i].todo.front().isLower(), qPrintable(all[i].todo));
                 QCOMPARE(all[i].todo.contains("%1"), all[i].measured != nullptr);
             }
         }
     }
 
-    void whatStopsAtAMomentAndWhatAsksSomethingSaySo_data() { addStepRows(); }
-    void whatStopsAtAMomentAndWhatAsksSomethingSaySo()
+    void textsMatchAnswersAndPauses_data() { addStepRows(); }
+    void textsMatchAnswersAndPauses()
     {
-        for (const lessons::Try &one : stepOfRow().tries) {
-            const bool asks = one.text.contains('?');
-            QVERIFY2(asks == !one.answer.isEmpty(), qPrintable(one.text));
-            const bool stops = one.text.contains("and stop ") && !one.text.contains("stop inside a frame");
-            QVERIFY2(one.onlyWhilePaused == stops, qPrintable(one.text));
+        for (const lessons::Try &item : stepOfRow().tries) {
+            const bool asks = item.text.contains('?');
+            QVERIFY2(asks == !item.answer.isEmpty(), qPrintable(item.text));
+            const bool stops = item.text.contains("and stop ") && !item.text.contains("stop inside a frame");
+            QVERIFY2(item.onlyWhilePaused == stops, qPrintable(item.text));
         }
     }
 
-    void anySeekGivesTheBitsOfAStraightRun_data() { addStepAndSomeMethodRows(); }
-    void anySeekGivesTheBitsOfAStraightRun()
+    void seekingReproducesSequentialStates_data() { addStepAndSelectedMethodRows(); }
+    void seekingReproducesSequentialStates()
     {
         constexpr int frames = 90;
         sim::Script script = scriptOfRow(0.5);
@@ -409,20 +408,21 @@ private slots:
         for (const lessons::Parameter &parameter : stepOfRow().parameters) {
             const bool isHuge = parameter.scale == lessons::Scale::logarithmic;
             const double half = 0.5 * (parameter.defaultValue + (isHuge ? 0.0 : parameter.sliderMax));
-            const double other = parameter.hasWholeValues() ? std::ceil(half) : half;
+            const double other = parameter.isInteger ? std::ceil(half) : half;
             if (parameter.choices.isEmpty())
                 script.input.push_back({30, sim::Set{parameter.id.toStdString(), other}});
         }
         sim::sortByFrame(script.input);
-        sim::Timeline straight(script);
-        std::map<sim::Cursor, sim::State> states = {{straight.cursor(), straight.state()}};
-        for (bool goesOn = true; goesOn && straight.cursor().frame < frames;) { // some runs end before
-            const sim::Cursor before = straight.cursor();
-            straight.nextPhase();
-            states[straight.cursor()] = straight.state();
-            goesOn = straight.cursor() != before;
+        sim::Timeline reference(script);
+        std::map<sim::Cursor, sim::State> states = {{reference.cursor(), reference.state()}};
+        // Some runs stop before the last frame.
+        for (bool isRunning = true; isRunning && reference.cursor().frame < frames;) {
+            const sim::Cursor before = reference.cursor();
+            reference.nextPhase();
+            states[reference.cursor()] = reference.state();
+            isRunning = reference.cursor() != before;
         }
-        sim::Timeline seeker(script, 40'000); // so small that most states are dropped
+        sim::Timeline seeker(script, 40'000); // so small that most keyframes are dropped
         std::mt19937 random(7);
         for (int i = 0; i < tests::sized(500, 100); ++i) {
             const auto chosen = std::uniform_int_distribution<std::size_t>(0, states.size() - 1)(random);
@@ -433,8 +433,8 @@ private slots:
         }
     }
 
-    void everyPhaseHasSourceToShow_data() { addStepAndMethodRows(); }
-    void everyPhaseHasSourceToShow()
+    void phasesHaveSource_data() { addStepAndMethodRows(); }
+    void phasesHaveSource()
     {
         const sim::Script script = scriptOfRow(1.0);
         std::vector<sim::Region> regions = {stepOfRow().sceneSource, script.method->region()};
@@ -449,8 +449,8 @@ private slots:
         }
     }
 
-    void everyLiveValueIsNamedInThatSource_data() { addStepAndSomeMethodRows(); }
-    void everyLiveValueIsNamedInThatSource()
+    void liveValuesAreNamedInTheSource_data() { addStepAndSelectedMethodRows(); }
+    void liveValuesAreNamedInTheSource()
     {
         const sim::Script script = scriptOfRow(1.0);
         const sim::Scene scene = sim::sceneOf(script, script.values);

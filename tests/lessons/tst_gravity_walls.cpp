@@ -20,14 +20,14 @@ class GravityWalls : public QObject
 
     const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
 
-    /// Step `walls` with one foot and no spring, so that everything goes straight on between two bounces.
+    /// Returns step `walls` with one foot and no spring. Bodies move in straight lines between bounces.
     sim::Script freeBodies(double bounce) const
     {
         return scriptOf(step("walls"), "published", 1.0,
                         {{"k", 0.0}, {"damp", 1.0}, {"bounce", bounce}, {"feet", 1.0}});
     }
 
-    /// Step `gravity` with the body held at (270, 100).
+    /// Returns step `gravity` with the body held at (270, 100).
     sim::Script heldUp(const Changes &changes) const
     {
         sim::Script script = scriptOf(step("gravity"), "published", 1.0, changes);
@@ -38,23 +38,23 @@ class GravityWalls : public QObject
 private slots:
     void publishedTrajectories_data();
     void publishedTrajectories();
-    void matchesTheTutorialsCode_data();
-    void matchesTheTutorialsCode();
-    void theEdgeTouchesTheWallAndTheVelocityTurns_data();
-    void theEdgeTouchesTheWallAndTheVelocityTurns();
+    void matchesTutorialCode_data();
+    void matchesTutorialCode();
+    void edgeStopsAtTheWallAndVelocityReverses_data();
+    void edgeStopsAtTheWallAndVelocityReverses();
     void thereIsNoCeiling();
-    void aHeldBodyMeetsNoWall();
-    void feetHangWhereSpringAndGravityCancelWhateverTheDamping_data();
-    void feetHangWhereSpringAndGravityCancelWhateverTheDamping();
-    void aCreatureThatStandsHasPullsThatAddUpToGravity();
-    void itComesDownToTheFloorAtAnyGravity_data();
-    void itComesDownToTheFloorAtAnyGravity();
-    void onTheFloorTheVelocityIsNotZero();
-    void theTwoMethodsConvergeWithOrderOneInTheAir();
-    void withoutGravityThereIsNoGravityPhase();
-    void theRoomIsDrawnWhereTheWallsAre();
-    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
-    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+    void heldBodyIgnoresWalls();
+    void hangingFeetBalanceSpringAndGravityAtAnyDamping_data();
+    void hangingFeetBalanceSpringAndGravityAtAnyDamping();
+    void springsOfAStandingCreatureBalanceGravity();
+    void creatureSettlesOnTheFloorAtAnyGravity_data();
+    void creatureSettlesOnTheFloorAtAnyGravity();
+    void velocityOnTheFloorIsNotZero();
+    void methodsConvergeWithOrderOneInTheAir();
+    void noGravityPhaseWithoutGravity();
+    void viewShowsTheRoom();
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void GravityWalls::publishedTrajectories_data()
@@ -70,7 +70,7 @@ void GravityWalls::publishedTrajectories()
     QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
 }
 
-void GravityWalls::matchesTheTutorialsCode_data()
+void GravityWalls::matchesTutorialCode_data()
 {
     QTest::addColumn<Match>("match");
     std::mt19937 random(4);
@@ -88,13 +88,13 @@ void GravityWalls::matchesTheTutorialsCode_data()
     }
 }
 
-void GravityWalls::matchesTheTutorialsCode()
+void GravityWalls::matchesTutorialCode()
 {
     QFETCH(Match, match);
     QVERIFY(largestDifference(step(match.step), match.tutorial, 200) <= 1e-9);
 }
 
-void GravityWalls::theEdgeTouchesTheWallAndTheVelocityTurns_data()
+void GravityWalls::edgeStopsAtTheWallAndVelocityReverses_data()
 {
     QTest::addColumn<QString>("body");
     QTest::addColumn<double>("bounce");
@@ -104,7 +104,7 @@ void GravityWalls::theEdgeTouchesTheWallAndTheVelocityTurns_data()
     QTest::newRow("foot, bounce 0") << "foot0" << 0.0;
 }
 
-void GravityWalls::theEdgeTouchesTheWallAndTheVelocityTurns()
+void GravityWalls::edgeStopsAtTheWallAndVelocityReverses()
 {
     QFETCH(QString, body);
     QFETCH(double, bounce);
@@ -136,14 +136,14 @@ void GravityWalls::thereIsNoCeiling()
     QCOMPARE(stateAfter(script, 100).positionOf(1), (sim::Vec2{270, -800}));
 }
 
-void GravityWalls::aHeldBodyMeetsNoWall()
+void GravityWalls::heldBodyIgnoresWalls()
 {
     sim::Script script = step("gravity").script();
     script.input = {{1, sim::Grab{"body"}}, {1, sim::Move{{600, 450}}}};
     QCOMPARE(stateAfter(script, 50).positionOf(4), (sim::Vec2{600, 450}));
 }
 
-void GravityWalls::feetHangWhereSpringAndGravityCancelWhateverTheDamping_data()
+void GravityWalls::hangingFeetBalanceSpringAndGravityAtAnyDamping_data()
 {
     QTest::addColumn<double>("k");
     QTest::addColumn<double>("gravity");
@@ -155,7 +155,7 @@ void GravityWalls::feetHangWhereSpringAndGravityCancelWhateverTheDamping_data()
     QTest::newRow("softer") << 0.05 << 0.5 << 0.85;
 }
 
-void GravityWalls::feetHangWhereSpringAndGravityCancelWhateverTheDamping()
+void GravityWalls::hangingFeetBalanceSpringAndGravityAtAnyDamping()
 {
     QFETCH(double, k);
     QFETCH(double, gravity);
@@ -165,7 +165,7 @@ void GravityWalls::feetHangWhereSpringAndGravityCancelWhateverTheDamping()
         QVERIFY(sim::length(rest.positionOf(foot) - sim::Vec2{270.0, 100.0 + 50.0 + gravity / k}) < 1e-6);
 }
 
-void GravityWalls::aCreatureThatStandsHasPullsThatAddUpToGravity()
+void GravityWalls::springsOfAStandingCreatureBalanceGravity()
 {
     sim::Script script = scriptOf(step("gravity"), "published", 1.0, {{"left", 240.0}, {"right", 300.0}});
     script.bodies = {{"foot0", {{250, 330}, {}}},
@@ -177,21 +177,21 @@ void GravityWalls::aCreatureThatStandsHasPullsThatAddUpToGravity()
     QVERIFY(rest.position(4, 1) < 350.0);
     sim::Vec2 pull;
     for (int foot = 0; foot < 4; ++foot) {
-        const sim::Vec2 way = rest.positionOf(foot) - rest.positionOf(4);
-        const double apart = sim::length(way);
-        pull = pull + (0.2 * (apart - 50.0) / apart) * way;
+        const sim::Vec2 toFoot = rest.positionOf(foot) - rest.positionOf(4);
+        const double distance = sim::length(toFoot);
+        pull = pull + (0.2 * (distance - 50.0) / distance) * toFoot;
     }
     QVERIFY(sim::length(pull - sim::Vec2{0.0, -0.5}) < 1e-9);
 }
 
-void GravityWalls::itComesDownToTheFloorAtAnyGravity_data()
+void GravityWalls::creatureSettlesOnTheFloorAtAnyGravity_data()
 {
     QTest::addColumn<double>("gravity");
     for (double gravity : {0.05, 0.5, 3.0})
         QTest::addRow("gravity %g", gravity) << gravity;
 }
 
-void GravityWalls::itComesDownToTheFloorAtAnyGravity()
+void GravityWalls::creatureSettlesOnTheFloorAtAnyGravity()
 {
     QFETCH(double, gravity);
     const sim::State rest =
@@ -201,26 +201,26 @@ void GravityWalls::itComesDownToTheFloorAtAnyGravity()
         QVERIFY(std::abs(rest.position(foot, 1) - (380.0 - 5.0)) < 1e-9);
 }
 
-/// In each frame v becomes -(v + g) damp, so it settles at -g damp / (1 + damp), at bounce 1.
-void GravityWalls::onTheFloorTheVelocityIsNotZero()
+/// With bounce 1, each frame changes v to -(v + g) damp. So v converges to -g damp / (1 + damp).
+void GravityWalls::velocityOnTheFloorIsNotZero()
 {
     const sim::State rest = stateAfter(scriptOf(step("gravity"), "published", 1.0, {{"k", 0.0}}), 3000);
     for (int point = 0; point < rest.pointCount(); ++point)
         QVERIFY(std::abs(rest.velocity(point, 1) + 0.5 * 0.85 / 1.85) < 1e-9);
 }
 
-void GravityWalls::theTwoMethodsConvergeWithOrderOneInTheAir()
+void GravityWalls::methodsConvergeWithOrderOneInTheAir()
 {
-    const Slope jacobian = slopeOf(
+    const OrderRange order = observedOrders(
         [&](double h) {
-            return farthestApart(stateAfter(scriptOf(step("gravity"), "published", h), 12),
-                                 stateAfter(scriptOf(step("gravity"), "semi_implicit_euler", h), 12));
+            return largestDistance(stateAfter(scriptOf(step("gravity"), "published", h), 12),
+                                   stateAfter(scriptOf(step("gravity"), "semi_implicit_euler", h), 12));
         },
         4, 9);
-    QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
+    QVERIFY(order.min > 0.9 && order.max < 1.1);
 }
 
-void GravityWalls::withoutGravityThereIsNoGravityPhase()
+void GravityWalls::noGravityPhaseWithoutGravity()
 {
     for (const auto &[id, wanted] : {std::pair{"walls", 0}, std::pair{"gravity", 2}}) {
         const sim::Script script = step(id).script();
@@ -232,15 +232,15 @@ void GravityWalls::withoutGravityThereIsNoGravityPhase()
     }
 }
 
-void GravityWalls::theRoomIsDrawnWhereTheWallsAre()
+void GravityWalls::viewShowsTheRoom()
 {
     sim::Values values = step("walls").defaultValues();
     values.set("left", 33.0);
-    const lessons::View look = step("walls").view(step("walls").scene(values), values);
-    QVERIFY(look.room);
-    QCOMPARE(look.room->left, 33.0);
-    QCOMPARE(look.room->right, 520.0);
-    QCOMPARE(look.room->floor, 380.0);
+    const lessons::View view = step("walls").view(step("walls").scene(values), values);
+    QVERIFY(view.room);
+    QCOMPARE(view.room->left, 33.0);
+    QCOMPARE(view.room->right, 520.0);
+    QCOMPARE(view.room->floor, 380.0);
 }
 
 QTEST_GUILESS_MAIN(GravityWalls)

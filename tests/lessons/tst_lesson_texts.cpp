@@ -7,7 +7,7 @@
 
 using namespace support;
 
-/// What the texts of every step of every lesson have in common, found by walking the plugins.
+/// Tests of the texts of all steps in all lesson plugins.
 class LessonTexts : public QObject
 {
     Q_OBJECT
@@ -34,7 +34,7 @@ private slots:
         QCOMPARE(QSet<QString>(ids.begin(), ids.end()).size(), ids.size());
     }
 
-    void everyLessonHasAnOrderOfItsOwn()
+    void lessonsHaveDistinctOrders()
     {
         QSet<int> orders;
         for (const QString &id : lessonIds())
@@ -42,8 +42,8 @@ private slots:
         QCOMPARE(orders.size(), lessonIds().size());
     }
 
-    void theTextIsShortAndCalm_data() { addStepRows(); }
-    void theTextIsShortAndCalm()
+    void narrationIsShortWithoutExclamations_data() { addStepRows(); }
+    void narrationIsShortWithoutExclamations()
     {
         const lessons::Step step = stepOfRow();
         QVERIFY(!step.title.isEmpty());
@@ -51,39 +51,39 @@ private slots:
             step.narration.split(QRegularExpression(u"\\s+"_qs), Qt::SkipEmptyParts).size();
         QVERIFY2(words >= 40 && words <= 150, qPrintable(QString::number(words)));
         QString all = step.title + step.narration;
-        for (const lessons::Try &one : step.tries)
-            all += one.text;
+        for (const lessons::Try &item : step.tries)
+            all += item.text;
         QVERIFY(!all.contains(u'!'));
         QVERIFY2(!all.contains(QRegularExpression(u"\\d (px|rad|°|frames?)\\b"_qs)),
                  "a thin space belongs before a unit");
-        const bool isBuilt =
-            step.points == lessons::PointsFrom::scene; // there the learner finds things to try
-        QVERIFY(isBuilt || (step.tries.size() >= 2 && step.tries.size() <= 4));
+        // In the sandbox, learners choose what to try.
+        const bool isSandbox = step.points == lessons::PointSource::scene;
+        QVERIFY(isSandbox || (step.tries.size() >= 2 && step.tries.size() <= 4));
     }
 
-    void everyThingToTryHasAHint_data() { addStepRows(); }
-    void everyThingToTryHasAHint()
+    void thingsToTryHaveHints_data() { addStepRows(); }
+    void thingsToTryHaveHints()
     {
-        for (const lessons::Try &one : stepOfRow().tries) {
-            QVERIFY2(!one.hint.isEmpty(), qPrintable(one.text));
-            QVERIFY2(one.hint != one.text && one.hint.endsWith(u'.'), qPrintable(one.hint));
-            QVERIFY2(!one.hint.contains(u'!') && one.hint.size() <= 260, qPrintable(one.hint));
+        for (const lessons::Try &item : stepOfRow().tries) {
+            QVERIFY2(!item.hint.isEmpty(), qPrintable(item.text));
+            QVERIFY2(item.hint != item.text && item.hint.endsWith(u'.'), qPrintable(item.hint));
+            QVERIFY2(!item.hint.contains(u'!') && item.hint.size() <= 260, qPrintable(item.hint));
         }
     }
 
-    void everyStepSaysWhatIsLearnt_data() { addStepRows(); }
-    void everyStepSaysWhatIsLearnt()
+    void stepsSayWhatIsLearnt_data() { addStepRows(); }
+    void stepsSayWhatIsLearnt()
     {
-        if (stepOfRow().points == lessons::PointsFrom::scene)
-            return; // what is learnt there, the learner decides
+        if (stepOfRow().points == lessons::PointSource::scene)
+            return; // the sandbox has no fixed learning goal
         const QString learnt = stepOfRow().explanation.learnt;
         QVERIFY(learnt.size() >= 30 && learnt.size() <= 160);
         QVERIFY2(learnt.endsWith(u'.') && !learnt.contains(QRegularExpression(u"[.!?] "_qs)), "one sentence");
     }
 
-    /// The panel is narrow, and a formula must not be broken.
-    void formulasOfAnswersFitIntoALine_data() { addStepRows(); }
-    void formulasOfAnswersFitIntoALine()
+    /// The panel is narrow, and a formula must not wrap.
+    void formulasOfAnswersFitOnALine_data() { addStepRows(); }
+    void formulasOfAnswersFitOnALine()
     {
         for (const lessons::Why &why : stepOfRow().explanation.whys) {
             QVERIFY2(why.question.endsWith(u'?'), qPrintable(why.question));

@@ -14,29 +14,29 @@ using namespace support;
 
 namespace {
 
-/// `script`, composed, with a block for each island; for a scene of one island, which is computed kernel by kernel, one
-/// block with all of them.
+/// Composes `script` with one cache block per island. A scene with a single island gets one block with all
+/// kernels.
 sim::Pipeline islandByIsland(const sim::Scene &scene, const sim::Script &script)
 {
     sim::Pipeline pipeline = sim::compose(scene, *script.method, script.step);
     pipeline.blocks = sim::cacheBlocksOf(scene, pipeline.phases, {1, 1});
     if (pipeline.blocks.empty()) {
         pipeline.blocks.push_back({{{0, scene.start.pointCount()}}, {}});
-        for (const sim::StepKernel &one : pipeline.kernels)
-            pipeline.blocks[0].work.push_back(one.kernel.prepareFor({one.points}));
+        for (const sim::StepKernel &step : pipeline.kernels)
+            pipeline.blocks[0].work.push_back(step.kernel.prepareFor({step.points}));
     }
     return pipeline;
 }
 
 }
 
-/// Every lesson computed island by island: the same as phase by phase.
-class InBlocks : public QObject
+/// Tests that lessons give the same bits island by island as phase by phase.
+class LessonsInBlocks : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void everyLessonComesToTheSameBits_data()
+    void blocksGiveTheSameBits_data()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("id");
@@ -44,15 +44,15 @@ private slots:
         for (const QString &lesson : lessonIds()) {
             for (const lessons::Step &step : loadLesson(lesson).steps) {
                 for (const sim::MethodPtr &method : sim::allMethods()) {
-                    if (divides(step, *method))
-                        QTest::addRow("%s/%s by %s", qPrintable(lesson), qPrintable(step.id),
+                    if (isDivisible(step, *method))
+                        QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id),
                                       method->id().c_str())
                             << lesson << step.id << QString::fromStdString(method->id());
                 }
             }
         }
     }
-    void everyLessonComesToTheSameBits()
+    void blocksGiveTheSameBits()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, id);
@@ -66,7 +66,7 @@ private slots:
         for (std::int64_t frame = 1; frame <= 1000; ++frame) {
             for (sim::State *state : {&plain, &inBlocks}) {
                 state->frame = frame;
-                if (frame == 300) // a hand holds the first point for a while
+                if (frame == 300) // the first point is held for a while
                     state->inverseMass[0] = 0.0;
                 if (frame == 400)
                     state->inverseMass[0] = scene.start.inverseMass[0];
@@ -80,8 +80,8 @@ private slots:
     }
 
 private:
-    /// Whether every phase of `step` by `method` can do a part of its points.
-    static bool divides(const lessons::Step &step, const sim::Method &method)
+    /// Returns whether every phase of `step` with `method` can compute a part of its points.
+    static bool isDivisible(const lessons::Step &step, const sim::Method &method)
     {
         try {
             const sim::Script script = scriptOf(step, method.id(), 1.0);
@@ -92,10 +92,10 @@ private:
                                    [](const sim::Kernel &kernel) { return kernel.prepareFor != nullptr; });
             });
         } catch (const sim::Error &) {
-            return false; // they do not fit
+            return false; // step and method are incompatible
         }
     }
 };
 
-QTEST_GUILESS_MAIN(InBlocks)
+QTEST_GUILESS_MAIN(LessonsInBlocks)
 #include "tst_lessons_in_blocks.moc"

@@ -13,13 +13,13 @@ using namespace support;
 
 namespace {
 
-struct Place
+struct Position
 {
     double x = 0.0, y = 0.0;
 };
 
-/// The tutorial's function, written down a second time from its text, with nothing of sim in it.
-void constraint(Place &first, Place &second, double distance, double errorOnFirst)
+/// The tutorial's function, transcribed from its text without any code of sim.
+void constraint(Position &first, Position &second, double distance, double errorOnFirst)
 {
     const double errorOnSecond = 1 - errorOnFirst;
     const double distX = first.x - second.x, distY = first.y - second.y;
@@ -32,10 +32,10 @@ void constraint(Place &first, Place &second, double distance, double errorOnFirs
     second.y += error * errorOnSecond * std::cos(angle);
 }
 
-/// A figure, and where the pointer is in each frame.
+/// Points and sticks, with the position of the pointer in each frame.
 struct Figure
 {
-    std::vector<Place> places;
+    std::vector<Position> positions;
     std::vector<sim::Stick> sticks;
     std::vector<sim::Vec2> pointer; ///< from frame 1 on
 };
@@ -47,7 +47,8 @@ Figure randomFigure(int points, int sticks, std::mt19937 &random)
     };
     Figure figure;
     for (int i = 0; i < points; ++i)
-        figure.places.push_back(real(0, 1) < 0.1 ? Place{240, 165} : Place{real(0, 540), real(0, 400)});
+        figure.positions.push_back(real(0, 1) < 0.1 ? Position{240, 165}
+                                                    : Position{real(0, 540), real(0, 400)});
     std::uniform_int_distribution<int> point(0, points - 1);
     while (static_cast<int>(figure.sticks.size()) < sticks) {
         const int a = point(random), b = point(random);
@@ -55,10 +56,10 @@ Figure randomFigure(int points, int sticks, std::mt19937 &random)
         if (a != b)
             figure.sticks.push_back({a, b, real(0, 200), share < 0.2 ? 0.0 : share > 0.8 ? 1.0 : share});
     }
-    sim::Vec2 at = {240, 165};
+    sim::Vec2 pointer = {240, 165};
     for (int frame = 1; frame <= 60; ++frame) {
-        at = at + sim::Vec2{real(-20, 20), real(-20, 20)};
-        figure.pointer.push_back(at);
+        pointer = pointer + sim::Vec2{real(-20, 20), real(-20, 20)};
+        figure.pointer.push_back(pointer);
     }
     return figure;
 }
@@ -71,10 +72,10 @@ std::string nameOf(std::size_t point)
 sim::Script scriptOf(const Figure &figure, const lessons::Step &step)
 {
     sim::Script script = step.script();
-    script.values.points = static_cast<int>(figure.places.size());
+    script.values.points = static_cast<int>(figure.positions.size());
     script.values.sticks = figure.sticks;
-    for (std::size_t i = 0; i < figure.places.size(); ++i)
-        script.bodies[nameOf(i)] = {{figure.places[i].x, figure.places[i].y}, {}};
+    for (std::size_t i = 0; i < figure.positions.size(); ++i)
+        script.bodies[nameOf(i)] = {{figure.positions[i].x, figure.positions[i].y}, {}};
     for (std::size_t i = 0; i < figure.pointer.size(); ++i)
         script.input.push_back(
             {static_cast<std::int64_t>(i) + 1, sim::Pointer{figure.pointer[i], i % 2 == 0}});
@@ -96,20 +97,20 @@ class RigidConstraint : public QObject
 private slots:
     void publishedTrajectories_data();
     void publishedTrajectories();
-    void matchesThePrintedCode_data();
-    void matchesThePrintedCode();
-    void theErrorIsSharedAsAsked_data();
-    void theErrorIsSharedAsAsked();
-    void eachFrameLeavesItsShareOfTheError_data();
-    void eachFrameLeavesItsShareOfTheError();
-    void twoPointsInOnePlacePart_data();
-    void twoPointsInOnePlacePart();
-    void aHeldEndLeavesAllOfTheErrorToTheOther();
-    void withoutAPointerP0StaysWhereItStarts();
-    void sticksWithoutAnEndAreRefused_data();
-    void sticksWithoutAnEndAreRefused();
-    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
-    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+    void matchesPrintedCode_data();
+    void matchesPrintedCode();
+    void errorIsSharedAsRequested_data();
+    void errorIsSharedAsRequested();
+    void errorShrinksByTheShareEachFrame_data();
+    void errorShrinksByTheShareEachFrame();
+    void coincidentPointsSeparate_data();
+    void coincidentPointsSeparate();
+    void freeEndTakesAllTheErrorOfAHeldEnd();
+    void p0StaysAtItsStartWithoutAPointer();
+    void sticksWithAMissingEndAreRejected_data();
+    void sticksWithAMissingEndAreRejected();
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void RigidConstraint::publishedTrajectories_data()
@@ -125,7 +126,7 @@ void RigidConstraint::publishedTrajectories()
     QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
 }
 
-void RigidConstraint::matchesThePrintedCode_data()
+void RigidConstraint::matchesPrintedCode_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<Figure>("figure");
@@ -139,26 +140,26 @@ void RigidConstraint::matchesThePrintedCode_data()
     }
 }
 
-void RigidConstraint::matchesThePrintedCode()
+void RigidConstraint::matchesPrintedCode()
 {
     QFETCH(QString, id);
     QFETCH(Figure, figure);
     sim::Track track(scriptOf(figure, m_lesson.step(id)), 0);
-    std::vector<Place> places = figure.places;
+    std::vector<Position> positions = figure.positions;
     for (std::size_t frame = 1; frame <= figure.pointer.size(); ++frame) {
-        places[0] = {figure.pointer[frame - 1].x, figure.pointer[frame - 1].y};
+        positions[0] = {figure.pointer[frame - 1].x, figure.pointer[frame - 1].y};
         for (const sim::Stick &stick : figure.sticks)
-            constraint(places[static_cast<std::size_t>(stick.a)], places[static_cast<std::size_t>(stick.b)],
-                       stick.length, stick.share);
+            constraint(positions[static_cast<std::size_t>(stick.a)],
+                       positions[static_cast<std::size_t>(stick.b)], stick.length, stick.share);
         track.seek({static_cast<std::int64_t>(frame), 0});
-        for (std::size_t i = 0; i < places.size(); ++i) {
+        for (std::size_t i = 0; i < positions.size(); ++i) {
             const sim::Vec2 at = track.state().positionOf(static_cast<int>(i));
-            QVERIFY(std::abs(at.x - places[i].x) <= 1e-9 && std::abs(at.y - places[i].y) <= 1e-9);
+            QVERIFY(std::abs(at.x - positions[i].x) <= 1e-9 && std::abs(at.y - positions[i].y) <= 1e-9);
         }
     }
 }
 
-void RigidConstraint::theErrorIsSharedAsAsked_data()
+void RigidConstraint::errorIsSharedAsRequested_data()
 {
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("share");
@@ -168,8 +169,8 @@ void RigidConstraint::theErrorIsSharedAsAsked_data()
     }
 }
 
-/// From a distance of 50 px (3-4-5 triangle) to 100 px: the error is -50 px, along (0.6, 0.8).
-void RigidConstraint::theErrorIsSharedAsAsked()
+/// The distance is 50 px (3-4-5 triangle) and shall be 100 px. So the error is -50 px along (0.6, 0.8).
+void RigidConstraint::errorIsSharedAsRequested()
 {
     QFETCH(QString, method);
     QFETCH(double, share);
@@ -187,34 +188,35 @@ void RigidConstraint::theErrorIsSharedAsAsked()
         QCOMPARE(state.positionOf(1), (sim::Vec2{200, 200}));
 }
 
-void RigidConstraint::eachFrameLeavesItsShareOfTheError_data()
+void RigidConstraint::errorShrinksByTheShareEachFrame_data()
 {
     QTest::addColumn<double>("share");
     for (const double share : {0.0, 0.3, 0.5, 0.9, 1.0})
         QTest::addRow("share %g", share) << share;
 }
 
-/// The pointer stands at a distance of 300 px from p1, a stick of 100 px: after n frames p0 is 200 share^n px short.
-void RigidConstraint::eachFrameLeavesItsShareOfTheError()
+/// The pointer stays 300 px from p1 and the stick is 100 px long. After n frames p0 is 200 share^n px from
+/// the pointer.
+void RigidConstraint::errorShrinksByTheShareEachFrame()
 {
     QFETCH(double, share);
     sim::Script script = support::scriptOf(step("shared_error"), "published", 1.0, {{"share", share}});
     script.bodies = {{"p0", {{100, 100}, {}}}, {"p1", {{100, 300}, {}}}};
     script.input = {{1, sim::Pointer{{400, 300}, false}}};
     for (int frame = 1; frame <= 20; ++frame) {
-        const double away = sim::length(stateAfter(script, frame).positionOf(0) - sim::Vec2{400, 300});
-        QVERIFY(std::abs(away - 200 * std::pow(share, frame)) <= 1e-10);
+        const double distance = sim::length(stateAfter(script, frame).positionOf(0) - sim::Vec2{400, 300});
+        QVERIFY(std::abs(distance - 200 * std::pow(share, frame)) <= 1e-10);
     }
 }
 
-void RigidConstraint::twoPointsInOnePlacePart_data()
+void RigidConstraint::coincidentPointsSeparate_data()
 {
     QTest::addColumn<QString>("method");
     QTest::newRow("published") << "published";
     QTest::newRow("semi-implicit Euler") << "semi_implicit_euler";
 }
 
-void RigidConstraint::twoPointsInOnePlacePart()
+void RigidConstraint::coincidentPointsSeparate()
 {
     QFETCH(QString, method);
     const sim::State state = stateAfter(support::scriptOf(step("pair"), method.toStdString()), 1);
@@ -226,36 +228,37 @@ void RigidConstraint::twoPointsInOnePlacePart()
     }
 }
 
-void RigidConstraint::aHeldEndLeavesAllOfTheErrorToTheOther()
+void RigidConstraint::freeEndTakesAllTheErrorOfAHeldEnd()
 {
     for (const char *held : {"p0", "p1"}) {
         sim::Script script = support::scriptOf(step("shared_error"), "published", 1.0, {{"share", 0.3}});
         script.input = {{1, sim::Grab{held}}, {1, sim::Move{{400, 300}}}};
         const sim::State state = stateAfter(script, 1);
-        const int hand = state.hold.point;
-        QCOMPARE(state.positionOf(hand), (sim::Vec2{400, 300}));
-        QVERIFY(std::abs(sim::length(state.positionOf(1 - hand) - state.positionOf(hand)) - 100.0) <= 1e-12);
+        const int heldPoint = state.hold.point;
+        QCOMPARE(state.positionOf(heldPoint), (sim::Vec2{400, 300}));
+        QVERIFY(std::abs(sim::length(state.positionOf(1 - heldPoint) - state.positionOf(heldPoint)) -
+                         100.0) <= 1e-12);
     }
 }
 
-void RigidConstraint::withoutAPointerP0StaysWhereItStarts()
+void RigidConstraint::p0StaysAtItsStartWithoutAPointer()
 {
     sim::Script script = step("pair").script();
     script.bodies = {{"p0", {{100, 100}, {}}}, {"p1", {{160, 180}, {}}}};
     QCOMPARE(stateAfter(script, 10).positionOf(0), (sim::Vec2{100, 100}));
 }
 
-void RigidConstraint::sticksWithoutAnEndAreRefused_data()
+void RigidConstraint::sticksWithAMissingEndAreRejected_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<int>("end");
-    for (const lessons::Step &one : m_lesson.steps) {
+    for (const lessons::Step &each : m_lesson.steps) {
         for (const int end : {-1, 2, 1000000})
-            QTest::addRow("%s, end %d of 2 points", qPrintable(one.id), end) << one.id << end;
+            QTest::addRow("%s, end %d of 2 points", qPrintable(each.id), end) << each.id << end;
     }
 }
 
-void RigidConstraint::sticksWithoutAnEndAreRefused()
+void RigidConstraint::sticksWithAMissingEndAreRejected()
 {
     QFETCH(QString, id);
     QFETCH(int, end);
@@ -264,7 +267,7 @@ void RigidConstraint::sticksWithoutAnEndAreRefused()
     script.values.sticks = {{0, 1, 50, 0.5}, {1, end, 50, 0.5}};
     try {
         const sim::Track track(script, 0);
-        QFAIL("nothing was refused");
+        QFAIL("no error was thrown");
     } catch (const sim::Error &error) {
         QCOMPARE(error.id(), std::string("stick-without-end"));
         const std::map<std::string, std::string> wanted = {

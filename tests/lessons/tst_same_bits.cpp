@@ -1,5 +1,5 @@
-// The same input gives the same bits whatever instructions a machine has, on one thread and on two, and whether what
-// rests sleeps or is computed again and again: every step of every lesson.
+// Every lesson step gives the same bits with every instruction set, on one thread and on two, and with and
+// without sleeping.
 
 #include <QProcess>
 #include <QTest>
@@ -9,11 +9,11 @@
 
 namespace {
 
-/// How lesson_hashes runs.
-struct Way
+/// A setup of lesson_hashes.
+struct HashSetup
 {
-    QString instructions; ///< as SPRINGSTEP_INSTRUCTIONS says it; empty: the widest that there are
-    QString threads;      ///< empty: as the app runs, which lets sleep what rests
+    QString instructions; ///< value of SPRINGSTEP_INSTRUCTIONS; empty: the widest instruction set
+    QString threads;      ///< number of threads; empty: as in the app, with sleeping
 };
 
 }
@@ -22,12 +22,12 @@ class SameBits : public QObject
 {
     Q_OBJECT
 
-    /// All ways at once: a machine has more than one processor.
+    /// One process per setup. All run at the same time, to use all cores.
     std::vector<std::unique_ptr<QProcess>> m_programs;
 
-    static std::vector<Way> ways()
+    static std::vector<HashSetup> setups()
     {
-        std::vector<Way> all;
+        std::vector<HashSetup> all;
         for (const char *instructions : {"baseline", ""}) {
             for (const char *threads : {"", "1", "2"})
                 all.push_back({QString::fromUtf8(instructions), QString::fromUtf8(threads)});
@@ -36,7 +36,7 @@ class SameBits : public QObject
         return all;
     }
 
-    /// What program number `number` prints, line by line. The first line says which instructions it ran with.
+    /// Returns the output lines of process `number`. The first line names the instruction set.
     QStringList printed(std::size_t number)
     {
         QProcess &program = *m_programs[number];
@@ -46,12 +46,12 @@ class SameBits : public QObject
         return QString::fromLocal8Bit(program.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts);
     }
 
-    QStringList m_first;
+    QStringList m_first; ///< output of the first setup
 
 private slots:
     void initTestCase()
     {
-        for (const Way &setup : ways()) {
+        for (const HashSetup &setup : setups()) {
             auto program = std::make_unique<QProcess>();
             QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
             environment.insert("SPRINGSTEP_INSTRUCTIONS", setup.instructions);
@@ -66,20 +66,21 @@ private slots:
         QCOMPARE(m_first.first(), QString("baseline"));
     }
 
-    void everyWayComesToTheSameBits_data()
+    void setupsGiveTheSameBits_data()
     {
         QTest::addColumn<std::size_t>("number");
-        const std::vector<Way> all = ways();
+        const std::vector<HashSetup> all = setups();
         for (std::size_t i = 1; i < all.size(); ++i) {
             const QString instructions = all[i].instructions.isEmpty() ? "widest" : all[i].instructions;
-            const QString how = all[i].threads.isEmpty() ? "asleep" : all[i].threads + " threads";
-            QTest::addRow("%s, %s", qPrintable(instructions), qPrintable(how)) << i;
+            const QString computation =
+                all[i].threads.isEmpty() ? "with sleeping" : all[i].threads + " threads";
+            QTest::addRow("%s, %s", qPrintable(instructions), qPrintable(computation)) << i;
         }
     }
-    void everyWayComesToTheSameBits()
+    void setupsGiveTheSameBits()
     {
         QFETCH(std::size_t, number);
-        const Way setup = ways()[number];
+        const HashSetup setup = setups()[number];
         const QStringList lines = printed(number);
         QCOMPARE(lines.size(), m_first.size());
         if (setup.instructions != "baseline" && lines.first() == "baseline")

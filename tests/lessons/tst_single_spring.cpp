@@ -20,7 +20,7 @@ class SingleSpring : public QObject
 
     const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
 
-    /// The step's script with the foot at (`x`, 200), at rest.
+    /// Returns the step's script with the foot at rest at (`x`, 200).
     sim::Script footAt(const char *id, double x, const Changes &changes = {}) const
     {
         sim::Script script = scriptOf(step(id), "published", 1.0, changes);
@@ -31,25 +31,25 @@ class SingleSpring : public QObject
 private slots:
     void publishedTrajectories_data();
     void publishedTrajectories();
-    void matchesTheTutorialsCode_data();
-    void matchesTheTutorialsCode();
-    void aThrownFootGlidesTheSumOfItsDampedSteps_data();
-    void aThrownFootGlidesTheSumOfItsDampedSteps();
-    void theSpringSwingsAndDecaysAsItsEigenvaluesSay_data();
-    void theSpringSwingsAndDecaysAsItsEigenvaluesSay();
-    void thePeriodIsThatOfTheEigenvalues();
-    void itConvergesToTheDampedOscillatorWithOrderOne_data();
-    void itConvergesToTheDampedOscillatorWithOrderOne();
-    void itComesToRestAtItsTarget_data();
-    void itComesToRestAtItsTarget();
-    void theHandleFeelsNothingAndHasNoVelocity();
-    void theFirstTwoStepsHaveNoBody();
-    void thePullToComeIsDrawnAndDoesNotAct();
-    void onlyASpringThatActsIsDrawn_data();
-    void onlyASpringThatActsIsDrawn();
-    void theAngleIsGivenInDegreesAndRadians();
-    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
-    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+    void matchesTutorialCode_data();
+    void matchesTutorialCode();
+    void thrownFootGlidesTheGeometricSum_data();
+    void thrownFootGlidesTheGeometricSum();
+    void springFollowsItsEigenvalues_data();
+    void springFollowsItsEigenvalues();
+    void periodMatchesTheEigenvalues();
+    void springConvergesToTheDampedOscillatorWithOrderOne_data();
+    void springConvergesToTheDampedOscillatorWithOrderOne();
+    void footComesToRestAtItsTarget_data();
+    void footComesToRestAtItsTarget();
+    void handleFeelsNoForceAndHasNoVelocity();
+    void firstTwoStepsHaveNoBody();
+    void futureForceIsDrawnButDoesNotAct();
+    void onlyActingSpringsAreDrawn_data();
+    void onlyActingSpringsAreDrawn();
+    void angleLabelShowsDegreesAndRadians();
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void SingleSpring::publishedTrajectories_data()
@@ -65,7 +65,7 @@ void SingleSpring::publishedTrajectories()
     QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
 }
 
-void SingleSpring::matchesTheTutorialsCode_data()
+void SingleSpring::matchesTutorialCode_data()
 {
     using Kind = Tutorial::Kind;
     QTest::addColumn<Match>("match");
@@ -78,21 +78,21 @@ void SingleSpring::matchesTheTutorialsCode_data()
     }
 }
 
-void SingleSpring::matchesTheTutorialsCode()
+void SingleSpring::matchesTutorialCode()
 {
     QFETCH(Match, match);
     QVERIFY(largestDifference(step(match.step), match.tutorial, 200) <= 1e-9);
 }
 
-void SingleSpring::aThrownFootGlidesTheSumOfItsDampedSteps_data()
+void SingleSpring::thrownFootGlidesTheGeometricSum_data()
 {
     QTest::addColumn<double>("damp");
-    QTest::newRow("damping 0.5: as far as it came in a frame") << 0.5;
-    QTest::newRow("damping 0.9: nine times that") << 0.9;
-    QTest::newRow("damping 0.95: nineteen times that") << 0.95;
+    QTest::newRow("damping 0.5: once the last drag distance") << 0.5;
+    QTest::newRow("damping 0.9: nine times that distance") << 0.9;
+    QTest::newRow("damping 0.95: nineteen times that distance") << 0.95;
 }
 
-void SingleSpring::aThrownFootGlidesTheSumOfItsDampedSteps()
+void SingleSpring::thrownFootGlidesTheGeometricSum()
 {
     QFETCH(double, damp);
     sim::Script script = footAt("drag", 100.0, {{"damp", damp}});
@@ -102,7 +102,7 @@ void SingleSpring::aThrownFootGlidesTheSumOfItsDampedSteps()
     QVERIFY(std::abs(stateAfter(script, 2000).position(0, 0) - expected) < 1e-9);
 }
 
-void SingleSpring::theSpringSwingsAndDecaysAsItsEigenvaluesSay_data()
+void SingleSpring::springFollowsItsEigenvalues_data()
 {
     QTest::addColumn<double>("k");
     QTest::addColumn<double>("damp");
@@ -112,13 +112,13 @@ void SingleSpring::theSpringSwingsAndDecaysAsItsEigenvaluesSay_data()
     QTest::newRow("soft") << 0.02 << 0.95 << "published" << 1.0;
     QTest::newRow("stiff") << 2.0 << 0.8 << "published" << 1.0;
     QTest::newRow("without damping") << 0.2 << 1.0 << "published" << 1.0;
-    QTest::newRow("in quarters of a frame") << 0.2 << 0.9 << "published" << 0.25;
-    QTest::newRow("all at once") << 0.2 << 0.9 << "semi_implicit_euler" << 0.5;
+    QTest::newRow("steps of a quarter frame") << 0.2 << 0.9 << "published" << 0.25;
+    QTest::newRow("semi-implicit Euler") << 0.2 << 0.9 << "semi_implicit_euler" << 0.5;
 }
 
-/// One step is the map v' = d (v - h k x), x' = x + h v' with d = damp^h, whose eigenvalues r e^(+-i turn) have
-/// r^2 = d and 2 r cos(turn) = 1 + d - d k h^2. So x_n = r^n (x_0 cos(n turn) + b sin(n turn)).
-void SingleSpring::theSpringSwingsAndDecaysAsItsEigenvaluesSay()
+/// One step is the map v' = d (v - h k x), x' = x + h v' with d = damp^h. Its eigenvalues r e^(+-i angle)
+/// have r^2 = d and 2 r cos(angle) = 1 + d - d k h^2. So x_n = r^n (x_0 cos(n angle) + b sin(n angle)).
+void SingleSpring::springFollowsItsEigenvalues()
 {
     QFETCH(double, k);
     QFETCH(double, damp);
@@ -129,20 +129,20 @@ void SingleSpring::theSpringSwingsAndDecaysAsItsEigenvaluesSay()
     script.step = sim::StepSize::ofLength(h);
     const double d = std::pow(damp, h);
     const double r = std::sqrt(d);
-    const double turn = std::acos((1.0 + d - d * k * h * h) / (2.0 * r));
+    const double angle = std::acos((1.0 + d - d * k * h * h) / (2.0 * r));
     const double x0 = 150.0;
     const double x1 = x0 - h * d * h * k * x0;
-    const double b = (x1 / r - x0 * std::cos(turn)) / std::sin(turn);
+    const double b = (x1 / r - x0 * std::cos(angle)) / std::sin(angle);
     sim::Track track(script, 0);
     for (int frame = 0; frame <= 200; ++frame) {
         const double n = frame / h;
-        const double x = std::pow(r, n) * (x0 * std::cos(n * turn) + b * std::sin(n * turn));
+        const double x = std::pow(r, n) * (x0 * std::cos(n * angle) + b * std::sin(n * angle));
         track.seek({frame, 0});
         QVERIFY(std::abs(track.state().position(0, 0) - (270.0 + x)) < 1e-9);
     }
 }
 
-void SingleSpring::thePeriodIsThatOfTheEigenvalues()
+void SingleSpring::periodMatchesTheEigenvalues()
 {
     sim::Track track(footAt("fixed_centre", 420.0, {{"damp", 1.0}}), 0);
     int crossings = 0;
@@ -158,7 +158,7 @@ void SingleSpring::thePeriodIsThatOfTheEigenvalues()
     QVERIFY(std::abs(crossings - 2.0 * frames / period) <= 1.0);
 }
 
-void SingleSpring::itConvergesToTheDampedOscillatorWithOrderOne_data()
+void SingleSpring::springConvergesToTheDampedOscillatorWithOrderOne_data()
 {
     QTest::addColumn<QString>("method");
     QTest::newRow("published") << "published";
@@ -166,7 +166,7 @@ void SingleSpring::itConvergesToTheDampedOscillatorWithOrderOne_data()
 }
 
 /// The model is x'' = -k x - c x' with c = -ln(damp).
-void SingleSpring::itConvergesToTheDampedOscillatorWithOrderOne()
+void SingleSpring::springConvergesToTheDampedOscillatorWithOrderOne()
 {
     QFETCH(QString, method);
     const double c = -std::log(0.9);
@@ -174,35 +174,35 @@ void SingleSpring::itConvergesToTheDampedOscillatorWithOrderOne()
     const auto exact = [&](double t) {
         return 150.0 * std::exp(-c * t / 2.0) * (std::cos(w * t) + c / (2.0 * w) * std::sin(w * t));
     };
-    const Slope jacobian = slopeOf(
+    const OrderRange order = observedOrders(
         [&](double h) {
             sim::Script script = scriptOf(step("fixed_centre"), method.toStdString(), h);
             script.bodies["foot"] = {{420.0, 200.0}, sim::Vec2{}};
             sim::Track track(script, 0);
-            double worst = 0.0;
+            double largest = 0.0;
             for (int frame = 1; frame <= 20; ++frame) {
                 track.seek({frame, 0});
-                worst = std::max(worst, std::abs(track.state().position(0, 0) - 270.0 - exact(frame)));
+                largest = std::max(largest, std::abs(track.state().position(0, 0) - 270.0 - exact(frame)));
             }
-            return worst;
+            return largest;
         },
         3, 8);
-    QVERIFY(jacobian.least > 0.9 && jacobian.greatest < 1.1);
+    QVERIFY(order.min > 0.9 && order.max < 1.1);
 }
 
-void SingleSpring::itComesToRestAtItsTarget_data()
+void SingleSpring::footComesToRestAtItsTarget_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<double>("startX");
     QTest::addColumn<double>("restX");
-    QTest::newRow("the centre") << "fixed_centre" << 420.0 << 270.0;
-    QTest::newRow("the body") << "moving_body" << 100.0 << 270.0;
+    QTest::newRow("fixed centre") << "fixed_centre" << 420.0 << 270.0;
+    QTest::newRow("body") << "moving_body" << 100.0 << 270.0;
     QTest::newRow("right of the body, from the left") << "offset" << 100.0 << 320.0;
     QTest::newRow("right of the body, from close by on the right") << "radial" << 300.0 << 320.0;
     QTest::newRow("left of the body, from close by on the left") << "radial" << 240.0 << 220.0;
 }
 
-void SingleSpring::itComesToRestAtItsTarget()
+void SingleSpring::footComesToRestAtItsTarget()
 {
     QFETCH(QString, id);
     QFETCH(double, startX);
@@ -212,7 +212,7 @@ void SingleSpring::itComesToRestAtItsTarget()
     QVERIFY(std::abs(rest.position(0, 1) - 200.0) < 1e-9);
 }
 
-void SingleSpring::theHandleFeelsNothingAndHasNoVelocity()
+void SingleSpring::handleFeelsNoForceAndHasNoVelocity()
 {
     for (const char *id : {"moving_body", "offset", "radial"}) {
         sim::Script script = step(id).script();
@@ -226,25 +226,25 @@ void SingleSpring::theHandleFeelsNothingAndHasNoVelocity()
     }
 }
 
-void SingleSpring::theFirstTwoStepsHaveNoBody()
+void SingleSpring::firstTwoStepsHaveNoBody()
 {
     for (const char *id : {"drag", "fixed_centre"})
         QCOMPARE(step(id).scene(step(id).defaultValues()).names, std::vector<std::string>{"foot"});
 }
 
-void SingleSpring::thePullToComeIsDrawnAndDoesNotAct()
+void SingleSpring::futureForceIsDrawnButDoesNotAct()
 {
     const lessons::Step &drag = step("drag");
     const sim::Script script = drag.script();
     const sim::State start = script.build(script.values).start;
     QCOMPARE(stateAfter(script, 50).positionOf(0), start.positionOf(0));
-    const auto guides = drag.overlays(script.build(script.values), start, script.values);
-    QCOMPARE(guides.size(), std::size_t{2});
-    QCOMPARE(guides[0].a, (sim::Vec2{270, 200}));
-    QCOMPARE(guides[1].b, (sim::Vec2{0.2 * (270.0 - 420.0), 0.2 * (200.0 - 120.0)}));
+    const auto overlays = drag.overlays(script.build(script.values), start, script.values);
+    QCOMPARE(overlays.size(), std::size_t{2});
+    QCOMPARE(overlays[0].a, (sim::Vec2{270, 200}));
+    QCOMPARE(overlays[1].b, (sim::Vec2{0.2 * (270.0 - 420.0), 0.2 * (200.0 - 120.0)}));
 }
 
-void SingleSpring::onlyASpringThatActsIsDrawn_data()
+void SingleSpring::onlyActingSpringsAreDrawn_data()
 {
     QTest::addColumn<int>("springs");
     QTest::newRow("drag") << 0;
@@ -252,30 +252,30 @@ void SingleSpring::onlyASpringThatActsIsDrawn_data()
         QTest::newRow(id) << 1;
 }
 
-void SingleSpring::onlyASpringThatActsIsDrawn()
+void SingleSpring::onlyActingSpringsAreDrawn()
 {
     QFETCH(int, springs);
-    const lessons::Step &one = step(QTest::currentDataTag());
-    sim::Script script = scriptOf(one);
-    const auto drawn = [&] {
+    const lessons::Step &lessonStep = step(QTest::currentDataTag());
+    sim::Script script = scriptOf(lessonStep);
+    const auto drawnSprings = [&] {
         const sim::Scene scene = sim::Track(script, 0).interval().scene;
-        return static_cast<int>(one.view(scene, script.values).springs.size());
+        return static_cast<int>(lessonStep.view(scene, script.values).springs.size());
     };
-    QCOMPARE(drawn(), springs);
+    QCOMPARE(drawnSprings(), springs);
     script.values.set("k", 0.0);
-    QCOMPARE(drawn(), 0); // it pulls with nothing
+    QCOMPARE(drawnSprings(), 0); // without stiffness it does not pull
     script.values.set("k", 0.2);
     for (const char *id : {"point_spring", "body_spring", "offset_spring", "radial_spring"})
         script.effectsOff.push_back(id);
-    QCOMPARE(drawn(), 0);
+    QCOMPARE(drawnSprings(), 0);
 }
 
-void SingleSpring::theAngleIsGivenInDegreesAndRadians()
+void SingleSpring::angleLabelShowsDegreesAndRadians()
 {
     const lessons::Step &radial = step("radial");
     const sim::Scene scene = radial.scene(radial.defaultValues());
-    const auto guides = radial.overlays(scene, scene.start, radial.defaultValues());
-    QCOMPARE(guides.back().label, QStringLiteral("45.0° = 0.785 rad"));
+    const auto overlays = radial.overlays(scene, scene.start, radial.defaultValues());
+    QCOMPARE(overlays.back().label, QStringLiteral("45.0° = 0.785 rad"));
     QVERIFY(radial.narration.contains(QStringLiteral("57.2958")));
 }
 

@@ -1,4 +1,4 @@
-// Each step of each lesson, with sleep and without: the same bits.
+// Every lesson step gives the same bits with and without sleeping.
 
 #include "tests/lessons/support.h"
 
@@ -13,11 +13,11 @@ using namespace sim;
 namespace {
 
 constexpr std::int64_t frames = 1000;
-constexpr int manyPoints = 500; ///< scenes with more are looked at for a shorter time
+constexpr int maxPointsOfLongRuns = 500; ///< larger scenes run for fewer frames
 
-/// FNV-1a over all bits of a state.
-/// Source: RFC 9923 (draft-eastlake-fnv), the 64-bit variant.
-std::uint64_t hashed(const State &state, std::uint64_t hash)
+/// Updates a 64-bit FNV-1a hash with all bits of a state.
+/// Source: RFC 9923 (draft-eastlake-fnv).
+std::uint64_t updatedHash(const State &state, std::uint64_t hash)
 {
     visitBytes(state, [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
@@ -27,13 +27,14 @@ std::uint64_t hashed(const State &state, std::uint64_t hash)
     return hash;
 }
 
+/// Returns a hash of all output steps of a run. Sets `slept` if the run slept at any of them.
 std::uint64_t hashOf(const Script &script, std::int64_t length, Sleeping sleeping, bool &slept)
 {
     Track track(script, 0, sleeping);
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (std::int64_t frame = 0; frame <= length; frame += track.framesPerOutput()) {
         track.seek({frame, 0});
-        hash = hashed(track.state(), hash);
+        hash = updatedHash(track.state(), hash);
         slept = slept || track.sleep();
     }
     return hash;
@@ -41,12 +42,12 @@ std::uint64_t hashOf(const Script &script, std::int64_t length, Sleeping sleepin
 
 }
 
-class TestSleepingLessons : public QObject
+class SleepingLessons : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void asleepAndAwakeAreTheSameRun_data()
+    void sleepingChangesNoBits_data()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("step");
@@ -62,7 +63,7 @@ private slots:
             }
         }
     }
-    void asleepAndAwakeAreTheSameRun()
+    void sleepingChangesNoBits()
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);
@@ -70,28 +71,28 @@ private slots:
         const support::LoadedLesson loaded = support::loadLesson(lesson);
         Script script = support::scriptOf(loaded.step(step), method.toStdString());
         const Scene scene = sceneOf(script, script.values);
-        if (script.input.empty()) { // a hand comes, and lets go again
+        if (script.input.empty()) { // a drag, and a late grab that wakes the run
             const std::string &body = scene.names.back();
-            const Vec2 there = scene.start.positionOf(scene.find(body)) + Vec2{60.0, -40.0};
-            script.input = {{5, Grab{body}}, {6, Move{there}}, {25, Release{}}, {700, Grab{body}}};
+            const Vec2 target = scene.start.positionOf(scene.find(body)) + Vec2{60.0, -40.0};
+            script.input = {{5, Grab{body}}, {6, Move{target}}, {25, Release{}}, {700, Grab{body}}};
         }
-        const std::int64_t length = scene.start.pointCount() > manyPoints ? frames / 20 : frames;
+        const std::int64_t length = scene.start.pointCount() > maxPointsOfLongRuns ? frames / 20 : frames;
         try {
-            bool slept = false, wakerSlept = false;
-            const std::uint64_t asleep = hashOf(script, length, Sleeping::allowed, slept);
-            QCOMPARE(asleep, hashOf(script, length, Sleeping::never, wakerSlept));
-            QVERIFY(!wakerSlept);
-            m_slept += slept;
+            bool slept = false, sleptWhenForbidden = false;
+            const std::uint64_t hashWithSleep = hashOf(script, length, Sleeping::allowed, slept);
+            QCOMPARE(hashWithSleep, hashOf(script, length, Sleeping::never, sleptWhenForbidden));
+            QVERIFY(!sleptWhenForbidden);
+            m_sleepingRuns += slept;
         } catch (const Error &) {
-            QSKIP("this method cannot compute it");
+            QSKIP("this method cannot compute this step");
         }
     }
 
-    void someOfThemDidSleep() { QVERIFY(m_slept >= 10); }
+    void someRunsSleep() { QVERIFY(m_sleepingRuns >= 10); }
 
 private:
-    int m_slept = 0;
+    int m_sleepingRuns = 0;
 };
 
-QTEST_APPLESS_MAIN(TestSleepingLessons)
+QTEST_APPLESS_MAIN(SleepingLessons)
 #include "tst_sleeping_lessons.moc"

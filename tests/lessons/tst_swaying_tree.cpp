@@ -18,7 +18,7 @@ using Stage = PrintedTree::Stage;
 
 Q_DECLARE_METATYPE(PrintedTree::Stage)
 
-/// The tutorial's tree. The step that is ours has a suite of its own: tst_real_sway.
+/// The steps of the tutorial's tree. The step `real_sway`, which is not published, is in tst_real_sway.
 class SwayingTree : public QObject
 {
     Q_OBJECT
@@ -44,23 +44,23 @@ class SwayingTree : public QObject
 private slots:
     void publishedTrajectories_data();
     void publishedTrajectories();
-    void matchesThePrintedCode_data();
-    void matchesThePrintedCode();
+    void matchesPrintedCode_data();
+    void matchesPrintedCode();
     void correctedBranchesPointAtThePointerAfterOneFrame();
-    void fromItsEndABranchWouldFlipWhenThePointerIsNear();
+    void aimingFromTheEndIsUnstableNearThePointer();
     void correctedWindBlowsAwayFromThePointer();
-    void theShortWayRoundNeeds180OnBothSides_data();
-    void theShortWayRoundNeeds180OnBothSides();
-    void aPointerOnABranchsEndIsNoTrouble_data();
-    void aPointerOnABranchsEndIsNoTrouble();
-    void correctedWindNeverTurnsABranchPastIt();
+    void bendTurnsTheShortWay_data();
+    void bendTurnsTheShortWay();
+    void pointerOnABranchEndIsHandled_data();
+    void pointerOnABranchEndIsHandled();
+    void correctedWindNeverOvershoots();
     void smallerStepsConverge_data();
     void smallerStepsConverge();
-    void aHeldBranchKeepsItsAngleAndCarriesItsChildren_data();
-    void aHeldBranchKeepsItsAngleAndCarriesItsChildren();
-    void theWindIsDrawnWhileTheButtonIsDown();
-    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
-    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+    void heldBranchKeepsItsAngleAndMovesItsChildren_data();
+    void heldBranchKeepsItsAngleAndMovesItsChildren();
+    void windIsDrawnWhileTheButtonIsDown();
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void SwayingTree::publishedTrajectories_data()
@@ -76,11 +76,11 @@ void SwayingTree::publishedTrajectories()
     QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
 }
 
-void SwayingTree::matchesThePrintedCode_data()
+void SwayingTree::matchesPrintedCode_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<Stage>("stage");
-    QTest::addColumn<int>("dice");
+    QTest::addColumn<int>("seed");
     const std::pair<const char *, Stage> all[] = {{"trunk", Stage::still},
                                                   {"branches", Stage::still},
                                                   {"randomness", Stage::still},
@@ -91,29 +91,29 @@ void SwayingTree::matchesThePrintedCode_data()
                                                   {"thickness", Stage::thickness},
                                                   {"turbulence", Stage::turbulence}};
     for (const auto &[id, stage] : all) {
-        for (int dice = 0; dice < 12; ++dice)
-            QTest::addRow("%s, random numbers %d", id, dice) << QString::fromUtf8(id) << stage << dice;
+        for (int seed = 0; seed < 12; ++seed)
+            QTest::addRow("%s, random numbers %d", id, seed) << QString::fromUtf8(id) << stage << seed;
     }
 }
 
-void SwayingTree::matchesThePrintedCode()
+void SwayingTree::matchesPrintedCode()
 {
     QFETCH(QString, id);
     QFETCH(Stage, stage);
-    QFETCH(int, dice);
-    std::mt19937 engine(static_cast<unsigned>(100 * dice + int(stage)));
+    QFETCH(int, seed);
+    std::mt19937 engine(static_cast<unsigned>(100 * seed + int(stage)));
     const auto real = [&](double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine);
     };
     PrintedTree::Numbers numbers;
     if (id == u"trunk")
-        numbers.minScale = 1e9; // a trunk alone
-    if (dice > 0 && id != u"trunk")
+        numbers.minScale = 1e9; // only a trunk
+    if (seed > 0 && id != u"trunk")
         numbers = {real(0, 180), real(0, 40), real(0.4, 0.8), real(0.15, 0.5), real(40, 160),
-                   real(2, 20),  real(1, 10), real(0, 60),    unsigned(dice)};
+                   real(2, 20),  real(1, 10), real(0, 60),    unsigned(seed)};
     if (id == u"branches")
         numbers.jitter = 0.0;
-    const sim::Values presets = step(qPrintable(id)).defaultValues();
+    const sim::Values defaults = step(qPrintable(id)).defaultValues();
     sim::Script script = scriptOf(step(qPrintable(id)));
     script.values.seed = numbers.seed;
     const std::pair<const char *, double> values[] = {
@@ -121,36 +121,36 @@ void SwayingTree::matchesThePrintedCode()
         {"slope", numbers.slope}, {"min_scale", numbers.minScale},    {"base_length", numbers.baseLength},
         {"ease", numbers.ease},   {"turbulence", numbers.turbulence}, {"wind", numbers.wind}};
     for (const auto &[name, value] : values) {
-        if (presets.has(name))
+        if (defaults.has(name))
             script.values.set(name, value);
     }
     PrintedTree printed(stage, numbers);
     std::vector<std::pair<bool, double>> gusts(120);
     std::vector<std::tuple<double, double, bool>> mice(120);
     for (int frame = 1; frame < 120; ++frame) {
-        const auto row = static_cast<std::size_t>(frame);
-        mice[row] = {real(-50, 600), real(-50, 450), real(0, 1) < 0.7};
-        gusts[row] = {stage == Stage::turbulence && real(0, 1) < 0.5, real(-30, 30)};
-        const auto &[x, y, down] = mice[row];
+        const auto index = static_cast<std::size_t>(frame);
+        mice[index] = {real(-50, 600), real(-50, 450), real(0, 1) < 0.7};
+        gusts[index] = {stage == Stage::turbulence && real(0, 1) < 0.5, real(-30, 30)};
+        const auto &[x, y, down] = mice[index];
         script.input.push_back({frame, sim::Pointer{{x, y}, down}});
-        if (gusts[row].first)
-            script.input.push_back({frame, sim::Gust{gusts[row].second}});
+        if (gusts[index].first)
+            script.input.push_back({frame, sim::Gust{gusts[index].second}});
     }
     sim::Timeline run(script);
     for (int frame = 0; frame < 120; ++frame) {
         run.seek({frame, 0});
         if (frame > 0) {
-            const auto row = static_cast<std::size_t>(frame);
-            const auto &[x, y, down] = mice[row];
+            const auto index = static_cast<std::size_t>(frame);
+            const auto &[x, y, down] = mice[index];
             printed.mouse(x, y, down);
-            printed.enterFrame(gusts[row].first ? &gusts[row].second : nullptr);
+            printed.enterFrame(gusts[index].first ? &gusts[index].second : nullptr);
         }
-        const std::vector<PrintedTree::Row> rows = printed.rows();
-        QCOMPARE(run.state().pointCount(), static_cast<int>(rows.size()));
+        const std::vector<PrintedTree::BranchPose> poses = printed.branchPoses();
+        QCOMPARE(run.state().pointCount(), static_cast<int>(poses.size()));
         for (int i = 0; i < run.state().pointCount(); ++i) {
-            const PrintedTree::Row &row = rows[static_cast<std::size_t>(i)];
-            QVERIFY(std::abs(run.state().angle[i] - row.angle) <= 1e-6);
-            QVERIFY(sim::length(run.state().positionOf(i) - sim::Vec2{row.x, row.y}) <= 1e-6);
+            const PrintedTree::BranchPose &pose = poses[static_cast<std::size_t>(i)];
+            QVERIFY(std::abs(run.state().angle[i] - pose.angle) <= 1e-6);
+            QVERIFY(sim::length(run.state().positionOf(i) - sim::Vec2{pose.x, pose.y}) <= 1e-6);
         }
     }
 }
@@ -160,17 +160,18 @@ void SwayingTree::correctedBranchesPointAtThePointerAfterOneFrame()
     for (const sim::Vec2 pointer : {sim::Vec2{20, 30}, {500, 390}, {290, 330}, {275, 250}}) {
         const sim::State after = stateAfter(pressed("towards_pointer", pointer), 1);
         for (int i = 0; i < after.pointCount(); ++i) {
-            const sim::Vec2 way = pointer - after.positionOf(i);
-            const double angle = std::atan2(way.y, way.x) * 180.0 / std::numbers::pi;
-            QVERIFY(sim::length(way) < 1e-9 ||
+            const sim::Vec2 toPointer = pointer - after.positionOf(i);
+            const double angle = std::atan2(toPointer.y, toPointer.x) * 180.0 / std::numbers::pi;
+            QVERIFY(sim::length(toPointer) < 1e-9 ||
                     std::abs(std::remainder(after.angle[i] - angle, 360.0)) < 1e-9);
         }
     }
 }
 
-/// Why `corrected` aims from the origin. A pointer D away and a branch of length L: from the end, a small error of
-/// the angle comes back -L / (D - L) times as large, from an added end L / (D + L) times.
-void SwayingTree::fromItsEndABranchWouldFlipWhenThePointerIsNear()
+/// Shows why the corrected formula aims from the origin. Take a pointer at distance D and a branch of length
+/// L. Aiming from the end multiplies a small angle error by -L / (D - L) per frame. Adding the end gives L /
+/// (D + L).
+void SwayingTree::aimingFromTheEndIsUnstableNearThePointer()
 {
     const auto errorAfter = [](double sign, double D) {
         double angle = 0.02; // rad; the pointer is along 0
@@ -189,10 +190,10 @@ void SwayingTree::correctedWindBlowsAwayFromThePointer()
         const sim::Script script = pressed("wind", pointer);
         const sim::State after = stateAfter(script, 400);
         const sim::Scene scene = sim::sceneOf(script, script.values);
-        const lessons::View look = step("wind").view(scene, script.values);
+        const lessons::View view = step("wind").view(scene, script.values);
         for (int i = 0; i < after.pointCount(); ++i) {
             const double rad = after.angle[i] * std::numbers::pi / 180.0;
-            const double length = look.tree->length[static_cast<std::size_t>(i)];
+            const double length = view.tree->length[static_cast<std::size_t>(i)];
             const sim::Vec2 end = after.positionOf(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
             const sim::Vec2 away = end - pointer;
             const double wind = std::atan2(away.y, away.x) * 180.0 / std::numbers::pi;
@@ -201,22 +202,22 @@ void SwayingTree::correctedWindBlowsAwayFromThePointer()
     }
 }
 
-void SwayingTree::theShortWayRoundNeeds180OnBothSides_data()
+void SwayingTree::bendTurnsTheShortWay_data()
 {
     QTest::addColumn<double>("angle");
     QTest::addColumn<double>("wind");
-    QTest::addColumn<double>("corrected"); // half of the way, added
+    QTest::addColumn<double>("corrected"); // half of the difference is added
     QTest::addColumn<double>("published");
     QTest::newRow("20 degrees") << -10.0 << 10.0 << 0.0 << 0.0;
-    QTest::newRow("190 down is 170 up, in both") << 0.0 << -190.0 << 85.0 << 85.0;
-    QTest::newRow("190 up is 170 down, as published the long way") << 0.0 << 190.0 << -85.0 << 95.0;
-    QTest::newRow("340 up is 20 down, as published the long way") << -170.0 << 170.0 << -180.0 << 0.0;
-    QTest::newRow("370 up is 10 up, in both") << 0.0 << 370.0 << 5.0 << 5.0;
+    QTest::newRow("190 down is 170 up, in both formulas") << 0.0 << -190.0 << 85.0 << 85.0;
+    QTest::newRow("190 up is 170 down, published turns the long way") << 0.0 << 190.0 << -85.0 << 95.0;
+    QTest::newRow("340 up is 20 down, published turns the long way") << -170.0 << 170.0 << -180.0 << 0.0;
+    QTest::newRow("370 up is 10 up, in both formulas") << 0.0 << 370.0 << 5.0 << 5.0;
     QTest::newRow("two turns away") << -700.0 << 10.0 << -705.0 << -525.0;
     QTest::newRow("within a degree") << 5.0 << 5.9 << 5.0 << 5.0;
 }
 
-void SwayingTree::theShortWayRoundNeeds180OnBothSides()
+void SwayingTree::bendTurnsTheShortWay()
 {
     QFETCH(double, angle);
     QFETCH(double, wind);
@@ -224,18 +225,18 @@ void SwayingTree::theShortWayRoundNeeds180OnBothSides()
     QTEST(sim::bendPublished(angle, wind, 2.0, 1.0), "published");
 }
 
-void SwayingTree::aPointerOnABranchsEndIsNoTrouble_data()
+void SwayingTree::pointerOnABranchEndIsHandled_data()
 {
     addWindSteps();
     QTest::newRow("towards_pointer") << "towards_pointer";
 }
 
-void SwayingTree::aPointerOnABranchsEndIsNoTrouble()
+void SwayingTree::pointerOnABranchEndIsHandled()
 {
     QFETCH(QString, id);
     const Changes plain = {{"jitter", 0.0}};
     const sim::State start = stateAfter(scriptOf(step(qPrintable(id)), "published", 1.0, plain), 0);
-    for (const int branch : {1, 2, 3, 6, 7, 200}) { // its origin is the end of its parent
+    for (const int branch : {1, 2, 3, 6, 7, 200}) { // the origin of a branch is the end of its parent
         sim::Script script = pressed(qPrintable(id), start.positionOf(branch), plain);
         sim::Timeline run(script);
         run.seek({200, 0});
@@ -244,7 +245,7 @@ void SwayingTree::aPointerOnABranchsEndIsNoTrouble()
     }
 }
 
-void SwayingTree::correctedWindNeverTurnsABranchPastIt()
+void SwayingTree::correctedWindNeverOvershoots()
 {
     for (const double strength : {0.0, 1e-9, 0.3, 0.9, 1.0, 7.0, 1e300}) {
         for (const double h : {0.125, 1.0, 10.0}) {
@@ -260,11 +261,12 @@ void SwayingTree::smallerStepsConverge_data()
     QTest::addColumn<double>("x");
     QTest::newRow("wind") << "wind" << 40.0;
     QTest::newRow("rest") << "rest" << 40.0;
-    QTest::newRow("distance, so weak that nothing returns") << "distance" << -700.0;
+    QTest::newRow("distance, so weak that no branch returns") << "distance" << -700.0;
     QTest::newRow("thickness") << "thickness" << 40.0;
 }
 
-/// The rates are one step of explicit Euler: of order 1. No branch comes within the 1 degree in which it stays.
+/// A step is one of explicit Euler, of order 1. No branch comes within the 1 degree in which branches stop
+/// turning.
 void SwayingTree::smallerStepsConverge()
 {
     QFETCH(QString, id);
@@ -274,24 +276,24 @@ void SwayingTree::smallerStepsConverge()
         return stateAfter(pressed(qPrintable(id), {x, 120}, small, h), 4);
     };
     const auto error = [&](double h) { return (after(h).angle - after(0.5 * h).angle).abs().maxCoeff(); };
-    const Slope jacobian = slopeOf(error, 4, 9);
-    QVERIFY2(jacobian.least > 0.9 && jacobian.greatest < 1.1,
-             qPrintable(QString::number(jacobian.least) + u' ' + QString::number(jacobian.greatest)));
+    const OrderRange order = observedOrders(error, 4, 9);
+    QVERIFY2(order.min > 0.9 && order.max < 1.1,
+             qPrintable(QString::number(order.min) + u' ' + QString::number(order.max)));
 }
 
-void SwayingTree::aHeldBranchKeepsItsAngleAndCarriesItsChildren_data()
+void SwayingTree::heldBranchKeepsItsAngleAndMovesItsChildren_data()
 {
     QTest::addColumn<QString>("id");
-    for (const lessons::Step &one : m_lesson.steps)
-        QTest::addRow("%s", qPrintable(one.id)) << one.id;
+    for (const lessons::Step &each : m_lesson.steps)
+        QTest::addRow("%s", qPrintable(each.id)) << each.id;
 }
 
-void SwayingTree::aHeldBranchKeepsItsAngleAndCarriesItsChildren()
+void SwayingTree::heldBranchKeepsItsAngleAndMovesItsChildren()
 {
     QFETCH(QString, id);
-    const lessons::Step &one = step(qPrintable(id));
+    const lessons::Step &lessonStep = step(qPrintable(id));
     const int held = id == u"trunk" ? 0 : 1;
-    sim::Script script = one.script();
+    sim::Script script = lessonStep.script();
     script.input = {{1, sim::Pointer{{60, 200}, true}},
                     {20, sim::Grab{"branch" + std::to_string(held)}},
                     {20, sim::Move{{200, 150}}},
@@ -302,37 +304,37 @@ void SwayingTree::aHeldBranchKeepsItsAngleAndCarriesItsChildren()
     run.seek({39, 0});
     QCOMPARE(run.state().positionOf(held), (sim::Vec2{200, 150}));
     QCOMPARE(run.state().angle[held], angle);
-    const lessons::View look = one.view(run.track().interval().scene, run.values());
+    const lessons::View view = lessonStep.view(run.track().interval().scene, run.values());
     const double rad = angle * std::numbers::pi / 180.0;
-    const double length = look.tree->length[static_cast<std::size_t>(held)];
+    const double length = view.tree->length[static_cast<std::size_t>(held)];
     const sim::Vec2 end = sim::Vec2{200, 150} + length * sim::Vec2{std::cos(rad), std::sin(rad)};
     for (int child = 0; child < run.state().pointCount(); ++child) {
-        if (look.tree->parent[static_cast<std::size_t>(child)] == held)
+        if (view.tree->parent[static_cast<std::size_t>(child)] == held)
             QVERIFY(sim::length(run.state().positionOf(child) - end) < 1e-9);
     }
     if (held == 0)
         return;
     run.seek({41, 0});
-    QVERIFY(sim::length(run.state().positionOf(held) - sim::Vec2{200, 150}) >
-            10.0); // back at the trunk's end
+    // The released branch is back at the end of the trunk.
+    QVERIFY(sim::length(run.state().positionOf(held) - sim::Vec2{200, 150}) > 10.0);
 }
 
-void SwayingTree::theWindIsDrawnWhileTheButtonIsDown()
+void SwayingTree::windIsDrawnWhileTheButtonIsDown()
 {
-    for (const lessons::Step &one : m_lesson.steps) {
-        if (!one.overlays || one.id == u"trunk")
+    for (const lessons::Step &each : m_lesson.steps) {
+        if (!each.overlays || each.id == u"trunk")
             continue;
-        const sim::Values values = one.defaultValues();
-        const sim::Scene scene = one.scene(values);
+        const sim::Values values = each.defaultValues();
+        const sim::Scene scene = each.scene(values);
         sim::State state = scene.start;
         state.input.pointer = {{60, 200}};
-        QVERIFY(one.overlays(scene, state, values).empty());
+        QVERIFY(each.overlays(scene, state, values).empty());
         state.input.pointerDown = true;
-        const std::vector<lessons::Overlay> guides = one.overlays(scene, state, values);
-        QVERIFY(!guides.empty());
-        QCOMPARE(guides.front().a, (sim::Vec2{60, 200}));
-        const bool isWind = guides.front().shape == lessons::Overlay::Shape::wind;
-        QCOMPARE(isWind, one.id != u"towards_pointer");
+        const std::vector<lessons::Overlay> overlays = each.overlays(scene, state, values);
+        QVERIFY(!overlays.empty());
+        QCOMPARE(overlays.front().a, (sim::Vec2{60, 200}));
+        const bool isWind = overlays.front().shape == lessons::Overlay::Shape::wind;
+        QCOMPARE(isWind, each.id != u"towards_pointer");
     }
 }
 

@@ -1,4 +1,4 @@
-// The torture panel: each hard case under any method, with a note on what the method claims and what came of it.
+// Step `torture`: each hard case with any method, and a note on the claim of the method and the verdict.
 
 #include "lessons/api/view/view.h"
 #include "sim/catalogue/hard_cases.h"
@@ -18,13 +18,13 @@ class Torture : public QObject
     const lessons::Step m_step = loadLesson(QStringLiteral("hard_cases")).step(QStringLiteral("torture"));
 
 private slots:
-    void everyCaseOpensAsTheCatalogueHasIt_data() { addCaseRows(); }
-    void everyCaseOpensAsTheCatalogueHasIt();
-    void everyCaseIsDrawnWhole_data() { addCaseRows(); }
-    void everyCaseIsDrawnWhole();
-    void theNoteTellsWhatAMethodClaims();
-    void theNoteTellsWhenACaseIsLost();
-    void aChangedCaseIsNobodysClaim();
+    void casesMatchTheCatalogue_data() { addCaseRows(); }
+    void casesMatchTheCatalogue();
+    void viewsCoverTheCases_data() { addCaseRows(); }
+    void viewsCoverTheCases();
+    void noteTellsTheClaim();
+    void noteTellsAFailedCase();
+    void noMethodClaimsAChangedCase();
 
 private:
     void addCaseRows() const
@@ -49,57 +49,58 @@ private:
     }
 };
 
-void Torture::everyCaseOpensAsTheCatalogueHasIt()
+void Torture::casesMatchTheCatalogue()
 {
     QFETCH(int, number);
     const lessons::Parameter &parameter = *m_step.parameter(QStringLiteral("case"));
     QVERIFY(parameter.restartsRun);
     const std::string id = parameter.choices[number].toStdString();
-    const std::optional<sim::HardCase> hard = sim::findHardCase(id);
-    QVERIFY(hard);
+    const std::optional<sim::HardCase> hardCase = sim::findHardCase(id);
+    QVERIFY(hardCase);
     QVERIFY(!parameter.choiceTitles[number].isEmpty() && !parameter.choiceHelps[number].isEmpty());
-    if (id == "branches_16_deep") // smaller here
+    if (id == "branches_16_deep") // the lesson has a smaller tree
         return;
     const sim::Script script = caseScript(parameter.choices[number], "published");
-    const sim::Script told = sim::scriptOf(*hard, script.method, hard->brief);
-    QVERIFY(script.input == told.input);
-    QVERIFY(script.step == told.step);
-    const std::int64_t frames = std::min<std::int64_t>(hard->brief.frames, 5 * told.step.framesPerOutput);
-    QVERIFY(sim::sameBits(stateAfter(script, frames), stateAfter(told, frames)));
+    const sim::Script expected = sim::scriptOf(*hardCase, script.method, hardCase->brief);
+    QVERIFY(script.input == expected.input);
+    QVERIFY(script.step == expected.step);
+    const std::int64_t frames =
+        std::min<std::int64_t>(hardCase->brief.frames, 5 * expected.step.framesPerOutput);
+    QVERIFY(sim::sameBits(stateAfter(script, frames), stateAfter(expected, frames)));
 }
 
-void Torture::everyCaseIsDrawnWhole()
+void Torture::viewsCoverTheCases()
 {
     QFETCH(int, number);
     const sim::Script script =
         caseScript(m_step.parameter(QStringLiteral("case"))->choices[number], "published");
     const sim::Scene scene = script.build(script.values);
-    const lessons::View look = m_step.view(scene, script.values);
-    QCOMPARE(static_cast<int>(look.bodies.size()), scene.start.pointCount());
-    for (const lessons::LegView &leg : look.legs)
+    const lessons::View view = m_step.view(scene, script.values);
+    QCOMPARE(static_cast<int>(view.bodies.size()), scene.start.pointCount());
+    for (const lessons::LegView &leg : view.legs)
         QVERIFY(std::max(leg.from, leg.to) < scene.start.pointCount());
-    for (const lessons::StickView &stick : look.sticks)
+    for (const lessons::StickView &stick : view.sticks)
         QVERIFY(std::max(stick.a, stick.b) < scene.start.pointCount());
     if (scene.start.angle.rows() > 0)
-        QVERIFY(look.tree && static_cast<int>(look.tree->length.size()) == scene.start.pointCount());
+        QVERIFY(view.tree && static_cast<int>(view.tree->length.size()) == scene.start.pointCount());
     const auto actsFromAfar = [](const sim::EffectPtr &effect) { return effect->id() == "charges"; };
     if (scene.start.angle.rows() == 0 && scene.start.pointCount() > 1 &&
         std::none_of(scene.effects.begin(), scene.effects.end(), actsFromAfar))
-        QVERIFY(!look.legs.empty() || !look.sticks.empty());
+        QVERIFY(!view.legs.empty() || !view.sticks.empty());
 }
 
-void Torture::theNoteTellsWhatAMethodClaims()
+void Torture::noteTellsTheClaim()
 {
     const QString stiff = QStringLiteral("stiffness_1e6");
-    const QString claimed = noteAt(caseScript(stiff, "backward_euler"), 100);
-    QVERIFY2(claimed.contains(u"Backward Euler claims this case."_qs), qPrintable(claimed));
-    QVERIFY2(claimed.contains(u"at rest, as it should be"_qs), qPrintable(claimed));
-    QVERIFY(claimed.startsWith(u"A spring of stiffness a million"_qs));
+    const QString backwardEuler = noteAt(caseScript(stiff, "backward_euler"), 100);
+    QVERIFY2(backwardEuler.contains(u"Backward Euler claims this case."_qs), qPrintable(backwardEuler));
+    QVERIFY2(backwardEuler.contains(u"at rest, as it should be"_qs), qPrintable(backwardEuler));
+    QVERIFY(backwardEuler.startsWith(u"A spring of stiffness a million"_qs));
     const QString midpoint = noteAt(caseScript(stiff, "implicit_midpoint"), 100);
     QVERIFY2(midpoint.contains(u"within its bounds"_qs), qPrintable(midpoint));
 }
 
-void Torture::theNoteTellsWhenACaseIsLost()
+void Torture::noteTellsAFailedCase()
 {
     const sim::Script script = caseScript(QStringLiteral("stiffness_1e6"), "semi_implicit_euler");
     const QString note = noteAt(script, 5);
@@ -108,15 +109,16 @@ void Torture::theNoteTellsWhenACaseIsLost()
     QVERIFY2(note.contains(u"out of its bounds"_qs), qPrintable(note));
     const QString pair = noteAt(caseScript(QStringLiteral("runaway_pair"), "published"), 300);
     QVERIFY2(pair.contains(u"it moves one body after the other"_qs), qPrintable(pair));
-    // The whole run is judged, not the moment: so it knows since when, as the judge of the tests does.
-    const sim::HardCase hard = sim::findHardCase("runaway_pair").value();
-    const sim::Verdict verdict = sim::judge(hard, sim::findMethod("published"), hard.brief);
+    // The verdict covers the run so far. So the note knows the first frame out of bounds, as sim::judge()
+    // does.
+    const sim::HardCase hardCase = sim::findHardCase("runaway_pair").value();
+    const sim::Verdict verdict = sim::judge(hardCase, sim::findMethod("published"), hardCase.brief);
     const QString since = QString::fromStdString(verdict.why->values().at("frame"));
     QVERIFY2(since.toInt() < 300, qPrintable(since));
     QVERIFY2(pair.contains("out of its bounds since frame " + since + '.'), qPrintable(pair));
 }
 
-void Torture::aChangedCaseIsNobodysClaim()
+void Torture::noMethodClaimsAChangedCase()
 {
     sim::Script script = caseScript(QStringLiteral("feet_60"), "backward_euler");
     QVERIFY(noteAt(script, 10).contains(u"claims this case"_qs));

@@ -8,7 +8,7 @@
 
 using namespace support;
 
-/// How the tree of the lesson swaying_tree grows, and what is left of a run when it grows anew.
+/// How the tree of the lesson `swaying_tree` grows, and what a run keeps when the tree changes.
 class TreeGrowth : public QObject
 {
     Q_OBJECT
@@ -25,27 +25,27 @@ class TreeGrowth : public QObject
     }
 
 private slots:
-    void aTreeHasSoManyBranches_data();
-    void aTreeHasSoManyBranches();
-    void aTreeWithoutEndIsRefused_data();
-    void aTreeWithoutEndIsRefused();
-    void aChangedTreeKeepsItsBends();
-    void theSeedGrowsTheTreeAndTheGusts();
-    void galleriesOfferTreesThatGrowAndDiffer();
+    void numberOfBranches_data();
+    void numberOfBranches();
+    void unboundedTreesAreRejected_data();
+    void unboundedTreesAreRejected();
+    void changedTreeKeepsItsBends();
+    void seedDeterminesTreeAndGusts();
+    void presetsGrowDifferentTrees();
 };
 
-void TreeGrowth::aTreeHasSoManyBranches_data()
+void TreeGrowth::numberOfBranches_data()
 {
     QTest::addColumn<double>("slope");
     QTest::addColumn<double>("minScale");
     QTest::addColumn<int>("branches");
     QTest::newRow("as published") << 0.8 << 0.2 << 255;
-    QTest::newRow("a trunk alone") << 0.8 << 0.9 << 1;
-    QTest::newRow("a limit that is just met does not grow") << 0.5 << 0.25 << 3;
+    QTest::newRow("only a trunk") << 0.8 << 0.9 << 1;
+    QTest::newRow("a scale equal to the limit does not grow") << 0.5 << 0.25 << 3;
     QTest::newRow("17 levels") << 0.9 << 0.18 << 131'071;
 }
 
-void TreeGrowth::aTreeHasSoManyBranches()
+void TreeGrowth::numberOfBranches()
 {
     QFETCH(double, slope);
     QFETCH(double, minScale);
@@ -60,40 +60,40 @@ void TreeGrowth::aTreeHasSoManyBranches()
     }
 }
 
-void TreeGrowth::aTreeWithoutEndIsRefused_data()
+void TreeGrowth::unboundedTreesAreRejected_data()
 {
     QTest::addColumn<double>("slope");
     QTest::addColumn<double>("minScale");
     QTest::newRow("18 levels") << 0.9 << 0.16;
-    QTest::newRow("all alike") << 1.0 << 0.2;
-    QTest::newRow("ever larger") << 2.0 << 0.2;
+    QTest::newRow("all branches equal") << 1.0 << 0.2;
+    QTest::newRow("growing branches") << 2.0 << 0.2;
     QTest::newRow("no smallest branch") << 0.8 << 0.0;
     QTest::newRow("a tiny smallest branch") << 0.8 << 1e-300;
 }
 
-void TreeGrowth::aTreeWithoutEndIsRefused()
+void TreeGrowth::unboundedTreesAreRejected()
 {
     QFETCH(double, slope);
     QFETCH(double, minScale);
-    for (const lessons::Step &one : m_lesson.steps) {
-        if (!one.parameter(QStringLiteral("slope")))
+    for (const lessons::Step &each : m_lesson.steps) {
+        if (!each.parameter(QStringLiteral("slope")))
             continue;
-        sim::Timeline run(one.script());
+        sim::Timeline run(each.script());
         run.seek({3, 0});
         try {
             run.setParameter("min_scale", minScale);
             run.setParameter("slope", slope);
-            QFAIL("not refused");
+            QFAIL("no error was thrown");
         } catch (const sim::Error &error) {
             QCOMPARE(error.id(), std::string("tree-too-big"));
             QCOMPARE(error.values().at("most"), std::string("131071"));
         }
-        run.seek({5, 0}); // goes on
+        run.seek({5, 0}); // the run continues
         QCOMPARE(run.cursor().frame, 5);
     }
 }
 
-void TreeGrowth::aChangedTreeKeepsItsBends()
+void TreeGrowth::changedTreeKeepsItsBends()
 {
     sim::Timeline run(pressed("wind", {60, 200}));
     run.seek({30, 0});
@@ -105,10 +105,10 @@ void TreeGrowth::aChangedTreeKeepsItsBends()
     run.seek({40, 0});
     const Eigen::ArrayXd after = run.state().angle - run.track().interval().scene.start.angle;
     QVERIFY(((bends - after).abs() < 1e-9).all());
-    QVERIFY(farthestApart(before, run.state()) > 20.0);
+    QVERIFY(largestDistance(before, run.state()) > 20.0);
 }
 
-void TreeGrowth::theSeedGrowsTheTreeAndTheGusts()
+void TreeGrowth::seedDeterminesTreeAndGusts()
 {
     const auto runWith = [&](std::uint64_t seed, double jitter) {
         sim::Script script = pressed("turbulence", {60, 200}, {{"jitter", jitter}});
@@ -116,33 +116,33 @@ void TreeGrowth::theSeedGrowsTheTreeAndTheGusts()
         return stateAfter(script, 50);
     };
     QVERIFY(sim::sameBits(runWith(3, 10.0), runWith(3, 10.0)));
-    QVERIFY(farthestApart(runWith(3, 10.0), runWith(4, 10.0)) > 1.0);
-    QVERIFY(farthestApart(runWith(3, 0.0), runWith(4, 0.0)) > 0.01); // the same tree, other gusts
+    QVERIFY(largestDistance(runWith(3, 10.0), runWith(4, 10.0)) > 1.0);
+    QVERIFY(largestDistance(runWith(3, 0.0), runWith(4, 0.0)) > 0.01); // the same tree, other gusts
 }
 
-void TreeGrowth::galleriesOfferTreesThatGrowAndDiffer()
+void TreeGrowth::presetsGrowDifferentTrees()
 {
     for (const char *id : {"randomness", "turbulence", "real_sway"}) {
-        const lessons::Step &one = step(id);
-        QVERIFY(one.presets.size() >= 5);
+        const lessons::Step &lessonStep = step(id);
+        QVERIFY(lessonStep.presets.size() >= 5);
         QStringList titles;
-        std::vector<sim::State> trees = {one.scene(one.defaultValues()).start};
-        for (const lessons::Preset &preset : one.presets) {
+        std::vector<sim::State> trees = {lessonStep.scene(lessonStep.defaultValues()).start};
+        for (const lessons::Preset &preset : lessonStep.presets) {
             QVERIFY(!preset.title.isEmpty() && preset.help.endsWith(u'.'));
             titles << preset.title;
-            sim::Values values = one.defaultValues();
+            sim::Values values = lessonStep.defaultValues();
             for (const auto &[name, value] : preset.values) {
-                const lessons::Parameter *parameter = one.parameter(name);
+                const lessons::Parameter *parameter = lessonStep.parameter(name);
                 QVERIFY(parameter && value >= parameter->min && value <= parameter->max);
                 values.set(name.toStdString(), value);
             }
-            trees.push_back(one.scene(values).start);
+            trees.push_back(lessonStep.scene(values).start);
             for (std::size_t i = 0; i + 1 < trees.size(); ++i)
                 QVERIFY(trees[i].pointCount() != trees.back().pointCount() ||
-                        farthestApart(trees[i], trees.back()) > 20.0);
+                        largestDistance(trees[i], trees.back()) > 20.0);
         }
         titles.removeDuplicates();
-        QCOMPARE(titles.size(), static_cast<qsizetype>(one.presets.size()));
+        QCOMPARE(titles.size(), static_cast<qsizetype>(lessonStep.presets.size()));
     }
 }
 

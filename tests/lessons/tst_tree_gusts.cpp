@@ -15,7 +15,7 @@
 
 using namespace support;
 
-/// The wind of step `real_sway`: gusts that run outwards, and what they do to branches.
+/// The wind of step `real_sway`: gusts that spread outwards, and their torque on branches.
 class TreeGusts : public QObject
 {
     Q_OBJECT
@@ -29,15 +29,15 @@ class TreeGusts : public QObject
     }
 
 private slots:
-    void aGustReachesFarBranchesLater_data();
-    void aGustReachesFarBranchesLater();
-    void theEndOfAGustRunsAfterItsFront();
-    void windPushesAcrossAndAway_data();
-    void windPushesAcrossAndAway();
-    void twigsBendFartherThanTheTrunk();
+    void gustsReachFarBranchesLater_data();
+    void gustsReachFarBranchesLater();
+    void tailOfAGustFollowsItsFront();
+    void windTurnsBranchesByTheirCrossComponent_data();
+    void windTurnsBranchesByTheirCrossComponent();
+    void twigsBendMoreThanTheTrunk();
 };
 
-void TreeGusts::aGustReachesFarBranchesLater_data()
+void TreeGusts::gustsReachFarBranchesLater_data()
 {
     QTest::addColumn<double>("speed");
     QTest::addColumn<double>("h");
@@ -47,9 +47,9 @@ void TreeGusts::aGustReachesFarBranchesLater_data()
     }
 }
 
-/// The wind alone, without springs: each branch is first pushed in the step in which the front has come as far as
+/// Tests the wind without springs. The first push on a branch comes in the step in which the front reaches
 /// its end.
-void TreeGusts::aGustReachesFarBranchesLater()
+void TreeGusts::gustsReachFarBranchesLater()
 {
     QFETCH(double, speed);
     QFETCH(double, h);
@@ -58,35 +58,37 @@ void TreeGusts::aGustReachesFarBranchesLater()
     script.effectsOff = {"torsion"};
     script.input = {{1, sim::Pointer{pointer, true}}};
     const sim::Scene scene = sim::sceneOf(script, script.values);
-    const lessons::View look = m_step.view(scene, script.values);
+    const lessons::View view = m_step.view(scene, script.values);
     sim::Track run(script, 0);
-    std::vector<int> steps(scene.names.size(), 0);
+    std::vector<int> firstPush(scene.names.size(), 0);
     const int frames = static_cast<int>(1500.0 / speed);
     const int phases = run.nextInterval()->pipeline.phasesPerStep();
     for (int step = 1; step <= frames / h; ++step) {
-        const int perRow = run.nextInterval()->pipeline.step.stepsPerOutput;
-        run.seek({(step) / perRow, step % perRow * phases});
-        for (std::size_t i = 0; i < steps.size(); ++i) {
-            if (steps[i] == 0 && run.state().spin[static_cast<int>(i)] != 0.0)
-                steps[i] = step;
+        const int stepsPerOutput = run.nextInterval()->pipeline.step.stepsPerOutput;
+        run.seek({step / stepsPerOutput, step % stepsPerOutput * phases});
+        for (std::size_t i = 0; i < firstPush.size(); ++i) {
+            if (firstPush[i] == 0 && run.state().spin[static_cast<int>(i)] != 0.0)
+                firstPush[i] = step;
         }
     }
-    // A branch that its own wind has not reached stays where it grew, but for what moves its parents.
+    // Only the trunk and its first child: later branches have been moved by their parents before the front
+    // arrives.
     for (const int i : {0, 1, 2}) {
         const double rad = scene.start.angle[i] * std::numbers::pi / 180.0;
-        const double length = look.tree->length[static_cast<std::size_t>(i)];
+        const double length = view.tree->length[static_cast<std::size_t>(i)];
         const sim::Vec2 end = scene.start.positionOf(i) + length * sim::Vec2{std::cos(rad), std::sin(rad)};
         const double distance = sim::length(end - pointer);
         if (i == 0 || i == 1)
-            QVERIFY(std::abs(steps[static_cast<std::size_t>(i)] - std::ceil(distance / (speed * h))) <= 1.0);
+            QVERIFY(std::abs(firstPush[static_cast<std::size_t>(i)] - std::ceil(distance / (speed * h))) <=
+                    1.0);
     }
-    const int nearest = *std::min_element(steps.begin(), steps.end());
-    const int farthest = *std::max_element(steps.begin(), steps.end());
-    QVERIFY(nearest > 0);
-    QVERIFY((farthest - nearest) * h * speed > 200.0); // the crown is that wide
+    const int earliest = *std::min_element(firstPush.begin(), firstPush.end());
+    const int latest = *std::max_element(firstPush.begin(), firstPush.end());
+    QVERIFY(earliest > 0);
+    QVERIFY((latest - earliest) * h * speed > 200.0); // the width of the crown
 }
 
-void TreeGusts::theEndOfAGustRunsAfterItsFront()
+void TreeGusts::tailOfAGustFollowsItsFront()
 {
     sim::GustExtent gust;
     gust = sim::advanceGust(gust, false, 10.0, 1.0);
@@ -99,22 +101,22 @@ void TreeGusts::theEndOfAGustRunsAfterItsFront()
     QCOMPARE(gust.tail, 30.0);
     for (const auto &[distance, blows] : {std::pair{20.0, false}, {50.0, true}, {79.0, true}, {90.0, false}})
         QCOMPARE(sim::gustAt(distance, gust, 0.5) > 0.0, blows);
-    gust = sim::advanceGust(gust, true, 10.0, 1.0); // a new one
+    gust = sim::advanceGust(gust, true, 10.0, 1.0); // a new gust
     QCOMPARE(gust.front, 10.0);
     QCOMPARE(gust.tail, 0.0);
 }
 
-void TreeGusts::windPushesAcrossAndAway_data()
+void TreeGusts::windTurnsBranchesByTheirCrossComponent_data()
 {
-    QTest::addColumn<double>("wind"); // degrees, where it blows to
-    QTest::addColumn<double>("turn"); // of a branch that points straight up
+    QTest::addColumn<double>("wind"); // degrees, direction of the wind
+    QTest::addColumn<double>("turn"); // torque on an upright branch, relative to wind across it
     QTest::newRow("to the right: clockwise") << 0.0 << 1.0;
     QTest::newRow("to the left: counter-clockwise") << 180.0 << -1.0;
     QTest::newRow("along") << -90.0 << 0.0;
     QTest::newRow("half across") << -60.0 << 0.5;
 }
 
-void TreeGusts::windPushesAcrossAndAway()
+void TreeGusts::windTurnsBranchesByTheirCrossComponent()
 {
     QFETCH(double, wind);
     QFETCH(double, turn);
@@ -125,12 +127,12 @@ void TreeGusts::windPushesAcrossAndAway()
     QVERIFY(std::abs(push.pull - 5.0 / 200.0 * 180.0 / std::numbers::pi * turn / 2.0) < 1e-12);
 }
 
-void TreeGusts::twigsBendFartherThanTheTrunk()
+void TreeGusts::twigsBendMoreThanTheTrunk()
 {
     sim::Script script = m_step.script();
     script.input = {{1, sim::Pointer{{60, 250}, true}}};
     const Eigen::ArrayXd bend = stateAfter(script, 300).angle - sceneOf().start.angle;
-    QVERIFY(bend[0] > 1.0); // away: to the right
+    QVERIFY(bend[0] > 1.0); // away from the pointer, to the right
     QVERIFY(bend.tail(128).mean() > 2.0 * bend[0]);
 }
 

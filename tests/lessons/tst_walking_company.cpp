@@ -21,7 +21,7 @@ sim::Vec2 momentumOf(const sim::State &state)
 
 }
 
-/// The steps that follow the tutorial's last two suggestions: walls, and several creatures.
+/// Steps `walls` and `company`, which follow the tutorial's last two suggestions.
 class WalkingCompany : public QObject
 {
     Q_OBJECT
@@ -37,10 +37,11 @@ class WalkingCompany : public QObject
             QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
     }
 
-    /// What step `walls` measures as slip, on the average between two frames.
+    /// Returns the mean of the slip that step `walls` measures, from frame `from` to frame `to`.
     double slipOf(const sim::Script &script, int from, int to) const;
 
-    /// Step `company` in the air, with nothing that takes momentum: only legs and pushes act.
+    /// Returns step `company` in the air, where momentum is conserved: only legs and pushes between creatures
+    /// act.
     sim::Script inTheAir(const std::string &method, double feltBy, double h = 1.0) const
     {
         sim::Script script = scriptOf(step("company"), method, h,
@@ -60,16 +61,16 @@ class WalkingCompany : public QObject
 private slots:
     void nothingPassesAWall_data() { addMethodRows(); }
     void nothingPassesAWall();
-    void itTurnsRoundAtWallsOrWalksOnThere();
+    void creatureTurnsAtWallsOrKeepsWalking();
     void feetSlipMoreAgainstAWall();
-    void pushesMakeNoMomentum_data() { addMethodRows(); }
-    void pushesMakeNoMomentum();
-    void aPushThatOnlyOneFeelsMakesMomentum_data() { addMethodRows(); }
-    void aPushThatOnlyOneFeelsMakesMomentum();
-    void allPushesAddUpToNothingUnlessOneFeelsThem();
-    void aDraggedCreaturePushesTheOtherAway();
-    void creaturesThatMeetStayApartAndGoOn();
-    void companyIsNamedAndOrderedCreatureByCreature();
+    void pushesConserveMomentum_data() { addMethodRows(); }
+    void pushesConserveMomentum();
+    void oneSidedPushCreatesMomentum_data() { addMethodRows(); }
+    void oneSidedPushCreatesMomentum();
+    void pushesSumToZeroUnlessOneSided();
+    void draggedCreaturePushesTheOther();
+    void creaturesDoNotOverlapAndPassEachOther();
+    void pointsAreOrderedByCreature();
     void fiveCreaturesStayInTheRoom();
 };
 
@@ -96,35 +97,35 @@ void WalkingCompany::nothingPassesAWall()
     for (double keepOn : {0.0, 1.0}) {
         sim::Script script = scriptOf(step("walls"), method.toStdString(), 1.0, {{"at_wall", keepOn}});
         script.bodies["body"] = {{300, 280}, sim::Vec2{40, -5}};
-        Course integrator = courseOf(script, "body", 0, 1500);
-        QVERIFY(integrator.left >= 35.0 && integrator.right <= 505.0);
+        MotionSummary motion = motionOf(script, "body", 0, 1500);
+        QVERIFY(motion.left >= 35.0 && motion.right <= 505.0);
         for (const char *foot : {"foot0", "foot1"}) {
-            integrator = courseOf(script, foot, 0, 1500);
-            QVERIFY(integrator.left >= 25.0 && integrator.right <= 515.0);
+            motion = motionOf(script, foot, 0, 1500);
+            QVERIFY(motion.left >= 25.0 && motion.right <= 515.0);
         }
     }
 }
 
-void WalkingCompany::itTurnsRoundAtWallsOrWalksOnThere()
+void WalkingCompany::creatureTurnsAtWallsOrKeepsWalking()
 {
-    const Course turning = courseOf(step("walls").script(), "body", 0, 2000);
+    const MotionSummary turning = motionOf(step("walls").script(), "body", 0, 2000);
     QVERIFY(turning.left < 80.0 && turning.right > 450.0);
     const sim::Script keepsOn = scriptOf(step("walls"), "published", 1.0, {{"at_wall", 1.0}});
-    const Course stuck = courseOf(keepsOn, "body", 600, 2600);
+    const MotionSummary stuck = motionOf(keepsOn, "body", 600, 2600);
     QVERIFY2(stuck.left > 440.0, qPrintable(QString::number(stuck.left)));
     QCOMPARE(stateAfter(keepsOn, 2000).gaitSpeed[0], 0.05);
 }
 
-/// The figures that the step's text gives: 1.1 px a frame, more than twice as much.
+/// Checks the numbers in the step's text: 1.1 px per frame, more than twice the slip of free walking.
 void WalkingCompany::feetSlipMoreAgainstAWall()
 {
     const double against = slipOf(scriptOf(step("walls"), "published", 1.0, {{"at_wall", 1.0}}), 800, 2600);
-    const double onItsWay = slipOf(scriptOf(step("walls"), "published", 1.0, {{"right", 1e5}}), 800, 2600);
+    const double free = slipOf(scriptOf(step("walls"), "published", 1.0, {{"right", 1e5}}), 800, 2600);
     QVERIFY2(std::abs(against - 1.1) < 0.05, qPrintable(QString::number(against)));
-    QVERIFY2(against > 2.0 * onItsWay, qPrintable(QString::number(onItsWay)));
+    QVERIFY2(against > 2.0 * free, qPrintable(QString::number(free)));
 }
 
-void WalkingCompany::pushesMakeNoMomentum()
+void WalkingCompany::pushesConserveMomentum()
 {
     QFETCH(QString, method);
     for (double h : {1.0, 0.25}) {
@@ -134,15 +135,15 @@ void WalkingCompany::pushesMakeNoMomentum()
     }
 }
 
-/// The same without the reaction: the test above would notice.
-void WalkingCompany::aPushThatOnlyOneFeelsMakesMomentum()
+/// Without the reaction force, momentum changes. So the test above can fail.
+void WalkingCompany::oneSidedPushCreatesMomentum()
 {
     QFETCH(QString, method);
     const sim::State state = stateAfter(inTheAir(method.toStdString(), 1.0), 10);
     QVERIFY(sim::length(momentumOf(state) - sim::Vec2{-1, 1}) > 1.0);
 }
 
-void WalkingCompany::allPushesAddUpToNothingUnlessOneFeelsThem()
+void WalkingCompany::pushesSumToZeroUnlessOneSided()
 {
     const lessons::Measure &sum = step("company").measures.back();
     for (const auto &[feltBy, adds] : {std::pair{0.0, false}, {1.0, true}}) {
@@ -153,7 +154,7 @@ void WalkingCompany::allPushesAddUpToNothingUnlessOneFeelsThem()
     }
 }
 
-void WalkingCompany::aDraggedCreaturePushesTheOtherAway()
+void WalkingCompany::draggedCreaturePushesTheOther()
 {
     sim::Script script = scriptOf(step("company"), "published", 1.0, {{"speed", 0.0}});
     const double before = stateAfter(script, 200).positionOf(5).x;
@@ -163,23 +164,24 @@ void WalkingCompany::aDraggedCreaturePushesTheOtherAway()
     QVERIFY(stateAfter(script, 200).positionOf(5).x > before + 20.0);
 }
 
-/// The step's defaults: bodies of 30 px never overlap, and neither stays where they met.
-void WalkingCompany::creaturesThatMeetStayApartAndGoOn()
+/// With default values, bodies of 30 px never overlap, and the creatures pass each other.
+void WalkingCompany::creaturesDoNotOverlapAndPassEachOther()
 {
     sim::Track track(step("company").script(), 0);
-    double least = INFINITY;
+    double minDistance = INFINITY;
     int passed = 0;
     for (int frame = 1; frame <= 2000; ++frame) {
         const bool firstIsLeft = track.state().positionOf(2).x < track.state().positionOf(5).x;
         track.seek({frame, 0});
-        least = std::min(least, sim::length(track.state().positionOf(2) - track.state().positionOf(5)));
+        minDistance =
+            std::min(minDistance, sim::length(track.state().positionOf(2) - track.state().positionOf(5)));
         passed += (track.state().positionOf(2).x < track.state().positionOf(5).x) != firstIsLeft;
     }
-    QVERIFY2(least > 30.0 && least < 60.0, qPrintable(QString::number(least)));
+    QVERIFY2(minDistance > 30.0 && minDistance < 60.0, qPrintable(QString::number(minDistance)));
     QVERIFY(passed >= 2);
 }
 
-void WalkingCompany::companyIsNamedAndOrderedCreatureByCreature()
+void WalkingCompany::pointsAreOrderedByCreature()
 {
     sim::Values values = step("company").defaultValues();
     const sim::Scene two = step("company").scene(values);
@@ -189,9 +191,9 @@ void WalkingCompany::companyIsNamedAndOrderedCreatureByCreature()
     const sim::Scene five = step("company").scene(values);
     QCOMPARE(five.names.size(), std::size_t{15});
     QCOMPARE(five.start.gait.rows(), Eigen::Index{5});
-    const lessons::View look = step("company").view(five, values);
-    QCOMPARE(look.legs.size(), std::size_t{10});
-    for (const lessons::LegView &leg : look.legs)
+    const lessons::View view = step("company").view(five, values);
+    QCOMPARE(view.legs.size(), std::size_t{10});
+    for (const lessons::LegView &leg : view.legs)
         QVERIFY(leg.from / 3 == leg.to / 3 && leg.from % 3 == 2);
 }
 

@@ -17,18 +17,20 @@ using Complex = std::complex<double>;
 
 namespace {
 
-/// z'' + c z' + k (z - centre - radius e^{i (phase + speed t)}) = 0 from rest at `start`, at time t: the exact
-/// motion of a foot whose place goes round. Solved by hand: a circle, and two modes that die away.
+/// Returns z(t) for z'' + c z' + k (z - centre - radius e^{i (phase + speed t)}) = 0, from rest at `start`.
+/// This is the exact motion of a foot whose target moves on a circle. The solution is a circle and two
+/// decaying modes.
 Complex driven(double k, double c, Complex centre, double radius, double phase, double speed, Complex start,
                double t)
 {
     const Complex i(0.0, 1.0);
-    const Complex round = k * radius * std::polar(1.0, phase) / (k - speed * speed + i * c * speed);
+    const Complex circle = k * radius * std::polar(1.0, phase) / (k - speed * speed + i * c * speed);
     const Complex root = std::sqrt(Complex(c * c - 4.0 * k));
-    const Complex one = 0.5 * (-c + root), other = 0.5 * (-c - root);
-    const Complex x = start - centre - round, v = -i * speed * round;
-    const Complex a = (v - other * x) / (one - other), b = x - a;
-    return centre + round * std::exp(i * speed * t) + a * std::exp(one * t) + b * std::exp(other * t);
+    const Complex eigenvalue1 = 0.5 * (-c + root), eigenvalue2 = 0.5 * (-c - root);
+    const Complex x = start - centre - circle, v = -i * speed * circle;
+    const Complex a = (v - eigenvalue2 * x) / (eigenvalue1 - eigenvalue2), b = x - a;
+    return centre + circle * std::exp(i * speed * t) + a * std::exp(eigenvalue1 * t) +
+           b * std::exp(eigenvalue2 * t);
 }
 
 Complex complex(sim::Vec2 a)
@@ -43,8 +45,9 @@ sim::Vec2 momentumOf(const sim::State &state)
 
 }
 
-/// The published steps up to `body_pulled`, and all tries; `ground` is in tst_walking_ground.cpp, the tutorial's
-/// suggestions in tst_walking_variations.cpp and tst_walking_company.cpp.
+/// The published steps up to `body_pulled`, and all things to try. Step `ground` is in
+/// tst_walking_ground.cpp. The tutorial's suggestions are in tst_walking_variations.cpp and
+/// tst_walking_company.cpp.
 class WalkingGait : public QObject
 {
     Q_OBJECT
@@ -75,20 +78,20 @@ class WalkingGait : public QObject
 private slots:
     void publishedTrajectories_data();
     void publishedTrajectories();
-    void matchesTheTutorialsCode_data();
-    void matchesTheTutorialsCode();
-    void footZeroBelongsOnTheLeft();
-    void aFootFollowsItsPlaceAsTheExactSolutionDoes_data() { addMethodRows(); }
-    void aFootFollowsItsPlaceAsTheExactSolutionDoes();
-    void aPulledCreatureConvergesToItsExactSolution_data() { addMethodRows(); }
-    void aPulledCreatureConvergesToItsExactSolution();
-    void theSwingIsAsWideAsTheStepSays();
-    void noLegChangesTheMomentum_data();
-    void noLegChangesTheMomentum();
-    void aHeldEndFeelsNothingTheOtherFeelsItsLeg();
-    void theCurveChangesOnlyThePicture();
-    void everyTryIsDoneByWhatItDescribes_data() { addAttemptRows(m_lesson, attempts()); }
-    void everyTryIsDoneByWhatItDescribes() { checkAttempt(m_lesson); }
+    void matchesTutorialCode_data();
+    void matchesTutorialCode();
+    void footZeroRestsOnTheLeft();
+    void footConvergesToItsExactSolution_data() { addMethodRows(); }
+    void footConvergesToItsExactSolution();
+    void creatureConvergesToItsExactSolution_data() { addMethodRows(); }
+    void creatureConvergesToItsExactSolution();
+    void swingWidthMatchesText();
+    void legsConserveMomentum_data();
+    void legsConserveMomentum();
+    void heldEndStaysAndTheOtherFeelsTheLeg();
+    void curveChangesOnlyTheView();
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void WalkingGait::publishedTrajectories_data()
@@ -106,7 +109,7 @@ void WalkingGait::publishedTrajectories()
     QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
 }
 
-void WalkingGait::matchesTheTutorialsCode_data()
+void WalkingGait::matchesTutorialCode_data()
 {
     QTest::addColumn<Walk>("walk");
     std::mt19937 random(5);
@@ -124,13 +127,13 @@ void WalkingGait::matchesTheTutorialsCode_data()
             << Walk{"more_feet", randomWalk(Kind::ground, feet, random)};
 }
 
-void WalkingGait::matchesTheTutorialsCode()
+void WalkingGait::matchesTutorialCode()
 {
     QFETCH(Walk, walk);
     QVERIFY(largestDifference(step(walk.step), walk.tutorial, 300) <= 1e-9);
 }
 
-void WalkingGait::footZeroBelongsOnTheLeft()
+void WalkingGait::footZeroRestsOnTheLeft()
 {
     const sim::State rest = stateAfter(step("bones").script(), 1000);
     QVERIFY(sim::length(rest.positionOf(0) - sim::Vec2{220, 200}) < 1e-9);
@@ -140,23 +143,23 @@ void WalkingGait::footZeroBelongsOnTheLeft()
     QVERIFY(std::abs(sim::length(below.positionOf(0) - below.positionOf(2)) - 70.7) < 0.05);
 }
 
-void WalkingGait::aFootFollowsItsPlaceAsTheExactSolutionDoes()
+void WalkingGait::footConvergesToItsExactSolution()
 {
     const double damping = -std::log(0.9);
-    const Slope jacobian = slopeOf(
+    const OrderRange order = observedOrders(
         [&](double h) {
             const sim::State state = stateAfter(scriptOfRow("swing", h, {{"speed", 0.3}}), 40);
-            const Complex place = driven(0.2, damping, {270, 350}, 50.0, pi, 0.3, Complex(220, 350), 40.0);
-            return std::abs(complex(state.positionOf(0)) - place);
+            const Complex target = driven(0.2, damping, {270, 350}, 50.0, pi, 0.3, Complex(220, 350), 40.0);
+            return std::abs(complex(state.positionOf(0)) - target);
         },
         4, 9);
-    QVERIFY2(jacobian.least > orderOfRow() - 0.1 && jacobian.greatest < orderOfRow() + 0.1,
-             qPrintable(u"%1 to %2"_qs.arg(jacobian.least).arg(jacobian.greatest)));
+    QVERIFY2(order.min > orderOfRow() - 0.1 && order.max < orderOfRow() + 0.1,
+             qPrintable(u"%1 to %2"_qs.arg(order.min).arg(order.max)));
 }
 
-/// What both feet do alike (their sum) is pulled with k (1 + 2), what they do against each other with k; the body
-/// makes up for the sum.
-void WalkingGait::aPulledCreatureConvergesToItsExactSolution()
+/// Relative to the body, the sum of both feet has the stiffness k (1 + 2) and their difference has k. The
+/// body moves against the sum.
+void WalkingGait::creatureConvergesToItsExactSolution()
 {
     const double damping = -std::log(0.9);
     const auto exact = [&](double t) {
@@ -165,21 +168,21 @@ void WalkingGait::aPulledCreatureConvergesToItsExactSolution()
         const Complex body = Complex(290, 300) - (sum - Complex(30, 80)) / 3.0;
         return body + 0.5 * sum + against;
     };
-    const Slope jacobian = slopeOf(
+    const OrderRange order = observedOrders(
         [&](double h) {
             sim::Script script = scriptOfRow("body_pulled", h, {{"speed", 0.1}});
-            // As seen from the body: (-50, 50) and (80, 30).
+            // Feet relative to the body: (-50, 50) and (80, 30).
             script.bodies = {
                 {"body", {{290, 300}, {}}}, {"foot0", {{240, 350}, {}}}, {"foot1", {{370, 330}, {}}}};
             return std::abs(complex(stateAfter(script, 40).positionOf(0)) - exact(40.0));
         },
         7, 10);
-    QVERIFY2(jacobian.least > orderOfRow() - 0.1 && jacobian.greatest < orderOfRow() + 0.1,
-             qPrintable(u"%1 to %2"_qs.arg(jacobian.least).arg(jacobian.greatest)));
+    QVERIFY2(order.min > orderOfRow() - 0.1 && order.max < orderOfRow() + 0.1,
+             qPrintable(u"%1 to %2"_qs.arg(order.min).arg(order.max)));
 }
 
-/// The narration's 50.6 px, and that a foot goes much farther near the speed at which it swings by itself.
-void WalkingGait::theSwingIsAsWideAsTheStepSays()
+/// Checks the 50.6 px of the text. Near its natural frequency a foot swings much farther.
+void WalkingGait::swingWidthMatchesText()
 {
     const auto width = [&](double speed) {
         const sim::State state =
@@ -191,7 +194,7 @@ void WalkingGait::theSwingIsAsWideAsTheStepSays()
     QVERIFY(width(1.5) < 10.0);
 }
 
-void WalkingGait::noLegChangesTheMomentum_data()
+void WalkingGait::legsConserveMomentum_data()
 {
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("h");
@@ -201,7 +204,7 @@ void WalkingGait::noLegChangesTheMomentum_data()
     }
 }
 
-void WalkingGait::noLegChangesTheMomentum()
+void WalkingGait::legsConserveMomentum()
 {
     QFETCH(double, h);
     sim::Script script = scriptOfRow("body_pulled", h, {{"damp", 1.0}});
@@ -213,13 +216,13 @@ void WalkingGait::noLegChangesTheMomentum()
         QVERIFY(sim::length(momentumOf(state) - sim::Vec2{4, 5}) < 1e-10);
     }
     const double moved = sim::length(stateAfter(script, 10).velocityOf(2) - sim::Vec2{-2, 3});
-    QVERIFY2(moved > 1.0, "the legs must have something to give");
+    QVERIFY2(moved > 1.0, "legs must transfer momentum during this run");
 }
 
-void WalkingGait::aHeldEndFeelsNothingTheOtherFeelsItsLeg()
+void WalkingGait::heldEndStaysAndTheOtherFeelsTheLeg()
 {
     sim::Script script = scriptOf(step("body_pulled"), "published", 1.0, {{"damp", 1.0}, {"speed", 0.0}});
-    script.bodies = {{"foot0", {{200, 350}, {}}}}; // 20 px left of its place
+    script.bodies = {{"foot0", {{200, 350}, {}}}}; // 20 px left of its target
     script.input = {{1, sim::Grab{"foot0"}}};
     const sim::State footHeld = stateAfter(script, 1);
     QCOMPARE(footHeld.positionOf(0), (sim::Vec2{200, 350}));
@@ -230,7 +233,7 @@ void WalkingGait::aHeldEndFeelsNothingTheOtherFeelsItsLeg()
     QVERIFY(sim::length(bodyHeld.velocityOf(0) - sim::Vec2{4, 0}) < 1e-12);
 }
 
-void WalkingGait::theCurveChangesOnlyThePicture()
+void WalkingGait::curveChangesOnlyTheView()
 {
     const lessons::Step &curved = step("curved_legs");
     const auto run = [&](double curve) {
@@ -241,9 +244,9 @@ void WalkingGait::theCurveChangesOnlyThePicture()
     QVERIFY(sim::sameBits(run(50.0), run(-20.0)));
     sim::Values values = curved.defaultValues();
     values.set("curve", 33.0);
-    const lessons::View look = curved.view(curved.scene(values), values);
-    QCOMPARE(look.legs.size(), std::size_t{2});
-    for (const lessons::LegView &leg : look.legs) {
+    const lessons::View view = curved.view(curved.scene(values), values);
+    QCOMPARE(view.legs.size(), std::size_t{2});
+    for (const lessons::LegView &leg : view.legs) {
         QCOMPARE(leg.curve, 33.0);
         QVERIFY(leg.from == 2 && leg.to < 2);
     }

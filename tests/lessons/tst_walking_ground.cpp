@@ -14,7 +14,7 @@
 using namespace support;
 using std::numbers::pi;
 
-/// Step `ground` of the lesson on walking: it walks, and why.
+/// Step `ground` of the lesson on walking: the creature walks, because planted feet have traction.
 class WalkingGround : public QObject
 {
     Q_OBJECT
@@ -30,8 +30,8 @@ class WalkingGround : public QObject
             QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
     }
 
-    /// Whether the row's method computes as coarsely as the one that the steps' texts take their figures from.
-    static bool asTheTextsSay()
+    /// Returns whether the method of the row has order 1, like the one behind the numbers in the texts.
+    static bool hasOrderOfTheTexts()
     {
         QFETCH(QString, method);
         return sim::findMethod(method.toStdString())->order() == 1;
@@ -43,11 +43,11 @@ class WalkingGround : public QObject
         return scriptOf(step(id), method.toStdString(), h, changes);
     }
 
-    /// How far the body comes per frame, over whole turns of the clock after the first ten.
-    static double pace(const sim::Script &script)
+    /// Returns the mean velocity of the body in px/frame, over gait cycles 11 to 20.
+    static double meanVelocity(const sim::Script &script)
     {
-        const double turn = 2.0 * pi / std::abs(script.values["speed"]);
-        const auto from = std::llround(10.0 * turn), to = std::llround(20.0 * turn);
+        const double cycle = 2.0 * pi / std::abs(script.values["speed"]);
+        const auto from = std::llround(10.0 * cycle), to = std::llround(20.0 * cycle);
         sim::Track track(script, 0);
         track.seek({from, 0});
         const double before = track.state().positionOf(2).x;
@@ -55,23 +55,24 @@ class WalkingGround : public QObject
         return (track.state().positionOf(2).x - before) / double(to - from);
     }
 
-    /// What a measure of step `ground` says on the average over frames 600 to 1200, where it says anything.
-    double averageOf(const char *name, const sim::Script &script) const;
+    /// Returns the mean of a measure of step `ground` over frames 601 to 1200, without values that are not
+    /// finite.
+    double meanMeasure(const char *name, const sim::Script &script) const;
 
 private slots:
-    void itWalksTheWayThatTheSignOfTheSpeedSays_data();
-    void itWalksTheWayThatTheSignOfTheSpeedSays();
+    void signOfTheSpeedSetsTheDirection_data();
+    void signOfTheSpeedSetsTheDirection();
     void leftAndRightAreMirrorImages();
-    void withoutTractionItDoesNotAdvance_data() { addMethodRows(); }
-    void withoutTractionItDoesNotAdvance();
-    void slipShrinksWithTheStep_data() { addMethodRows(); }
-    void slipShrinksWithTheStep();
-    void theGroundStopsAFootAndABounceTurnsItRound_data();
-    void theGroundStopsAFootAndABounceTurnsItRound();
-    void onlyFeetMeetTheGround();
+    void creatureDoesNotAdvanceWithoutTraction_data() { addMethodRows(); }
+    void creatureDoesNotAdvanceWithoutTraction();
+    void slipIsProportionalToTheStep_data() { addMethodRows(); }
+    void slipIsProportionalToTheStep();
+    void groundStopsOrReflectsFeet_data();
+    void groundStopsOrReflectsFeet();
+    void onlyFeetTouchTheGround();
 };
 
-double WalkingGround::averageOf(const char *name, const sim::Script &script) const
+double WalkingGround::meanMeasure(const char *name, const sim::Script &script) const
 {
     for (const lessons::Measure &measure : step("ground").measures) {
         if (measure.name != QString::fromUtf8(name))
@@ -93,28 +94,30 @@ double WalkingGround::averageOf(const char *name, const sim::Script &script) con
     return NAN;
 }
 
-void WalkingGround::itWalksTheWayThatTheSignOfTheSpeedSays_data()
+void WalkingGround::signOfTheSpeedSetsTheDirection_data()
 {
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("speed");
-    QTest::addColumn<double>("least");
+    QTest::addColumn<double>("minVelocity");
     for (const sim::MethodPtr &method : walkingMethods()) {
-        for (const auto &[speed, least] : {std::pair{0.02, 0.4}, {0.05, 1.1}, {0.1, 2.4}, {0.15, 3.5}}) {
+        for (const auto &[speed, minVelocity] :
+             {std::pair{0.02, 0.4}, {0.05, 1.1}, {0.1, 2.4}, {0.15, 3.5}}) {
             for (double sign : {1.0, -1.0})
                 QTest::addRow("%s, speed %g", method->id().c_str(), sign * speed)
-                    << QString::fromStdString(method->id()) << sign * speed << sign * least;
+                    << QString::fromStdString(method->id()) << sign * speed << sign * minVelocity;
         }
     }
 }
 
-void WalkingGround::itWalksTheWayThatTheSignOfTheSpeedSays()
+void WalkingGround::signOfTheSpeedSetsTheDirection()
 {
     QFETCH(double, speed);
-    QFETCH(double, least);
-    const double walked = pace(scriptOfRow("ground", 1.0, {{"speed", speed}}));
-    QVERIFY2(walked * speed > 0.0 && std::abs(walked) > std::abs(least), qPrintable(QString::number(walked)));
-    if (std::abs(speed) == 0.05 && asTheTextsSay()) // the step's text: about 150 px in each turn
-        QVERIFY(std::abs(std::abs(walked) * 2.0 * pi / 0.05 - 150.0) < 8.0);
+    QFETCH(double, minVelocity);
+    const double velocity = meanVelocity(scriptOfRow("ground", 1.0, {{"speed", speed}}));
+    QVERIFY2(velocity * speed > 0.0 && std::abs(velocity) > std::abs(minVelocity),
+             qPrintable(QString::number(velocity)));
+    if (std::abs(speed) == 0.05 && hasOrderOfTheTexts()) // the text: about 150 px per gait cycle
+        QVERIFY(std::abs(std::abs(velocity) * 2.0 * pi / 0.05 - 150.0) < 8.0);
 }
 
 void WalkingGround::leftAndRightAreMirrorImages()
@@ -125,38 +128,38 @@ void WalkingGround::leftAndRightAreMirrorImages()
     const sim::State right = after(0.05), left = after(-0.05);
     const std::array<int, 3> mirrored = {1, 0, 2};
     for (int i = 0; i < 3; ++i) {
-        const sim::Vec2 one = right.positionOf(i),
-                        other = left.positionOf(mirrored[static_cast<std::size_t>(i)]);
-        QVERIFY(std::abs(one.x - 270.0 + other.x - 270.0) < 1e-8 && std::abs(one.y - other.y) < 1e-8);
+        const sim::Vec2 toTheRight = right.positionOf(i),
+                        toTheLeft = left.positionOf(mirrored[static_cast<std::size_t>(i)]);
+        QVERIFY(std::abs(toTheRight.x - 270.0 + toTheLeft.x - 270.0) < 1e-8 &&
+                std::abs(toTheRight.y - toTheLeft.y) < 1e-8);
     }
 }
 
-/// Legs give the creature no momentum, gravity none sideways, and ice takes none: the middle stays.
-void WalkingGround::withoutTractionItDoesNotAdvance()
+/// On ice no horizontal external force acts, so the centre of mass stays.
+void WalkingGround::creatureDoesNotAdvanceWithoutTraction()
 {
     const sim::State state = stateAfter(scriptOfRow("ground", 1.0, {{"traction", 1.0}}), 3000);
     QVERIFY(std::abs(state.position.col(0).mean() - 270.0) < 1e-8);
     QVERIFY(std::abs(state.positionOf(2).x - 270.0) < 1.0);
-    const double walked = stateAfter(scriptOfRow("ground", 1.0), 3000).positionOf(2).x - 270.0;
-    QVERIFY(walked > 3000.0);
+    const double distance = stateAfter(scriptOfRow("ground", 1.0), 3000).positionOf(2).x - 270.0;
+    QVERIFY(distance > 3000.0);
 }
 
-void WalkingGround::slipShrinksWithTheStep()
+void WalkingGround::slipIsProportionalToTheStep()
 {
-    const auto slip = [&](double h) { return averageOf("Slip", scriptOfRow("ground", h)); };
-    if (asTheTextsSay()) {
-        const double whole = slip(1.0);
-        QVERIFY2(whole > 0.35 && whole < 0.5, qPrintable(QString::number(whole)));
-        QVERIFY(std::abs(slip(0.5) - 0.25) < 0.01); // the step's text, as what follows
-        QVERIFY(std::abs(pace(scriptOfRow("ground", 1.0)) - 1.2) < 0.05);
-        QVERIFY(std::abs(pace(scriptOfRow("ground", 0.5)) - 1.4) < 0.05);
+    const auto slip = [&](double h) { return meanMeasure("Slip", scriptOfRow("ground", h)); };
+    if (hasOrderOfTheTexts()) {
+        const double fullStepSlip = slip(1.0);
+        QVERIFY2(fullStepSlip > 0.35 && fullStepSlip < 0.5, qPrintable(QString::number(fullStepSlip)));
+        QVERIFY(std::abs(slip(0.5) - 0.25) < 0.01); // this and the next two numbers are in the text
+        QVERIFY(std::abs(meanVelocity(scriptOfRow("ground", 1.0)) - 1.2) < 0.05);
+        QVERIFY(std::abs(meanVelocity(scriptOfRow("ground", 0.5)) - 1.4) < 0.05);
     }
-    const Slope jacobian = slopeOf(slip, 0, 4);
-    QVERIFY2(jacobian.least > 0.8 && jacobian.greatest < 1.2,
-             qPrintable(u"%1 to %2"_qs.arg(jacobian.least).arg(jacobian.greatest)));
+    const OrderRange order = observedOrders(slip, 0, 4);
+    QVERIFY2(order.min > 0.8 && order.max < 1.2, qPrintable(u"%1 to %2"_qs.arg(order.min).arg(order.max)));
 }
 
-void WalkingGround::theGroundStopsAFootAndABounceTurnsItRound_data()
+void WalkingGround::groundStopsOrReflectsFeet_data()
 {
     QTest::addColumn<double>("bounce");
     QTest::addColumn<double>("traction");
@@ -168,7 +171,7 @@ void WalkingGround::theGroundStopsAFootAndABounceTurnsItRound_data()
     QTest::newRow("ice, bounce 0.5") << 0.5 << 1.0 << sim::Vec2{3, -4};
 }
 
-void WalkingGround::theGroundStopsAFootAndABounceTurnsItRound()
+void WalkingGround::groundStopsOrReflectsFeet()
 {
     QFETCH(double, bounce);
     QFETCH(double, traction);
@@ -181,11 +184,11 @@ void WalkingGround::theGroundStopsAFootAndABounceTurnsItRound()
     QCOMPARE(state.positionOf(0), (sim::Vec2{223, 400}));
     QCOMPARE(state.velocityOf(0), after);
     QVERIFY(!std::signbit(state.velocityOf(0).x) && (after.y != 0.0 || !std::signbit(state.velocityOf(0).y)));
-    QCOMPARE(state.positionOf(1), (sim::Vec2{323, 400})); // touches, and is not below
+    QCOMPARE(state.positionOf(1), (sim::Vec2{323, 400})); // touches the ground and is not below it
     QCOMPARE(state.velocityOf(1), (sim::Vec2{3, 8}));
 }
 
-void WalkingGround::onlyFeetMeetTheGround()
+void WalkingGround::onlyFeetTouchTheGround()
 {
     sim::Script script = scriptOf(step("ground"), "published", 1.0, {{"k", 0.0}});
     const sim::State fallen = stateAfter(script, 200);

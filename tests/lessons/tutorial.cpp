@@ -12,7 +12,7 @@ void Tutorial::enterFrame()
             handle(event);
     }
     if (m_held)
-        dragged(*m_held, m_held != &body || kind == Kind::mutual);
+        drag(*m_held, m_held != &body || kind == Kind::mutual);
     for (Clip &foot : feet) {
         if (&foot != m_held)
             footSpring(foot);
@@ -32,20 +32,20 @@ std::vector<Clip> Tutorial::clips() const
 void Tutorial::handle(const sim::Event &event)
 {
     if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
-        m_held = clipCalled(grab->body);
-        m_handX = m_held->x;
-        m_handY = m_held->y;
+        m_held = findClip(grab->body);
+        m_dragX = m_held->x;
+        m_dragY = m_held->y;
     } else if (const auto *move = std::get_if<sim::Move>(&event.what)) {
-        m_handX = move->to.x;
-        m_handY = move->to.y;
+        m_dragX = move->to.x;
+        m_dragY = move->to.y;
     } else if (m_held) {
-        m_held->x = m_handX;
-        m_held->y = m_handY;
+        m_held->x = m_dragX;
+        m_held->y = m_dragY;
         m_held = nullptr;
     }
 }
 
-Clip *Tutorial::clipCalled(const std::string &name)
+Clip *Tutorial::findClip(const std::string &name)
 {
     if (name == "body")
         return &body;
@@ -53,14 +53,14 @@ Clip *Tutorial::clipCalled(const std::string &name)
     return &feet.at(number.empty() ? 0 : std::stoul(number));
 }
 
-void Tutorial::dragged(Clip &clip, bool keepsVelocity)
+void Tutorial::drag(Clip &clip, bool keepsVelocity)
 {
     if (keepsVelocity) {
-        clip.vx = m_handX - clip.x;
-        clip.vy = m_handY - clip.y;
+        clip.vx = m_dragX - clip.x;
+        clip.vy = m_dragY - clip.y;
     }
-    clip.x = m_handX;
-    clip.y = m_handY;
+    clip.x = m_dragX;
+    clip.y = m_dragY;
 }
 
 void Tutorial::footSpring(Clip &foot)
@@ -73,14 +73,14 @@ void Tutorial::footSpring(Clip &foot)
         springTo(foot, body.x + offset, body.y);
     else
         springAround(foot, body);
-    goOn(foot);
+    dampAndMove(foot);
 }
 
 void Tutorial::bodySpring()
 {
     for (const Clip &foot : feet)
         springAround(body, foot);
-    goOn(body);
+    dampAndMove(body);
 }
 
 void Tutorial::springTo(Clip &clip, double targetX, double targetY) const
@@ -97,7 +97,7 @@ void Tutorial::springAround(Clip &clip, const Clip &other) const
     springTo(clip, other.x + std::cos(angle) * radius, other.y + std::sin(angle) * radius);
 }
 
-void Tutorial::goOn(Clip &clip) const
+void Tutorial::dampAndMove(Clip &clip) const
 {
     clip.vy += gravity;
     clip.vx *= damp;

@@ -16,9 +16,9 @@ struct Clip
     double width = 10.0;       ///< px
 };
 
-/// Creatures I, written down a second time straight from the printed code, with nothing of sim in it: feet in
-/// order, then the body. The yardstick for the lessons; changed from print only in how a hand holds (the rule of
-/// the experiment file) and in that `left` is the wall on the left.
+/// Creatures I, transcribed from the printed code without any code of sim. It moves the feet in order, then
+/// the body, and serves as the reference for the lessons. Two things differ from print: bodies are dragged by
+/// the rule of experiment files, and `left` is the x of the left wall.
 class Tutorial
 {
 public:
@@ -27,7 +27,7 @@ public:
         movingBody,  ///< step 5; the body is a handle, as in the next two
         offset,      ///< step 6
         radial,      ///< step 7
-        mutual,      ///< step 9 to 19: as many feet as there are
+        mutual,      ///< steps 9 to 19, with any number of feet
     };
 
     Kind kind = Kind::mutual;
@@ -40,22 +40,22 @@ public:
 
     /// Computes one frame.
     void enterFrame();
-    /// The feet, then the body if there is one.
+    /// Returns the feet, then the body if there is one.
     std::vector<Clip> clips() const;
 
 private:
     void handle(const sim::Event &event);
-    Clip *clipCalled(const std::string &name);
-    void dragged(Clip &clip, bool keepsVelocity);
+    Clip *findClip(const std::string &name);
+    void drag(Clip &clip, bool keepsVelocity);
     void footSpring(Clip &foot);
     void bodySpring();
     void springTo(Clip &clip, double targetX, double targetY) const;
     void springAround(Clip &clip, const Clip &other) const;
-    void goOn(Clip &clip) const;
+    void dampAndMove(Clip &clip) const;
 
     int m_frame = 0;
     Clip *m_held = nullptr;
-    double m_handX = 0.0, m_handY = 0.0;
+    double m_dragX = 0.0, m_dragY = 0.0;
 };
 
 }

@@ -10,9 +10,9 @@ namespace support {
 
 namespace {
 
-double between(double least, double most, std::mt19937 &random)
+double between(double min, double max, std::mt19937 &random)
 {
-    return std::uniform_real_distribution<double>(least, most)(random);
+    return std::uniform_real_distribution<double>(min, max)(random);
 }
 
 Clip randomClip(double width, std::mt19937 &random)
@@ -36,7 +36,8 @@ std::vector<std::string> namesOf(const Tutorial &tutorial)
     return names;
 }
 
-/// The hand takes something at random, goes straight on for some frames, and lets go: three times.
+/// Returns three drags. Each grabs a random body, moves it along a straight line for 15 frames and releases
+/// it.
 std::vector<sim::Event> randomDrags(const std::vector<std::string> &names, std::mt19937 &random)
 {
     std::vector<sim::Event> input;
@@ -44,21 +45,21 @@ std::vector<sim::Event> randomDrags(const std::vector<std::string> &names, std::
     for (int drag = 0; drag < 3; ++drag) {
         const auto chosen = std::uniform_int_distribution<std::size_t>(0, names.size() - 1)(random);
         input.push_back({frame, sim::Grab{names[chosen]}});
-        sim::Vec2 hand{between(100, 400, random), between(50, 350, random)};
-        const sim::Vec2 way{between(-9, 9, random), between(-9, 9, random)};
+        sim::Vec2 pointer{between(100, 400, random), between(50, 350, random)};
+        const sim::Vec2 velocity{between(-9, 9, random), between(-9, 9, random)};
         for (int i = 0; i < 15; ++i, ++frame) {
-            input.push_back({frame, sim::Move{hand}});
-            hand = hand + way;
+            input.push_back({frame, sim::Move{pointer}});
+            pointer = pointer + velocity;
         }
         if (drag == 1)
-            frame += 10; // holds still before it lets go
+            frame += 10; // holds still before the release
         input.push_back({frame, sim::Release{}});
         frame += 25;
     }
     return input;
 }
 
-/// What the step calls a clip: a lone foot has no number in the first two lessons.
+/// Returns the name of a clip in `scene`. In the first two lessons the only foot has no number.
 std::string nameIn(const sim::Scene &scene, const std::string &name)
 {
     return scene.find(name) < 0 && name == "foot0" ? "foot" : name;

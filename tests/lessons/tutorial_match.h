@@ -9,18 +9,19 @@
 
 namespace support {
 
-/// An experiment for both a step and the Tutorial.
+/// An experiment that both a lesson step and the Tutorial compute.
 struct Match
 {
     const char *step = nullptr;
     Tutorial tutorial;
 };
 
-/// A tutorial with random stiffness, damping and so on, `feet` feet and the body at random places with random
-/// velocities, and a hand that drags and throws one after the other.
+/// Returns a tutorial with random parameters, `feet` feet and a body. They start with random positions and
+/// velocities. Its input drags and throws random ones of them.
 Tutorial randomTutorial(Tutorial::Kind kind, int feet, std::mt19937 &random);
 
-/// The largest difference of a position or a velocity between the step and the tutorial, over `frames` frames.
+/// Returns the largest difference in any position or velocity between step and tutorial, over `frames`
+/// frames.
 double largestDifference(const lessons::Step &step, const Tutorial &tutorial, int frames);
 
 }

@@ -10,18 +10,18 @@ std::vector<Attempt> attempts()
              p.play(5);
              p.stepPhases(4);
          }},
-        {"mutual", 1, "left to fly",
+        {"mutual", 1, "flies away",
          [](Player &p) {
              p.set("k", 0.3);
              p.playUntilDone(300);
          }},
-        {"mutual", 2, "calmed from the start",
+        {"mutual", 2, "damped from the start",
          [](Player &p) {
              p.set("k", 0.3);
              p.set("damp", 0.85);
              p.playUntilDone(600);
          }},
-        {"mutual", 2, "calmed in flight",
+        {"mutual", 2, "damped in flight",
          [](Player &p) {
              p.set("k", 0.3);
              p.play(150);
@@ -38,12 +38,12 @@ std::vector<Attempt> attempts()
         {"leg_line", 0, "stretched",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo({490, 390}, 6);
+             p.dragTo({490, 390}, 6);
          }},
-        {"leg_line", 1, "pressed",
+        {"leg_line", 1, "compressed",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo(p.at("body"), 5);
+             p.dragTo(p.at("body"), 5);
              p.letGo();
              p.play(1);
          }},
@@ -53,31 +53,31 @@ std::vector<Attempt> attempts()
              p.set("radius", 100.0);
              p.playUntilDone(900);
          }},
-        {"leg_line", 3, "a ghost",
+        {"leg_line", 3, "changed in the past",
          [](Player &p) {
              p.play(90);
              p.goTo(30);
              p.set("k", 0.1);
              p.play(30);
          }},
-        // Near misses, and what is still to do then
-        {"mutual", 3, "by the other method",
+        // Near misses, with the expected hint
+        {"mutual", 3, "with the other method",
          [](Player &p) {
              p.set("k", 0.3);
              p.useMethod("semi_implicit_euler");
              p.play(50);
          },
          "hands off, and let time run for 100 frames. So far: 50."},
-        {"leg_line", 0, "a little",
+        {"leg_line", 0, "stretched slightly",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo(p.at("foot") + sim::Vec2{5, 0}, 5);
+             p.dragTo(p.at("foot") + sim::Vec2{5, 0}, 5);
          },
          "pull faster. The leg is 33 px long."},
-        {"leg_line", 1, "pressed, and still in the hand",
+        {"leg_line", 1, "compressed, not released",
          [](Player &p) {
              p.grab("foot");
-             p.carryTo(p.at("body"), 5);
+             p.dragTo(p.at("body"), 5);
          },
          "let go now."},
     };

@@ -6,15 +6,15 @@ namespace support {
 
 namespace {
 
-std::vector<Attempt> standing()
+std::vector<Attempt> standingAttempts()
 {
     return {
-        {"bones", 0, "pulled over and let go",
+        {"bones", 0, "pulled over and released",
          [](Player &p) {
              p.drag("foot0", {380, 200}, 20);
              p.playUntilDone(400);
          }},
-        {"bones", 1, "carried",
+        {"bones", 1, "body dragged",
          [](Player &p) {
              p.drag("body", {100, 150}, 40);
          }},
@@ -39,7 +39,7 @@ std::vector<Attempt> standing()
              p.set("drop", -50.0);
              p.playUntilDone(400);
          }},
-        {"feet_below", 2, "carried",
+        {"feet_below", 2, "body dragged",
          [](Player &p) {
              p.drag("body", {100, 250}, 40);
          }},
@@ -52,18 +52,18 @@ std::vector<Attempt> standing()
              p.set("curve", 120.0);
              p.play(20);
          }},
-        {"curved_legs", 2, "the other way", [](Player &p) { p.set("curve", -30.0); }},
+        {"curved_legs", 2, "curved the other way", [](Player &p) { p.set("curve", -30.0); }},
         {"swing", 0, "backwards",
          [](Player &p) {
              p.set("speed", -0.05);
              p.play(70);
          }},
-        {"swing", 1, "near its own speed",
+        {"swing", 1, "near its natural frequency",
          [](Player &p) {
              p.set("speed", 0.45);
              p.playUntilDone(300);
          }},
-        {"swing", 2, "carried",
+        {"swing", 2, "body dragged",
          [](Player &p) {
              p.drag("body", {480, 300}, 100);
          }},
@@ -90,14 +90,14 @@ std::vector<Attempt> standing()
              p.grab("foot1");
              p.playUntilDone(80);
          }},
-        // Near misses, and what is still to do then
+        // Near misses, with the expected hint
         {"bones", 0, "not over to the right",
          [](Player &p) {
              p.drag("foot0", {150, 200}, 20);
              p.play(300);
          },
          "pull it 20 px or more past the body, to the right. It came −20 px past it."},
-        {"curved_legs", 1, "without carrying",
+        {"curved_legs", 1, "without dragging",
          [](Player &p) {
              p.play(30);
              p.goTo(5);
@@ -117,7 +117,7 @@ std::vector<Attempt> standing()
              p.play(120);
          },
          "take it with the mouse, and let go of it."},
-        {"ground", 0, "not yet there",
+        {"ground", 0, "not far enough",
          [](Player &p) {
              p.set("speed", -0.05);
              p.play(3);
@@ -133,7 +133,7 @@ std::vector<Attempt> standing()
                  p.play(1);
          },
          "let it stand for ten frames."},
-        {"ground", 3, "carried to the side",
+        {"ground", 3, "dragged to the side",
          [](Player &p) {
              p.play(50);
              p.drag("body", p.at("body") + sim::Vec2{140, 0}, 30);
@@ -143,7 +143,7 @@ std::vector<Attempt> standing()
     };
 }
 
-std::vector<Attempt> walking()
+std::vector<Attempt> groundAttempts()
 {
     return {
         {"ground", 0, "to the left",
@@ -168,12 +168,12 @@ std::vector<Attempt> walking()
              p.drag("body", p.at("body") + sim::Vec2{30, -140}, 30);
              p.playUntilDone(300);
          }},
-        {"more_feet", 0, "twelve",
+        {"more_feet", 0, "twelve feet",
          [](Player &p) {
              p.set("feet", 12.0);
              p.play(210);
          }},
-        {"more_feet", 1, "together",
+        {"more_feet", 1, "feet in step",
          [](Player &p) {
              p.set("spread", 0.0);
              p.play(210);
@@ -186,7 +186,7 @@ std::vector<Attempt> walking()
     };
 }
 
-std::vector<Attempt> further()
+std::vector<Attempt> variationAttempts()
 {
     return {
         {"steering", 0, "by key",
@@ -238,14 +238,14 @@ std::vector<Attempt> further()
          [](Player &p) {
              p.play(5);
              p.grab("creature0.body");
-             p.carryTo(p.at("creature1.body") + sim::Vec2{-30, 0}, 30);
+             p.dragTo(p.at("creature1.body") + sim::Vec2{-30, 0}, 30);
          }},
-        {"company", 1, "one feels it",
+        {"company", 1, "only one feels the push",
          [](Player &p) {
              p.set("felt_by", 1.0);
              p.playUntilDone(400);
          }},
-        {"company", 2, "five",
+        {"company", 2, "five creatures",
          [](Player &p) {
              p.set("creatures", 5.0);
              p.play(310);
@@ -258,7 +258,7 @@ std::vector<Attempt> further()
 std::vector<Attempt> attempts()
 {
     std::vector<Attempt> all;
-    for (const std::vector<Attempt> &part : {standing(), walking(), further()})
+    for (const std::vector<Attempt> &part : {standingAttempts(), groundAttempts(), variationAttempts()})
         all.insert(all.end(), part.begin(), part.end());
     return all;
 }

@@ -20,8 +20,8 @@ void WalkingTutorial::enterFrame()
     if (m_held)
         drag();
     for (Foot &foot : feet)
-        footMove(foot);
-    bodyMove();
+        moveFoot(foot);
+    moveBody();
 }
 
 std::vector<Clip> WalkingTutorial::clips() const
@@ -34,20 +34,20 @@ std::vector<Clip> WalkingTutorial::clips() const
 void WalkingTutorial::handle(const sim::Event &event)
 {
     if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
-        m_held = clipCalled(grab->body);
-        m_handX = m_held->x;
-        m_handY = m_held->y;
+        m_held = findClip(grab->body);
+        m_dragX = m_held->x;
+        m_dragY = m_held->y;
     } else if (const auto *move = std::get_if<sim::Move>(&event.what)) {
-        m_handX = move->to.x;
-        m_handY = move->to.y;
+        m_dragX = move->to.x;
+        m_dragY = move->to.y;
     } else if (m_held) {
-        m_held->x = m_handX;
-        m_held->y = m_handY;
+        m_held->x = m_dragX;
+        m_held->y = m_dragY;
         m_held = nullptr;
     }
 }
 
-Clip *WalkingTutorial::clipCalled(const std::string &name)
+Clip *WalkingTutorial::findClip(const std::string &name)
 {
     if (name == "body")
         return &body;
@@ -57,14 +57,14 @@ Clip *WalkingTutorial::clipCalled(const std::string &name)
 void WalkingTutorial::drag()
 {
     if (m_held != &body || kind >= Kind::bodyPulled) {
-        m_held->vx = m_handX - m_held->x;
-        m_held->vy = m_handY - m_held->y;
+        m_held->vx = m_dragX - m_held->x;
+        m_held->vy = m_dragY - m_held->y;
     }
-    m_held->x = m_handX;
-    m_held->y = m_handY;
+    m_held->x = m_dragX;
+    m_held->y = m_dragY;
 }
 
-void WalkingTutorial::footMove(Foot &foot)
+void WalkingTutorial::moveFoot(Foot &foot)
 {
     const double realAngle = kind >= Kind::swing ? foot.angle + m_bodyAngle : foot.angle;
     const double tx = body.x - std::cos(realAngle) * leg;
@@ -73,11 +73,11 @@ void WalkingTutorial::footMove(Foot &foot)
         ty = ty + drop;
     const double ax = (tx - foot.x) * k;
     const double ay = (ty - foot.y) * k;
-    if (kind >= Kind::bodyPulled && !held(body)) {
+    if (kind >= Kind::bodyPulled && !isHeld(body)) {
         body.vx -= ax;
         body.vy -= ay;
     }
-    if (held(foot))
+    if (isHeld(foot))
         return;
     foot.vx += ax;
     foot.vy += ay;
@@ -95,9 +95,9 @@ void WalkingTutorial::footMove(Foot &foot)
     }
 }
 
-void WalkingTutorial::bodyMove()
+void WalkingTutorial::moveBody()
 {
-    if (kind >= Kind::bodyPulled && !held(body)) {
+    if (kind >= Kind::bodyPulled && !isHeld(body)) {
         if (kind == Kind::ground)
             body.vy += grav;
         body.vx *= damp;
@@ -110,10 +110,10 @@ void WalkingTutorial::bodyMove()
 
 WalkingTutorial randomWalk(WalkingTutorial::Kind kind, int feet, std::mt19937 &random)
 {
-    const auto between = [&](double least, double most) {
-        return std::uniform_real_distribution<double>(least, most)(random);
+    const auto between = [&](double min, double max) {
+        return std::uniform_real_distribution<double>(min, max)(random);
     };
-    const Tutorial same = randomTutorial(Tutorial::Kind::mutual, feet, random); // places and drags
+    const Tutorial startAndDrags = randomTutorial(Tutorial::Kind::mutual, feet, random);
     WalkingTutorial walk;
     walk.kind = kind;
     walk.k = between(0.05, 0.3);
@@ -125,16 +125,16 @@ WalkingTutorial randomWalk(WalkingTutorial::Kind kind, int feet, std::mt19937 &r
     walk.ground = between(300, 420);
     walk.bounce = random() % 2 ? between(0, 1) : 0.0;
     walk.ice = random() % 4 == 0;
-    walk.body = same.body;
+    walk.body = startAndDrags.body;
     if (kind < WalkingTutorial::Kind::bodyPulled)
         walk.body.vx = walk.body.vy = 0.0; // a handle
     for (int i = 0; i < feet; ++i) {
         WalkingTutorial::Foot foot;
-        static_cast<Clip &>(foot) = same.feet[static_cast<std::size_t>(i)];
+        static_cast<Clip &>(foot) = startAndDrags.feet[static_cast<std::size_t>(i)];
         foot.angle = 2.0 * std::numbers::pi * i / feet;
         walk.feet.push_back(foot);
     }
-    walk.input = same.input;
+    walk.input = startAndDrags.input;
     return walk;
 }
 

@@ -11,13 +11,13 @@
 
 namespace support {
 
-/// Creatures II, written down a second time straight from the printed code, with nothing of sim in it: feet in
-/// order, then the body, whose angle goes on last. Changed from print only in how a hand holds (the rule of the
-/// experiment file), and in what the lesson adds: `bounce`, ice, any number of feet.
+/// Creatures II, transcribed from the printed code without any code of sim. It moves the feet in order, then
+/// the body, and advances the gait angle last. Two things differ from print: bodies are dragged by the rule
+/// of experiment files, and the additions of the lesson are there (`bounce`, ice, any number of feet).
 class WalkingTutorial
 {
 public:
-    /// Which step's code.
+    /// The tutorial steps whose code runs.
     enum class Kind {
         bones,      ///< steps 1 to 5; the body is a handle, as in the next two
         below,      ///< steps 6 and 7
@@ -40,31 +40,32 @@ public:
 
     /// Computes one frame.
     void enterFrame();
-    /// The feet, then the body.
+    /// Returns the feet, then the body.
     std::vector<Clip> clips() const;
 
 private:
     void handle(const sim::Event &event);
-    Clip *clipCalled(const std::string &name);
+    Clip *findClip(const std::string &name);
     void drag();
-    void footMove(Foot &foot);
-    void bodyMove();
-    bool held(const Clip &clip) const { return &clip == m_held; }
+    void moveFoot(Foot &foot);
+    void moveBody();
+    bool isHeld(const Clip &clip) const { return &clip == m_held; }
 
     int m_frame = 0;
     double m_bodyAngle = 0.0;
     Clip *m_held = nullptr;
-    double m_handX = 0.0, m_handY = 0.0;
+    double m_dragX = 0.0, m_dragY = 0.0;
 };
 
-/// A walking tutorial with random numbers, `feet` feet and the body at random places with random velocities, and a
-/// hand that drags and throws one after the other.
+/// Returns a walking tutorial with random parameters, `feet` feet and a body. They start with random
+/// positions and velocities. Its input drags and throws random ones of them.
 WalkingTutorial randomWalk(WalkingTutorial::Kind kind, int feet, std::mt19937 &random);
 
-/// The largest difference of a position or a velocity between the step and the tutorial, over `frames` frames.
+/// Returns the largest difference in any position or velocity between step and tutorial, over `frames`
+/// frames.
 double largestDifference(const lessons::Step &step, const WalkingTutorial &tutorial, int frames);
 
-/// An experiment for both a step and the WalkingTutorial.
+/// An experiment that both a lesson step and the WalkingTutorial compute.
 struct Walk
 {
     const char *step = nullptr;

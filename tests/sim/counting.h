@@ -7,12 +7,12 @@
 
 namespace support {
 
-/// A pull that is always 0, and counts for how many points it is asked for.
-class Counting : public sim::Force
+/// A force of 0 that counts the points for which it was computed.
+class CountingForce : public sim::Force
 {
 public:
-    explicit Counting(std::shared_ptr<std::int64_t> count,
-                      sim::Dependence dependence = sim::Dependence::coupledPoints)
+    explicit CountingForce(std::shared_ptr<std::int64_t> count,
+                           sim::Dependence dependence = sim::Dependence::coupledPoints)
         : m_count(std::move(count)), m_dependence(dependence)
     {
     }

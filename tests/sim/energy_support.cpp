@@ -9,27 +9,27 @@
 
 using namespace sim;
 
-namespace energy_bench {
+namespace energy_support {
 
-Run accounted(const Script &script, int frames)
+LedgerTotals totalsOf(const Script &script, int frames)
 {
     Track track(script, Timeline::defaultBudget);
     track.seek({frames, 0});
     Ledger ledger;
-    Run run;
+    LedgerTotals totals;
     for (std::int64_t frame = track.framesPerOutput(); frame <= frames; frame += track.framesPerOutput()) {
-        const Balance row = ledger.row(track, frame).value();
+        const Balance step = ledger.row(track, frame).value();
         if (frame == track.framesPerOutput())
-            run.sum.before = row.before;
-        run.sum.append(row);
-        run.drifted += std::abs(row.energy[Account::drift]);
+            totals.balance.before = step.before;
+        totals.balance.append(step);
+        totals.absoluteDrift += std::abs(step.energy[Account::drift]);
     }
-    return run;
+    return totals;
 }
 
 Balance balanceOf(const Script &script, int frames)
 {
-    return accounted(script, frames).sum;
+    return totalsOf(script, frames).balance;
 }
 
 Script scriptOf(const Scene &scene, const std::string &method, double h)
@@ -39,7 +39,7 @@ Script scriptOf(const Scene &scene, const std::string &method, double h)
     return script;
 }
 
-void addMethods(bool (*wanted)(const Method &))
+void addMethodRows(bool (*wanted)(const Method &))
 {
     QTest::addColumn<QString>("method");
     for (const MethodPtr &method : allMethods()) {
@@ -48,7 +48,7 @@ void addMethods(bool (*wanted)(const Method &))
     }
 }
 
-bool every(const Method &)
+bool anyMethod(const Method &)
 {
     return true;
 }

@@ -3,24 +3,25 @@
 #include "sim/analysis/energy/balance.h"
 #include "sim/run/script/script.h"
 
-/// What the suites of the ledger share.
-namespace energy_bench {
+/// Helpers for the suites of the energy ledger.
+namespace energy_support {
 
-struct Run
+struct LedgerTotals
 {
-    sim::Balance sum;
-    double drifted = 0.0; ///< the energy's drift, each row's counted as it is without its sign
+    sim::Balance balance;
+    double absoluteDrift = 0.0; ///< sum over output steps of the drift's absolute value
 };
 
-/// The books of the first `frames` frames.
-Run accounted(const sim::Script &script, int frames);
+/// Returns the ledger's totals for the first `frames` frames.
+LedgerTotals totalsOf(const sim::Script &script, int frames);
+/// Returns the ledger's balance for the first `frames` frames.
 sim::Balance balanceOf(const sim::Script &script, int frames);
 
-/// With steps of `h` frames; for an adaptive method see support::stepFor().
+/// Returns a script with steps of `h` frames. An adaptive method gets a tolerance, see support::stepFor().
 sim::Script scriptOf(const sim::Scene &scene, const std::string &method, double h);
 
-/// Rows of a table: the methods that are `wanted`.
-void addMethods(bool (*wanted)(const sim::Method &));
-bool every(const sim::Method &method);
+/// Adds a column "method" and a row for each method for which `wanted` returns true.
+void addMethodRows(bool (*wanted)(const sim::Method &));
+bool anyMethod(const sim::Method &method);
 
 }

@@ -20,37 +20,40 @@ namespace {
 
 using sim::Vec2;
 using Numbers = Eigen::ArrayXd;
-using Pulls = std::function<Numbers(double t, const Numbers &x)>;
+using Accelerations = std::function<Numbers(double t, const Numbers &x)>;
 using std::make_shared;
 
 constexpr double k = 0.1;
 constexpr double radius = 50.0;
 
-/// x'' = a(t, x) - c x' by the classical Runge-Kutta method, in steps of 1/400 frame: the test's own, so that it
-/// shares nothing with what is tested.
-Ends integrate(const Pulls &accelerations, double damp, Ends at, int frames)
+/// Solves x'' = a(t, x) - c x' by the classical Runge-Kutta method in steps of 1/400 frame. Shares no code
+/// with sim.
+Coordinates integrate(const Accelerations &accelerations, double damp, Coordinates state, int frames)
 {
     const double c = -std::log(damp);
-    const auto rate = [&](double t, const Ends &e) { return Ends{e.v, accelerations(t, e.x) - c * e.v}; };
-    const auto ahead = [](const Ends &e, const Ends &by, double h) {
-        return Ends{e.x + h * by.x, e.v + h * by.v};
+    const auto rate = [&](double t, const Coordinates &e) {
+        return Coordinates{e.v, accelerations(t, e.x) - c * e.v};
     };
-    constexpr int parts = 400;
-    constexpr double h = 1.0 / parts;
-    for (int i = 0; i < frames * parts; ++i) {
+    const auto moved = [](const Coordinates &e, const Coordinates &slope, double h) {
+        return Coordinates{e.x + h * slope.x, e.v + h * slope.v};
+    };
+    constexpr int stepsPerFrame = 400;
+    constexpr double h = 1.0 / stepsPerFrame;
+    for (int i = 0; i < frames * stepsPerFrame; ++i) {
         const double t = i * h;
-        const Ends a = rate(t, at);
-        const Ends b = rate(t + h / 2, ahead(at, a, h / 2));
-        const Ends d = rate(t + h / 2, ahead(at, b, h / 2));
-        const Ends e = rate(t + h, ahead(at, d, h));
-        at.x += h / 6 * (a.x + 2 * b.x + 2 * d.x + e.x);
-        at.v += h / 6 * (a.v + 2 * b.v + 2 * d.v + e.v);
+        const Coordinates a = rate(t, state);
+        const Coordinates b = rate(t + h / 2, moved(state, a, h / 2));
+        const Coordinates d = rate(t + h / 2, moved(state, b, h / 2));
+        const Coordinates e = rate(t + h, moved(state, d, h));
+        state.x += h / 6 * (a.x + 2 * b.x + 2 * d.x + e.x);
+        state.v += h / 6 * (a.v + 2 * b.v + 2 * d.v + e.v);
     }
-    return at;
+    return state;
 }
 
-/// Feet 0... and a last point, the body: x of all, then y of all.
-Numbers creaturePulls(const Numbers &x)
+/// Returns the accelerations of feet on radial springs and of their body, the last point. Both arrays hold
+/// all x, then all y.
+Numbers creatureAccelerations(const Numbers &x)
 {
     const Eigen::Index points = x.size() / 2, body = points - 1;
     Numbers a = Numbers::Zero(x.size());
@@ -68,8 +71,9 @@ Numbers creaturePulls(const Numbers &x)
 
 constexpr double gaitSpeed = 0.3;
 
-/// Feet 0 and 1 on legs of 40 px half a turn apart, body 2, which feels them.
-Numbers walkerPulls(double t, const Numbers &x)
+/// Returns the accelerations of two feet on legs of 40 px and of their body, point 2, which feels the
+/// reaction.
+Numbers walkerAccelerations(double t, const Numbers &x)
 {
     Numbers a = Numbers::Zero(6);
     a.tail(3) = gravity;
@@ -85,14 +89,14 @@ Numbers walkerPulls(double t, const Numbers &x)
     return a;
 }
 
-/// x'' = -k x - c x', solved by its two roots.
-Ends swing(const Ends &start, double stiffness, double damp, double t)
+/// Returns the solution of x'' = -k x - c x' from the roots of its characteristic polynomial.
+Coordinates oscillatorEnd(const Coordinates &start, double stiffness, double damp, double t)
 {
     using Complex = std::complex<double>;
     const double c = -std::log(damp);
     const Complex root = std::sqrt(Complex(c * c / 4 - stiffness, 0.0));
     const Complex r1 = -c / 2 + root, r2 = -c / 2 - root;
-    Ends end = start;
+    Coordinates end = start;
     for (Eigen::Index i = 0; i < start.x.size(); ++i) {
         const Complex a = (start.v[i] - r2 * start.x[i]) / (r1 - r2), b = start.x[i] - a;
         end.x[i] = (a * std::exp(r1 * t) + b * std::exp(r2 * t)).real();
@@ -111,18 +115,18 @@ sim::TreePtr smallTree()
     return make_shared<const sim::Tree>(tree);
 }
 
-/// The branches of smallTree(), bent.
+/// Returns the branches of smallTree(), bent away from rest.
 sim::Scene bentBranches()
 {
     sim::Scene scene = scenes::branchesOf(*smallTree());
-    scenes::letSwing(scene);
+    scenes::enableSpins(scene);
     scene.start.place(0, {270, 380});
     for (int i = 0; i < scene.start.pointCount(); ++i)
         scene.start.angle[i] += 5.0 + 3.0 * i;
     return scene;
 }
 
-/// A bent tree of springs, without wind.
+/// Returns a bent tree with spring joints, without wind.
 sim::Scene bentTree(double damp)
 {
     const sim::TreePtr tree = smallTree();
@@ -133,26 +137,26 @@ sim::Scene bentTree(double damp)
     return scene;
 }
 
-/// Each joint pulls its branch back, and its parent the other way.
-Numbers treePulls(const Numbers &angles)
+/// Returns the angular accelerations: each joint turns its branch back and its parent the other way.
+Numbers treeAccelerations(const Numbers &angles)
 {
     const sim::TreePtr tree = smallTree();
-    const sim::BranchMechanics limbs = sim::branchMechanicsOf(*tree, k);
+    const sim::BranchMechanics mechanics = sim::branchMechanicsOf(*tree, k);
     Numbers torque = Numbers::Zero(angles.size());
     for (int i = 0; i < tree->branchCount(); ++i) {
         const auto bend = [&](int branch) { return angles[branch] - tree->rest[std::size_t(branch)]; };
         const int parent = tree->parent[std::size_t(i)];
-        const double back = limbs.stiffness[i] * (bend(i) - (parent < 0 ? 0.0 : bend(parent)));
-        torque[i] -= back;
+        const double restoring = mechanics.stiffness[i] * (bend(i) - (parent < 0 ? 0.0 : bend(parent)));
+        torque[i] -= restoring;
         if (parent >= 0)
-            torque[parent] += back;
+            torque[parent] += restoring;
     }
-    return torque / limbs.inertia;
+    return torque / mechanics.inertia;
 }
 
-SmoothScene smooth(std::string name, const sim::Scene &scene, double damp, const Pulls &accelerations)
+SmoothScene smooth(std::string name, const sim::Scene &scene, double damp, const Accelerations &accelerations)
 {
-    const Ends start = endsOf(scene.start);
+    const Coordinates start = coordinatesOf(scene.start);
     return {std::move(name), scene,
             [=](int frames) { return integrate(accelerations, damp, start, frames); }};
 }
@@ -160,37 +164,38 @@ SmoothScene smooth(std::string name, const sim::Scene &scene, double damp, const
 SmoothScene spring(std::string name, double stiffness, double damp)
 {
     const sim::Scene scene = oscillator(stiffness, damp);
-    const Ends start = endsOf(scene.start);
-    return {std::move(name), scene, [=](int frames) { return swing(start, stiffness, damp, frames); }};
+    const Coordinates start = coordinatesOf(scene.start);
+    return {std::move(name), scene,
+            [=](int frames) { return oscillatorEnd(start, stiffness, damp, frames); }};
 }
 
 }
 
-Ends endsOf(const sim::State &state)
+Coordinates coordinatesOf(const sim::State &state)
 {
     if (state.spin.rows() > 0)
         return {state.angle, state.spin};
     return {state.position.reshaped(), state.velocity.reshaped()};
 }
 
-double distance(const Ends &a, const Ends &b)
+double distance(const Coordinates &a, const Coordinates &b)
 {
     return std::max((a.x - b.x).abs().maxCoeff(), (a.v - b.v).abs().maxCoeff());
 }
 
 const std::vector<SmoothScene> &smoothScenes()
 {
-    const Pulls onCreature = [](double, const Numbers &x) { return creaturePulls(x); };
-    const Pulls onTree = [](double, const Numbers &x) { return treePulls(x); };
+    const Accelerations onCreature = [](double, const Numbers &x) { return creatureAccelerations(x); };
+    const Accelerations onTree = [](double, const Numbers &x) { return treeAccelerations(x); };
     static const std::vector<SmoothScene> all = {
-        spring("a swinging spring", 0.2, 0.9),
-        spring("a creeping spring", 0.05, 0.5),
+        spring("an underdamped spring", 0.2, 0.9),
+        spring("an overdamped spring", 0.05, 0.5),
         spring("an undamped spring", 0.2, 1.0),
         smooth("a creature in the air", creature(5, 0.9), 0.9, onCreature),
         smooth("an undamped creature", creature(5, 1.0), 1.0, onCreature),
         smooth("forty feet", creature(40, 0.9), 0.9, onCreature),
-        smooth("legs that swing", walker(0.9), 0.9, walkerPulls),
-        smooth("undamped legs that swing", walker(1.0), 1.0, walkerPulls),
+        smooth("legs that swing", walker(0.9), 0.9, walkerAccelerations),
+        smooth("undamped legs that swing", walker(1.0), 1.0, walkerAccelerations),
         smooth("a tree", bentTree(0.95), 0.95, onTree),
     };
     return all;
@@ -206,7 +211,7 @@ sim::Scene oscillator(double stiffness, double damp)
 sim::Scene creature(int feet, double damp)
 {
     sim::Scene scene = scenes::springCreature(feet, k, radius);
-    for (int i = 0; i < feet; ++i) { // so spread that none comes near the body soon
+    for (int i = 0; i < feet; ++i) { // far enough from the body to stay clear of it
         const double angle = 0.4 + 2.0 * i, far = 70.0 + 5.0 * (i % 8);
         scene.start.place(i, {270.0 + far * std::cos(angle), 200.0 + far * std::sin(angle)});
         scene.start.setVelocity(i, {2.0 - i % 4, 1.0 - i % 3});

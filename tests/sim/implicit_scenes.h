@@ -6,39 +6,41 @@
 #include <string>
 #include <vector>
 
-/// Scenes that have a continuous limit, with where they end by formulas and a solver of the tests' own.
+/// Scenes whose motion is smooth, and their end states by closed forms or by a solver that shares no code
+/// with sim.
 namespace implicit_scenes {
 
 constexpr double gravity = 0.5; // px/frame^2
 
-/// Where things are and how fast: places and velocities, or angles and spins.
-struct Ends
+/// Positions and velocities of all points, or angles and spins of all branches.
+struct Coordinates
 {
     Eigen::ArrayXd x;
     Eigen::ArrayXd v;
 };
-Ends endsOf(const sim::State &state);
-/// The largest difference of any number.
-double distance(const Ends &a, const Ends &b);
+Coordinates coordinatesOf(const sim::State &state);
+/// Returns the largest difference of two corresponding numbers.
+double distance(const Coordinates &a, const Coordinates &b);
 
 struct SmoothScene
 {
     std::string name;
     sim::Scene scene;
-    std::function<Ends(int frames)> exact; ///< to 1e-8 or better
+    std::function<Coordinates(int frames)> exact; ///< end state after `frames` frames, accurate to 1e-8
 };
-/// Swinging, creeping and undamped springs, creatures in the air, legs that swing, a tree.
+/// Returns springs, creatures in the air, swinging legs and a tree.
 const std::vector<SmoothScene> &smoothScenes();
 
-/// A point on a spring to (0, 0).
+/// Returns a point on a spring to (0, 0).
 sim::Scene oscillator(double k, double damp);
-/// A body with feet in the air. Its effects: springs, gravity, damping.
+/// Returns a body with feet in the air, with springs, gravity and damping, in this order.
 sim::Scene creature(int feet, double damp);
-/// A body and two legs that swing with a gait clock, in the air.
+/// Returns a body in the air and two legs that swing with a gait clock.
 sim::Scene walker(double damp);
-/// Four points that hang on springs: p0 on a hook, p4; p1 on another hook, p5; p3 on p1; p2 on the place (120, 150).
+/// Returns four points that hang on springs: p0 on the fixed point p4, p1 on the fixed point p5, p3 on p1,
+/// and p2 on the position (120, 150).
 sim::Scene hanging(double k, double damp);
-/// A small tree of springs in a gust that has come by.
+/// Returns a small tree with spring joints in a gust.
 sim::Scene windyTree();
 
 }

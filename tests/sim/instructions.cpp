@@ -1,6 +1,6 @@
-// Counts machine instructions under valgrind's callgrind, which counts the same on every run: what the frames of one of
-// the test scenes take, with all effects and without each of them, and what each part takes by itself.
-// tst_instructions runs it and reads the counts.
+// Counts the machine instructions of a test scene's frames under valgrind's callgrind: with all effects,
+// without each of them, and phase by phase. Unlike times, the counts are the same on every run.
+// tst_instructions runs this program and reads the counts.
 //   instructions SCENE METHOD
 
 #include "sim/analysis/cost/affected_points.h"
@@ -19,7 +19,7 @@ constexpr int frames = 40;
 
 using Work = std::function<void(sim::State &)>;
 
-/// Counts what `work()` takes, as the count called `name`. Once before it is done uncounted: then symbols are looked up.
+/// Counts the instructions of `work()` under the name `name`. A first uncounted call resolves the symbols.
 template <class Prepare, class Do>
 void count(const std::string &name, Prepare &&prepare, Do &&work)
 {
@@ -33,7 +33,7 @@ void count(const std::string &name, Prepare &&prepare, Do &&work)
     CALLGRIND_STOP_INSTRUMENTATION;
 }
 
-/// The same for `work` on a copy of each of `states`.
+/// Counts the instructions of `work` on a copy of each of `states`.
 template <class Do>
 void countAs(const std::string &name, const std::vector<sim::State> &states, const Do &work)
 {
@@ -54,102 +54,103 @@ Work frameOf(const sim::Pipeline &pipeline)
     };
 }
 
-/// The states that each phase meets in the frames of a run, and those that the frames begin with.
-struct Met
+/// The states before each frame of a run, and before each of its phases.
+struct RecordedStates
 {
     std::vector<sim::State> begins;
     std::vector<std::vector<sim::State>> phases;
 };
 
-Met follow(const sim::Pipeline &pipeline, sim::State state)
+RecordedStates recordStates(const sim::Pipeline &pipeline, sim::State state)
 {
-    Met met{{}, std::vector<std::vector<sim::State>>(pipeline.phases.size())};
+    RecordedStates recorded{{}, std::vector<std::vector<sim::State>>(pipeline.phases.size())};
     for (int frame = 0; frame < frames; ++frame) {
         state.frame += 1;
-        met.begins.push_back(state);
+        recorded.begins.push_back(state);
         for (std::size_t i = 0; i < pipeline.phases.size(); ++i) {
-            met.phases[i].push_back(state);
+            recorded.phases[i].push_back(state);
             pipeline.phases[i].run(state);
         }
     }
-    return met;
+    return recorded;
 }
 
-void countPhases(const sim::Pipeline &pipeline, const Met &met)
+void countPhases(const sim::Pipeline &pipeline, const RecordedStates &recorded)
 {
     for (std::size_t i = 0; i < pipeline.phases.size(); ++i) {
         const sim::Phase &phase = pipeline.phases[i];
-        const std::string whose = phase.effect ? "effect " + phase.effect->id() : "rest " + phase.id;
-        const std::string number = std::to_string(i) + " " + whose;
-        countAs("phase " + number, met.phases[i], [&](sim::State &state) { phase.run(state); });
+        const std::string owner = phase.effect ? "effect " + phase.effect->id() : "rest " + phase.id;
+        const std::string number = std::to_string(i) + " " + owner;
+        countAs("phase " + number, recorded.phases[i], [&](sim::State &state) { phase.run(state); });
+        // These scenes have at most one prelude.
         if (phase.kernels.size() > 1)
-            countAs("prelude " + number, met.phases[i],
-                    phase.kernels.front().run); // one at most in these scenes
+            countAs("prelude " + number, recorded.phases[i], phase.kernels.front().run);
     }
 }
 
-/// Frames without each effect: switched off by its id, and in a scene that never had it.
-void countWithout(const sim::Script &script, const sim::Scene &scene, const Met &met)
+/// Counts frames without each effect, once switched off by its id and once in a scene that does not list it.
+void countWithout(const sim::Script &script, const sim::Scene &scene, const RecordedStates &recorded)
 {
     for (std::size_t i = 0; i < scene.effects.size(); ++i) {
-        sim::Script off = script;
-        off.effectsOff.push_back(scene.effects[i]->id());
-        sim::Scene never = scene;
-        never.effects.erase(never.effects.begin() + static_cast<std::ptrdiff_t>(i));
-        const auto frame = [&](const sim::Scene &one) {
-            return sim::compose(one, *script.method, script.step);
+        sim::Script disabled = script;
+        disabled.effectsOff.push_back(scene.effects[i]->id());
+        sim::Scene removed = scene;
+        removed.effects.erase(removed.effects.begin() + static_cast<std::ptrdiff_t>(i));
+        const auto frame = [&](const sim::Scene &composed) {
+            return sim::compose(composed, *script.method, script.step);
         };
         const std::string id = scene.effects[i]->id();
-        countAs("without " + id, met.begins, frameOf(frame(never)));
-        countAs("switched off " + id, met.begins, frameOf(frame(sim::sceneOf(off, off.values))));
+        countAs("without " + id, recorded.begins, frameOf(frame(removed)));
+        countAs("switched off " + id, recorded.begins,
+                frameOf(frame(sim::sceneOf(disabled, disabled.values))));
     }
 }
 
-/// An effect whose numbers are such that it changes nothing.
-class Idle : public sim::Gravity
+/// An effect whose parameters make it idle.
+class IdleGravity : public sim::Gravity
 {
 public:
-    Idle() : sim::Gravity(0.0) {}
+    IdleGravity() : sim::Gravity(0.0) {}
     bool isIdle() const override { return true; }
 };
 
-void countIdle(const sim::Script &script, sim::Scene scene, const Met &met)
+void countIdle(const sim::Script &script, sim::Scene scene, const RecordedStates &recorded)
 {
-    scene.effects.insert(scene.effects.begin() + 1, std::make_shared<Idle>());
-    countAs("with an idle one", met.begins, frameOf(sim::compose(scene, *script.method, script.step)));
+    scene.effects.insert(scene.effects.begin() + 1, std::make_shared<IdleGravity>());
+    countAs("with an idle one", recorded.begins, frameOf(sim::compose(scene, *script.method, script.step)));
 }
 
-/// For methods that compute effects within phases of their own: frames in which each call is done twice, of one effect
-/// or of all; and all calls of an effect by themselves.
-void countWithin(const sim::Script &script, const sim::Scene &scene, const Met &met)
+/// For methods that compute several effects within one phase. Counts frames in which each call of one effect,
+/// or of all effects, is repeated. Also counts the calls of each effect alone.
+void countWithin(const sim::Script &script, const sim::Scene &scene, const RecordedStates &recorded)
 {
-    std::vector<std::unique_ptr<sim::CallCounter>> tallies;
-    sim::Scene probed = scene;
-    for (sim::EffectPtr &effect : probed.effects) {
-        tallies.push_back(std::make_unique<sim::CallCounter>(sim::affectedPoints(*effect, scene.start)));
-        effect = sim::instrumented(effect, *tallies.back());
+    std::vector<std::unique_ptr<sim::CallCounter>> counters;
+    sim::Scene instrumentedScene = scene;
+    for (sim::EffectPtr &effect : instrumentedScene.effects) {
+        counters.push_back(std::make_unique<sim::CallCounter>(sim::affectedPoints(*effect, scene.start)));
+        effect = sim::instrumented(effect, *counters.back());
     }
-    const sim::Pipeline pipeline = sim::compose(probed, *script.method, script.step);
+    const sim::Pipeline pipeline = sim::compose(instrumentedScene, *script.method, script.step);
     const Work frame = frameOf(pipeline);
-    countAs("once", met.begins, frame);
-    for (std::size_t i = 0; i < tallies.size(); ++i) {
-        tallies[i]->repeats = 1;
-        countAs("twice " + scene.effects[i]->id(), met.begins, frame);
-        tallies[i]->repeats = 0;
+    countAs("once", recorded.begins, frame);
+    for (std::size_t i = 0; i < counters.size(); ++i) {
+        counters[i]->repeats = 1;
+        countAs("twice " + scene.effects[i]->id(), recorded.begins, frame);
+        counters[i]->repeats = 0;
     }
-    for (const auto &counter : tallies)
+    for (const auto &counter : counters)
         counter->repeats = 1;
-    countAs("twice", met.begins, frame);
-    for (const auto &counter : tallies) {
+    countAs("twice", recorded.begins, frame);
+    for (const auto &counter : counters) {
         counter->repeats = 0;
         counter->restart();
         counter->acts.every = counter->slopes.every = 1;
     }
-    for (sim::State state : met.begins)
+    for (sim::State state : recorded.begins)
         frame(state);
-    for (std::size_t i = 0; i < tallies.size(); ++i) {
+    for (std::size_t i = 0; i < counters.size(); ++i) {
         const auto again = [&](int times) {
-            for (const auto *calls : {&tallies[i]->acts, &tallies[i]->slopes}) {
+            for (const auto *calls : {&counters[i]->acts, &counters[i]->slopes}) {
                 for (const auto &call : calls->kept)
                     call->run(times);
             }
@@ -169,15 +170,15 @@ int main(int argc, char **argv)
     const sim::Script script = support::script(support::sample(argv[1]), argv[2]);
     const sim::Scene scene = sim::sceneOf(script, script.values);
     const sim::Pipeline all = sim::compose(scene, *script.method, script.step);
-    const Met met = follow(all, scene.start);
-    countAs("nothing", met.begins, [](sim::State &) {});
-    countAs("frame", met.begins, frameOf(all));
-    countIdle(script, scene, met);
+    const RecordedStates recorded = recordStates(all, scene.start);
+    countAs("nothing", recorded.begins, [](sim::State &) {});
+    countAs("frame", recorded.begins, frameOf(all));
+    countIdle(script, scene, recorded);
     if (script.method->evaluationsPerStep() == 0) {
-        countWithin(script, scene, met);
+        countWithin(script, scene, recorded);
     } else {
-        countPhases(all, met);
-        countWithout(script, scene, met);
+        countPhases(all, recorded);
+        countWithout(script, scene, recorded);
     }
     return 0;
 }

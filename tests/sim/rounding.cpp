@@ -1,5 +1,6 @@
-// Built for fused multiply-add where the compiler knows it: contraction, which rounds less often and gives other
-// bits, then shows. Nothing of Eigen may come in here: its memory layout depends on such options.
+// Built with fused multiply-add where the compiler supports it. If the compiler contracted a product and a
+// sum into one operation, it would round once less and the result would differ. This file must not include
+// Eigen, because Eigen's memory layout depends on these compiler options.
 
 #include "rounding.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Whether this processor runs what rounding.cpp is built for.
+/// Returns whether this processor has the instructions that rounding.cpp is built for.
 bool canRunFused();
 
-/// a b - c.
+/// Returns a b - c.
 double productMinus(double a, double b, double c);

@@ -1,5 +1,5 @@
-# Fails when sim includes or links Qt, when the core uses a library that is built on it, or when a source is compiled with
-# options that change its sums. LIBRARIES are separated by |.
+# Fails when sim includes or links Qt, when the core includes a library that is built on the core, or when a source is
+# compiled with options that change floating-point results. LIBRARIES are separated by |.
 
 file(GLOB_RECURSE sources ${SOURCE}/*.h ${SOURCE}/*.cpp)
 list(LENGTH sources count)
@@ -12,7 +12,7 @@ foreach(source IN LISTS sources)
         message(FATAL_ERROR "${source}: ${includes}")
     endif()
     file(RELATIVE_PATH name ${SOURCE} ${source})
-    set(above "catalogue|scenes") # the libraries that this file must not need
+    set(above "catalogue|scenes") # libraries that this file must not include
     if(name MATCHES "^scenes/")
         set(above "catalogue")
     elseif(name MATCHES "^catalogue/")
@@ -20,7 +20,7 @@ foreach(source IN LISTS sources)
     endif()
     file(STRINGS ${source} includes REGEX "^ *# *include *[<\"]sim/(${above})/")
     if(includes)
-        message(FATAL_ERROR "${source} must not need sim/(${above}): ${includes}")
+        message(FATAL_ERROR "${source} must not include sim/(${above}): ${includes}")
     endif()
 endforeach()
 
@@ -55,7 +55,7 @@ foreach(i RANGE ${last})
     math(EXPR seen "${seen} + 1")
     string(JSON command GET ${commands} ${i} command)
     if(NOT command MATCHES "-ffp-contract=off" OR command MATCHES "-ffast-math|-Ofast|-funsafe-math")
-        message(FATAL_ERROR "${file} is compiled with other sums: ${command}")
+        message(FATAL_ERROR "${file} is compiled with options that change floating-point results: ${command}")
     endif()
     if(command MATCHES "[Qq]t6")
         message(FATAL_ERROR "${file} has Qt on its include path: ${command}")

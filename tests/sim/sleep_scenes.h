@@ -18,16 +18,17 @@
 #include "sim/scenes/trees.h"
 #include "support.h"
 
-/// What suites of sleeping runs share.
-namespace sleep_bench {
+/// Scenes and helpers for the suites of sleeping runs.
+namespace sleep_scenes {
 
 using namespace sim;
 using std::make_shared;
-using support::Counting;
+using support::CountingForce;
 
 inline constexpr std::size_t budget = std::size_t{1} << 24;
 
-/// A point that a spring pulls home, to a place that a parameter decides, and one that hangs on it.
+/// Returns a point on a spring to a position that depends on the parameter k, and a body on a spring to that
+/// point.
 inline Scene homing(const Values &values)
 {
     Scene scene = scenes::creature(1);
@@ -38,7 +39,8 @@ inline Scene homing(const Values &values)
     return scene;
 }
 
-/// Legs that a key may set in motion, a point that follows the target, and one that follows the pointer.
+/// Returns a scene that rests until it gets input. It has a leg that a key sets in motion, a clock that
+/// follows the target, and a point that follows the pointer.
 inline Scene waiting(const Values &)
 {
     Scene scene = scenes::creature(3);
@@ -56,7 +58,7 @@ inline Scene waiting(const Values &)
     return scene;
 }
 
-/// A tree in wind whose turbulence is random.
+/// Returns a tree in wind with random turbulence.
 inline Scene windy(const Values &)
 {
     const TreePtr tree = make_shared<const Tree>(scenes::bush());
@@ -73,7 +75,7 @@ inline Script scriptOf(Scene (*build)(const Values &), const std::string &method
     return support::script(support::Sample{{}, build, values}, method, h);
 }
 
-/// The first frame at which `track` is asleep.
+/// Returns the first frame at which `track` sleeps, or -1 if it does not sleep before frame `latest`.
 inline std::int64_t sleepsFrom(Track &track, std::int64_t latest = 20'000)
 {
     for (std::int64_t frame = 0; frame < latest; frame += track.framesPerOutput()) {
@@ -84,18 +86,19 @@ inline std::int64_t sleepsFrom(Track &track, std::int64_t latest = 20'000)
     return -1;
 }
 
-/// What differs first between a run that may sleep and one that never does, in `frames` frames.
+/// Compares a run that may sleep with one that never does, over `frames` frames. Returns the first
+/// difference, or an empty string.
 inline std::string sleepDiffers(const Script &script, std::int64_t frames)
 {
-    Track sleeper(script, budget), waker(script, budget, Sleeping::never);
+    Track sleeper(script, budget), reference(script, budget, Sleeping::never);
     for (std::int64_t frame = 0; frame <= frames; frame += sleeper.framesPerOutput()) {
         sleeper.seek({frame, 0});
-        waker.seek({frame, 0});
-        if (waker.sleep())
-            return "the waker sleeps";
-        const std::string what = support::difference(sleeper.state(), waker.state());
-        if (!what.empty() || !sameBits(sleeper.state(), waker.state()))
-            return "frame " + std::to_string(frame) + ": " + what;
+        reference.seek({frame, 0});
+        if (reference.sleep())
+            return "the run that must not sleep sleeps";
+        const std::string found = support::difference(sleeper.state(), reference.state());
+        if (!found.empty() || !sameBits(sleeper.state(), reference.state()))
+            return "frame " + std::to_string(frame) + ": " + found;
     }
     return {};
 }

@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-namespace stability_bench {
+namespace stability_scenes {
 
 namespace {
 
@@ -19,49 +19,49 @@ using namespace sim;
 using scenes::centre;
 using std::make_shared;
 
-constexpr double radius = 50.0;      // px
-constexpr double disturbance = 1e-5; // px
-constexpr double decided = 1e8;      // times the energy
+constexpr double radius = 50.0;       // px
+constexpr double disturbance = 1e-5;  // px
+constexpr double decisiveRatio = 1e8; // factor of energy that decides between growth and decay
 
-double moving(const State &state)
+double kineticEnergy(const State &state)
 {
     return 0.5 * state.velocity.square().sum();
 }
 
-double stretched(const State &state, int a, int b, double rest)
+double pairEnergy(const State &state, int a, int b, double rest)
 {
-    const double off = length(state.positionOf(a) - state.positionOf(b)) - rest;
-    return 0.5 * off * off;
+    const double extension = length(state.positionOf(a) - state.positionOf(b)) - rest;
+    return 0.5 * extension * extension;
 }
 
-double awayFrom(const State &state, int point, Vec2 place)
+double anchorEnergy(const State &state, int point, Vec2 place)
 {
-    const double off = length(state.positionOf(point) - place);
-    return 0.5 * off * off;
+    const double extension = length(state.positionOf(point) - place);
+    return 0.5 * extension * extension;
 }
 
 }
 
-Swinging onePoint(double k, double damp)
+OscillatingScene onePoint(double k, double damp)
 {
     return {scenes::oscillator(centre, centre, k, damp),
-            [=](const State &state) { return moving(state) + k * awayFrom(state, 0, centre); }};
+            [=](const State &state) { return kineticEnergy(state) + k * anchorEnergy(state, 0, centre); }};
 }
 
-Swinging chain(int count, double k, double damp)
+OscillatingScene chain(int count, double k, double damp)
 {
     Scene scene = scenes::creature(count - 1); // all springs are slack there
     scene.effects = {make_shared<PointSpring>(0, centre, k), make_shared<PointSpring>(count - 1, centre, k),
                      make_shared<BodySpring>(scenes::chainLinks(count), k), make_shared<Damping>(damp)};
     return {scene, [=](const State &state) {
-                double sum = awayFrom(state, 0, centre) + awayFrom(state, count - 1, centre);
+                double sum = anchorEnergy(state, 0, centre) + anchorEnergy(state, count - 1, centre);
                 for (int i = 0; i + 1 < count; ++i)
-                    sum += stretched(state, i, i + 1, 0.0);
-                return moving(state) + k * sum;
+                    sum += pairEnergy(state, i, i + 1, 0.0);
+                return kineticEnergy(state) + k * sum;
             }};
 }
 
-Swinging creature(int feet, double k, double damp)
+OscillatingScene creature(int feet, double k, double damp)
 {
     Scene scene = scenes::springCreature(feet, k, radius);
     for (int i = 0; i < feet; ++i) {
@@ -72,41 +72,41 @@ Swinging creature(int feet, double k, double damp)
     return {scene, [=](const State &state) {
                 double sum = 0.0;
                 for (int i = 0; i < feet; ++i)
-                    sum += stretched(state, i, feet, radius);
-                return moving(state) + k * sum;
+                    sum += pairEnergy(state, i, feet, radius);
+                return kineticEnergy(state) + k * sum;
             }};
 }
 
-Swinging bundle(int feet, double k, double damp)
+OscillatingScene bundle(int feet, double k, double damp)
 {
     Scene scene = scenes::linearCreature(feet, k);
     scenes::add<Damping>(scene, damp);
     return {scene, [=](const State &state) {
                 double sum = 0.0;
                 for (int i = 0; i < feet; ++i)
-                    sum += stretched(state, i, feet, 0.0);
-                return moving(state) + k * sum;
+                    sum += pairEnergy(state, i, feet, 0.0);
+                return kineticEnergy(state) + k * sum;
             }};
 }
 
-Swinging uneven()
+OscillatingScene uneven()
 {
-    Swinging found = chain(4, 0.3, 0.95);
-    found.scene.start.inverseMass << 1.0, 0.25, 2.0, 1.0;
-    found.scene.effects.push_back(make_shared<Damping>(0.8, PointRange{1, 1}));
-    return found;
+    OscillatingScene result = chain(4, 0.3, 0.95);
+    result.scene.start.inverseMass << 1.0, 0.25, 2.0, 1.0;
+    result.scene.effects.push_back(make_shared<Damping>(0.8, PointRange{1, 1}));
+    return result;
 }
 
-Swinging manyFeet()
+OscillatingScene manyFeet()
 {
     const int feet = 20;
-    Swinging found = creature(feet, 0.2, 0.85);
+    OscillatingScene result = creature(feet, 0.2, 0.85);
     for (int i = 0; i < feet; ++i)
-        found.scene.start.inverseMass[i] = 0.5 + 0.05 * i;
-    return found;
+        result.scene.start.inverseMass[i] = 0.5 + 0.05 * i;
+    return result;
 }
 
-Swinging tree(double k, double damp)
+OscillatingScene tree(double k, double damp)
 {
     Tree grown = Tree::ofTrunk(100.0);
     grown.addBranch(0, -120.0, 0.7);
@@ -114,7 +114,7 @@ Swinging tree(double k, double damp)
     grown.addBranch(1, -150.0, 0.5);
     const auto shared = make_shared<const Tree>(grown);
     Scene scene = scenes::branchesOf(grown);
-    scenes::letSwing(scene);
+    scenes::enableSpins(scene);
     scene.effects = {make_shared<Torsion>(shared, branchMechanicsOf(grown, k)),
                      make_shared<SpinDamping>(damp)};
     const Eigen::ArrayXd rest = scene.start.angle;
@@ -136,11 +136,11 @@ Stability predicted(const Scene &scene, const std::string &method, double h)
     return stabilityOf(scene, scene.start, *findMethod(method), h);
 }
 
-bool grows(const Swinging &one, const std::string &method, double h, int steps)
+bool grows(const OscillatingScene &oscillating, const std::string &method, double h, int steps)
 {
     const MethodPtr with = findMethod(method);
-    const Pipeline pipeline = compose(one.scene, *with, {h, 1, 1, 0.0});
-    State state = one.scene.start;
+    const Pipeline pipeline = compose(oscillating.scene, *with, {h, 1, 1, 0.0});
+    State state = oscillating.scene.start;
     with->prepareState(state);
     support::Dice dice(7);
     for (int i = 0; i < state.pointCount(); ++i) {
@@ -148,15 +148,15 @@ bool grows(const Swinging &one, const std::string &method, double h, int steps)
         if (state.spin.rows() > 0)
             state.angle[i] += disturbance * dice.real(-1, 1);
     }
-    const double start = one.energy(state);
-    double early = 0.0, late = 0.0; // the most of the fifth tenth, and of the last
+    const double start = oscillating.energy(state);
+    double early = 0.0, late = 0.0; // largest energy in the fifth tenth and in the last tenth of the steps
     for (int i = 0; i < steps; ++i) {
         for (const Phase &phase : pipeline.phases)
             phase.run(state);
-        const double energy = one.energy(state);
-        if (!std::isfinite(energy) || energy > decided * start)
+        const double energy = oscillating.energy(state);
+        if (!std::isfinite(energy) || energy > decisiveRatio * start)
             return true;
-        if (energy < start / decided)
+        if (energy < start / decisiveRatio)
             return false;
         if (i >= 4 * steps / 10 && i < steps / 2)
             early = std::max(early, energy);
@@ -166,18 +166,18 @@ bool grows(const Swinging &one, const std::string &method, double h, int steps)
     return late > 1.2 * early;
 }
 
-double onset(const Swinging &one, const std::string &method, double from)
+double onset(const OscillatingScene &oscillating, const std::string &method, double from)
 {
-    double held = from, grown = from;
-    for (int i = 0; i < 400 && !grows(one, method, grown); ++i) {
-        held = grown;
-        grown *= 1.04;
+    double stable = from, unstable = from;
+    for (int i = 0; i < 400 && !grows(oscillating, method, unstable); ++i) {
+        stable = unstable;
+        unstable *= 1.04;
     }
     for (int i = 0; i < 8; ++i) {
-        const double middle = 0.5 * (held + grown);
-        (grows(one, method, middle) ? grown : held) = middle;
+        const double middle = 0.5 * (stable + unstable);
+        (grows(oscillating, method, middle) ? unstable : stable) = middle;
     }
-    return 0.5 * (held + grown);
+    return 0.5 * (stable + unstable);
 }
 
 }

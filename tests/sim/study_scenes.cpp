@@ -12,12 +12,12 @@ using namespace sim;
 
 namespace {
 
-constexpr double stiffness = 0.2, keep = 0.97;
+constexpr double stiffness = 0.2, damp = 0.97;
 const Vec2 ballX = {90.0, -30.0}, ballV = {4.0, -7.0};
 
 }
 
-const StudyProgress goOn = [](const Accuracy &, double) { return true; };
+const StudyProgress keepGoing = [](const Accuracy &, double) { return true; };
 
 StudyPlan quickPlan(std::int64_t frames)
 {
@@ -47,17 +47,17 @@ std::string nameOf(const AccuracyRow &row)
 
 Scene dampedSpring()
 {
-    Scene scene = scenes::oscillator(ballX, spot, stiffness, keep);
+    Scene scene = scenes::oscillator(ballX, anchor, stiffness, damp);
     scene.start.setVelocity(0, ballV);
     return scene;
 }
 
-Vec2 onDampedSpring(double t)
+Vec2 dampedSpringAt(double t)
 {
-    const double c = -std::log(keep), w = std::sqrt(stiffness - c * c / 4.0);
-    const Vec2 away = ballX - spot;
+    const double c = -std::log(damp), w = std::sqrt(stiffness - c * c / 4.0);
+    const Vec2 away = ballX - anchor;
     const Vec2 swing = (1.0 / w) * (ballV + (c / 2.0) * away);
-    return spot + std::exp(-c * t / 2.0) * (std::cos(w * t) * away + std::sin(w * t) * swing);
+    return anchor + std::exp(-c * t / 2.0) * (std::cos(w * t) * away + std::sin(w * t) * swing);
 }
 
 }

@@ -6,22 +6,24 @@
 
 namespace support {
 
-/// Lets a study run to its end.
-extern const sim::StudyProgress goOn;
+/// Progress callback that never stops a study.
+extern const sim::StudyProgress keepGoing;
 
-/// Errors only: times are asked for by few tests.
+/// Returns a plan that measures errors but no times.
 sim::StudyPlan quickPlan(std::int64_t frames);
 
 sim::Script scriptOf(const sim::Scene &scene, const sim::MethodSetup &setup);
-/// With the method `published`.
+/// Returns a script with the method `published`.
 sim::Script scriptOf(const sim::Scene &scene);
 
-/// For messages.
+/// Returns the row's method and step, for failure messages.
 std::string nameOf(const sim::AccuracyRow &row);
 
-/// A damped spring, and where its ball is after t frames: x'' = -k x - c x' has the roots -c/2 +- i w.
-inline constexpr sim::Vec2 spot = {270.0, 200.0};
+/// Position of the spring's fixed end, px.
+inline constexpr sim::Vec2 anchor = {270.0, 200.0};
+/// Returns a ball on a damped spring.
 sim::Scene dampedSpring();
-sim::Vec2 onDampedSpring(double t);
+/// Returns the ball's exact position after t frames, px. x'' = -k x - c x' has the roots -c/2 +- i w.
+sim::Vec2 dampedSpringAt(double t);
 
 }

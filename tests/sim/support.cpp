@@ -68,7 +68,7 @@ sim::Scene heavyPair(const Values &v)
     return scene;
 }
 
-/// The creature, on a ramp that ends at a wall.
+/// Returns a creature on a ramp that ends at a wall.
 sim::Scene onRamp(const Values &v)
 {
     sim::Scene scene = creature(v);
@@ -77,7 +77,7 @@ sim::Scene onRamp(const Values &v)
     return scene;
 }
 
-/// Two creatures that walk into each other and into walls; the first can be steered.
+/// Returns two creatures that walk into each other and into walls. The first can be steered.
 sim::Scene walkers(const Values &v)
 {
     sim::Scene scene = scenes::crowd(2, 2);
@@ -136,9 +136,9 @@ const std::vector<Sample> &samples()
 
 const Sample &sample(const std::string &name)
 {
-    for (const Sample &one : samples()) {
-        if (one.name == name)
-            return one;
+    for (const Sample &sample : samples()) {
+        if (sample.name == name)
+            return sample;
     }
     throw std::out_of_range(name);
 }
@@ -152,7 +152,7 @@ sim::StepSize stepFor(const sim::Method &method, double h)
 std::vector<sim::MethodPtr> fixedMethods()
 {
     std::vector<sim::MethodPtr> methods = sim::allMethods();
-    std::erase_if(methods, [](const auto &one) { return one->stepping() == sim::Stepping::adaptive; });
+    std::erase_if(methods, [](const auto &method) { return method->stepping() == sim::Stepping::adaptive; });
     return methods;
 }
 
@@ -208,7 +208,7 @@ sim::State plainRun(const sim::Scene &scene, const std::string &method, double h
 
 double Dice::real(double low, double high)
 {
-    // Not std::uniform_real_distribution: its numbers differ from one standard library to the next.
+    // std::uniform_real_distribution gives other numbers in other standard libraries.
     return low + (high - low) * (static_cast<double>(m_engine() >> 11) * 0x1.0p-53);
 }
 
@@ -220,17 +220,17 @@ int Dice::whole(int low, int high)
 std::string seekMismatch(const sim::Script &script, std::size_t budget, int frames, int cursors,
                          std::uint64_t seed)
 {
-    std::vector<std::pair<sim::Cursor, sim::State>> straight;
-    sim::Track plain(script, 0);
-    while (plain.cursor().frame < frames) {
-        straight.emplace_back(plain.cursor(), plain.state());
-        plain.seek({plain.cursor().frame, plain.cursor().phase + 1});
+    std::vector<std::pair<sim::Cursor, sim::State>> expected;
+    sim::Track straightRun(script, 0);
+    while (straightRun.cursor().frame < frames) {
+        expected.emplace_back(straightRun.cursor(), straightRun.state());
+        straightRun.seek({straightRun.cursor().frame, straightRun.cursor().phase + 1});
     }
     sim::Track track(script, budget);
     Dice dice(seed);
     for (int i = 0; i < cursors; ++i) {
         const auto &[cursor, state] =
-            straight[static_cast<std::size_t>(dice.whole(0, static_cast<int>(straight.size()) - 1))];
+            expected[static_cast<std::size_t>(dice.whole(0, static_cast<int>(expected.size()) - 1))];
         track.seek(cursor);
         const std::string found = difference(track.state(), state);
         if (track.cursor() != cursor || !found.empty()) {
@@ -253,7 +253,7 @@ std::string difference(const sim::State &a, const sim::State &b)
                    std::to_string(a.positionOf(i).y) + "), not (" + std::to_string(b.positionOf(i).x) + ", " +
                    std::to_string(b.positionOf(i).y) + ")";
     }
-    return "mass, hold, frame, scratch or what comes from outside";
+    return "mass, hold, frame, scratch or input";
 }
 
 }

@@ -11,7 +11,7 @@
 
 namespace support {
 
-/// A scene to test with.
+/// A scene with named parameters for tests.
 struct Sample
 {
     std::string name;
@@ -19,47 +19,50 @@ struct Sample
     sim::Values values;
 };
 
-/// Scenes that between them have every effect, handles, several masses and points in one place.
+/// Returns scenes that cover most kinds of effects, handles, different masses and coincident points.
 const std::vector<Sample> &samples();
 const Sample &sample(const std::string &name);
 
-/// The step that `method` takes here: h, or for an adaptive one a tolerance of a hundredth of h in px.
+/// Returns a step of h frames, or for an adaptive method a tolerance of h / 100 px.
 sim::StepSize stepFor(const sim::Method &method, double h);
-/// The methods whose steps have a length.
+/// Returns the methods with a fixed step.
 std::vector<sim::MethodPtr> fixedMethods();
-/// Whether `method` can compute `scene`.
+/// Returns whether `method` can compute `scene`.
 bool fits(const sim::Scene &scene, const sim::Method &method);
 
+/// Returns a script for `sample` with a step as from stepFor().
 sim::Script script(const Sample &sample, const std::string &method, double h = 1.0);
-/// A script for a scene that has no parameters.
+/// Returns a script for a scene without parameters.
 sim::Script script(const sim::Scene &scene, const std::string &method, double h = 1.0);
 
-/// Puts every point somewhere in a square of `side` px around (270, 200).
+/// Places every point at random in a square of `side` px around (270, 200).
 void scatter(sim::State &state, std::uint64_t seed, double side);
 
-/// The state after `frames` frames, computed without a Track: nothing but the phases, one after the other.
+/// Returns the state after `frames` frames. Runs the phases one after the other, without a Track.
 sim::State plainRun(const sim::Scene &scene, const std::string &method, double h, int frames);
 
-/// Numbers for a test, the same on every machine.
+/// A generator of random numbers that are the same on every machine.
 class Dice
 {
 public:
     explicit Dice(std::uint64_t seed) : m_engine(seed) {}
+    /// Returns a number in [low, high).
     double real(double low, double high);
-    /// Both ends included.
+    /// Returns a whole number from low to high, both included.
     int whole(int low, int high);
+    /// Returns true with probability `share`.
     bool chance(double share) { return real(0.0, 1.0) < share; }
 
 private:
     std::mt19937_64 m_engine;
 };
 
-/// Seeks `cursors` random cursors of the first `frames` frames and compares each with a straight run. Returns
-/// what differs first, or nothing.
+/// Seeks `cursors` random cursors in the first `frames` frames and compares each state with a straight run.
+/// Returns the first difference, or an empty string.
 std::string seekMismatch(const sim::Script &script, std::size_t budget, int frames, int cursors,
                          std::uint64_t seed);
 
-/// The place of the first difference between two states, for a message; empty when there is none.
+/// Returns a description of the first difference between two states, or an empty string.
 std::string difference(const sim::State &a, const sim::State &b);
 
 }

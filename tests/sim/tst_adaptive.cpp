@@ -1,5 +1,5 @@
-// Methods of higher order and those that choose their steps, against closed forms: order, tolerance, contacts located
-// in time, and that what they compute ahead changes nothing.
+// Adaptive methods against closed forms: order, tolerance and contact events. Also checks that a step
+// computed ahead does not change later input.
 
 #include "sim/pipeline/pipeline.h"
 #include "support.h"
@@ -31,7 +31,7 @@ Scene onePoint(Vec2 x, Vec2 v, std::vector<EffectPtr> effects)
     return scene;
 }
 
-/// x'' = -k x - c x' with c = -ln(damp), solved by its two roots (which may be complex).
+/// Returns the solution of x'' = -k x - c x' with c = -ln(damp) from its two roots, which may be complex.
 double closedForm(double x0, double v0, double k, double damp, double t)
 {
     using Complex = std::complex<double>;
@@ -44,7 +44,7 @@ double closedForm(double x0, double v0, double k, double damp, double t)
 
 const QStringList ids = {"dormand_prince", "rkn86", "dop853"};
 
-/// Every frame of a run by `method` within `tolerance`, the start included.
+/// Returns the states of all frames of a run with `tolerance` px, including the start.
 std::vector<State> run(const Scene &scene, const std::string &method, double tolerance, int frames)
 {
     const MethodPtr rule = findMethod(method);
@@ -61,13 +61,13 @@ std::vector<State> run(const Scene &scene, const std::string &method, double tol
     return all;
 }
 
-/// Where a ball is that falls with `gravity` from `height` px over the floor and keeps `bounce` of its speed there:
-/// its parabolas, one after the other.
-struct Falling
+/// A ball that falls from rest onto a floor.
+struct FallingBall
 {
-    double gravity;
-    double height;
-    double bounce;
+    double gravity; ///< px/frame^2
+    double height;  ///< px, initial height above the floor
+    double bounce;  ///< share of the speed that a bounce keeps
+    /// Returns the height after `t` frames, px: parabola after parabola.
     double at(double t) const
     {
         double speed = std::sqrt(2 * gravity * height), since = t - speed / gravity;
@@ -75,10 +75,10 @@ struct Falling
             return height - gravity * t * t / 2;
         for (;;) {
             speed *= bounce;
-            const double whole = 2 * speed / gravity;
-            if (since < whole || whole < 1e-9)
+            const double flightTime = 2 * speed / gravity;
+            if (since < flightTime || flightTime < 1e-9)
                 return std::max(0.0, speed * since - gravity * since * since / 2);
-            since -= whole;
+            since -= flightTime;
         }
     }
 };
@@ -98,7 +98,7 @@ private:
     }
 
 private slots:
-    void aDampedSpringIsAsExactAsAsked_data()
+    void dampedSpringMeetsTheTolerance_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("damp");
@@ -111,7 +111,7 @@ private slots:
             }
         }
     }
-    void aDampedSpringIsAsExactAsAsked()
+    void dampedSpringMeetsTheTolerance()
     {
         QFETCH(QString, method);
         QFETCH(double, damp);
@@ -122,7 +122,7 @@ private slots:
         const std::vector<State> all = run(scene, method.toStdString(), tolerance, 100);
         for (std::size_t frame = 0; frame < all.size(); ++frame) {
             const double t = double(frame);
-            // The errors of some hundred steps add up at most; rounding adds its share.
+            // At worst the errors of some hundred steps add up. Rounding adds a little.
             const double bound = 300 * tolerance + 1e-10;
             QVERIFY(std::abs(all[frame].positionOf(0).x - closedForm(100, 3, 0.2, damp, t)) < bound);
             QVERIFY(std::abs(all[frame].positionOf(0).y - closedForm(-40, 8, 0.2, damp, t)) < bound);
@@ -130,7 +130,7 @@ private slots:
         QVERIFY(all.back().pointEvaluations > 0);
     }
 
-    void theErrorFallsWithTheOrderOfTheMethod_data()
+    void errorFallsWithTheOrderOfTheMethod_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("coarse");
@@ -139,7 +139,7 @@ private slots:
         QTest::newRow("DOP853") << "dop853" << 1e-5 << 1e-9;
         QTest::newRow("Nystrom") << "rkn86" << 1e-5 << 1e-9;
     }
-    void theErrorFallsWithTheOrderOfTheMethod()
+    void errorFallsWithTheOrderOfTheMethod()
     {
         QFETCH(QString, method);
         QFETCH(double, coarse);
@@ -172,21 +172,21 @@ private slots:
             const Scene scene = onePoint({5, 5}, {3, 8}, {std::make_shared<Damping>(damp)});
             const std::vector<State> all = run(scene, method.toStdString(), 1e-9, 20);
             for (std::size_t frame = 1; frame < all.size(); ++frame) {
-                const double kept = std::pow(damp, double(frame));
-                // Steps are exact. The velocity of a frame between their ends is the slope of a polynomial, which is
-                // off by one power of the step more than its places are.
-                QVERIFY(std::abs(all[frame].velocityOf(0).y - 8 * kept) <= 1e-11 * 8 * kept + 3e-8);
-                // The way so far: the integral of v.
+                const double factor = std::pow(damp, double(frame));
+                // Steps are exact. Between their ends the velocity is the derivative of the dense output,
+                // which is one order less accurate than the position.
+                QVERIFY(std::abs(all[frame].velocityOf(0).y - 8 * factor) <= 1e-11 * 8 * factor + 3e-8);
+                // The distance travelled is the integral of v.
                 const double c = -std::log(damp);
-                const double way = damp == 1.0 ? double(frame) : damp == 0.0 ? 0.0 : (1 - kept) / c;
-                QVERIFY(std::abs(all[frame].positionOf(0).x - (5 + 3 * way)) < 1e-6);
+                const double travelled = damp == 1.0 ? double(frame) : damp == 0.0 ? 0.0 : (1 - factor) / c;
+                QVERIFY(std::abs(all[frame].positionOf(0).x - (5 + 3 * travelled)) < 1e-6);
             }
         }
     }
 
-    void nystromTakesOneDampingForAllThatMoves()
+    void nystromNeedsTheSameDampingForAllDynamicPoints()
     {
-        Scene scene = scenes::pointsAt({{}, {}, {}}); // the last one is a handle
+        Scene scene = scenes::pointsAt({{}, {}, {}}); // the last point is a handle
         scene.start.setVelocity(0, {3, 8});
         scene.start.setVelocity(1, {-2, 5});
         scene.groups.front().points = {0, 2};
@@ -196,16 +196,16 @@ private slots:
         rule->prepareState(scene.start);
         try {
             compose(scene, *rule, StepSize::withTolerance(1e-3));
-            QFAIL("two dampings were taken for one");
+            QFAIL("two different dampings were accepted");
         } catch (const Error &error) {
             QCOMPARE(error.id(), std::string("method-does-not-fit"));
             QCOMPARE(error.values().at("effect"), std::string("damping"));
         }
-        // A handle is not slowed, and does not count.
+        // A handle is not damped, so its damping does not matter.
         scene.effects = {std::make_shared<Damping>(0.9, PointRange{0, 2})};
         const std::vector<State> all = run(scene, "rkn86", 1e-9, 7);
-        const double way = (1 - std::pow(0.9, 7)) / -std::log(0.9);
-        QVERIFY(std::abs(all.back().positionOf(1).x - -2 * way) < 1e-12);
+        const double travelled = (1 - std::pow(0.9, 7)) / -std::log(0.9);
+        QVERIFY(std::abs(all.back().positionOf(1).x - -2 * travelled) < 1e-12);
     }
 
     void bouncesAreLocatedInTime_data()
@@ -226,27 +226,28 @@ private slots:
         QFETCH(QString, method);
         QFETCH(double, bounce);
         QFETCH(double, tolerance);
-        const Falling exact{0.5, 100.0, bounce};
+        const FallingBall exact{0.5, 100.0, bounce};
         const Scene scene =
             onePoint({0, 280}, {2, 0},
                      {std::make_shared<Gravity>(0.5),
                       std::make_shared<Walls>(Room{-1e6, 1e6, 380, bounce}, Eigen::ArrayXd::Zero(1))});
         const std::vector<State> all = run(scene, method.toStdString(), tolerance, 300);
         for (std::size_t frame = 0; frame < all.size(); ++frame) {
-            const double off = (380 - all[frame].positionOf(0).y) - exact.at(double(frame));
-            // A rest in place of the last small bounces is worth the tolerance, and a millionth of a pixel.
-            QVERIFY2(std::abs(off) < 10 * tolerance + 1e-5, qPrintable(QString("frame %1").arg(frame)));
+            const double error = (380 - all[frame].positionOf(0).y) - exact.at(double(frame));
+            // Replacing the last small bounces by resting contact costs up to the tolerance and a millionth
+            // of a pixel.
+            QVERIFY2(std::abs(error) < 10 * tolerance + 1e-5, qPrintable(QString("frame %1").arg(frame)));
             QVERIFY(std::abs(all[frame].positionOf(0).x - 2 * double(frame)) < 1e-6);
         }
         if (bounce < 0.9)
-            QCOMPARE(all.back().velocityOf(0).y, 0.0); // it lies, and no longer trembles
+            QCOMPARE(all.back().velocityOf(0).y, 0.0); // resting contact, without small bounces
     }
 
-    void aFootSticksWhereItLandsAndLiftsWhenItIsPulledUp_data() { addAdaptiveRows(); }
-    void aFootSticksWhereItLandsAndLiftsWhenItIsPulledUp()
+    void footSticksWhereItLandsAndLiftsWhenPulledUp_data() { addAdaptiveRows(); }
+    void footSticksWhereItLandsAndLiftsWhenPulledUp()
     {
         QFETCH(QString, method);
-        // A foot on a spring whose other end goes round: it lands, stands dead still, and is pulled off again.
+        // The foot's spring turns round the body: the foot lands, stands still, and is pulled off again.
         Scene scene = scenes::pairOnHandle();
         scene.start.place(0, {0, 40});
         scene.start.place(1, {0, 0});
@@ -259,13 +260,13 @@ private slots:
             std::make_shared<Ground>(std::vector<int>{0}, GroundPlane{20.0, 0.0, Traction::full}),
             std::make_shared<GaitClock>()};
         const std::vector<State> all = run(scene, method.toStdString(), 1e-9, 300);
-        // Standing, it lifts when its place comes above the ground: -50 sin(gait) = 20.
-        int stands = 0, landings = 0;
+        // The foot lifts when the leg's end rises above the ground: -50 sin(gait) = 20.
+        int framesOnGround = 0, landings = 0;
         for (std::size_t frame = 1; frame < all.size(); ++frame) {
             const State &state = all[frame];
             QVERIFY(state.positionOf(0).y <= 20.0);
             const bool on = state.positionOf(0).y == 20.0, was = all[frame - 1].positionOf(0).y == 20.0;
-            stands += on;
+            framesOnGround += on;
             landings += on && !was;
             if (on && was) {
                 QCOMPARE(state.positionOf(0).x, all[frame - 1].positionOf(0).x);
@@ -274,36 +275,36 @@ private slots:
             if (was && !on)
                 QVERIFY(-50 * std::sin(0.05 * double(frame)) < 20.0);
         }
-        QVERIFY(stands > 40 && landings == 2);
-        // Another method agrees on all of it.
+        QVERIFY(framesOnGround > 40 && landings == 2);
+        // Another method must give the same motion.
         const std::vector<State> other =
             run(scene, method == "dormand_prince" ? "dop853" : "dormand_prince", 1e-10, 300);
         for (std::size_t frame = 0; frame < all.size(); ++frame)
             QVERIFY(length(all[frame].positionOf(0) - other[frame].positionOf(0)) < 1e-6);
     }
 
-    void methodsOfFixedStepLoseTheirOrderAtABounce()
+    void fixedStepMethodsLoseTheirOrderAtABounce()
     {
-        const Falling exact{0.5, 100.0, 1.0};
+        const FallingBall exact{0.5, 100.0, 1.0};
         const Scene scene =
             onePoint({0, 280}, {0, 0},
                      {std::make_shared<Gravity>(0.5),
                       std::make_shared<Walls>(Room{-1e6, 1e6, 380, 1.0}, Eigen::ArrayXd::Zero(1))});
         const auto error = [&](double h) {
-            double most = 0.0;
+            double maxError = 0.0;
             for (int frame = 1; frame <= 60; ++frame) {
                 const State state = support::plainRun(scene, "rk4", h, frame);
-                most = std::max(most, std::abs(380 - state.positionOf(0).y - exact.at(frame)));
+                maxError = std::max(maxError, std::abs(380 - state.positionOf(0).y - exact.at(frame)));
             }
-            return most;
+            return maxError;
         };
-        // In free fall the method is exact; after the bounce its error goes with h, not with its fourth power.
+        // The method is exact in free fall. After the bounce its error is proportional to h, not to h^4.
         const double coarse = error(1.0 / 8), fine = error(1.0 / 64);
         QVERIFY(fine > coarse / 64 && fine > 1e-2);
     }
 
-    void whatIsComputedAheadIsForgottenWhenAHandComes_data() { addAdaptiveRows(); }
-    void whatIsComputedAheadIsForgottenWhenAHandComes()
+    void dragDiscardsTheStepComputedAhead_data() { addAdaptiveRows(); }
+    void dragDiscardsTheStepComputedAhead()
     {
         QFETCH(QString, method);
         const Scene scene = onePoint({100, -40}, {3, 8}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, 0.2)});
@@ -315,15 +316,15 @@ private slots:
         QVERIFY(track.state().adaptiveSteps.front().end > 0.0);
         track.seek({11, 0});
         QVERIFY(track.state().positionOf(0) == (Vec2{50, 60}));
-        track.seek({30, 0}); // free from frame 11 on, at rest
+        track.seek({30, 0}); // released at rest after frame 11
         QVERIFY(std::abs(track.state().positionOf(0).x - closedForm(50, 0, 0.2, 1.0, 19)) < 1e-6);
     }
 
-    void aFrameThatNeedsTooManyStepsEndsTheRun_data() { addAdaptiveRows(); }
-    void aFrameThatNeedsTooManyStepsEndsTheRun()
+    void frameWithTooManyStepsEndsTheRun_data() { addAdaptiveRows(); }
+    void frameWithTooManyStepsEndsTheRun()
     {
         QFETCH(QString, method);
-        // 4000 rad a frame: some 600 swings, each in as many steps as the tolerance asks for.
+        // The spring turns by 4000 rad per frame, some 600 oscillations.
         const Scene scene = onePoint({100, 0}, {}, {std::make_shared<PointSpring>(0, Vec2{0, 0}, 1.6e7)});
         Script script = support::script(scene, method.toStdString());
         script.step = StepSize::withTolerance(1e-13);
@@ -333,17 +334,16 @@ private slots:
         QVERIFY(track.stop()->reason == StopReason::tooManySteps);
         QCOMPARE(track.stop()->frame, std::int64_t(0));
         QCOMPARE(track.stop()->body, std::string("ball"));
-        QVERIFY(sameBits(track.state(), Track(script, 0).state())); // as it was before the frame
-        script.step = StepSize::withTolerance(1.0);                 // what the sentence offers
+        QVERIFY(sameBits(track.state(), Track(script, 0).state())); // unchanged
+        script.step = StepSize::withTolerance(1.0);                 // the remedy that the message offers
         Track rough(script, 0);
         rough.seek({10, 0});
         QVERIFY(!rough.stop());
         QCOMPARE(rough.cursor().frame, std::int64_t(10));
     }
 
-    void aRunThatCannotGoOnKeepsWhatItHas()
+    void stoppedRunKeepsItsLastFrame()
     {
-        // Calm, until the spring is far too stiff.
         support::Sample sample;
         sample.values.set("k", 0.2);
         sample.build = [](const Values &values) {
@@ -351,24 +351,24 @@ private slots:
         };
         Script script = support::script(sample, "dormand_prince");
         script.step = StepSize::withTolerance(1e-9);
-        const Script calm = script;
+        const Script unchanged = script;
         script.input = {{21, Set{"k", 1e14}}};
         Track track(script, 0);
         track.seek({20, 1});
         track.seek({40, 0});
         QVERIFY(track.stop() && track.stop()->reason == StopReason::tooManySteps);
         QVERIFY(track.cursor() == (Cursor{20, 0}));
-        Track plain(calm, 0);
+        Track plain(unchanged, 0);
         plain.seek({20, 0});
         QVERIFY(sameBits(track.state(), plain.state()));
-        track.replaceInput(track.prepareInput({}, 21)); // and goes on when that is mended
+        track.replaceInput(track.prepareInput({}, 21)); // without the event the run continues
         track.seek({40, 0});
         QVERIFY(!track.stop());
     }
 
-    void aStepThatCannotBeFoundEndsTheRun()
+    void impossibleContactEndsTheRun()
     {
-        // Walls closer together than the ball is wide: there is no place for it.
+        // The walls are closer together than the ball is wide.
         const Scene scene =
             onePoint({0, 0}, {1, 0},
                      {std::make_shared<Gravity>(0.5),

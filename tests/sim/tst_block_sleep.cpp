@@ -1,4 +1,4 @@
-// Blocks of a large scene that have come to rest sleep one by one, and no bit of the run differs.
+// Cache blocks of a large scene sleep separately once they rest, and the run has the same bits.
 
 #include "counting.h"
 #include "sim/run/script/composed_interval.h"
@@ -12,27 +12,27 @@
 
 using namespace sim;
 using std::make_shared;
-using support::Counting;
+using support::CountingForce;
 
 namespace {
 
 constexpr std::size_t budget = std::size_t{1} << 24;
 
-/// Many pairs that nothing ties to each other: "pair0" and its other end, and so on.
+/// Returns many separate pairs of points, "pair0" and "end0", "pair1" and "end1", and so on.
 Scene pairs(const std::shared_ptr<std::int64_t> &count)
 {
-    constexpr int number = 4000;
+    constexpr int pairCount = 4000;
     Scene scene;
-    scene.start = State::ofPoints(2 * number);
+    scene.start = State::ofPoints(2 * pairCount);
     support::scatter(scene.start, 9, 400.0);
     std::vector<Link> links;
-    for (int i = 0; i < 2 * number; i += 2) {
+    for (int i = 0; i < 2 * pairCount; i += 2) {
         links.insert(links.end(), {{i, i + 1}, {i + 1, i}});
         scene.names.push_back("pair" + std::to_string(i / 2));
         scene.names.push_back("end" + std::to_string(i / 2));
     }
-    scene.groups = {{"all", {0, 2 * number}}};
-    scene.effects = {make_shared<BodySpring>(links, 0.2), make_shared<Counting>(count),
+    scene.groups = {{"all", {0, 2 * pairCount}}};
+    scene.effects = {make_shared<BodySpring>(links, 0.2), make_shared<CountingForce>(count),
                      make_shared<Damping>(0.3)};
     return scene;
 }
@@ -44,13 +44,13 @@ class TestBlockSleep : public QObject
     Q_OBJECT
 
 private slots:
-    void blocksThatRestSleepWhileOneIsDragged_data()
+    void restingBlocksSleepWhileOneIsDragged_data()
     {
         QTest::addColumn<double>("h");
         for (const double h : {1.0, 0.5, 2.0})
             QTest::addRow("h = %g", h) << h;
     }
-    void blocksThatRestSleepWhileOneIsDragged()
+    void restingBlocksSleepWhileOneIsDragged()
     {
         QFETCH(double, h);
         const auto count = make_shared<std::int64_t>(0);
@@ -59,8 +59,8 @@ private slots:
             if (frame == 900)
                 script.input.push_back({frame, Grab{"pair7"}});
             if (frame == 1100)
-                script.input.push_back({frame, Grab{"pair3999"}}); // far away, in another block
-            if (frame == 1104) {                                   // taken and left at once
+                script.input.push_back({frame, Grab{"pair3999"}}); // in another block
+            if (frame == 1104) {                                   // grabbed and released in the same frame
                 script.input.push_back({frame, Grab{"pair2000"}});
                 script.input.push_back({frame, Move{{0.0, 0.0}}});
                 script.input.push_back({frame, Grab{"pair3999"}});
@@ -68,33 +68,34 @@ private slots:
             script.input.push_back({frame, Move{{frame * 0.5, 90.0}}});
         }
         script.input.push_back({1200, Release{}});
-        Track track(script, budget), awake(script, budget, Sleeping::never);
+        Track track(script, budget), reference(script, budget, Sleeping::never);
         QVERIFY(track.nextInterval()->pipeline.blocks.size() > 2);
         const std::int64_t points = track.state().pointCount();
-        std::int64_t least = points;
+        std::int64_t minPoints = points;
         for (std::int64_t frame = 0; frame < 1300; frame += track.framesPerOutput()) {
             const std::int64_t before = *count;
             track.seek({frame, 0});
             if (frame > 1060 && frame < 1100)
-                least = std::min(least, *count - before);
-            awake.seek({frame, 0});
-            const std::string what = support::difference(track.state(), awake.state());
-            QVERIFY2(sameBits(track.state(), awake.state()), (std::to_string(frame) + ": " + what).c_str());
-            if (frame % 250 == 0) { // into a frame, and out again
-                for (Track *one : {&track, &awake}) {
-                    one->seek({frame, 1});
-                    one->seek({frame, 2});
+                minPoints = std::min(minPoints, *count - before);
+            reference.seek({frame, 0});
+            const std::string found = support::difference(track.state(), reference.state());
+            QVERIFY2(sameBits(track.state(), reference.state()),
+                     (std::to_string(frame) + ": " + found).c_str());
+            if (frame % 250 == 0) { // to a phase within the frame
+                for (Track *run : {&track, &reference}) {
+                    run->seek({frame, 1});
+                    run->seek({frame, 2});
                 }
-                QVERIFY(sameBits(track.state(), awake.state()));
+                QVERIFY(sameBits(track.state(), reference.state()));
             }
         }
         const auto steps = std::int64_t(track.script().step.stepsPerOutput);
-        QVERIFY2(least <= steps * points / 2, std::to_string(least).c_str());
-        QVERIFY(least > 0);
+        QVERIFY2(minPoints <= steps * points / 2, std::to_string(minPoints).c_str());
+        QVERIFY(minPoints > 0);
         track.seek({20, 0});
-        awake.seek({1400, 0});
+        reference.seek({1400, 0});
         track.seek({1400, 0});
-        QVERIFY(sameBits(track.state(), awake.state()));
+        QVERIFY(sameBits(track.state(), reference.state()));
     }
 };
 

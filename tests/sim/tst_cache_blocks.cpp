@@ -27,10 +27,13 @@ namespace {
 
 using std::make_shared;
 
-/// Four kinds of islands, many of each and laid out kind by kind: pairs on springs one way twice, with drag along and
-/// across, of several masses; bodies on two bones that pull them back, one foot numbered below its body and one above;
-/// three points that push each other; and points on a spring of their own, of which the first is in a hand.
-sim::Scene mixed(int each)
+/// Returns `each` islands of four kinds, stored kind by kind:
+/// - pairs of different masses on body springs, one of them listed twice, with damping along and across the
+///   pair;
+/// - bodies with two legs that pull back, one foot numbered below its body and one above;
+/// - three points that push each other;
+/// - single points on springs to a fixed position, the first of which is held.
+sim::Scene mixedIslands(int each)
 {
     sim::Scene scene;
     scene.start = sim::State::ofPoints(9 * each);
@@ -42,7 +45,7 @@ sim::Scene mixed(int each)
     for (int i = 0; i < each; ++i) {
         links.push_back({i, each + i});
         links.push_back({each + i, i});
-        links.push_back({i, each + i}); // pulled twice
+        links.push_back({i, each + i}); // listed twice
         scene.start.inverseMass[i] = 1.0 / (1.0 + i % 3);
         const int body = 3 * each + i;
         legs.push_back({2 * each + i, body, 0.3, 0});
@@ -63,8 +66,8 @@ sim::Scene mixed(int each)
     return scene;
 }
 
-/// Single points in a room that rubs.
-sim::Scene loose(int points)
+/// Returns single points in a room with friction.
+sim::Scene loosePoints(int points)
 {
     sim::Scene scene = scenes::pointsAt(std::vector<sim::Vec2>(static_cast<std::size_t>(points)));
     support::scatter(scene.start, 8, 400.0);
@@ -74,7 +77,7 @@ sim::Scene loose(int points)
     return scene;
 }
 
-/// Triangles of sticks, one after the other. The sticks are listed in another order.
+/// Returns triangles of sticks. The points are stored triangle by triangle, the sticks side by side.
 sim::Scene triangles(int count)
 {
     scenes::StickFigure all{.gravity = 0.5, .damp = 0.98, .passes = 4};
@@ -88,23 +91,23 @@ sim::Scene triangles(int count)
     return scene;
 }
 
-/// The same, and its legs act before anything else.
-sim::Scene legsFirst(int each)
+/// Returns mixedIslands() with the leg springs first.
+sim::Scene mixedIslandsLegsFirst(int each)
 {
-    sim::Scene scene = mixed(each);
+    sim::Scene scene = mixedIslands(each);
     std::stable_partition(scene.effects.begin(), scene.effects.end(), [](const sim::EffectPtr &effect) {
         return dynamic_cast<const sim::LegSpring *>(effect.get()) != nullptr;
     });
     return scene;
 }
 
-sim::Scene sceneCalled(const QString &name)
+sim::Scene sceneByName(const QString &name)
 {
     if (name == u"legs first")
-        return legsFirst(12);
+        return mixedIslandsLegsFirst(12);
     if (name == u"a crowd")
         return bench::crowd::inTheRoom(40);
-    return name == u"many kinds" ? mixed(12) : loose(90);
+    return name == u"many kinds" ? mixedIslands(12) : loosePoints(90);
 }
 
 sim::Pipeline inBlocks(const sim::Scene &scene, const std::string &method, sim::BlockSize size)
@@ -116,8 +119,8 @@ sim::Pipeline inBlocks(const sim::Scene &scene, const std::string &method, sim::
 
 }
 
-/// A step in blocks: the same as phase by phase.
-class Blocks : public QObject
+/// A step in cache blocks gives the same bits as a step phase by phase.
+class TestCacheBlocks : public QObject
 {
     Q_OBJECT
 
@@ -128,36 +131,36 @@ class Blocks : public QObject
     {
         QTest::addColumn<QString>("scene");
         QTest::addColumn<QString>("method");
-        QTest::addColumn<int>("points"); // in a block
+        QTest::addColumn<int>("points"); // per block
         for (const QString scene : {"a crowd", "many kinds", "legs first", "loose points"}) {
             for (const char *method : methods) {
                 for (const int points : {1, 20, 64})
-                    QTest::addRow("%s by %s, %d points a block", qPrintable(scene), method, points)
+                    QTest::addRow("%s by %s, %d points per block", qPrintable(scene), method, points)
                         << scene << QString(method) << points;
             }
         }
     }
 
 private slots:
-    void bringTheSameBitsWithAnyNumberOfThreads_data() { addRows(); }
-    void bringTheSameBitsWithAnyNumberOfThreads()
+    void blocksGiveTheSameBitsWithAnyNumberOfThreads_data() { addRows(); }
+    void blocksGiveTheSameBitsWithAnyNumberOfThreads()
     {
         QFETCH(QString, scene);
         QFETCH(QString, method);
         QFETCH(int, points);
-        const sim::Scene what = sceneCalled(scene);
-        const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
+        const sim::Scene chosen = sceneByName(scene);
+        const sim::Pipeline pipeline = inBlocks(chosen, method.toStdString(), {points, 1});
         QVERIFY(pipeline.blocks.size() >= 2);
-        sim::State plain = what.start;
+        sim::State plain = chosen.start;
         sim::findMethod(method.toStdString())->prepareState(plain);
         std::vector<sim::State> states(3, plain);
-        std::vector<sim::ThreadPool> crews = {sim::ThreadPool(1), sim::ThreadPool(2), sim::ThreadPool(3)};
+        std::vector<sim::ThreadPool> pools = {sim::ThreadPool(1), sim::ThreadPool(2), sim::ThreadPool(3)};
         for (plain.frame = 1; plain.frame <= 200; ++plain.frame) {
             for (const sim::Phase &phase : pipeline.phases)
                 phase.run(plain);
             for (std::size_t i = 0; i < states.size(); ++i) {
                 states[i].frame = plain.frame;
-                sim::runStep(pipeline, states[i], crews[i]);
+                sim::runStep(pipeline, states[i], pools[i]);
             }
         }
         for (sim::State &state : states) {
@@ -167,19 +170,19 @@ private slots:
         }
     }
 
-    void takeEachPointOnce_data() { addRows(); }
-    void takeEachPointOnce()
+    void blocksContainEachPointOnce_data() { addRows(); }
+    void blocksContainEachPointOnce()
     {
         QFETCH(QString, scene);
         QFETCH(QString, method);
         QFETCH(int, points);
-        const sim::Scene what = sceneCalled(scene);
-        const sim::Pipeline pipeline = inBlocks(what, method.toStdString(), {points, 1});
-        std::vector<int> blockOf(static_cast<std::size_t>(what.start.pointCount()), -1);
+        const sim::Scene chosen = sceneByName(scene);
+        const sim::Pipeline pipeline = inBlocks(chosen, method.toStdString(), {points, 1});
+        std::vector<int> blockOf(static_cast<std::size_t>(chosen.start.pointCount()), -1);
         for (std::size_t block = 0; block < pipeline.blocks.size(); ++block) {
             int end = -1;
             for (const sim::PointRange &range : pipeline.blocks[block].ranges) {
-                QVERIFY(range.first > end); // neighbours are one run
+                QVERIFY(range.first > end); // neighbours are in one range
                 end = range.end();
                 for (int i = range.first; i < range.end(); ++i) {
                     int &owner = blockOf[static_cast<std::size_t>(i)];
@@ -189,7 +192,7 @@ private slots:
             }
         }
         QVERIFY(std::find(blockOf.begin(), blockOf.end(), -1) == blockOf.end());
-        for (const auto &island : sim::islandsOf(what)) { // and no island is in two
+        for (const auto &island : sim::islandsOf(chosen)) { // no island is split
             const int block = blockOf[static_cast<std::size_t>(island.front().first)];
             for (const sim::PointRange &range : island) {
                 for (int i = range.first; i < range.end(); ++i)
@@ -198,23 +201,25 @@ private slots:
         }
     }
 
-    void areNotMadeWhereTheyCannotBeOrDoNotPay()
+    void noBlocksWhereTheyAreImpossibleOrDoNotPay()
     {
         const auto count = [](const sim::Scene &scene, const char *method, sim::BlockSize size) {
             return inBlocks(scene, method, size).blocks.size();
         };
         const sim::Scene crowd = bench::crowd::inTheRoom(40);
         QVERIFY(count(crowd, "semi_implicit_euler", {60, 1}) > 1);
-        QCOMPARE(count(crowd, "rk4", {60, 1}), std::size_t{0});                  // stages of all at once
-        QCOMPARE(count(crowd, "semi_implicit_euler", {240, 1}), std::size_t{0}); // it is all one block
+        QCOMPARE(count(crowd, "rk4", {60, 1}), std::size_t{0}); // its stages need all points at once
+        QCOMPARE(count(crowd, "semi_implicit_euler", {240, 1}),
+                 std::size_t{0}); // all points fit into one block
         QVERIFY(count(crowd, "semi_implicit_euler", {60, 10}) > 1);
-        QCOMPARE(count(crowd, "semi_implicit_euler", {60, 11}), std::size_t{0}); // in pieces of 10
+        QCOMPARE(count(crowd, "semi_implicit_euler", {60, 11}),
+                 std::size_t{0}); // the longest range has 10 points
         sim::Scene walking = crowd;
         walking.start.gait.setZero(1);
         walking.start.gaitSpeed.setZero(1);
         walking.effects.push_back(make_shared<sim::GaitClock>());
         QCOMPARE(count(walking, "semi_implicit_euler", {60, 1}), std::size_t{0});
-        // A list of sticks would be gone through for each block.
+        // Each block would have to go through the whole list of sticks.
         QCOMPARE(count(triangles(30), "semi_implicit_euler", {30, 1}), std::size_t{0});
     }
 
@@ -232,8 +237,8 @@ private slots:
         for (int triangle = 29; triangle >= 0; --triangle) { // in any order
             const std::vector<sim::PointRange> ranges = {{3 * triangle, 3}};
             pipeline.blocks.push_back({ranges, {}});
-            for (const sim::StepKernel &one : pipeline.kernels)
-                pipeline.blocks.back().work.push_back(one.kernel.prepareFor(ranges));
+            for (const sim::StepKernel &stepKernel : pipeline.kernels)
+                pipeline.blocks.back().work.push_back(stepKernel.kernel.prepareFor(ranges));
         }
         sim::State plain = scene.start;
         sim::findMethod(method.toStdString())->prepareState(plain);
@@ -246,13 +251,13 @@ private slots:
         QVERIFY(sim::sameBits(state, plain));
     }
 
-    void aTrackGoesInBlocksAndStopsAtAnyPhase_data()
+    void trackRunsInBlocksAndStopsAtAnyPhase_data()
     {
         QTest::addColumn<QString>("method");
         for (const char *method : methods)
             QTest::newRow(method) << QString(method);
     }
-    void aTrackGoesInBlocksAndStopsAtAnyPhase()
+    void trackRunsInBlocksAndStopsAtAnyPhase()
     {
         QFETCH(QString, method);
         const sim::Scene crowd = bench::crowd::inTheRoom(3000);
@@ -266,20 +271,20 @@ private slots:
         QCOMPARE(support::seekMismatch(script, std::size_t{1} << 24, 2, 12, 3), std::string());
     }
 
-    void aTrackThatIsNotWaitedForLeavesOff()
+    void cancelledSeekStopsAfterTheCurrentStep()
     {
         const sim::Script script =
             support::script(bench::crowd::inTheRoom(1000), "semi_implicit_euler", 0.25);
         sim::Track track(script, std::size_t{1} << 24);
         QVERIFY(!track.interval().pipeline.blocks.empty());
-        int asked = 0;
-        QVERIFY(!track.seek({10, 0}, [&] { return ++asked < 7; })); // four steps a frame
-        QCOMPARE(asked, 7);
+        int calls = 0;
+        QVERIFY(!track.seek({10, 0}, [&] { return ++calls < 7; })); // four steps per frame
+        QCOMPARE(calls, 7);
         QVERIFY((track.cursor() == sim::Cursor{1, 0}));
         QVERIFY(track.seek({10, 0}, [] { return true; }));
         QVERIFY((track.cursor() == sim::Cursor{10, 0}));
     }
 };
 
-QTEST_GUILESS_MAIN(Blocks)
+QTEST_GUILESS_MAIN(TestCacheBlocks)
 #include "tst_cache_blocks.moc"

@@ -1,4 +1,4 @@
-// Constraints by themselves and in the cases that break them: against closed forms, and finite whatever they ask.
+// Constraints against closed forms, and in cases that cannot be satisfied: all points stay finite.
 
 #include "support.h"
 
@@ -28,12 +28,12 @@ State randomState(Dice &dice, int points)
     return state;
 }
 
-PointRange all(const State &state)
+PointRange allPoints(const State &state)
 {
     return {0, state.pointCount()};
 }
 
-/// A scene of moving points with sticks under gravity. What is `pinned` feels nothing.
+/// Returns points with sticks under gravity. The points in `pinned` are fixed.
 Scene hanging(std::vector<Vec2> places, std::vector<Stick> sticks, const std::vector<int> &pinned,
               int iterations)
 {
@@ -71,14 +71,14 @@ class TestConstraints : public QObject
     Q_OBJECT
 
 private slots:
-    void stickIsRightAfterIt_data()
+    void stickHasItsLengthAfterwards_data()
     {
         QTest::addColumn<DirectionRule>("directionRule");
-        QTest::newRow("apart") << DirectionRule::regularised;
+        QTest::newRow("regularised") << DirectionRule::regularised;
         QTest::newRow("as published") << DirectionRule::published;
     }
-    /// And the middle, weighed by the shares, stays where it was.
-    void stickIsRightAfterIt()
+    /// The middle, weighted by the shares, does not move.
+    void stickHasItsLengthAfterwards()
     {
         QFETCH(DirectionRule, directionRule);
         Dice dice(1);
@@ -91,7 +91,7 @@ private slots:
                 return (1 - stick.share) * state.positionOf(0) + stick.share * state.positionOf(1);
             };
             const Vec2 before = middle();
-            Sticks({stick}, 2).enforce(state, all(state), directionRule, 1.0);
+            Sticks({stick}, 2).enforce(state, allPoints(state), directionRule, 1.0);
             QVERIFY(std::abs(length(state.positionOf(0) - state.positionOf(1)) - stick.length) <= 1e-11);
             QVERIFY(length(middle() - before) <= 1e-11);
         }
@@ -104,29 +104,29 @@ private slots:
         state.inverseMass.setZero();
         const Sticks sticks({{0, 1, 5, 0.5}}, 2);
         const State before = state;
-        sticks.enforce(state, all(state), DirectionRule::regularised, 1.0);
+        sticks.enforce(state, allPoints(state), DirectionRule::regularised, 1.0);
         QVERIFY(sameBits(state, before));
-        QCOMPARE(sticks.count(state, all(state)), 0);
+        QCOMPARE(sticks.count(state, allPoints(state)), 0);
     }
 
-    void everythingStaysFinite_data()
+    void allPointsStayFinite_data()
     {
         QTest::addColumn<Scene>("scene");
         QTest::newRow("1000 links, pinned at both ends") << longChain();
         const std::vector<Vec2> three = {{0, 0}, {1, 0}, {0, 1}};
-        QTest::newRow("a triangle of 1, 1 and 10")
+        QTest::newRow("a triangle of 1, 1 and 10 px")
             << hanging(three, {{0, 1, 1, 0.5}, {1, 2, 1, 0.5}, {0, 2, 10, 0.5}}, {}, 10);
-        QTest::newRow("that triangle, pinned twice")
+        QTest::newRow("the same triangle, two corners pinned")
             << hanging(three, {{0, 1, 1, 0.5}, {1, 2, 1, 0.5}, {0, 2, 10, 0.5}}, {0, 2}, 10);
-        QTest::newRow("sticks without a length")
+        QTest::newRow("sticks of length 0")
             << hanging(three, {{0, 1, 0, 0.5}, {1, 2, 0, 0.2}, {0, 2, 0, 1}}, {0}, 10);
-        QTest::newRow("all in one place")
+        QTest::newRow("coincident points")
             << hanging({{5, 5}, {5, 5}, {5, 5}}, {{0, 1, 10, 0.5}, {1, 2, 10, 0.5}, {0, 2, 10, 0.5}}, {}, 3);
         QTest::newRow("the same stick three times, once with another length")
             << hanging(three, {{0, 1, 10, 0.5}, {1, 0, 10, 0.5}, {0, 1, 50, 0.5}}, {2}, 10);
         QTest::newRow("a huge length") << hanging(three, {{0, 1, 1e100, 0.5}}, {}, 2);
     }
-    void everythingStaysFinite()
+    void allPointsStayFinite()
     {
         QFETCH(Scene, scene);
         for (const char *method : {"published", "semi_implicit_euler"}) {
@@ -135,7 +135,8 @@ private slots:
         }
     }
 
-    /// Contradictory sticks come to rest on one line, as 1 + 1 < 10: the last one in the list has its way.
+    /// Contradictory sticks come to rest on one line, because 1 + 1 < 10. The last stick of the list gets its
+    /// length.
     void contradictorySticksComeToRest()
     {
         Scene scene =
@@ -143,11 +144,11 @@ private slots:
         scene.effects.erase(scene.effects.begin()); // no gravity
         const State a = support::plainRun(scene, "semi_implicit_euler", 1.0, 2000);
         const State b = support::plainRun(scene, "semi_implicit_euler", 1.0, 2100);
-        const double whole = length(a.positionOf(0) - a.positionOf(2));
-        QVERIFY(std::abs(whole - 10.0) <= 1e-9);
+        const double longest = length(a.positionOf(0) - a.positionOf(2));
+        QVERIFY(std::abs(longest - 10.0) <= 1e-9);
         QVERIFY(std::abs(length(a.positionOf(0) - a.positionOf(1)) +
-                         length(a.positionOf(1) - a.positionOf(2)) - whole) <= 1e-6);
-        QVERIFY(std::abs(length(b.positionOf(0) - b.positionOf(2)) - whole) <= 1e-6);
+                         length(a.positionOf(1) - a.positionOf(2)) - longest) <= 1e-6);
+        QVERIFY(std::abs(length(b.positionOf(0) - b.positionOf(2)) - longest) <= 1e-6);
     }
 
     void explainedStickIsTheLastOneThatMovedThePoint()
@@ -157,7 +158,7 @@ private slots:
             State state = randomState(dice, 4);
             const Sticks sticks({{0, 1, 50, 0.3}, {1, 2, 60, 0.5}, {3, 1, 70, 0.5}}, 4, 2);
             const State before = state;
-            sticks.enforce(state, all(state), directionRule, 1.0);
+            sticks.enforce(state, allPoints(state), directionRule, 1.0);
             for (int point = 0; point < 4; ++point) {
                 const std::vector<LiveValue> live = sticks.explain(before, state, point);
                 QCOMPARE(live.size(), std::size_t{3});
@@ -171,12 +172,12 @@ private slots:
         QTest::addColumn<double>("length");
         QTest::addColumn<double>("wanted");
         QTest::newRow("pressed too far") << 5.0 << 20.0 + (5.0 - 20.0) * 0.2;
-        QTest::newRow("at the least length") << 20.0 << 40.0 - 20.0 * 0.9;
+        QTest::newRow("at the minimum length") << 20.0 << 40.0 - 20.0 * 0.9;
         QTest::newRow("shorter than at rest") << 30.0 << 40.0 - 10.0 * 0.9;
         QTest::newRow("at rest") << 40.0 << 40.0;
         QTest::newRow("longer than at rest") << 50.0 << 40.0 + 10.0 * 0.9;
         QTest::newRow("pulled too far") << 90.0 << 60.0 + 30.0 * 0.2;
-        QTest::newRow("no length at all") << 0.0 << 20.0 * 0.8;
+        QTest::newRow("length 0") << 0.0 << 20.0 * 0.8;
     }
     void softStickHasThreeCases()
     {
@@ -186,31 +187,31 @@ private slots:
         state.place(0, {100, 50});
         state.place(1, Vec2{100, 50} + length * Vec2{0.6, -0.8});
         SoftSticks({{0, 1, 20, 40, 60}}, {0.1, 0.8})
-            .enforce(state, all(state), DirectionRule::regularised, 1.0);
+            .enforce(state, allPoints(state), DirectionRule::regularised, 1.0);
         QCOMPARE(state.positionOf(0), (Vec2{100, 50}));
-        const Vec2 way = state.positionOf(1) - state.positionOf(0);
-        QVERIFY(std::abs(sim::length(way) - wanted) <= 1e-12 * (1 + wanted));
+        const Vec2 stickVector = state.positionOf(1) - state.positionOf(0);
+        QVERIFY(std::abs(sim::length(stickVector) - wanted) <= 1e-12 * (1 + wanted));
         if (length > 0.0)
-            QVERIFY(std::abs(way.x * 0.8 + way.y * 0.6) <= 1e-12);
+            QVERIFY(std::abs(stickVector.x * 0.8 + stickVector.y * 0.6) <= 1e-12);
     }
 
-    /// Limb lengths and the middle of the three points stay, and the angle is at its nearer limit.
-    void jointIsBentBackToItsLimit()
+    /// The limbs keep their lengths, and the centre of the three points does not move.
+    void jointIsBentToTheNearerLimit()
     {
         Dice dice(4);
         for (int run = 0; run < 5000; ++run) {
             State state = randomState(dice, 3);
             const AngleLimit limit = {0, 1, 2, dice.real(10, 120), dice.real(130, 350)};
             const State before = state;
-            AngleLimits({limit}).enforce(state, all(state), DirectionRule::regularised, 1.0);
-            const double was = angleAt(before, limit), is = angleAt(state, limit);
-            if (was >= limit.least && was <= limit.most) {
+            AngleLimits({limit}).enforce(state, allPoints(state), DirectionRule::regularised, 1.0);
+            const double angleBefore = angleAt(before, limit), angleAfter = angleAt(state, limit);
+            if (angleBefore >= limit.least && angleBefore <= limit.most) {
                 QVERIFY(sameBits(state, before));
                 continue;
             }
-            const double over = std::fmod(was - limit.most + 360, 360);
-            const double under = std::fmod(limit.least - was + 360, 360);
-            QVERIFY(std::abs(is - (over < under ? limit.most : limit.least)) <= 1e-9);
+            const double over = std::fmod(angleBefore - limit.most + 360, 360);
+            const double under = std::fmod(limit.least - angleBefore + 360, 360);
+            QVERIFY(std::abs(angleAfter - (over < under ? limit.most : limit.least)) <= 1e-9);
             for (const int end : {0, 2})
                 QVERIFY(std::abs(length(state.positionOf(end) - state.positionOf(1)) -
                                  length(before.positionOf(end) - before.positionOf(1))) <= 1e-10);
@@ -219,68 +220,72 @@ private slots:
         }
     }
 
-    void underWeightSmallerStepsCorrectSticksMoreCheaplyThanMoreSweeps_data()
+    void underWeightSmallerStepsHelpMoreThanMoreIterations_data()
     {
         QTest::addColumn<int>("steps");
-        QTest::addColumn<int>("sweeps");
+        QTest::addColumn<int>("iterations");
         QTest::newRow("one step") << 1 << 20;
         QTest::newRow("5 steps") << 5 << 4;
         QTest::newRow("20 steps") << 20 << 1;
     }
-    /// The closed form is that of a flat arc whose links are as long as the tension leaves them: see heavyError() of the
-    /// hard cases. So the same 20 sweeps a frame err by the step to the power 2/3.
-    void underWeightSmallerStepsCorrectSticksMoreCheaplyThanMoreSweeps()
+    /// Each row has 20 iterations per frame. The closed form is that of a flat arc whose links are stretched
+    /// by the tension, see heavyError() of the hard cases. The error is proportional to the step to the power
+    /// 2/3.
+    void underWeightSmallerStepsHelpMoreThanMoreIterations()
     {
         QFETCH(int, steps);
-        QFETCH(int, sweeps);
-        constexpr double gravity = 0.5, links = 100, each = 4.4;
+        QFETCH(int, iterations);
+        constexpr double gravity = 0.5, links = 100, restLength = 4.4;
         Script script;
         script.build = hard::stretchedChain;
         script.values = hard::valuesOf({{"links", links},
                                         {"stretched", 1},
                                         {"damp", 0.9},
                                         {"gravity", gravity},
-                                        {"passes", double(sweeps)}});
+                                        {"passes", double(iterations)}});
         script.method = findMethod("semi_implicit_euler");
         script.step = StepSize::ofLength(1.0 / steps);
         Track track(script, 0);
         track.seek({300, 0});
-        double worst = 0.0;
+        double maxError = 0.0;
         for (int i = 0; i < links; ++i)
-            worst = std::max(
-                worst,
-                std::abs(length(track.state().positionOf(i + 1) - track.state().positionOf(i)) - each));
+            maxError = std::max(
+                maxError,
+                std::abs(length(track.state().positionOf(i + 1) - track.state().positionOf(i)) - restLength));
         const double weight = links * gravity / (steps * steps);
-        const double told = each * std::pow(weight / (4 * std::sqrt(3.0 / 8.0) * sweeps * each), 2.0 / 3.0);
-        QVERIFY2(worst < told && worst > 0.6 * told, qPrintable(QString::number(worst / told)));
+        const double predicted =
+            restLength * std::pow(weight / (4 * std::sqrt(3.0 / 8.0) * iterations * restLength), 2.0 / 3.0);
+        QVERIFY2(maxError < predicted && maxError > 0.6 * predicted,
+                 qPrintable(QString::number(maxError / predicted)));
     }
 
-    void areaIsWhatItShouldBe()
+    void areaStickSetsTheArea()
     {
         Dice dice(5);
         const Quad quad = {0, 1, 2, 3};
         for (int run = 0; run < 2000; ++run) {
             State state = randomState(dice, 4);
             const double spine = length(state.positionOf(0) - state.positionOf(1));
-            AreaStick(quad, 600, 10).enforce(state, all(state), DirectionRule::regularised, 1.0);
+            AreaStick(quad, 600, 10).enforce(state, allPoints(state), DirectionRule::regularised, 1.0);
             QVERIFY(std::abs(areaOf(state, quad) - 600 * std::min(1.0, spine / 10)) <= 1e-7);
         }
     }
 
-    /// Pushed 2 px into the floor, friction 0.5 can hold a slide of 1 px, and takes 1 px from a longer one.
-    void frictionHoldsUpToItsShareOfThePush_data()
+    /// A push of 2 px into the floor with friction 0.5 stops a slide of up to 1 px, and shortens a longer
+    /// slide by 1 px.
+    void frictionIsLimitedByThePushIntoTheFloor_data()
     {
         QTest::addColumn<double>("slide");
-        QTest::addColumn<double>("left");
+        QTest::addColumn<double>("expected");
         QTest::newRow("none") << 0.0 << 0.0;
-        QTest::newRow("held") << 0.9 << 0.0;
+        QTest::newRow("stopped") << 0.9 << 0.0;
         QTest::newRow("too long") << 3.0 << 2.0;
         QTest::newRow("too long, to the left") << -3.0 << -2.0;
     }
-    void frictionHoldsUpToItsShareOfThePush()
+    void frictionIsLimitedByThePushIntoTheFloor()
     {
         QFETCH(double, slide);
-        QFETCH(double, left);
+        QFETCH(double, expected);
         const Room room = {0, 500, 300, 0};
         const RoomLimits limits(room, Eigen::ArrayXd::Constant(1, 5.0), 0.5);
         State state = State::ofPoints(1);
@@ -288,7 +293,7 @@ private slots:
         state.previous = state.position;
         state.place(0, {100 + slide, 297});
         limits.enforce(state, {0, 1}, DirectionRule::regularised, 1.0);
-        QCOMPARE(state.positionOf(0), (Vec2{100 + left, 295}));
+        QCOMPARE(state.positionOf(0), (Vec2{100 + expected, 295}));
     }
 };
 

@@ -9,28 +9,31 @@
 namespace {
 
 constexpr double ns = 1e-9;
-constexpr double reading = 30 * ns; ///< what each reading of the clock takes
+constexpr double clockCost = 30 * ns; ///< time that reading the clock takes
 
-/// A time that passes only where something says what it takes.
-struct Time
+/// A fake time that passes only when a test says so.
+struct FakeTime
 {
     double now = 0.0;
     void pass(double nanoseconds) { now += nanoseconds * ns; }
-    /// Reading takes time as well: half before the moment that it tells, half after.
+    /// Returns a clock whose readings cost time themselves, half before and half after the reading.
     sim::CostMeter::Clock clock()
     {
         return [this] {
-            now += reading;
-            return now - 0.5 * reading;
+            now += clockCost;
+            return now - 0.5 * clockCost;
         };
     }
 };
 
-/// A force that takes the same time each call; its derivatives take twice that.
+/// A force that takes the same time on each call. Its Jacobian takes twice as long.
 class SlowForce : public sim::Force
 {
 public:
-    SlowForce(std::string id, double takes, Time &time) : m_id(std::move(id)), m_takes(takes), m_time(time) {}
+    SlowForce(std::string id, double takes, FakeTime &time)
+        : m_id(std::move(id)), m_takes(takes), m_time(time)
+    {
+    }
     std::string id() const override { return m_id; }
     std::string title() const override { return m_id; }
     sim::EffectKind kind() const override { return sim::EffectKind::gravity; }
@@ -55,25 +58,25 @@ public:
 private:
     std::string m_id;
     double m_takes;
-    Time &m_time;
+    FakeTime &m_time;
 };
 
-/// An effect whose numbers are such that it changes nothing.
-class Idle : public sim::Gravity
+/// An effect whose parameters make it idle.
+class IdleGravity : public sim::Gravity
 {
 public:
-    Idle() : sim::Gravity(0.0) {}
+    IdleGravity() : sim::Gravity(0.0) {}
     bool isIdle() const override { return true; }
 };
 
-/// Computes the scene's first force in a phase of its own, whose beginning is the method's, and the second one three
-/// times within a phase of the method's; and has a phase in which no effect has a part.
-class Rule : public sim::Method
+/// A method with three phases: one without effects, one with a prelude and the scene's first force, and one
+/// that computes the scene's second force three times and its Jacobian once.
+class TestMethod : public sim::Method
 {
 public:
-    explicit Rule(Time &time) : m_time(time) {}
-    std::string id() const override { return "rule"; }
-    std::string title() const override { return "rule"; }
+    explicit TestMethod(FakeTime &time) : m_time(time) {}
+    std::string id() const override { return "test_method"; }
+    std::string title() const override { return "test_method"; }
     int order() const override { return 1; }
     std::vector<std::string> requirements() const override { return {}; }
     sim::DirectionRule directionRule() const override { return sim::DirectionRule::regularised; }
@@ -81,22 +84,22 @@ public:
     void prepareState(sim::State &state) const override { state.acceleration.setZero(state.pointCount(), 2); }
     std::vector<sim::Phase> phases(const sim::Scene &scene, sim::StepSize) const override
     {
-        const auto passing = [&time = m_time](double takes) {
+        const auto taking = [&time = m_time](double takes) {
             return [&time, takes](sim::State &) { time.pass(takes); };
         };
-        const auto force = [&](std::size_t which) {
-            const auto one = std::dynamic_pointer_cast<const sim::Force>(scene.effects[which]);
-            return [one](sim::State &state) {
-                one->add(state, {0, state.pointCount()}, 1.0, sim::DirectionRule::regularised,
-                         state.acceleration);
+        const auto force = [&](std::size_t index) {
+            const auto selected = std::dynamic_pointer_cast<const sim::Force>(scene.effects[index]);
+            return [selected](sim::State &state) {
+                selected->add(state, {0, state.pointCount()}, 1.0, sim::DirectionRule::regularised,
+                              state.acceleration);
             };
         };
-        sim::Phase own, first, within;
-        own.id = "own";
-        own.kernels = {{passing(5), {}}};
+        sim::Phase methodPhase, first, within;
+        methodPhase.id = "method";
+        methodPhase.kernels = {{taking(5), {}}};
         first.id = "first";
         first.effect = scene.effects[0];
-        first.kernels = {{passing(20), {}}, {force(0), {}}};
+        first.kernels = {{taking(20), {}}, {force(0), {}}};
         within.id = "within";
         within.innerEffects = {scene.effects[1]};
         const auto computed = [&time = m_time, add = force(1), second = scene.effects[1]](sim::State &state) {
@@ -108,14 +111,14 @@ public:
                                                                   sim::DirectionRule::regularised, jacobian);
         };
         within.kernels = {{computed, {}}};
-        return {own, first, within};
+        return {methodPhase, first, within};
     }
 
 private:
-    Time &m_time;
+    FakeTime &m_time;
 };
 
-sim::Scene slowScene(Time &time)
+sim::Scene slowScene(FakeTime &time)
 {
     sim::Scene scene = scenes::creature(2);
     scene.effects = {std::make_shared<SlowForce>("slow", 40, time),
@@ -136,30 +139,30 @@ bool near(double a, double b)
 
 }
 
-/// What effects cost, by a clock that tells only what a test says. How the real one does is for instructions to tell.
+/// The cost of effects by a fake clock. tst_instructions compares real costs.
 class TestCost : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void eachPartIsToldAsTheTimeThatItTakes_data()
+    void eachPartIsMeasuredExactly_data()
     {
         QTest::addColumn<double>("h");
-        QTest::addColumn<int>("steps");  // a row
-        QTest::addColumn<int>("frames"); // a row
-        QTest::newRow("a step a frame") << 1.0 << 1 << 1;
-        QTest::newRow("four steps a frame") << 0.25 << 4 << 1;
-        QTest::newRow("a step in five frames") << 5.0 << 1 << 5;
+        QTest::addColumn<int>("steps");  // per output step
+        QTest::addColumn<int>("frames"); // per output step
+        QTest::newRow("one step per frame") << 1.0 << 1 << 1;
+        QTest::newRow("four steps per frame") << 0.25 << 4 << 1;
+        QTest::newRow("one step per five frames") << 5.0 << 1 << 5;
     }
-    void eachPartIsToldAsTheTimeThatItTakes()
+    void eachPartIsMeasuredExactly()
     {
         QFETCH(double, h);
         QFETCH(int, steps);
         QFETCH(int, frames);
-        Time time;
+        FakeTime time;
         const sim::Scene scene = slowScene(time);
-        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::ofLength(h), scene.start,
-                             time.clock());
+        sim::CostMeter meter(scene, std::make_shared<TestMethod>(time), sim::StepSize::ofLength(h),
+                             scene.start, time.clock());
         for (int i = 0; i < 3; ++i)
             QVERIFY(meter.round());
         const sim::FrameCost cost = meter.result();
@@ -176,7 +179,7 @@ private slots:
         QVERIFY(near(cost.spread, 0) && near(cost.effects[1].spread, 0) && near(cost.restSpread, 0));
     }
 
-    void effectsComeInTheOrderInWhichTheyRun()
+    void effectsAreListedInTheirOrderOfExecution()
     {
         const sim::Script script = support::script(support::sample("walkers"), "published");
         const sim::Scene scene = sim::sceneOf(script, script.values);
@@ -192,7 +195,7 @@ private slots:
             QCOMPARE(cost.effects[i].effect, order[i]);
     }
 
-    void pointsAreThoseThatAnEffectWorksOn_data()
+    void affectedPointsAreCounted_data()
     {
         QTest::addColumn<QString>("sample");
         QTest::addColumn<QString>("effect");
@@ -200,14 +203,14 @@ private slots:
         const auto row = [](const char *sample, const char *effect, int points) {
             QTest::addRow("%s: %s", sample, effect) << sample << effect << points;
         };
-        row("creature in a room", "radial_spring", 6); // ten pulls
+        row("creature in a room", "radial_spring", 6); // ten forces on six points
         row("creature in a room", "gravity", 6);
         row("creature in a room", "walls", 6);
         row("beside a handle", "offset_spring", 1); // the handle feels nothing
-        row("walkers", "leg_spring", 6);            // each foot's turn, and the body feels it
+        row("walkers", "leg_spring", 6);            // feet and bodies
         row("walkers", "ground", 4);
     }
-    void pointsAreThoseThatAnEffectWorksOn()
+    void affectedPointsAreCounted()
     {
         QFETCH(QString, sample);
         QFETCH(QString, effect);
@@ -217,19 +220,19 @@ private slots:
         const sim::Scene scene = sim::sceneOf(script, script.values);
         const sim::CostMeter meter(scene, script.method, script.step, scene.start);
         QStringList ids;
-        for (const sim::EffectCost &one : meter.result().effects) {
-            ids << QString::fromStdString(one.effect->id());
+        for (const sim::EffectCost &cost : meter.result().effects) {
+            ids << QString::fromStdString(cost.effect->id());
             if (ids.back() == effect)
-                QCOMPARE(one.points, points);
+                QCOMPARE(cost.points, points);
         }
         QVERIFY2(ids.contains(effect), qPrintable(ids.join(' ')));
     }
 
-    void anIdleEffectIsNotAmongThem()
+    void idleEffectIsNotListed()
     {
         sim::Scene scene = scenes::creature(1);
         const auto acting = std::make_shared<sim::Gravity>(0.5);
-        scene.effects = {std::make_shared<Idle>(), acting};
+        scene.effects = {std::make_shared<IdleGravity>(), acting};
         const sim::Script script = support::script(scene, "semi_implicit_euler");
         const sim::CostMeter meter = meterOf(script);
         QCOMPARE(meter.result().effects.size(), std::size_t{1});
@@ -237,37 +240,37 @@ private slots:
         QCOMPARE(meter.pipeline().idleEffects.size(), std::size_t{1});
     }
 
-    void aRoundThatIsLeftOffIsForgotten()
+    void cancelledRoundIsDiscarded()
     {
-        Time time;
+        FakeTime time;
         const sim::Scene scene = slowScene(time);
-        sim::CostMeter meter(scene, std::make_shared<Rule>(time), sim::StepSize::ofLength(1), scene.start,
-                             time.clock());
-        int most = 0;
+        sim::CostMeter meter(scene, std::make_shared<TestMethod>(time), sim::StepSize::ofLength(1),
+                             scene.start, time.clock());
+        int maxCalls = 0; // calls of a complete round
         QVERIFY(meter.round([&] {
-            ++most;
+            ++maxCalls;
             return true;
         }));
-        QVERIFY(most > 10);
-        for (int asked = 0; asked < most;
-             asked += 1 + most / 50) { // the next is shorter: it has nothing to choose
-            int left = asked;
+        QVERIFY(maxCalls > 10);
+        for (int allowed = 0; allowed < maxCalls;
+             allowed += 1 + maxCalls / 50) { // later rounds are shorter than the first
+            int callsLeft = allowed;
             const int before = meter.result().rounds;
-            const bool isDone = meter.round([&] { return left-- > 0; });
+            const bool isDone = meter.round([&] { return callsLeft-- > 0; });
             QCOMPARE(meter.result().rounds, before + (isDone ? 1 : 0));
-            QVERIFY(isDone || left < 0);
+            QVERIFY(isDone || callsLeft < 0);
             QVERIFY(near(meter.result().effects[1].ns, 1500));
             QVERIFY(near(meter.result().restNs, 125));
         }
-        sim::CostMeter fresh(scene, std::make_shared<Rule>(time), sim::StepSize::ofLength(1), scene.start,
-                             time.clock());
+        sim::CostMeter fresh(scene, std::make_shared<TestMethod>(time), sim::StepSize::ofLength(1),
+                             scene.start, time.clock());
         QVERIFY(!fresh.round([] { return false; }));
         QCOMPARE(fresh.result().rounds, 0);
         QVERIFY(fresh.round());
         QVERIFY(near(fresh.result().effects[1].ns, 1500));
     }
 
-    void whatDoesNotFitIsRefused()
+    void methodThatDoesNotFitIsRefused()
     {
         const sim::Script script = support::script(support::sample("walkers"), "backward_euler");
         const sim::Scene scene = sim::sceneOf(script, script.values);
@@ -275,8 +278,8 @@ private slots:
                                                             sim::StepSize::ofLength(1), scene.start));
     }
 
-    /// A run that stops being finite is measured as far as it goes.
-    void aRunThatEndsSoonIsMeasured()
+    /// A run that does not stay finite is measured up to its last finite frame.
+    void runThatEndsEarlyIsMeasured()
     {
         sim::Scene scene = scenes::creature(0);
         scene.effects = {std::make_shared<sim::Gravity>(1e308)};

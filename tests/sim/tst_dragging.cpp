@@ -1,5 +1,5 @@
-// The rule for a body in the hand: from grab on it stands where the last move put it, its velocity is the way
-// it came since the frame before, and on release it is free in that same frame, with the velocity it had.
+// The rules for a dragged body. From the grab on it is at the position of the last move, and its velocity is
+// its movement since the frame before. On release it is free in the same frame, and keeps that velocity.
 
 #include "support.h"
 
@@ -14,7 +14,7 @@ using namespace sim;
 
 namespace {
 
-/// One foot and a body that only move on: x += v. The foot starts at (100, 100) with the velocity (3, 1).
+/// Returns a foot and a body without effects. The foot starts at (100, 100) with velocity (3, 1).
 Scene drifting()
 {
     Scene scene = scenes::creature(1);
@@ -32,7 +32,7 @@ Track trackOf(const Scene &scene, const QString &method, std::vector<Event> inpu
 
 }
 
-class TestHand : public QObject
+class TestDragging : public QObject
 {
     Q_OBJECT
 
@@ -53,8 +53,8 @@ private:
     }
 
 private slots:
-    void aBodyIsCarriedAndThrown_data() { addMethodRows(); }
-    void aBodyIsCarriedAndThrown()
+    void bodyIsDraggedAndThrown_data() { addMethodRows(); }
+    void bodyIsDraggedAndThrown()
     {
         QFETCH(QString, method);
         Track track =
@@ -63,7 +63,7 @@ private slots:
         track.seek({1, 0});
         compare(track, {103, 101}, {3, 1});
         track.seek({2, 0});
-        compare(track, {103, 101}, {0, 0}); // no move yet: where it is
+        compare(track, {103, 101}, {0, 0}); // no move yet
         track.seek({3, 0});
         compare(track, {110, 100}, {7, -1});
         track.seek({4, 0});
@@ -71,7 +71,7 @@ private slots:
         track.seek({5, 0});
         compare(track, {118, 96}, {8, -4});
         track.seek({6, 0});
-        compare(track, {126, 92}, {8, -4}); // free in that same frame
+        compare(track, {126, 92}, {8, -4}); // free in the same frame
         track.seek({7, 0});
         compare(track, {134, 88}, {8, -4});
     }
@@ -85,13 +85,13 @@ private slots:
         compare(track, {90, 105}, {-10, 5});
     }
 
-    void aMoveAndAReleaseInOneFramePutTheBodyThere()
+    void moveAndReleaseInOneFrameFreeTheBodyAtTheNewPosition()
     {
         Track track =
             trackOf(drifting(), "published",
                     {{1, Grab{"foot0"}}, {2, Move{{104, 100}}}, {3, Move{{200, 50}}}, {3, Release{}}});
         track.seek({3, 0});
-        compare(track, {204, 50}, {4, 0}); // with the velocity it had
+        compare(track, {204, 50}, {4, 0}); // keeps its velocity
     }
 
     void grabAndReleaseInOneFrameChangeNothing_data() { addMethodRows(); }
@@ -122,13 +122,13 @@ private slots:
         QVERIFY(!track.state().isDynamic(1));
     }
 
-    void whatIsHeldFeelsNothingAndMeetsNoWall_data()
+    void heldBodyFeelsNothingAndPassesThroughWalls_data()
     {
         QTest::addColumn<QString>("method");
-        for (const char *id : {"published", "semi_implicit_euler"}) // both take the pull, then the damping
+        for (const char *id : {"published", "semi_implicit_euler"}) // both apply the force before the damping
             QTest::newRow(id) << id;
     }
-    void whatIsHeldFeelsNothingAndMeetsNoWall()
+    void heldBodyFeelsNothingAndPassesThroughWalls()
     {
         QFETCH(QString, method);
         Scene scene = drifting();
@@ -140,15 +140,15 @@ private slots:
         track.seek({2, 0});
         compare(track, {600, 500}, {0, 0});
         track.seek({3, 0});
-        // All of a step's damping after the pull: (0 + 5) 0.5. Methods of higher orders have only some of it after, and
-        // so more is left. Then the floor turns it round.
-        const bool first = findMethod(method.toStdString())->order() == 1;
-        const double turned = track.state().velocityOf(0).y;
-        compare(track, {515, 375}, {0, first ? -2.5 : turned});
-        QVERIFY(turned <= -2.5 && turned > -5.0);
+        // Methods of first order damp after the kick: (0 + 5) 0.5. Methods of second order apply part of the
+        // damping before the kick, so the body is faster. The floor reverses the velocity.
+        const bool isFirstOrder = findMethod(method.toStdString())->order() == 1;
+        const double velocityAfterBounce = track.state().velocityOf(0).y;
+        compare(track, {515, 375}, {0, isFirstOrder ? -2.5 : velocityAfterBounce});
+        QVERIFY(velocityAfterBounce <= -2.5 && velocityAfterBounce > -5.0);
     }
 
-    void anotherGrabLetsGoOfTheFirst()
+    void secondGrabReleasesTheFirstBody()
     {
         Track track =
             trackOf(drifting(), "published",
@@ -159,7 +159,7 @@ private slots:
         QVERIFY(track.state().isDynamic(0) && !track.state().isDynamic(1));
     }
 
-    void eventsThatMeanNothingDoNothing()
+    void eventsWithoutAHeldBodyDoNothing()
     {
         Track track = trackOf(drifting(), "published",
                               {{1, Move{{5, 5}}}, {1, Release{}}, {2, Grab{"nobody"}}, {3, Move{{5, 5}}}});
@@ -167,9 +167,10 @@ private slots:
         compare(track, {112, 104}, {3, 1});
     }
 
-    void eventsOfLongStepsBelongToTheRowThatTheyPrecede()
+    void eventsWithinALongStepApplyToThatStep()
     {
-        // Rows end at 2, 4, 6: frames 3 and 4 both belong to the second, and a velocity is per frame.
+        // Output steps end at frames 2, 4, 6. Events of frames 3 and 4 belong to the second. Velocities are
+        // per frame.
         Track track = trackOf(drifting(), "published",
                               {{0, Grab{"foot0"}}, {3, Move{{120, 100}}}, {6, Release{}}}, 2.0);
         track.seek({2, 0});
@@ -180,7 +181,7 @@ private slots:
         compare(track, {140, 100}, {10, 0});
     }
 
-    void eventsOfShortStepsComeOnceAFrame()
+    void eventsApplyOncePerFrameWithShortSteps()
     {
         Track track = trackOf(drifting(), "published",
                               {{1, Grab{"foot0"}}, {2, Move{{106, 100}}}, {3, Release{}}}, 0.25);
@@ -190,7 +191,7 @@ private slots:
         compare(track, {112, 100}, {6, 0});
     }
 
-    void othersFeelWhatIsHeld()
+    void otherBodiesFeelTheHeldBody()
     {
         Script script = support::script(support::sample("heavy pair"), "published");
         script.input = {{1, Grab{"foot0"}}, {1, Move{{5000, 200}}}};
@@ -200,5 +201,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHand)
+QTEST_APPLESS_MAIN(TestDragging)
 #include "tst_dragging.moc"

@@ -1,4 +1,4 @@
-// Changing the past: ghosts, what happens to later input, and what an edit does to the bodies.
+// Editing the past: the comparison run, later input, and bodies that are added or removed.
 
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
@@ -27,7 +27,7 @@ class TestEditing : public QObject
     Q_OBJECT
 
 private slots:
-    void theGhostIsExactlyTheOldRun()
+    void comparisonRunEqualsTheOldRun()
     {
         for (std::uint64_t seed = 1; seed <= 50; ++seed) {
             Dice dice(seed);
@@ -39,11 +39,12 @@ private slots:
             dice.chance(0.5) ? timeline.setParameter("k", 0.1) : timeline.applyInput(Grab{"foot0"});
             QVERIFY(timeline.comparison());
             QCOMPARE(timeline.forkFrame(), frame + 1);
-            Track straight(old, 0);
+            Track expected(old, 0);
             for (int i = 0; i < 30; ++i) {
-                timeline.seek({dice.whole(0, 100), 0}); // it goes on past what was computed of it
-                straight.seek(timeline.cursor());
-                QCOMPARE(support::difference(timeline.comparison()->state(), straight.state()),
+                // Seek also beyond the frames that the old run had computed.
+                timeline.seek({dice.whole(0, 100), 0});
+                expected.seek(timeline.cursor());
+                QCOMPARE(support::difference(timeline.comparison()->state(), expected.state()),
                          std::string());
                 if (timeline.cursor().frame < timeline.forkFrame())
                     QVERIFY(sameBits(timeline.comparison()->state(), timeline.state()));
@@ -51,7 +52,7 @@ private slots:
         }
     }
 
-    void anEditAtTheEndOfTheRunMakesNoGhost()
+    void editAtTheEndMakesNoComparisonRun()
     {
         Timeline timeline(creature());
         timeline.seek({30, 0});
@@ -60,7 +61,7 @@ private slots:
         QVERIFY(!timeline.comparison());
     }
 
-    void aDragIsOneForkNotOneAFrame()
+    void dragMakesOneFork()
     {
         Timeline timeline(creature());
         timeline.seek({100, 0});
@@ -68,7 +69,7 @@ private slots:
         timeline.applyInput(Grab{"foot0"});
         for (int i = 0; i < 10; ++i) {
             timeline.applyInput(Move{{100.0 + i, 100.0}});
-            timeline.applyInput(Move{{100.0 + 2 * i, 100.0}}); // takes the place of the one before
+            timeline.applyInput(Move{{100.0 + 2 * i, 100.0}}); // replaces the move before
             timeline.nextOutputStep();
         }
         QCOMPARE(timeline.forkFrame(), std::int64_t(31));
@@ -77,7 +78,7 @@ private slots:
         QVERIFY(!timeline.comparison());
     }
 
-    void handsForgetLaterInputAndParametersKeepIt()
+    void dragsRemoveLaterInputAndParametersKeepIt()
     {
         Timeline timeline(creature());
         timeline.seek({50, 0});
@@ -95,7 +96,7 @@ private slots:
         QCOMPARE(timeline.script().input.size(), std::size_t(2));
     }
 
-    void runAndGhostChangePlacesWithEveryBit()
+    void runAndComparisonRunCanBeSwapped()
     {
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
             Dice dice(seed);
@@ -105,45 +106,46 @@ private slots:
             dice.chance(0.5) ? timeline.setParameter("k", 0.1) : timeline.applyInput(Grab{"foot0"});
             for (int round = 0; round < 4; ++round) {
                 const std::vector<Event> run = timeline.script().input,
-                                         ghost = timeline.comparison()->script().input;
+                                         comparison = timeline.comparison()->script().input;
                 const std::int64_t computed = timeline.comparison()->computed(), fork = timeline.forkFrame();
                 timeline.swapWithComparison();
-                QVERIFY(timeline.script().input == ghost && timeline.comparison()->script().input == run);
+                QVERIFY(timeline.script().input == comparison &&
+                        timeline.comparison()->script().input == run);
                 QVERIFY(timeline.computed() >= computed);
                 QCOMPARE(timeline.forkFrame(), fork);
                 timeline.seek({dice.whole(0, 80), dice.whole(0, 3)});
-                Track one(timeline.script(), 0), other(timeline.comparison()->script(), 0);
-                one.seek(timeline.cursor());
-                other.seek({timeline.cursor().frame, 0});
-                QVERIFY(sameBits(one.state(), timeline.state()) &&
-                        sameBits(other.state(), timeline.comparison()->state()));
+                Track expected(timeline.script(), 0), expectedComparison(timeline.comparison()->script(), 0);
+                expected.seek(timeline.cursor());
+                expectedComparison.seek({timeline.cursor().frame, 0});
+                QVERIFY(sameBits(expected.state(), timeline.state()) &&
+                        sameBits(expectedComparison.state(), timeline.comparison()->state()));
             }
         }
     }
 
-    void otherInputIsComputedFromWhereItDiffers()
+    void replacedInputIsComputedFromTheFirstDifference()
     {
         Timeline timeline(creature());
         timeline.seek({50, 0});
         const std::vector<Event> none;
         std::vector<Event> input = {{21, Set{"k", 0.1}}};
-        QVERIFY(!timeline.replaceInput(none)); // the same
+        QVERIFY(!timeline.replaceInput(none)); // unchanged
         QVERIFY(timeline.replaceInput(input));
         QCOMPARE(timeline.cursor().frame, std::int64_t(50));
         QCOMPARE(timeline.forkFrame(), std::int64_t(21));
         QCOMPARE(timeline.comparison()->computed(), std::int64_t(50));
-        Track straight(timeline.script(), 0);
-        straight.seek({50, 0});
-        QVERIFY(sameBits(straight.state(), timeline.state()));
+        Track expected(timeline.script(), 0);
+        expected.seek({50, 0});
+        QVERIFY(sameBits(expected.state(), timeline.state()));
         input.push_back({80, Set{"damp", std::nan("")}});
         QVERIFY_EXCEPTION_THROWN(timeline.replaceInput(input), Error);
         QCOMPARE(timeline.script().input.size(), std::size_t(1));
-        input.back() = {80, Set{"damp", 0.5}}; // after all that was computed: nothing is left behind
+        input.back() = {80, Set{"damp", 0.5}}; // after the computed frames, so no comparison run
         QVERIFY(!timeline.replaceInput(input));
-        QVERIFY(sameBits(straight.state(), timeline.state()));
+        QVERIFY(sameBits(expected.state(), timeline.state()));
     }
 
-    void inputOfFrameNoughtCanBeReplacedToo()
+    void inputOfFrameZeroCanBeReplaced()
     {
         Script script = creature();
         script.input = {{0, Set{"k", 0.1}}, {0, Grab{"body"}}};
@@ -153,26 +155,27 @@ private slots:
              {std::vector<Event>{}, std::vector<Event>{{0, Grab{"foot0"}}, {3, Release{}}}, script.input}) {
             QVERIFY(timeline.replaceInput(input));
             QCOMPARE(timeline.cursor().frame, std::int64_t(20));
-            Track straight(timeline.script(), 0);
-            straight.seek({20, 0});
-            QVERIFY(sameBits(straight.state(), timeline.state()));
+            Track expected(timeline.script(), 0);
+            expected.seek({20, 0});
+            QVERIFY(sameBits(expected.state(), timeline.state()));
             timeline.seek({0, 0});
             QVERIFY(sameBits(timeline.state(), Track(timeline.script(), 0).state()));
             timeline.seek({20, 0});
         }
     }
 
-    void inputsDifferFromTheFirstEventThatIsNotInBoth()
+    void firstDifferenceIsTheFirstEventThatIsNotInBoth()
     {
-        const std::vector<Event> one = {{5, Release{}}, {9, Set{"k", 0.1}}};
-        QCOMPARE(firstDifference(one, one), std::numeric_limits<std::int64_t>::max());
-        QCOMPARE(firstDifference(one, {}), std::int64_t(5));
-        QCOMPARE(firstDifference(one, {{5, Release{}}}), std::int64_t(9));
-        QCOMPARE(firstDifference(one, {{5, Release{}}, {7, Release{}}, {9, Set{"k", 0.1}}}), std::int64_t(7));
-        QCOMPARE(firstDifference(one, {{5, Release{}}, {9, Set{"k", 0.2}}}), std::int64_t(9));
+        const std::vector<Event> input = {{5, Release{}}, {9, Set{"k", 0.1}}};
+        QCOMPARE(firstDifference(input, input), std::numeric_limits<std::int64_t>::max());
+        QCOMPARE(firstDifference(input, {}), std::int64_t(5));
+        QCOMPARE(firstDifference(input, {{5, Release{}}}), std::int64_t(9));
+        QCOMPARE(firstDifference(input, {{5, Release{}}, {7, Release{}}, {9, Set{"k", 0.1}}}),
+                 std::int64_t(7));
+        QCOMPARE(firstDifference(input, {{5, Release{}}, {9, Set{"k", 0.2}}}), std::int64_t(9));
     }
 
-    void aParameterSetTwiceAtOneFrameIsSetOnce()
+    void parameterSetAgainInTheSameFrameReplacesTheEvent()
     {
         Timeline timeline(creature());
         timeline.seek({20, 0});
@@ -181,12 +184,12 @@ private slots:
         QCOMPARE(timeline.script().input.size(), std::size_t(1));
         QCOMPARE(timeline.values()["k"], 0.12);
         timeline.seek({0, 0});
-        timeline.setParameter("k", 0.3); // at the start it is no event
+        timeline.setParameter("k", 0.3); // at the start it changes the value, without an event
         QCOMPARE(timeline.script().input.size(), std::size_t(1));
         QCOMPARE(timeline.values()["k"], 0.3);
     }
 
-    void anotherNumberOfBodiesKeepsTheRest()
+    void changedNumberOfBodiesKeepsTheOthers()
     {
         Timeline timeline(creature());
         timeline.seek({20, 0});
@@ -195,14 +198,14 @@ private slots:
         timeline.setParameter("feet", 3);
         timeline.setParameter("radius", 0.0);
         std::shared_ptr<const ComposedInterval> interval;
-        const State fewer = timeline.track().preview(interval);
-        QCOMPARE(fewer.pointCount(), 4);
+        const State preview = timeline.track().preview(interval);
+        QCOMPARE(preview.pointCount(), 4);
         const int body = 3;
         for (int i = 0; i < 3; ++i)
-            QVERIFY(fewer.positionOf(i) == before.positionOf(i) &&
-                    fewer.velocityOf(i) == before.velocityOf(i));
-        QVERIFY(fewer.positionOf(body) == before.positionOf(5) &&
-                fewer.velocityOf(body) == before.velocityOf(5));
+            QVERIFY(preview.positionOf(i) == before.positionOf(i) &&
+                    preview.velocityOf(i) == before.velocityOf(i));
+        QVERIFY(preview.positionOf(body) == before.positionOf(5) &&
+                preview.velocityOf(body) == before.velocityOf(5));
         timeline.setParameter("feet", 5);
         timeline.seek({21, 0});
         timeline.setParameter("feet", 4);
@@ -210,7 +213,7 @@ private slots:
         QCOMPARE(timeline.state().pointCount(), 5);
     }
 
-    void aHeldBodyStaysInTheHandWhenBodiesCome()
+    void heldBodyStaysHeldWhenBodiesAreAdded()
     {
         Timeline timeline(creature());
         timeline.seek({10, 0});
@@ -227,7 +230,7 @@ private slots:
         QVERIFY(!timeline.state().isDynamic(5) && timeline.state().isDynamic(2));
     }
 
-    void aHeldBodyThatGoesIsLetGo()
+    void removedBodyIsReleased()
     {
         Timeline timeline(creature());
         timeline.applyInput(Grab{"foot4"});
@@ -237,7 +240,7 @@ private slots:
         QCOMPARE(timeline.state().hold.point, -1);
     }
 
-    void inputWaitsUntilItsRowIsComputed()
+    void inputIsPendingUntilItsStepIsComputed()
     {
         Timeline timeline(creature());
         QVERIFY(!timeline.hasPendingInput());
@@ -249,14 +252,14 @@ private slots:
         QVERIFY(!timeline.hasPendingInput());
     }
 
-    void whatDoesNotComposeChangesNothing()
+    void refusedParameterChangesNothing()
     {
         Script script = creature();
         const auto build = script.build;
         script.build = [build](const Values &values) {
             Scene scene = build(values);
             if (values["k"] > 1.0)
-                scene.start.inverseMass.setZero(); // nothing moves
+                scene.start.inverseMass.setZero(); // no dynamic points
             return scene;
         };
         Timeline timeline(script);
@@ -271,7 +274,7 @@ private slots:
         QVERIFY(timeline.script().input.empty() && !timeline.comparison());
     }
 
-    void inputThatDoesNotComposeIsRefusedBeforeTheRun()
+    void refusedInputIsFoundBeforeTheRun()
     {
         Script script = creature();
         const auto build = script.build;
@@ -282,13 +285,14 @@ private slots:
             return scene;
         };
         script.input = {{30, Set{"k", 2.0}}};
-        Timeline timeline(script); // fine as it is
+        Timeline timeline(script); // composes
         timeline.seek({10, 0});
-        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("damp", 0.95),
-                                 Error); // not together with what comes later
+        // The value does not compose together with the later event.
+        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("damp", 0.95), Error);
         timeline.seek({40, 0});
         script.input.push_back({40, Set{"damp", 0.95}});
-        QVERIFY_EXCEPTION_THROWN(Timeline(script, 1000), Error); // stepping never throws
+        // The constructor throws, because stepping never does.
+        QVERIFY_EXCEPTION_THROWN(Timeline(script, 1000), Error);
     }
 };
 

@@ -1,4 +1,4 @@
-// Each effect against its closed form, computed in another way than the effect does.
+// Each effect against its closed form, computed independently.
 
 #include "support.h"
 
@@ -24,7 +24,7 @@ using support::Dice;
 
 namespace {
 
-constexpr int feet = 3; // and a body: four points
+constexpr int feet = 3; // with the body: four points
 constexpr double k = 0.23;
 
 using ForcePtr = std::shared_ptr<const Force>;
@@ -40,11 +40,12 @@ State randomState(Dice &dice)
     return state;
 }
 
-Eigen::ArrayX2d added(const Force &force, const State &state, double scale, DirectionRule directionRule)
+Eigen::ArrayX2d accelerationsOf(const Force &force, const State &state, double scale,
+                                DirectionRule directionRule)
 {
-    Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
-    force.add(state, {0, state.pointCount()}, scale, directionRule, into);
-    return into;
+    Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+    force.add(state, {0, state.pointCount()}, scale, directionRule, accelerations);
+    return accelerations;
 }
 
 bool near(Vec2 a, Vec2 b, double tolerance)
@@ -72,20 +73,19 @@ private:
             {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(feet), k)},
             {"spring with an offset", std::make_shared<OffsetSpring>(scenes::legs(feet), k, 50)},
             {"radial springs", std::make_shared<RadialSpring>(scenes::legs(feet), k, 50)},
-            {"radial spring without a length",
-             std::make_shared<RadialSpring>(std::vector<Link>{{2, 1}}, k, 0)},
+            {"radial spring of length 0", std::make_shared<RadialSpring>(std::vector<Link>{{2, 1}}, k, 0)},
             {"gravity", std::make_shared<Gravity>(0.5)},
-            {"springs of their own",
+            {"springs with individual stiffness",
              std::make_shared<Springs>(std::vector<Spring>{{0, 1, k, 50}, {2, 1, 0.4 * k, 20}}, feet + 1)},
         };
         for (const auto &[name, force] : forces) {
-            QTest::addRow("%s, apart", name) << force << DirectionRule::regularised;
+            QTest::addRow("%s, regularised", name) << force << DirectionRule::regularised;
             QTest::addRow("%s, as published", name) << force << DirectionRule::published;
         }
     }
 
 private slots:
-    void pullsAreHookesLaw_data()
+    void springsFollowHookesLaw_data()
     {
         QTest::addColumn<ForcePtr>("force");
         QTest::addColumn<std::function<Vec2(const State &)>>("target");
@@ -102,29 +102,32 @@ private slots:
                    return s.positionOf(2) + Vec2{-35.5, 0};
                });
     }
-    void pullsAreHookesLaw()
+    void springsFollowHookesLaw()
     {
         QFETCH(ForcePtr, force);
         QFETCH(std::function<Vec2(const State &)>, target);
         Dice dice(1);
         for (int run = 0; run < 2000; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d into = added(*force, state, 1.0, DirectionRule::regularised);
+            const Eigen::ArrayX2d accelerations =
+                accelerationsOf(*force, state, 1.0, DirectionRule::regularised);
             const std::complex<double> from(state.positionOf(1).x, state.positionOf(1).y);
             const std::complex<double> to(target(state).x, target(state).y);
             const std::complex<double> expected = (to - from) * (k * state.inverseMass[1]);
-            QVERIFY(near({into(1, 0), into(1, 1)}, {expected.real(), expected.imag()}, 1e-12 * 1000));
-            QVERIFY((into.row(0) == 0.0).all() && (into.row(2) == 0.0).all() && (into.row(3) == 0.0).all());
+            QVERIFY(near({accelerations(1, 0), accelerations(1, 1)}, {expected.real(), expected.imag()},
+                         1e-12 * 1000));
+            QVERIFY((accelerations.row(0) == 0.0).all() && (accelerations.row(2) == 0.0).all() &&
+                    (accelerations.row(3) == 0.0).all());
         }
     }
 
-    void radialPullHasTheLengthOfTheStretch_data()
+    void radialForceIsProportionalToTheStretch_data()
     {
         QTest::addColumn<DirectionRule>("directionRule");
-        QTest::newRow("apart") << DirectionRule::regularised;
+        QTest::newRow("regularised") << DirectionRule::regularised;
         QTest::newRow("as published") << DirectionRule::published;
     }
-    void radialPullHasTheLengthOfTheStretch()
+    void radialForceIsProportionalToTheStretch()
     {
         QFETCH(DirectionRule, directionRule);
         Dice dice(2);
@@ -133,48 +136,49 @@ private slots:
             const RadialSpring force({{0, 1}}, k, radius);
             State state = randomState(dice);
             state.inverseMass[0] = 1.0;
-            const Eigen::ArrayX2d into = added(force, state, 1.0, directionRule);
+            const Eigen::ArrayX2d accelerations = accelerationsOf(force, state, 1.0, directionRule);
             const Vec2 d = state.positionOf(1) - state.positionOf(0);
             const double pull = k * (1.0 - radius / std::hypot(d.x, d.y));
-            QVERIFY(near({into(0, 0), into(0, 1)}, pull * d, 1e-10));
+            QVERIFY(near({accelerations(0, 0), accelerations(0, 1)}, pull * d, 1e-10));
         }
     }
-    void radialPullIsTheSameFromEitherDirection()
+    void radialForceIsTheSameForBothDirectionRules()
     {
         Dice dice(3);
         const RadialSpring force(scenes::legs(feet), k, 50);
         for (int run = 0; run < 5000; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d a = added(force, state, 1.0, DirectionRule::regularised);
-            const Eigen::ArrayX2d b = added(force, state, 1.0, DirectionRule::published);
+            const Eigen::ArrayX2d a = accelerationsOf(force, state, 1.0, DirectionRule::regularised);
+            const Eigen::ArrayX2d b = accelerationsOf(force, state, 1.0, DirectionRule::published);
             QVERIFY(((a - b).abs() < 1e-10).all());
         }
     }
 
-    void springsOfTheirOwnAreRadialSpringsThatPullBothEnds()
+    void springsEqualRadialSpringsThatActOnBothEnds()
     {
         Dice dice(31);
         for (int run = 0; run < 2000; ++run) {
-            const double one = dice.real(0, 200), other = dice.real(0, 200);
-            const Springs springs({{0, 1, k, one}, {1, 2, 0.4 * k, other}}, feet + 1);
-            const RadialSpring first({{0, 1}, {1, 0}}, k, one);
-            const RadialSpring second({{1, 2}, {2, 1}}, 0.4 * k, other);
+            const double lengthA = dice.real(0, 200), lengthB = dice.real(0, 200);
+            const Springs springs({{0, 1, k, lengthA}, {1, 2, 0.4 * k, lengthB}}, feet + 1);
+            const RadialSpring first({{0, 1}, {1, 0}}, k, lengthA);
+            const RadialSpring second({{1, 2}, {2, 1}}, 0.4 * k, lengthB);
             const State state = randomState(dice);
-            const Eigen::ArrayX2d sum = added(first, state, 1.0, DirectionRule::regularised) +
-                                        added(second, state, 1.0, DirectionRule::regularised);
-            QVERIFY(((added(springs, state, 1.0, DirectionRule::regularised) - sum).abs() < 1e-10).all());
+            const Eigen::ArrayX2d sum = accelerationsOf(first, state, 1.0, DirectionRule::regularised) +
+                                        accelerationsOf(second, state, 1.0, DirectionRule::regularised);
+            QVERIFY(((accelerationsOf(springs, state, 1.0, DirectionRule::regularised) - sum).abs() < 1e-10)
+                        .all());
             QCOMPARE(*springs.potentialEnergy(state) > 0.0,
                      state.isDynamic(0) || state.isDynamic(1) || state.isDynamic(2));
         }
     }
 
-    void aSpringWithoutAnEndIsRefused()
+    void springWithoutAnEndIsRefused()
     {
         QVERIFY_EXCEPTION_THROWN(Springs({{0, 4, k, 1.0}}, 4), Error);
         QVERIFY_EXCEPTION_THROWN(Springs({{-1, 0, k, 1.0}}, 4), Error);
     }
 
-    void gustsTravelOverTheSceneAndAddUpToNothing()
+    void gustsTravelAndAverageToZero()
     {
         Dice dice(32);
         constexpr double wind = 0.3, gusts = 0.8, wave = 2.0 * std::numbers::pi * 100.0;
@@ -183,56 +187,58 @@ private slots:
         for (int run = 0; run < 200; ++run) {
             State state = randomState(dice);
             state.gait.setConstant(1, dice.real(0, 7));
-            const Eigen::ArrayX2d here = added(breeze, state, 1.0, DirectionRule::regularised);
+            const Eigen::ArrayX2d accelerationHere =
+                accelerationsOf(breeze, state, 1.0, DirectionRule::regularised);
             const Eigen::ArrayXd steady = wind * width / 10.0 * state.inverseMass;
-            // A quarter of a wave farther on, the crest is there a quarter of a turn later.
+            // The crest travels a quarter of a wave while the phase turns by a quarter.
             State later = state;
             later.position.col(0) += wave / 4.0;
             later.gait[0] += std::numbers::pi / 2.0;
-            const Eigen::ArrayX2d there = added(breeze, later, 1.0, DirectionRule::regularised);
-            QVERIFY(((here - there).abs() < 1e-12).all());
-            later.position.col(0) -= wave / 2.0; // half a wave behind: the trough
-            const Eigen::ArrayX2d behind = added(breeze, later, 1.0, DirectionRule::regularised);
-            QVERIFY(((0.5 * (there + behind).col(0) - steady).abs() < 1e-12).all());
-            QVERIFY((here.col(1) == 0.0).all());
-            QVERIFY(((here.col(0) - steady).abs() <= gusts * steady + 1e-12).all());
+            const Eigen::ArrayX2d crest = accelerationsOf(breeze, later, 1.0, DirectionRule::regularised);
+            QVERIFY(((accelerationHere - crest).abs() < 1e-12).all());
+            later.position.col(0) -= wave / 2.0; // half a wave away is the trough
+            const Eigen::ArrayX2d trough = accelerationsOf(breeze, later, 1.0, DirectionRule::regularised);
+            QVERIFY(((0.5 * (crest + trough).col(0) - steady).abs() < 1e-12).all());
+            QVERIFY((accelerationHere.col(1) == 0.0).all());
+            QVERIFY(((accelerationHere.col(0) - steady).abs() <= gusts * steady + 1e-12).all());
         }
     }
 
-    void aSteadyWindPushesAsWideAsABodyIs()
+    void steadyWindIsProportionalToTheWidth()
     {
         State state = State::ofPoints(2);
         state.gait.setZero(1);
         state.inverseMass << 1.0, 0.5;
         const Eigen::ArrayXd width = Eigen::ArrayXd::LinSpaced(2, 10.0, 40.0);
         const Eigen::ArrayX2d pull =
-            added(Breeze({0.2, 0.0}, width, 0), state, 1.0, DirectionRule::regularised);
+            accelerationsOf(Breeze({0.2, 0.0}, width, 0), state, 1.0, DirectionRule::regularised);
         QCOMPARE(pull(0, 0), 0.2);
-        QCOMPARE(pull(1, 0), 0.4); // four times as wide, twice as heavy
+        QCOMPARE(pull(1, 0), 0.4); // four times the width, twice the mass
     }
 
     void gravityIsTheSameForEveryMass()
     {
         Dice dice(4);
         const State state = randomState(dice);
-        const Eigen::ArrayX2d into = added(Gravity(0.7), state, 2.0, DirectionRule::regularised);
+        const Eigen::ArrayX2d accelerations =
+            accelerationsOf(Gravity(0.7), state, 2.0, DirectionRule::regularised);
         for (int i = 0; i < state.pointCount(); ++i) {
-            QCOMPARE(into(i, 0), 0.0);
-            QCOMPARE(into(i, 1), state.isDynamic(i) ? 2.0 * 0.7 : 0.0);
+            QCOMPARE(accelerations(i, 0), 0.0);
+            QCOMPARE(accelerations(i, 1), state.isDynamic(i) ? 2.0 * 0.7 : 0.0);
         }
     }
 
-    void dampingTakesItsShareAtAnyStep_data()
+    void dampingFactorMatchesAnyStep_data()
     {
         QTest::addColumn<double>("damp");
         for (const double damp : {0.0, 0.5, 0.85, 0.9, 1.0})
             QTest::addRow("damp %g", damp) << damp;
     }
-    void dampingTakesItsShareAtAnyStep()
+    void dampingFactorMatchesAnyStep()
     {
         QFETCH(double, damp);
         const Damping drag(damp);
-        QCOMPARE(drag.velocityFactor(1.0), damp); // bit for bit: the published rule depends on it
+        QCOMPARE(drag.velocityFactor(1.0), damp); // exactly, because tst_published_rule compares bits
         for (const double h : {0.001, 0.25, 1.0 / 3, 2.0, 10.0}) {
             const double closed = damp == 0.0 ? 0.0 : std::exp(h * std::log(damp));
             QVERIFY(std::abs(drag.velocityFactor(h) - closed) <= 1e-15);
@@ -249,62 +255,63 @@ private slots:
         Dice dice(5);
         for (int run = 0; run < 500; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d into = added(*force, state, 1.0, directionRule);
+            const Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, 1.0, directionRule);
             for (int i = 0; i < state.pointCount(); ++i) {
                 const std::vector<LiveValue> live = force->explain(state, i, directionRule);
                 if (live.empty()) {
-                    QVERIFY((into.row(i) == 0.0).all());
+                    QVERIFY((accelerations.row(i) == 0.0).all());
                     continue;
                 }
                 QCOMPARE(live.back().name, std::string("pull"));
                 const Vec2 pull = std::get<Vec2>(live.back().value);
-                QVERIFY2(pull == (Vec2{into(i, 0), into(i, 1)}),
+                QVERIFY2(pull == (Vec2{accelerations(i, 0), accelerations(i, 1)}),
                          qPrintable(QString("mass %1").arg(1.0 / state.inverseMass[i])));
             }
         }
     }
 
-    void whatFeelsNothingGetsNothing_data() { addForceRows(); }
-    void whatFeelsNothingGetsNothing()
+    void fixedPointsGetNoForce_data() { addForceRows(); }
+    void fixedPointsGetNoForce()
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
         Dice dice(6);
         State state = randomState(dice);
         state.inverseMass.setZero();
-        QVERIFY((added(*force, state, 1.0, directionRule) == 0.0).all());
+        QVERIFY((accelerationsOf(*force, state, 1.0, directionRule) == 0.0).all());
         QCOMPARE(force->count(state, {0, state.pointCount()}), 0);
         for (int i = 0; i < state.pointCount(); ++i)
             QVERIFY(force->explain(state, i, directionRule).empty());
     }
 
-    void onlyMoversAreMovedAndScaleIsAFactor_data() { addForceRows(); }
-    void onlyMoversAreMovedAndScaleIsAFactor()
+    void onlyTheRangeIsChangedAndScaleIsAFactor_data() { addForceRows(); }
+    void onlyTheRangeIsChangedAndScaleIsAFactor()
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
         Dice dice(7);
         const State state = randomState(dice);
-        Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
-        force->add(state, {1, 2}, 0.5, directionRule, into);
-        const Eigen::ArrayX2d all = added(*force, state, 0.5, directionRule);
-        QVERIFY((into.row(0) == 0.0).all() && (into.row(3) == 0.0).all());
-        QVERIFY((into.middleRows(1, 2) == all.middleRows(1, 2)).all());
-        const Eigen::ArrayX2d whole = added(*force, state, 1.0, directionRule);
-        QVERIFY((0.5 * whole - all).abs().maxCoeff() <= 1e-12); // halving is exact, but not sums of pulls
+        Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+        force->add(state, {1, 2}, 0.5, directionRule, accelerations);
+        const Eigen::ArrayX2d all = accelerationsOf(*force, state, 0.5, directionRule);
+        QVERIFY((accelerations.row(0) == 0.0).all() && (accelerations.row(3) == 0.0).all());
+        QVERIFY((accelerations.middleRows(1, 2) == all.middleRows(1, 2)).all());
+        const Eigen::ArrayX2d unscaled = accelerationsOf(*force, state, 1.0, directionRule);
+        QVERIFY((0.5 * unscaled - all).abs().maxCoeff() <=
+                1e-12); // halving is exact, but sums of forces are rounded
     }
 
-    void pullsCountWhatTheyCompute_data() { addForceRows(); }
-    void pullsCountWhatTheyCompute()
+    void countIsTheSumOverPoints_data() { addForceRows(); }
+    void countIsTheSumOverPoints()
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
         State state = State::ofPoints(feet + 1);
-        int parts = 0;
+        int sum = 0;
         for (int i = 0; i <= feet; ++i)
-            parts += force->count(state, {i, 1});
-        QCOMPARE(parts, force->count(state, {0, feet + 1}));
-        QVERIFY(parts > 0);
+            sum += force->count(state, {i, 1});
+        QCOMPARE(sum, force->count(state, {0, feet + 1}));
+        QVERIFY(sum > 0);
         QVERIFY(!force->regions(directionRule).empty());
     }
 };

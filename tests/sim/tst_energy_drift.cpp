@@ -1,4 +1,4 @@
-// What the ledger leaves to the method's error: it shrinks with the method's order, and so does what is integrated.
+// The energy drift of the ledger is the method's error: it shrinks with the method's order.
 
 #include "energy_support.h"
 #include "implicit_scenes.h"
@@ -12,7 +12,7 @@
 #include <complex>
 
 using namespace sim;
-using namespace energy_bench;
+using namespace energy_support;
 using implicit_scenes::oscillator;
 using implicit_scenes::SmoothScene;
 using implicit_scenes::smoothScenes;
@@ -22,8 +22,7 @@ class TestEnergyDrift : public QObject
     Q_OBJECT
 
 private slots:
-    /// What is lost by damping is what an exact motion has less at its end; drift is none of it.
-    void theDriftShrinksWithTheOrderOfTheMethod_data()
+    void driftShrinksWithTheOrderOfTheMethod_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<int>("number");
@@ -33,7 +32,7 @@ private slots:
                     << QString::fromStdString(method->id()) << int(i);
         }
     }
-    void theDriftShrinksWithTheOrderOfTheMethod()
+    void driftShrinksWithTheOrderOfTheMethod()
     {
         QFETCH(QString, method);
         QFETCH(int, number);
@@ -42,13 +41,15 @@ private slots:
         constexpr int frames = 10;
         std::vector<double> drifts;
         for (const double h : {0.5, 0.25, 0.125}) {
-            const Run run = accounted(scriptOf(smooth.scene, rule->id(), h), frames);
-            drifts.push_back(run.drifted);
-            if (run.drifted < 1e-6)
-                return; // it makes none here
-            QVERIFY2(
-                run.sum.doubt < 0.1 * run.drifted,
-                qPrintable(QString("h %1: drift %2, doubt %3").arg(h).arg(run.drifted).arg(run.sum.doubt)));
+            const LedgerTotals totals = totalsOf(scriptOf(smooth.scene, rule->id(), h), frames);
+            drifts.push_back(totals.absoluteDrift);
+            if (totals.absoluteDrift < 1e-6)
+                return; // the method has no drift in this scene
+            QVERIFY2(totals.balance.errorEstimate < 0.1 * totals.absoluteDrift,
+                     qPrintable(QString("h %1: drift %2, doubt %3")
+                                    .arg(h)
+                                    .arg(totals.absoluteDrift)
+                                    .arg(totals.balance.errorEstimate)));
         }
         for (std::size_t i = 1; i < drifts.size(); ++i) {
             const double order = std::log2(drifts[i - 1] / drifts[i]);
@@ -57,35 +58,35 @@ private slots:
         }
     }
 
-    void dampingTakesWhatTheExactMotionLoses_data() { addMethods(every); }
-    void dampingTakesWhatTheExactMotionLoses()
+    void dampingAccountMatchesTheExactLoss_data() { addMethodRows(anyMethod); }
+    void dampingAccountMatchesTheExactLoss()
     {
         QFETCH(QString, method);
         const MethodPtr rule = findMethod(method.toStdString());
         const SmoothScene &swing = smoothScenes()[0];
         constexpr int frames = 10;
         constexpr double k = 0.2;
-        const implicit_scenes::Ends end = swing.exact(frames), start = swing.exact(0);
-        const auto energy = [&](const implicit_scenes::Ends &e) {
+        const implicit_scenes::Coordinates end = swing.exact(frames), start = swing.exact(0);
+        const auto energy = [&](const implicit_scenes::Coordinates &e) {
             return 0.5 * (e.v.square().sum() + k * e.x.square().sum());
         };
-        const double lost = energy(end) - energy(start);
+        const double loss = energy(end) - energy(start);
         std::vector<double> errors;
         for (const double h : {0.25, 0.125, 0.0625}) {
             const Balance balance = balanceOf(scriptOf(swing.scene, rule->id(), h), frames);
-            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
+            errors.push_back(std::abs(balance.energy[Account::damping] - loss));
         }
         if (rule->stepping() == Stepping::adaptive) {
-            QVERIFY2(errors[0] < 1e-5 * -lost, qPrintable(QString::number(errors[0])));
+            QVERIFY2(errors[0] < 1e-5 * -loss, qPrintable(QString::number(errors[0])));
             return;
         }
         const double order = std::log2(errors[1] / errors[2]);
-        QVERIFY2(order > rule->order() - 0.35 && errors[2] < 0.1 * -lost,
+        QVERIFY2(order > rule->order() - 0.35 && errors[2] < 0.1 * -loss,
                  qPrintable(QString("%1 %2 %3").arg(errors[0]).arg(errors[1]).arg(errors[2])));
     }
 
-    /// From exact ends, an integral along the polynomial through them is off by h^6 or less, and owns up to it.
-    void integralsAlongAStepAreExactToOrderSix()
+    /// Between exact states the error of the power integral is of order h^6, and the doubt bounds it.
+    void powerIntegralsHaveOrderSix()
     {
         constexpr double k = 0.2, damp = 0.8;
         const Scene scene = oscillator(k, damp);
@@ -105,16 +106,16 @@ private slots:
             return state;
         };
         constexpr double span = 8.0;
-        const double lost = reader.read(exactAt(span)).total() - reader.read(exactAt(0.0)).total();
+        const double loss = reader.read(exactAt(span)).total() - reader.read(exactAt(0.0)).total();
         std::vector<double> errors;
         for (const double h : {2.0, 1.0, 0.5}) {
             Balance balance;
             for (int i = 0; i < span / h; ++i)
                 integrals.step(exactAt(i * h), exactAt((i + 1) * h), h, balance);
-            errors.push_back(std::abs(balance.energy[Account::damping] - lost));
-            QVERIFY2(errors.back() < balance.doubt,
-                     qPrintable(QString("%1, doubt %2").arg(errors.back()).arg(balance.doubt)));
-            QVERIFY(balance.doubt < 50.0 * errors.back());
+            errors.push_back(std::abs(balance.energy[Account::damping] - loss));
+            QVERIFY2(errors.back() < balance.errorEstimate,
+                     qPrintable(QString("%1, doubt %2").arg(errors.back()).arg(balance.errorEstimate)));
+            QVERIFY(balance.errorEstimate < 50.0 * errors.back());
         }
         for (std::size_t i = 1; i < errors.size(); ++i) {
             const double order = std::log2(errors[i - 1] / errors[i]);
@@ -122,30 +123,31 @@ private slots:
         }
     }
 
-    /// A spring swings seven times as fast as frames pass: two ends of a step do not tell its way, and the ledger says so.
-    void whereStepsAreTooLongForTheirWayTheDoubtIsLarge()
+    /// The spring turns by 7 rad per step, so the states at both ends of a step do not show its motion.
+    void doubtIsLargeForStepsThatMissOscillations()
     {
-        const Balance calm = balanceOf(scriptOf(oscillator(0.1, 0.9), "implicit_midpoint", 1.0), 20);
-        QVERIFY(calm.doubt < 1e-2 * std::abs(calm.energy[Account::damping]));
-        const Balance wild = balanceOf(scriptOf(oscillator(50.0, 0.9), "implicit_midpoint", 1.0), 20);
-        QVERIFY2(wild.doubt > 0.5 * std::abs(wild.energy[Account::damping]),
-                 qPrintable(QString("%1 of %2").arg(wild.doubt).arg(wild.energy[Account::damping])));
+        const Balance fine = balanceOf(scriptOf(oscillator(0.1, 0.9), "implicit_midpoint", 1.0), 20);
+        QVERIFY(fine.errorEstimate < 1e-2 * std::abs(fine.energy[Account::damping]));
+        const Balance coarse = balanceOf(scriptOf(oscillator(50.0, 0.9), "implicit_midpoint", 1.0), 20);
+        QVERIFY2(
+            coarse.errorEstimate > 0.5 * std::abs(coarse.energy[Account::damping]),
+            qPrintable(QString("%1 of %2").arg(coarse.errorEstimate).arg(coarse.energy[Account::damping])));
     }
 
-    void aClockThatTurnsLegsDoesWork()
+    void gaitClockDoesWork()
     {
-        const SmoothScene *walk = nullptr;
+        const SmoothScene *walker = nullptr;
         for (const SmoothScene &smooth : smoothScenes())
-            walk = smooth.name == "undamped legs that swing" ? &smooth : walk;
-        QVERIFY(walk);
-        const Run run = accounted(scriptOf(walk->scene, "dop853", 1e-6), 20);
-        QVERIFY(std::abs(run.sum.energy[Account::motors]) > 1.0);
-        const double gained = run.sum.after.total() - run.sum.before.total();
-        QVERIFY2(std::abs(run.sum.energy[Account::motors] - gained) < 1e-6 * std::abs(gained),
-                 qPrintable(QString("%1 of %2").arg(run.sum.energy[Account::motors]).arg(gained)));
+            walker = smooth.name == "undamped legs that swing" ? &smooth : walker;
+        QVERIFY(walker);
+        const LedgerTotals totals = totalsOf(scriptOf(walker->scene, "dop853", 1e-6), 20);
+        QVERIFY(std::abs(totals.balance.energy[Account::motors]) > 1.0);
+        const double gained = totals.balance.after.total() - totals.balance.before.total();
+        QVERIFY2(std::abs(totals.balance.energy[Account::motors] - gained) < 1e-6 * std::abs(gained),
+                 qPrintable(QString("%1 of %2").arg(totals.balance.energy[Account::motors]).arg(gained)));
     }
 
-    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance_data()
+    void driftOfAnAdaptiveMethodShrinksWithTheTolerance_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<int>("number");
@@ -155,17 +157,18 @@ private slots:
                     << method << int(i);
         }
     }
-    void theDriftOfAnAdaptiveMethodShrinksWithItsTolerance()
+    void driftOfAnAdaptiveMethodShrinksWithTheTolerance()
     {
         QFETCH(QString, method);
         QFETCH(int, number);
         const SmoothScene &smooth = smoothScenes()[std::size_t(number)];
-        const Run coarse = accounted(scriptOf(smooth.scene, method.toStdString(), 10.0), 20);
-        const Run fine = accounted(scriptOf(smooth.scene, method.toStdString(), 1e-6), 20);
-        const double scale = coarse.sum.before.moving + coarse.sum.before.springs;
-        QVERIFY2(fine.drifted < 1e-7 * scale, qPrintable(QString("%1 of %2").arg(fine.drifted).arg(scale)));
-        QVERIFY2(fine.drifted < 0.05 * coarse.drifted,
-                 qPrintable(QString("%1, %2").arg(coarse.drifted).arg(fine.drifted)));
+        const LedgerTotals coarse = totalsOf(scriptOf(smooth.scene, method.toStdString(), 10.0), 20);
+        const LedgerTotals fine = totalsOf(scriptOf(smooth.scene, method.toStdString(), 1e-6), 20);
+        const double scale = coarse.balance.before.moving + coarse.balance.before.springs;
+        QVERIFY2(fine.absoluteDrift < 1e-7 * scale,
+                 qPrintable(QString("%1 of %2").arg(fine.absoluteDrift).arg(scale)));
+        QVERIFY2(fine.absoluteDrift < 0.05 * coarse.absoluteDrift,
+                 qPrintable(QString("%1, %2").arg(coarse.absoluteDrift).arg(fine.absoluteDrift)));
     }
 };
 

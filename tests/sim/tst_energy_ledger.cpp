@@ -1,4 +1,4 @@
-// Where energy and momentum go: each account against a closed form.
+// The ledger of energy and momentum: each account against a closed form.
 
 #include "energy_scenes.h"
 #include "energy_support.h"
@@ -15,7 +15,8 @@
 #include <QTest>
 
 using namespace sim;
-using namespace energy_bench;
+using namespace energy_scenes;
+using namespace energy_support;
 using implicit_scenes::oscillator;
 using std::make_shared;
 
@@ -23,24 +24,21 @@ class TestEnergyLedger : public QObject
 {
     Q_OBJECT
 
-private:
-    static bool takesAllAtOnce(const Method &method) { return method.id() != "published"; }
-
 private slots:
-    /// v = n g h after n steps. A step of h moves by a mean velocity that is g h / 2 too much or too little in the
-    /// Euler methods, which costs m g^2 h^2 / 2 each; the others fall exactly.
-    void aBodyThatFallsTurnsHeightIntoMotion_data() { addMethods(every); }
-    void aBodyThatFallsTurnsHeightIntoMotion()
+    /// v = n g h after n steps. In each step Euler methods move with a velocity that is g h / 2 too large or
+    /// too small, which changes the energy by m g^2 h^2 / 2. The other methods fall exactly.
+    void fallingBodyTurnsPotentialIntoKineticEnergy_data() { addMethodRows(anyMethod); }
+    void fallingBodyTurnsPotentialIntoKineticEnergy()
     {
         QFETCH(QString, method);
         constexpr double g = 0.5, mass = 3.0, h = 0.25;
         constexpr int frames = 12;
-        Scene scene = lone(mass);
+        Scene scene = singlePoint(mass);
         scene.effects = {make_shared<Gravity>(g)};
         const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), h), frames);
-        const QStringList late = {"published", "semi_implicit_euler", "backward_euler"};
+        const QStringList endVelocityMethods = {"published", "semi_implicit_euler", "backward_euler"};
         double drift = 0.0;
-        if (late.contains(method))
+        if (endVelocityMethods.contains(method))
             drift = -0.5 * mass * g * g * h * h * (frames / h);
         else if (method == "explicit_euler")
             drift = 0.5 * mass * g * g * h * h * (frames / h);
@@ -49,31 +47,31 @@ private slots:
         QVERIFY2(std::abs(balance.energy[Account::drift] - drift) < 1e-9,
                  qPrintable(QString::number(balance.energy[Account::drift])));
         QVERIFY(std::abs(balance.momentum[Account::gravity].y - mass * speed) < 1e-9);
-        QVERIFY(lengthOf(balance.momentum[Account::drift]) < 1e-9);
-        QVERIFY(balance.doubt < 1e-9);
+        QVERIFY(length(balance.momentum[Account::drift]) < 1e-9);
+        QVERIFY(balance.errorEstimate < 1e-9);
     }
 
-    void explicitEulerMakesEnergyByTheFactorOnePlusKhSquaredAStep_data()
+    void explicitEulerGainsEnergyByTheFactorOnePlusKhSquaredPerStep_data()
     {
         QTest::addColumn<double>("h");
-        QTest::newRow("a frame") << 1.0;
-        QTest::newRow("a quarter") << 0.25;
+        QTest::newRow("one frame") << 1.0;
+        QTest::newRow("a quarter frame") << 0.25;
     }
-    void explicitEulerMakesEnergyByTheFactorOnePlusKhSquaredAStep()
+    void explicitEulerGainsEnergyByTheFactorOnePlusKhSquaredPerStep()
     {
         QFETCH(double, h);
         constexpr double k = 0.2;
         constexpr int frames = 10;
         const Balance balance = balanceOf(scriptOf(oscillator(k, 1.0), "explicit_euler", h), frames);
         const double start = 0.5 * (3.0 * 3.0 + 8.0 * 8.0) + 0.5 * k * (100.0 * 100.0 + 40.0 * 40.0);
-        const double made = start * (std::pow(1.0 + k * h * h, frames / h) - 1.0);
+        const double gained = start * (std::pow(1.0 + k * h * h, frames / h) - 1.0);
         QVERIFY(std::abs(balance.before.total() - start) < 1e-9 * start);
-        QVERIFY(std::abs(balance.energy[Account::drift] - made) < 1e-9 * made);
+        QVERIFY(std::abs(balance.energy[Account::drift] - gained) < 1e-9 * gained);
         QCOMPARE(balance.energy[Account::damping], 0.0);
     }
 
-    /// A fall of H onto a floor that gives back the share b of the speed loses (1 - b^2) m g H; a bounce back up to b^2 H.
-    void aBounceLosesWhatTheFloorTakes_data()
+    /// A fall from height H onto a floor with restitution b loses (1 - b^2) m g H.
+    void bounceLosesEnergyToTheFloor_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<double>("bounce");
@@ -82,47 +80,47 @@ private slots:
                 QTest::addRow("%s, %g", qPrintable(method), bounce) << method << bounce;
         }
     }
-    void aBounceLosesWhatTheFloorTakes()
+    void bounceLosesEnergyToTheFloor()
     {
         QFETCH(QString, method);
         QFETCH(double, bounce);
         constexpr double g = 0.5, mass = 2.0, half = 15.0, floor = 165.0; // 100 px to fall: 20 frames
-        Scene scene = lone(mass);
+        Scene scene = singlePoint(mass);
         scene.effects = {make_shared<Gravity>(g), make_shared<Walls>(Room{-1e3, 1e3, floor, bounce},
                                                                      Eigen::ArrayXd::Constant(1, half))};
         const Balance before = balanceOf(scriptOf(scene, method.toStdString(), 0.01), 19);
         QVERIFY(std::abs(before.energy[Account::impact]) < 1e-9);
         const Balance balance = balanceOf(scriptOf(scene, method.toStdString(), 0.01), 25);
-        const double lost = -(1.0 - bounce * bounce) * mass * g * 100.0;
-        QVERIFY2(std::abs(balance.energy[Account::impact] - lost) < 1e-7,
+        const double loss = -(1.0 - bounce * bounce) * mass * g * 100.0;
+        QVERIFY2(std::abs(balance.energy[Account::impact] - loss) < 1e-7,
                  qPrintable(QString::number(balance.energy[Account::impact], 'g', 12)));
         QVERIFY2(std::abs(balance.energy[Account::drift]) < 1e-7,
                  qPrintable(QString::number(balance.energy[Account::drift])));
-        const double turned = -mass * (1.0 + bounce) * 10.0; // it comes at 10 px a frame
+        const double reversed = -mass * (1.0 + bounce) * 10.0; // it hits the floor at 10 px/frame
         const double pressed = bounce == 0.0 ? -mass * g * 5.0 : 0.0;
         if (bounce > 0.0)
-            QVERIFY(std::abs(balance.momentum[Account::impact].y - turned - pressed) < 1e-6);
+            QVERIFY(std::abs(balance.momentum[Account::impact].y - reversed - pressed) < 1e-6);
     }
 
-    /// Contacts of a step's own phase: the kinetic energy before and after, and what it lifts a body by.
-    void aPhaseThatBouncesIsBookedExactly_data()
+    /// A contact phase changes the kinetic energy, and lifts the body out of the floor.
+    void contactPhaseIsAccountedExactly_data()
     {
-        addMethods([](const Method &m) { return m.stepping() == Stepping::fixed; });
+        addMethodRows([](const Method &m) { return m.stepping() == Stepping::fixed; });
     }
-    void aPhaseThatBouncesIsBookedExactly()
+    void contactPhaseIsAccountedExactly()
     {
         QFETCH(QString, method);
         constexpr double g = 0.5, bounce = 0.5;
-        Scene scene = lone(1.0);
+        Scene scene = singlePoint(1.0);
         scene.start.place(0, {100.0, 364.0});
         scene.start.setVelocity(0, {2.0, 8.0});
         scene.effects = {make_shared<Gravity>(g), make_shared<Walls>(Room{0.0, 540.0, 380.0, bounce},
                                                                      Eigen::ArrayXd::Constant(1, 15.0))};
         const Script script = scriptOf(scene, method.toStdString(), 1.0);
         const Balance balance = balanceOf(script, 1);
-        Scene airy = scene; // where the floor has not met it yet
-        airy.effects.pop_back();
-        Track free(scriptOf(airy, method.toStdString(), 1.0), 0);
+        Scene sceneWithoutFloor = scene; // before the floor phase
+        sceneWithoutFloor.effects.pop_back();
+        Track free(scriptOf(sceneWithoutFloor, method.toStdString(), 1.0), 0);
         free.seek({1, 0});
         const Vec2 x = free.state().positionOf(0), v = free.state().velocityOf(0);
         QVERIFY(x.y > 365.0);
@@ -131,7 +129,7 @@ private slots:
         QVERIFY(std::abs(balance.momentum[Account::impact].y + (1.0 + bounce) * v.y) < 1e-10);
     }
 
-    void everySumIsWhatTheRunHas_data()
+    void accountsAddUpToTheEnergyOfTheRun_data()
     {
         QTest::addColumn<QString>("scene");
         QTest::addColumn<QString>("method");
@@ -144,7 +142,7 @@ private slots:
             }
         }
     }
-    void everySumIsWhatTheRunHas()
+    void accountsAddUpToTheEnergyOfTheRun()
     {
         QFETCH(QString, scene);
         QFETCH(QString, method);
@@ -160,21 +158,21 @@ private slots:
         Ledger ledger;
         const StoredEnergyReader reader(track.interval().scene);
         for (std::int64_t frame = 1; frame <= 10; ++frame) {
-            const Balance row = ledger.row(track, frame).value();
+            const Balance step = ledger.row(track, frame).value();
             const StoredEnergy is = reader.read(track.stateAt(frame)),
                                was = reader.read(track.stateAt(frame - 1));
             const double scale = 1.0 + std::abs(is.moving) + std::abs(is.springs) + std::abs(is.gravity);
-            QVERIFY(std::abs(row.before.total() - was.total()) <= 1e-12 * scale);
-            QVERIFY(std::abs(row.after.total() - is.total()) <= 1e-9 * scale);
-            QVERIFY(lengthOf(row.after.momentum - is.momentum) <= 1e-9 * scale);
-            double sum = row.before.total();
+            QVERIFY(std::abs(step.before.total() - was.total()) <= 1e-12 * scale);
+            QVERIFY(std::abs(step.after.total() - is.total()) <= 1e-9 * scale);
+            QVERIFY(length(step.after.momentum - is.momentum) <= 1e-9 * scale);
+            double sum = step.before.total();
             for (const AccountName &account : accountNames())
-                sum += row.energy[account.account];
-            QVERIFY(std::abs(sum - row.after.total()) <= 1e-12 * scale);
+                sum += step.energy[account.account];
+            QVERIFY(std::abs(sum - step.after.total()) <= 1e-12 * scale);
         }
     }
 
-    void aStiffnessThatChangesChangesWhatSpringsHold()
+    void changedStiffnessChangesTheStoredEnergy()
     {
         Script script;
         script.build = [](const Values &values) { return oscillator(values["k"], 1.0); };
@@ -185,20 +183,20 @@ private slots:
         Track track(script, Timeline::defaultBudget);
         track.seek({5, 0});
         Ledger ledger;
-        const Balance row = ledger.row(track, 5).value();
+        const Balance step = ledger.row(track, 5).value();
         const Vec2 x = track.stateAt(4).positionOf(0);
         const double changed = 0.5 * 0.2 * (x.x * x.x + x.y * x.y);
-        QVERIFY(std::abs(row.energy[Account::changes] - changed) < 1e-9);
-        QCOMPARE(row.energy[Account::hand], 0.0);
+        QVERIFY(std::abs(step.energy[Account::changes] - changed) < 1e-9);
+        QCOMPARE(step.energy[Account::hand], 0.0);
         QCOMPARE(ledger.row(track, 4)->energy[Account::changes], 0.0);
     }
 
-    void sticksThatPutThingsStraightAreAnAccountOfTheirOwn_data()
+    void sticksHaveTheirOwnAccount_data()
     {
-        addMethods(
+        addMethodRows(
             [](const Method &m) { return m.stepping() == Stepping::fixed && m.requirements().empty(); });
     }
-    void sticksThatPutThingsStraightAreAnAccountOfTheirOwn()
+    void sticksHaveTheirOwnAccount()
     {
         QFETCH(QString, method);
         Scene scene = scenes::creature(1);
@@ -212,35 +210,34 @@ private slots:
         QVERIFY(std::abs(balance.energy[Account::drift]) < 1e-9);
     }
 
-    void whatHasNoInertiaHasNoLedger()
+    void sceneWithoutInertiaHasNoLedger()
     {
-        Scene scene = pairOf(0.2);
+        Scene scene = springPair(0.2);
         QVERIFY(!StoredEnergyReader::whyNot(scene));
         scene.groups[0].motion = Motion::prescribed;
         QVERIFY(StoredEnergyReader::whyNot(scene) == NoEnergy::noInertia);
-        Scene fast = lone(1.0);
-        fast.start.inverseMass.setZero();
-        QVERIFY(StoredEnergyReader::whyNot(fast) == NoEnergy::nothingMoves);
+        Scene fixed = singlePoint(1.0);
+        fixed.start.inverseMass.setZero();
+        QVERIFY(StoredEnergyReader::whyNot(fixed) == NoEnergy::nothingMoves);
         Track track(scriptOf(scene, "semi_implicit_euler", 1.0), 0);
         track.seek({1, 0});
         QVERIFY(!Ledger().row(track, 1));
     }
 
-    /// A force of the gradient of minus what it has stored, for every force that says it has something.
-    void storedEnergyIsWhatForcesAreTheSlopeOf_data()
+    void forceIsTheNegativeGradientOfPotentialEnergy_data()
     {
         QTest::addColumn<QString>("scene");
         for (const support::Sample &sample : support::samples())
             QTest::newRow(sample.name.c_str()) << QString::fromStdString(sample.name);
     }
-    void storedEnergyIsWhatForcesAreTheSlopeOf()
+    void forceIsTheNegativeGradientOfPotentialEnergy()
     {
         QFETCH(QString, scene);
         const support::Sample &sample = support::sample(scene.toStdString());
-        const Scene made = sample.build(sample.values);
-        State state = made.start;
+        const Scene gained = sample.build(sample.values);
+        State state = gained.start;
         support::scatter(state, 11, 150.0);
-        for (const EffectPtr &effect : made.effects) {
+        for (const EffectPtr &effect : gained.effects) {
             const auto *force = dynamic_cast<const Force *>(effect.get());
             if (!force || !force->potentialEnergy(state))
                 continue;
@@ -251,11 +248,13 @@ private slots:
                     State to = state, fro = state;
                     to.position(i, axis) += 1e-4;
                     fro.position(i, axis) -= 1e-4;
-                    const double slope = (*force->potentialEnergy(to) - *force->potentialEnergy(fro)) / 2e-4;
-                    const double felt = pull(i, axis) / state.inverseMass[i];
+                    const double gradient =
+                        (*force->potentialEnergy(to) - *force->potentialEnergy(fro)) / 2e-4;
+                    const double forceOnPoint = pull(i, axis) / state.inverseMass[i];
                     QVERIFY2(
-                        std::abs(slope + felt) < 1e-5 * (1.0 + std::abs(felt)),
-                        qPrintable(QString("%1: %2, %3").arg(effect->id().c_str()).arg(slope).arg(felt)));
+                        std::abs(gradient + forceOnPoint) < 1e-5 * (1.0 + std::abs(forceOnPoint)),
+                        qPrintable(
+                            QString("%1: %2, %3").arg(effect->id().c_str()).arg(gradient).arg(forceOnPoint)));
                 }
             }
         }

@@ -1,4 +1,4 @@
-// Numbers too small for full precision count as 0 while a run is computed, and only then.
+// Denormal numbers count as 0 while a run is computed, and only then.
 
 #include "support.h"
 
@@ -16,18 +16,19 @@ using namespace sim;
 
 namespace {
 
-constexpr double least = std::numeric_limits<double>::min();
+constexpr double minNormal = std::numeric_limits<double>::min();
 
-/// Whether this machine computes with numbers below `least`; the compiler must not do it in advance.
-bool countsTiny()
+/// Returns whether this thread computes with denormals. volatile keeps the compiler from computing in
+/// advance.
+bool keepsDenormals()
 {
-    const volatile double tiny = least;
+    const volatile double denormal = minNormal;
     const volatile double half = 0.5;
-    return tiny * half != 0.0;
+    return denormal * half != 0.0;
 }
 
-/// A point that only slows down: its velocity halves each frame.
-Script slowing()
+/// Returns a script with a point whose velocity halves each frame.
+Script dampedPoint()
 {
     Scene scene = scenes::creature(1);
     scene.start.setVelocity(1, {1.0, -1.0});
@@ -35,15 +36,17 @@ Script slowing()
     return support::script(scene, "semi_implicit_euler");
 }
 
-bool hasTiny(const State &state)
+bool hasDenormals(const State &state)
 {
-    const auto tiny = [](const auto &numbers) { return (numbers != 0.0 && numbers.abs() < least).any(); };
-    return tiny(state.position) || tiny(state.velocity) || tiny(state.acceleration);
+    const auto denormal = [](const auto &numbers) {
+        return (numbers != 0.0 && numbers.abs() < minNormal).any();
+    };
+    return denormal(state.position) || denormal(state.velocity) || denormal(state.acceleration);
 }
 
 }
 
-class TestFlush : public QObject
+class TestFlushDenormals : public QObject
 {
     Q_OBJECT
 
@@ -54,46 +57,47 @@ private slots:
             QSKIP("not on this processor");
     }
 
-    void theModeIsBackAfterwards()
+    void modeIsRestored()
     {
         QVERIFY(!FlushDenormals::isActive());
-        QVERIFY(countsTiny());
+        QVERIFY(keepsDenormals());
         {
             const FlushDenormals outer;
             QVERIFY(FlushDenormals::isActive());
-            QVERIFY(!countsTiny());
+            QVERIFY(!keepsDenormals());
             {
                 const FlushDenormals inner;
-                QVERIFY(!countsTiny());
+                QVERIFY(!keepsDenormals());
             }
-            QVERIFY(!countsTiny());
+            QVERIFY(!keepsDenormals());
         }
         QVERIFY(!FlushDenormals::isActive());
-        QVERIFY(countsTiny());
+        QVERIFY(keepsDenormals());
     }
 
-    void itIsOneThreadsOwn()
+    void modeAffectsOnlyItsThread()
     {
-        bool other = false;
-        std::thread before([&] { other = countsTiny(); });
+        bool otherKeepsThem = false;
+        std::thread other([&] { otherKeepsThem = keepsDenormals(); });
         const FlushDenormals flush;
-        before.join();
-        QVERIFY(other);
+        other.join();
+        QVERIFY(otherKeepsThem);
     }
 
-    void whatSettlesComesToRestAtNought()
+    void decayingVelocityReachesZero()
     {
-        // 2^-1022 is the smallest number of full precision: it is there after 1022 halvings, and gone after one more.
-        Track track(slowing(), 1 << 20);
+        // 2^-1022 is the smallest normal number. It is reached after 1022 halvings, and flushed after one
+        // more.
+        Track track(dampedPoint(), 1 << 20);
         track.seek({1022, 0});
-        QCOMPARE(track.state().velocityOf(1).x, least);
+        QCOMPARE(track.state().velocityOf(1).x, minNormal);
         track.seek({1023, 0});
         QCOMPARE(track.state().velocityOf(1).x, 0.0);
         QCOMPARE(track.state().velocityOf(1).y, 0.0);
-        QVERIFY(countsTiny());
+        QVERIFY(keepsDenormals());
     }
 
-    void noMethodLeavesTinyNumbers()
+    void noMethodLeavesDenormals()
     {
         for (const std::string method : {"published", "semi_implicit_euler", "velocity_verlet"}) {
             support::Sample sample = support::sample("creature from one place");
@@ -101,57 +105,57 @@ private slots:
             Track track(support::script(sample, method), 1 << 20);
             for (int frame = 0; frame < 3000; ++frame) {
                 track.seek({frame, 0});
-                QVERIFY2(!hasTiny(track.state()), method.c_str());
+                QVERIFY2(!hasDenormals(track.state()), method.c_str());
             }
         }
     }
 
-    void whoeverComputesItGetsTheSameBits()
+    void everyRunGivesTheSameBits()
     {
-        const Script script = slowing();
-        Track track(script, 1 << 20), bare(script, 0);
+        const Script script = dampedPoint();
+        Track track(script, 1 << 20), trackWithoutBudget(script, 0);
         for (const int frame : {1020, 1022, 1023, 1024, 1100}) {
             track.seek({frame, 0});
             const State state = track.state();
             QVERIFY(sameBits(support::plainRun(script.build({}), "semi_implicit_euler", 1.0, frame), state));
             QVERIFY(sameBits(track.stateAt(frame), state));
-            bare.seek({frame, 0});
-            QVERIFY(sameBits(bare.state(), state));
-            bare.seek({0, 0});
-            bare.seek({frame - 1, 1});
-            bare.seek({frame, 0});
-            QVERIFY(sameBits(bare.state(), state));
+            trackWithoutBudget.seek({frame, 0});
+            QVERIFY(sameBits(trackWithoutBudget.state(), state));
+            trackWithoutBudget.seek({0, 0});
+            trackWithoutBudget.seek({frame - 1, 1});
+            trackWithoutBudget.seek({frame, 0});
+            QVERIFY(sameBits(trackWithoutBudget.state(), state));
         }
     }
 
-    void theNumbersBehindAMomentAreTheRuns()
+    void explanationsHaveTheNumbersOfTheRun()
     {
-        Track track(slowing(), 1 << 20);
+        Track track(dampedPoint(), 1 << 20);
         track.seek({1023, 0});
         bool found = false;
-        for (const PhaseExplanation &moment : track.explainPhases("body")) {
-            for (const LiveValue &live : moment.live) {
+        for (const PhaseExplanation &explanation : track.explainPhases("body")) {
+            for (const LiveValue &live : explanation.live) {
                 if (live.name != "v")
                     continue;
                 QCOMPARE(std::get<Vec2>(live.value).x, 0.0);
-                QCOMPARE(std::get<Vec2>(*live.before).x, least);
+                QCOMPARE(std::get<Vec2>(*live.before).x, minNormal);
                 found = true;
             }
         }
         QVERIFY(found);
     }
 
-    void theBooksCloseOnTheRunsOwnState()
+    void ledgerEndsAtTheStateOfTheRun()
     {
-        Track track(slowing(), 1 << 20);
+        Track track(dampedPoint(), 1 << 20);
         track.seek({1024, 0});
         Ledger ledger;
-        const std::optional<Balance> row = ledger.row(track, 1023);
-        QVERIFY(row);
-        QCOMPARE(row->after.momentum.x, 0.0);
-        QVERIFY(countsTiny());
+        const std::optional<Balance> step = ledger.row(track, 1023);
+        QVERIFY(step);
+        QCOMPARE(step->after.momentum.x, 0.0);
+        QVERIFY(keepsDenormals());
     }
 };
 
-QTEST_APPLESS_MAIN(TestFlush)
+QTEST_APPLESS_MAIN(TestFlushDenormals)
 #include "tst_flush_denormals.moc"

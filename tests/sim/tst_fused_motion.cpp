@@ -18,8 +18,8 @@ namespace {
 
 using std::make_shared;
 
-/// Creatures in their room; the first body is held, some points start at -0, and some so slow that what is left of it
-/// gets too small for full precision.
+/// Returns creatures in a room. The first body is held, some points start at -0, and some velocities become
+/// denormal.
 sim::Scene inTheRoom(int creatures)
 {
     sim::Scene scene = bench::crowd::inTheRoom(creatures);
@@ -36,30 +36,30 @@ sim::Scene inTheAir(int creatures)
     return bench::crowd::inTheAir(creatures);
 }
 
-std::vector<int> numbers(int first, int count)
+std::vector<int> indices(int first, int count)
 {
     std::vector<int> all(static_cast<std::size_t>(count));
     std::iota(all.begin(), all.end(), first);
     return all;
 }
 
-/// Creatures on a ground that their first `feet` feet, and bodies, meet.
+/// Returns creatures above a ground that stops only bodies and the first `feet` feet.
 sim::Scene onGround(int creatures, int feet)
 {
     sim::Scene scene = bench::crowd::inTheAir(creatures);
     scene.effects.push_back(make_shared<sim::Gravity>(0.5));
-    scene.effects.push_back(make_shared<sim::Ground>(numbers(0, (feet + 1) * creatures),
+    scene.effects.push_back(make_shared<sim::Ground>(indices(0, (feet + 1) * creatures),
                                                      sim::GroundPlane{300.0, 0.2, sim::Traction::full}));
     return scene;
 }
 
-sim::Scene allOnGround(int creatures)
+sim::Scene allPointsOnGround(int creatures)
 {
     return onGround(creatures, bench::crowd::feet);
 }
 
-/// Creatures of which only some are slowed, in a room that acts as a constraint.
-sim::Scene rubbing(int creatures)
+/// Returns creatures in a room that acts as a constraint. Only two points are damped.
+sim::Scene withFriction(int creatures)
 {
     sim::Scene scene = onGround(creatures, 2);
     scene.effects[1] = make_shared<sim::Damping>(0.9, sim::PointRange{0, 2});
@@ -68,15 +68,15 @@ sim::Scene rubbing(int creatures)
     return scene;
 }
 
-sim::Pipeline composed(const sim::Scene &scene, const char *method, double h = 1.0)
+sim::Pipeline pipelineOf(const sim::Scene &scene, const char *method, double h = 1.0)
 {
     return sim::compose(scene, *sim::findMethod(method), sim::StepSize::ofLength(h));
 }
 
-/// How many kernels the phases of a step have, and how many it has when they are fused.
-std::string countsOf(const sim::Scene &scene, const char *method)
+/// Returns the number of kernels in a step before and after fusing, as "7 to 4".
+std::string kernelCounts(const sim::Scene &scene, const char *method)
 {
-    const sim::Pipeline pipeline = composed(scene, method);
+    const sim::Pipeline pipeline = pipelineOf(scene, method);
     std::size_t all = 0;
     for (const sim::Phase &phase : pipeline.phases)
         all += phase.kernels.size();
@@ -85,8 +85,8 @@ std::string countsOf(const sim::Scene &scene, const char *method)
 
 }
 
-/// Gravity, kick, damping and move in one kernel: the same as one after the other.
-class FusedMotion : public QObject
+/// Fusing gravity, kick, damping and move into one kernel gives the same bits.
+class TestFusedMotion : public QObject
 {
     Q_OBJECT
 
@@ -96,13 +96,13 @@ private slots:
         QTest::addColumn<QString>("method");
         QTest::addColumn<QString>("room");
         QTest::addColumn<QString>("air");
-        // with the one that clears the sums
+        // the counts include the kernel that clears the accelerations
         QTest::newRow("semi-implicit Euler") << "semi_implicit_euler"
                                              << "7 to 4"
                                              << "5 to 3";
-        QTest::newRow("published: forces act at once") << "published"
-                                                       << "10 to 10"
-                                                       << "6 to 6";
+        QTest::newRow("published, whose forces act immediately") << "published"
+                                                                 << "10 to 10"
+                                                                 << "6 to 6";
         QTest::newRow("explicit Euler, which moves first") << "explicit_euler"
                                                            << "7 to 7"
                                                            << "5 to 5";
@@ -119,26 +119,26 @@ private slots:
         QFETCH(QString, room);
         QFETCH(QString, air);
         const QByteArray id = method.toUtf8();
-        QCOMPARE(countsOf(bench::crowd::inTheRoom(3), id), room.toStdString());
-        QCOMPARE(countsOf(inTheAir(3), id), air.toStdString());
+        QCOMPARE(kernelCounts(bench::crowd::inTheRoom(3), id), room.toStdString());
+        QCOMPARE(kernelCounts(inTheAir(3), id), air.toStdString());
     }
 
-    void whatIsNotTheSameForAllPointsStaysAlone()
+    void effectsOnSomePointsAreNotFused()
     {
         sim::Scene scene = bench::crowd::inTheRoom(3);
         scene.effects[2] = make_shared<sim::Damping>(0.9, sim::PointRange{0, 17});
-        QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("7 to 7"));
+        QCOMPARE(kernelCounts(scene, "semi_implicit_euler"), std::string("7 to 7"));
         scene = bench::crowd::inTheRoom(3);
-        scene.groups[1].motion = sim::Motion::prescribed; // bodies are handles
-        QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("7 to 7"));
+        scene.groups[1].motion = sim::Motion::prescribed; // bodies move along a prescribed path
+        QCOMPARE(kernelCounts(scene, "semi_implicit_euler"), std::string("7 to 7"));
         scene = bench::crowd::inTheRoom(3);
-        scene.effects.push_back(make_shared<sim::Gravity>(-0.2)); // of two that fall the second
-        QCOMPARE(countsOf(scene, "semi_implicit_euler"), std::string("8 to 5"));
-        // A constraint wants to know where points came from.
-        QCOMPARE(countsOf(rubbing(3), "semi_implicit_euler"), std::string("10 to 10"));
+        scene.effects.push_back(make_shared<sim::Gravity>(-0.2)); // of two gravities only the second is fused
+        QCOMPARE(kernelCounts(scene, "semi_implicit_euler"), std::string("8 to 5"));
+        // Constraints need the positions before the move.
+        QCOMPARE(kernelCounts(withFriction(3), "semi_implicit_euler"), std::string("10 to 10"));
     }
 
-    void bringsTheSameBits_data()
+    void fusedKernelGivesTheSameBits_data()
     {
         QTest::addColumn<QString>("method");
         QTest::addColumn<int>("creatures");
@@ -152,22 +152,22 @@ private slots:
             }
         }
     }
-    void bringsTheSameBits()
+    void fusedKernelGivesTheSameBits()
     {
         QFETCH(QString, method);
         QFETCH(int, creatures);
         QFETCH(double, h);
         const sim::FlushDenormals flush;
-        for (const auto &scene : {inTheRoom, inTheAir, allOnGround, rubbing}) {
-            const sim::Scene what = scene(creatures);
-            const sim::Pipeline pipeline = composed(what, method.toUtf8(), h);
-            sim::State plain = what.start;
+        for (const auto &scene : {inTheRoom, inTheAir, allPointsOnGround, withFriction}) {
+            const sim::Scene chosen = scene(creatures);
+            const sim::Pipeline pipeline = pipelineOf(chosen, method.toUtf8(), h);
+            sim::State plain = chosen.start;
             sim::findMethod(method.toStdString())->prepareState(plain);
             sim::State state = plain;
             for (int step = 0; step < 300; ++step) {
-                if (step == 100 || step == 150) { // a hand takes a foot, and lets it go
-                    for (sim::State *one : {&plain, &state})
-                        one->inverseMass[creatures] = step == 100 ? 0.0 : 1.0;
+                if (step == 100 || step == 150) { // a foot is grabbed, and released later
+                    for (sim::State *run : {&plain, &state})
+                        run->inverseMass[creatures] = step == 100 ? 0.0 : 1.0;
                 }
                 for (const sim::Phase &phase : pipeline.phases)
                     phase.run(plain);
@@ -178,5 +178,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(FusedMotion)
+QTEST_GUILESS_MAIN(TestFusedMotion)
 #include "tst_fused_motion.moc"

@@ -1,5 +1,5 @@
-// What breaks careless methods: that each method holds what it claims, that claims are neither too many nor too few, and
-// that the judge sees what fails.
+// Hard cases that break careless methods. Each method keeps its claims, claims are neither too many nor too
+// few, and the judge reports failures.
 
 #include "support.h"
 #include "tests/sizes.h"
@@ -18,172 +18,172 @@ using namespace sim;
 
 namespace {
 
-HardCase hard(const char *id)
+HardCase hardCase(const char *id)
 {
     return findHardCase(id).value();
 }
 
-Verdict judged(const HardCase &one, const char *method)
+Verdict judged(const HardCase &testCase, const char *method)
 {
-    return judge(one, findMethod(method), one.brief);
+    return judge(testCase, findMethod(method), testCase.brief);
 }
 
-QByteArray whyOf(const std::optional<Error> &why)
+QByteArray messageOf(const std::optional<Error> &why)
 {
     return why ? QByteArray(why->what()) : QByteArray();
 }
 
 bool claims(const char *id, const char *method)
 {
-    const HardCase one = hard(id);
-    return claimOf(one, findMethod(method), one.brief).isMade;
+    const HardCase found = hardCase(id);
+    return claimOf(found, findMethod(method), found.brief).isMade;
 }
 
-/// A foot on a spring of stiffness `k`, 100 px out of its length.
-StiffestSpring spring(double k, double damp)
+/// Returns a spring of stiffness `k` that is stretched by 100 px.
+StiffestSpring stretchedSpring(double k, double damp)
 {
     return {100.0, k, 1.0, 0.0, damp};
 }
 
 }
 
-class TestHardCases : public QObject
+class TestHardCatalogue : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void theCatalogueHasFortyCasesAndMore();
-    void whatIsKnownToBreakIsThere_data();
-    void whatIsKnownToBreakIsThere();
-    void aCaseSaysWhatItIsAbout();
+    void catalogueHasAtLeastFortyCases();
+    void knownHardCasesAreListed_data();
+    void knownHardCasesAreListed();
+    void casesAreComplete();
     void everyClaimHolds_data();
     void everyClaimHolds();
-    void whatIsNotClaimedSaysWhy();
-    void theLimitOfAStepIsForetold_data();
-    void theLimitOfAStepIsForetold();
-    void oneStepIsForetoldToTheDigit();
+    void missingClaimsHaveAReason();
+    void stabilityLimitIsPredicted_data();
+    void stabilityLimitIsPredicted();
+    void oneStepIsPredictedExactly();
     void implicitMethodsClaimAnyStiffness();
-    void aBoundOfSticksIsClaimedForNoLongerStep();
-    void whatOnlyTurnsRoundDoesNotClaimRest();
-    void whatMovesOneByOneDoesNotClaimTheMiddle();
-    void thePublishedPairDrivesItselfOn();
-    void theJudgeSeesWhatFails_data();
-    void theJudgeSeesWhatFails();
-    void whoLooksOnCanStopTheJudge();
-    void aRunThatIsNotWantedIsNoBrokenClaim();
+    void stickErrorIsNotClaimedForLongerSteps();
+    void undampedStiffModeDoesNotClaimRest();
+    void publishedMethodDoesNotClaimTheCentreOfMass();
+    void publishedPairPropelsItself();
+    void judgeReportsTheFailure_data();
+    void judgeReportsTheFailure();
+    void judgeCanBeCancelled();
+    void cancelledRunIsNotABrokenClaim();
 };
 
-void TestHardCases::theCatalogueHasFortyCasesAndMore()
+void TestHardCatalogue::catalogueHasAtLeastFortyCases()
 {
     std::set<std::string> ids;
-    for (const HardCase &one : hardCases())
-        ids.insert(one.id);
+    for (const HardCase &listed : hardCases())
+        ids.insert(listed.id);
     QVERIFY(ids.size() >= 40);
     QCOMPARE(ids.size(), hardCases().size());
     QVERIFY(!findHardCase("no_such_case"));
 }
 
-void TestHardCases::whatIsKnownToBreakIsThere_data()
+void TestHardCatalogue::knownHardCasesAreListed_data()
 {
     QTest::addColumn<QStringList>("ids");
-    const auto row = [](const char *what, const QStringList &ids) { QTest::newRow(what) << ids; };
+    const auto row = [](const char *name, const QStringList &ids) { QTest::newRow(name) << ids; };
     row("stiffness at the limit of a step",
         {"stiffness_below_limit", "stiffness_at_limit", "stiffness_above_limit"});
     row("stiffness far past it",
         {"stiffness_1e3", "stiffness_1e6", "stiffness_1e9", "stiffness_1e9_undamped", "stiffness_jumps"});
-    row("all damping, none, and next to all", {"damp_0", "damp_1", "damp_1e-300"});
+    row("full damping, no damping, and almost full damping", {"damp_0", "damp_1", "damp_1e-300"});
     row("many feet on one body", {"feet_60", "feet_100", "feet_1000", "feet_10000"});
-    row("a pair that drives itself on", {"runaway_pair"});
-    row("points without a direction between them",
-        {"one_place", "on_one_line", "no_rest_length", "crowd_squeezed"});
-    row("a hand that jumps", {"grabbed_one_frame", "dragged_1e9", "dragged_1e9_stiff", "thrown_into_corner"});
+    row("a pair that propels itself", {"runaway_pair"});
+    row("coincident points", {"one_place", "on_one_line", "no_rest_length", "crowd_squeezed"});
+    row("a drag that jumps", {"grabbed_one_frame", "dragged_1e9", "dragged_1e9_stiff", "thrown_into_corner"});
     row("no room", {"walls_closer_than_body"});
-    row("masses apart", {"masses_1_to_1e9", "masses_1_to_1e9_stiff"});
-    row("pulls and clocks out of all measure", {"gravity_1e6", "gait_pi", "gait_1e6"});
-    row("sticks that cannot be right", {"contradictory_triangle", "chain_stretched", "chain_heavy",
-                                        "stick_without_length", "stick_between_nails"});
+    row("very different masses", {"masses_1_to_1e9", "masses_1_to_1e9_stiff"});
+    row("extreme forces and clocks", {"gravity_1e6", "gait_pi", "gait_1e6"});
+    row("sticks that cannot all have their length",
+        {"contradictory_triangle", "chain_stretched", "chain_heavy", "stick_without_length",
+         "stick_between_nails"});
     row("codelings", {"tail_through_lead", "tail_in_lead", "target_1e9"});
     row("wind without direction or distance",
         {"wind_no_direction", "wind_no_distance", "wind_no_distance_published", "pointer_on_root"});
     row("trees", {"branches_16_deep", "tree_without_end", "tree_stiff"});
     row("steps", {"step_1e-6", "step_third", "step_100"});
     row("long runs", {"ten_million_frames", "million_frames_at_rest"});
-    row("input that is no number", {"hand_not_a_number", "pointer_infinite", "parameter_infinite"});
+    row("input that is not a number", {"hand_not_a_number", "pointer_infinite", "parameter_infinite"});
 }
 
-void TestHardCases::whatIsKnownToBreakIsThere()
+void TestHardCatalogue::knownHardCasesAreListed()
 {
     QFETCH(QStringList, ids);
     for (const QString &id : ids)
         QVERIFY2(findHardCase(id.toStdString()), qPrintable(id));
 }
 
-void TestHardCases::aCaseSaysWhatItIsAbout()
+void TestHardCatalogue::casesAreComplete()
 {
-    for (const HardCase &one : hardCases()) {
-        const QByteArray id = one.id.c_str();
-        QVERIFY2(!one.title.empty() && one.story.ends_with('.'), id);
-        QVERIFY2(!one.requirements.empty(), id);
-        QVERIFY2(one.brief.frames > 0 && one.brief.frames <= one.full.frames, id);
-        QVERIFY2(one.hasRequirement(Requirement::refused) == !one.refusal.empty(), id);
-        if (one.hasRequirement(Requirement::refused))
+    for (const HardCase &testCase : hardCases()) {
+        const QByteArray id = testCase.id.c_str();
+        QVERIFY2(!testCase.title.empty() && testCase.story.ends_with('.'), id);
+        QVERIFY2(!testCase.requirements.empty(), id);
+        QVERIFY2(testCase.brief.frames > 0 && testCase.brief.frames <= testCase.full.frames, id);
+        QVERIFY2(testCase.hasRequirement(Requirement::refused) == !testCase.refusal.empty(), id);
+        if (testCase.hasRequirement(Requirement::refused))
             continue;
-        QVERIFY2(one.bound.reach > 0.0, id);
-        QVERIFY2(one.stiffest.has_value() || !one.hasRequirement(Requirement::oscillates), id);
-        QVERIFY2(one.bound.drift.has_value() == one.hasRequirement(Requirement::centreStays), id);
-        const Scene scene = one.script.build(one.script.values);
-        if (!one.rest)
+        QVERIFY2(testCase.bound.reach > 0.0, id);
+        QVERIFY2(testCase.stiffest.has_value() || !testCase.hasRequirement(Requirement::oscillates), id);
+        QVERIFY2(testCase.bound.drift.has_value() == testCase.hasRequirement(Requirement::centreStays), id);
+        const Scene scene = testCase.script.build(testCase.script.values);
+        if (!testCase.rest)
             continue;
-        for (const RestPosition &place : one.rest->places)
-            QVERIFY2(scene.find(place.body) >= 0, id);
-        for (const RestDistance &distance : one.rest->distances)
+        for (const RestPosition &position : testCase.rest->places)
+            QVERIFY2(scene.find(position.body) >= 0, id);
+        for (const RestDistance &distance : testCase.rest->distances)
             QVERIFY2(scene.find(distance.a) >= 0 && scene.find(distance.b) >= 0, id);
     }
 }
 
-void TestHardCases::everyClaimHolds_data()
+void TestHardCatalogue::everyClaimHolds_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<QString>("method");
     int made = 0;
-    for (const HardCase &one : hardCases()) {
+    for (const HardCase &testCase : hardCases()) {
         for (const MethodPtr &method : allMethods()) {
-            const bool isMade = claimOf(one, method, one.brief).isMade;
-            if (isMade && made++ % tests::sized(1, 3) == 0) // in turn: some of each case, and of each method
-                QTest::newRow((one.id + ", " + method->id()).c_str())
-                    << QString::fromStdString(one.id) << QString::fromStdString(method->id());
+            const bool isMade = claimOf(testCase, method, testCase.brief).isMade;
+            if (isMade && made++ % tests::sized(1, 3) == 0) // a sample of all cases and methods
+                QTest::newRow((testCase.id + ", " + method->id()).c_str())
+                    << QString::fromStdString(testCase.id) << QString::fromStdString(method->id());
         }
     }
 }
 
-void TestHardCases::everyClaimHolds()
+void TestHardCatalogue::everyClaimHolds()
 {
     QFETCH(QString, id);
     QFETCH(QString, method);
-    const HardCase one = findHardCase(id.toStdString()).value();
-    const Verdict verdict = judge(one, findMethod(method.toStdString()), one.brief);
-    QVERIFY2(verdict.holds, whyOf(verdict.why));
+    const HardCase testCase = findHardCase(id.toStdString()).value();
+    const Verdict verdict = judge(testCase, findMethod(method.toStdString()), testCase.brief);
+    QVERIFY2(verdict.holds, messageOf(verdict.why));
     QVERIFY(!verdict.isBroken());
-    const bool isWhole =
-        one.hasRequirement(Requirement::refused) || one.hasRequirement(Requirement::overflows);
-    QVERIFY(isWhole || verdict.frames == one.brief.frames);
+    const bool mayEndEarly =
+        testCase.hasRequirement(Requirement::refused) || testCase.hasRequirement(Requirement::overflows);
+    QVERIFY(mayEndEarly || verdict.frames == testCase.brief.frames);
 }
 
-void TestHardCases::whatIsNotClaimedSaysWhy()
+void TestHardCatalogue::missingClaimsHaveAReason()
 {
-    for (const HardCase &one : hardCases()) {
+    for (const HardCase &testCase : hardCases()) {
         for (const MethodPtr &method : allMethods()) {
-            const Claim claim = claimOf(one, method, one.brief);
-            QVERIFY2(claim.isMade == !claim.why, (one.id + ", " + method->id()).c_str());
+            const Claim claim = claimOf(testCase, method, testCase.brief);
+            QVERIFY2(claim.isMade == !claim.why, (testCase.id + ", " + method->id()).c_str());
         }
     }
 }
 
-void TestHardCases::theLimitOfAStepIsForetold_data()
+void TestHardCatalogue::stabilityLimitIsPredicted_data()
 {
-    // Where nothing damps: Hairer, Lubich and Wanner, "Geometric numerical integration", section I.5, for the first
-    // four; the last is where the polynomial 1 + z + z^2/2 + z^3/6 + z^4/24 leaves the unit circle along the imaginary
-    // axis, at 2 sqrt 2.
+    // Without damping. For the first four see Hairer, Lubich and Wanner, "Geometric numerical integration",
+    // section I.5. For the last, the polynomial 1 + z + z^2/2 + z^3/6 + z^4/24 leaves the unit circle at 2
+    // sqrt 2 on the imaginary axis.
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("limit");
     QTest::newRow("published") << "published" << 4.0;
@@ -193,36 +193,36 @@ void TestHardCases::theLimitOfAStepIsForetold_data()
     QTest::newRow("Runge-Kutta 4") << "rk4" << 8.0;
 }
 
-void TestHardCases::theLimitOfAStepIsForetold()
+void TestHardCatalogue::stabilityLimitIsPredicted()
 {
     QFETCH(QString, method);
     QFETCH(double, limit);
     const MethodPtr rule = findMethod(method.toStdString());
     for (const double h : {1.0, 0.25}) {
         const double k = limit / (h * h);
-        QVERIFY(predictOscillation(spring(0.99 * k, 1.0), rule, h, 10'000, 1e9).most < 2000.0);
-        QVERIFY(predictOscillation(spring(1.01 * k, 1.0), rule, h, 10'000, 1e9).most > 1e9);
+        QVERIFY(predictOscillation(stretchedSpring(0.99 * k, 1.0), rule, h, 10'000, 1e9).most < 2000.0);
+        QVERIFY(predictOscillation(stretchedSpring(1.01 * k, 1.0), rule, h, 10'000, 1e9).most > 1e9);
     }
 }
 
-void TestHardCases::oneStepIsForetoldToTheDigit()
+void TestHardCatalogue::oneStepIsPredictedExactly()
 {
     const double k = 3.0, damp = 0.5, x = 100.0;
     // v = damp (v - k x), x = x + v
-    const Prediction plain =
-        predictOscillation(spring(k, damp), findMethod("semi_implicit_euler"), 1.0, 1, 1e9);
-    QCOMPARE(plain.left, std::abs(x - damp * k * x));
+    const Prediction explicitStep =
+        predictOscillation(stretchedSpring(k, damp), findMethod("semi_implicit_euler"), 1.0, 1, 1e9);
+    QCOMPARE(explicitStep.left, std::abs(x - damp * k * x));
     // v = damp (v - k (x + v))
-    const Prediction implicit =
-        predictOscillation(spring(k, damp), findMethod("backward_euler"), 1.0, 1, 1e9);
-    QCOMPARE(implicit.left, x - damp * k * x / (1.0 + damp * k));
-    // Two free ends: their distance swings as if the one were twice as light.
+    const Prediction implicitStep =
+        predictOscillation(stretchedSpring(k, damp), findMethod("backward_euler"), 1.0, 1, 1e9);
+    QCOMPARE(implicitStep.left, x - damp * k * x / (1.0 + damp * k));
+    // With two free ends of mass 1 the distance oscillates like a single point of mass 1/2.
     const Prediction pair =
         predictOscillation({x, k, 1.0, 1.0, damp}, findMethod("semi_implicit_euler"), 1.0, 1, 1e9);
     QCOMPARE(pair.left, std::abs(x - damp * 2.0 * k * x));
 }
 
-void TestHardCases::implicitMethodsClaimAnyStiffness()
+void TestHardCatalogue::implicitMethodsClaimAnyStiffness()
 {
     for (const char *method : {"backward_euler", "tr_bdf2"}) {
         for (const char *id : {"stiffness_1e3", "stiffness_1e6", "stiffness_1e9", "stiffness_1e9_undamped",
@@ -236,9 +236,9 @@ void TestHardCases::implicitMethodsClaimAnyStiffness()
     }
 }
 
-void TestHardCases::aBoundOfSticksIsClaimedForNoLongerStep()
+void TestHardCatalogue::stickErrorIsNotClaimedForLongerSteps()
 {
-    const HardCase chain = hard("chain_heavy_small_steps");
+    const HardCase chain = hardCase("chain_heavy_small_steps");
     const MethodPtr method = findMethod("semi_implicit_euler");
     QVERIFY(claimOf(chain, method, chain.brief).isMade);
     RunSize size = chain.brief;
@@ -246,37 +246,37 @@ void TestHardCases::aBoundOfSticksIsClaimedForNoLongerStep()
     const Claim claim = claimOf(chain, method, size);
     QVERIFY(!claim.isMade);
     QCOMPARE(claim.why->id(), std::string("claim-longer-step"));
-    QVERIFY(!judge(chain, method, size).holds); // and rightly so
+    QVERIFY(!judge(chain, method, size).holds);
 }
 
-void TestHardCases::whatOnlyTurnsRoundDoesNotClaimRest()
+void TestHardCatalogue::undampedStiffModeDoesNotClaimRest()
 {
-    // At k h^2 = 1e9 implicit midpoint takes x to -x, and the velocity with it: there is nothing to damp.
+    // At k h^2 = 1e9 a step of implicit midpoint reverses x and v, so damping has almost no effect.
     QVERIFY(claims("stiffness_1e9_undamped", "implicit_midpoint"));
     QVERIFY(!claims("stiffness_1e9", "implicit_midpoint"));
-    QVERIFY(!judged(hard("stiffness_1e9"), "implicit_midpoint").holds);
-    const Prediction told =
-        predictOscillation(spring(1e9, 0.9), findMethod("implicit_midpoint"), 1.0, 1001, 1e9);
-    QVERIFY(told.left > 99.0 && told.most < 101.0);
+    QVERIFY(!judged(hardCase("stiffness_1e9"), "implicit_midpoint").holds);
+    const Prediction predicted =
+        predictOscillation(stretchedSpring(1e9, 0.9), findMethod("implicit_midpoint"), 1.0, 1001, 1e9);
+    QVERIFY(predicted.left > 99.0 && predicted.most < 101.0);
 }
 
-void TestHardCases::whatMovesOneByOneDoesNotClaimTheMiddle()
+void TestHardCatalogue::publishedMethodDoesNotClaimTheCentreOfMass()
 {
-    const HardCase pair = hard("runaway_pair");
+    const HardCase pair = hardCase("runaway_pair");
     const Claim claim = claimOf(pair, findMethod("published"), pair.brief);
     QVERIFY(!claim.isMade);
     QCOMPARE(claim.why->id(), std::string("claim-one-by-one"));
     QVERIFY(claims("runaway_pair", "semi_implicit_euler"));
 }
 
-void TestHardCases::thePublishedPairDrivesItselfOn()
+void TestHardCatalogue::publishedPairPropelsItself()
 {
-    const Verdict verdict = judged(hard("runaway_pair"), "published");
+    const Verdict verdict = judged(hardCase("runaway_pair"), "published");
     QVERIFY(!verdict.holds);
     QCOMPARE(verdict.why->id(), std::string("hard-drifts"));
 }
 
-void TestHardCases::theJudgeSeesWhatFails_data()
+void TestHardCatalogue::judgeReportsTheFailure_data()
 {
     QTest::addColumn<QString>("id");
     QTest::addColumn<QString>("method");
@@ -290,7 +290,7 @@ void TestHardCases::theJudgeSeesWhatFails_data()
     add("still moving", "stiffness_1e6", "implicit_midpoint", "hard-moves");
 }
 
-void TestHardCases::theJudgeSeesWhatFails()
+void TestHardCatalogue::judgeReportsTheFailure()
 {
     QFETCH(QString, id);
     QFETCH(QString, method);
@@ -301,26 +301,26 @@ void TestHardCases::theJudgeSeesWhatFails()
     QCOMPARE(QString::fromStdString(verdict.why->id()), why);
 }
 
-void TestHardCases::whoLooksOnCanStopTheJudge()
+void TestHardCatalogue::judgeCanBeCancelled()
 {
-    const HardCase one = hard("ten_million_frames");
-    int asked = 0;
-    const Verdict verdict =
-        judge(one, findMethod("semi_implicit_euler"), one.full, [&](double) { return ++asked < 2; });
-    QCOMPARE(asked, 2);
+    const HardCase testCase = hardCase("ten_million_frames");
+    int calls = 0;
+    const Verdict verdict = judge(testCase, findMethod("semi_implicit_euler"), testCase.full,
+                                  [&](double) { return ++calls < 2; });
+    QCOMPARE(calls, 2);
     QVERIFY(!verdict.isComplete);
-    QVERIFY(verdict.frames < one.full.frames);
+    QVERIFY(verdict.frames < testCase.full.frames);
 }
 
-void TestHardCases::aRunThatIsNotWantedIsNoBrokenClaim()
+void TestHardCatalogue::cancelledRunIsNotABrokenClaim()
 {
-    const HardCase one = hard("damp_1");
+    const HardCase testCase = hardCase("damp_1");
     const Verdict verdict =
-        judge(one, findMethod("semi_implicit_euler"), one.brief, [](double) { return false; });
+        judge(testCase, findMethod("semi_implicit_euler"), testCase.brief, [](double) { return false; });
     QVERIFY(verdict.claim.isMade);
     QVERIFY(!verdict.holds);
     QVERIFY(!verdict.isBroken());
 }
 
-QTEST_GUILESS_MAIN(TestHardCases)
+QTEST_GUILESS_MAIN(TestHardCatalogue)
 #include "tst_hard_catalogue.moc"

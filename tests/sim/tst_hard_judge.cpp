@@ -1,4 +1,4 @@
-// A judge that lets nothing pass: each of its looks finds what was made wrong on purpose.
+// Each check of the judge finds a failure that is caused on purpose.
 
 #include "sim/base/error.h"
 #include "sim/catalogue/hard_cases.h"
@@ -11,17 +11,17 @@ using namespace sim;
 
 namespace {
 
-/// A case that holds, made to fail by `spoil`.
-template <class Spoil>
-std::string whyNot(const char *id, Spoil &&spoil)
+/// Returns the id of the failure of a passing case after `change` is applied.
+template <class Change>
+std::string failureAfter(const char *id, Change &&change)
 {
-    HardCase one = findHardCase(id).value();
+    HardCase testCase = findHardCase(id).value();
     const MethodPtr method = findMethod("semi_implicit_euler");
-    if (!judge(one, method, one.brief).holds)
-        return "it does not hold as it is";
-    spoil(one);
-    const Verdict verdict = judge(one, method, one.brief);
-    return verdict.holds ? "it holds" : verdict.why->id();
+    if (!judge(testCase, method, testCase.brief).holds)
+        return "it fails unchanged";
+    change(testCase);
+    const Verdict verdict = judge(testCase, method, testCase.brief);
+    return verdict.holds ? "it passes" : verdict.why->id();
 }
 
 }
@@ -31,77 +31,76 @@ class TestHardJudge : public QObject
     Q_OBJECT
 
 private slots:
-    void aBoundThatIsTooTight();
-    void aMiddleThatMoves();
-    void anotherPlaceOfRest();
-    void anotherLengthAtRest();
-    void somethingThatStillMoves();
-    void aStickThatIsWrong();
-    void aRefusalThatDoesNotCome();
-    void anEndThatDoesNotCome();
-    void restIsAskedForOnlyWhenThereWasTime();
+    void tooTightBoundIsFound();
+    void movedCentreOfMassIsFound();
+    void wrongRestPositionIsFound();
+    void wrongRestLengthIsFound();
+    void remainingMotionIsFound();
+    void stickErrorIsFound();
+    void missingRefusalIsFound();
+    void missingEndIsFound();
+    void restIsRequiredOnlyAfterItsFrame();
 };
 
-void TestHardJudge::aBoundThatIsTooTight()
+void TestHardJudge::tooTightBoundIsFound()
 {
-    const auto spoil = [](HardCase &one) { one.bound.reach = 99.0; };
-    QCOMPARE(whyNot("damp_1", spoil), std::string("hard-too-far"));
+    const auto change = [](HardCase &testCase) { testCase.bound.reach = 99.0; };
+    QCOMPARE(failureAfter("damp_1", change), std::string("hard-too-far"));
 }
 
-void TestHardJudge::aMiddleThatMoves()
+void TestHardJudge::movedCentreOfMassIsFound()
 {
-    // What a hand takes elsewhere is not where it was.
-    const auto spoil = [](HardCase &one) {
-        one.script.input = {{5, Grab{"body"}}, {6, Move{{280.0, 200.0}}}, {7, Release{}}};
+    const auto change = [](HardCase &testCase) {
+        testCase.script.input = {{5, Grab{"body"}}, {6, Move{{280.0, 200.0}}}, {7, Release{}}};
     };
-    QCOMPARE(whyNot("runaway_pair", spoil), std::string("hard-drifts"));
+    QCOMPARE(failureAfter("runaway_pair", change), std::string("hard-drifts"));
 }
 
-void TestHardJudge::anotherPlaceOfRest()
+void TestHardJudge::wrongRestPositionIsFound()
 {
-    const auto spoil = [](HardCase &one) { one.rest->places.front().x.x += 1e-3; };
-    QCOMPARE(whyNot("step_third", spoil), std::string("hard-elsewhere"));
+    const auto change = [](HardCase &testCase) { testCase.rest->places.front().x.x += 1e-3; };
+    QCOMPARE(failureAfter("step_third", change), std::string("hard-elsewhere"));
 }
 
-void TestHardJudge::anotherLengthAtRest()
+void TestHardJudge::wrongRestLengthIsFound()
 {
-    const auto spoil = [](HardCase &one) { one.rest->distances.front().length += 1e-3; };
-    QCOMPARE(whyNot("runaway_pair", spoil), std::string("hard-length"));
+    const auto change = [](HardCase &testCase) { testCase.rest->distances.front().length += 1e-3; };
+    QCOMPARE(failureAfter("runaway_pair", change), std::string("hard-length"));
 }
 
-void TestHardJudge::somethingThatStillMoves()
+void TestHardJudge::remainingMotionIsFound()
 {
-    const auto spoil = [](HardCase &one) { one.script.values.set("damp", 1.0); };
-    QCOMPARE(whyNot("runaway_pair", spoil), std::string("hard-moves"));
+    const auto change = [](HardCase &testCase) { testCase.script.values.set("damp", 1.0); };
+    QCOMPARE(failureAfter("runaway_pair", change), std::string("hard-moves"));
 }
 
-void TestHardJudge::aStickThatIsWrong()
+void TestHardJudge::stickErrorIsFound()
 {
-    const auto spoil = [](HardCase &one) { one.stickError = 1.0; };
-    QCOMPARE(whyNot("contradictory_triangle", spoil), std::string("hard-stick"));
+    const auto change = [](HardCase &testCase) { testCase.stickError = 1.0; };
+    QCOMPARE(failureAfter("contradictory_triangle", change), std::string("hard-stick"));
 }
 
-void TestHardJudge::aRefusalThatDoesNotCome()
+void TestHardJudge::missingRefusalIsFound()
 {
-    const auto spoil = [](HardCase &one) { one.script.input = {}; };
-    QCOMPARE(whyNot("hand_not_a_number", spoil), std::string("hard-not-refused"));
+    const auto change = [](HardCase &testCase) { testCase.script.input = {}; };
+    QCOMPARE(failureAfter("hand_not_a_number", change), std::string("hard-not-refused"));
 }
 
-void TestHardJudge::anEndThatDoesNotCome()
+void TestHardJudge::missingEndIsFound()
 {
-    const auto spoil = [](HardCase &one) { one.script.input = {}; };
-    QCOMPARE(whyNot("wind_no_distance_published", spoil), std::string("hard-does-not-end"));
+    const auto change = [](HardCase &testCase) { testCase.script.input = {}; };
+    QCOMPARE(failureAfter("wind_no_distance_published", change), std::string("hard-does-not-end"));
 }
 
-void TestHardJudge::restIsAskedForOnlyWhenThereWasTime()
+void TestHardJudge::restIsRequiredOnlyAfterItsFrame()
 {
-    HardCase one = findHardCase("step_third").value();
+    HardCase testCase = findHardCase("step_third").value();
     const MethodPtr method = findMethod("semi_implicit_euler");
-    RunSize size = one.brief;
+    RunSize size = testCase.brief;
     size.frames = 30; // far from rest
-    QVERIFY(judge(one, method, size).holds);
-    one.rest->after = 30;
-    QVERIFY(!judge(one, method, size).holds);
+    QVERIFY(judge(testCase, method, size).holds);
+    testCase.rest->after = 30;
+    QVERIFY(!judge(testCase, method, size).holds);
 }
 
 QTEST_GUILESS_MAIN(TestHardJudge)

@@ -7,22 +7,22 @@
 
 namespace {
 
-/// InstructionSet by what they were counted as.
+/// Numbers of instructions by the name of the count.
 using Counts = QMap<QString, double>;
 
-/// What `text`, a profile, was counted as, and how many instructions.
+/// Adds the name and the number of instructions of the callgrind profile `text` to `counts`.
 void addCount(const QString &text, Counts &counts)
 {
     static const QRegularExpression name("^desc: Trigger: Client Request: (.*)$",
                                          QRegularExpression::MultilineOption);
     static const QRegularExpression total("^totals: (\\d+)$", QRegularExpression::MultilineOption);
-    const auto named = name.match(text), counted = total.match(text);
-    if (named.hasMatch() && counted.hasMatch())
-        counts[named.captured(1)] = counted.captured(1).toDouble();
+    const auto nameMatch = name.match(text), totalMatch = total.match(text);
+    if (nameMatch.hasMatch() && totalMatch.hasMatch())
+        counts[nameMatch.captured(1)] = totalMatch.captured(1).toDouble();
 }
 
-/// Runs the counting program. Empty when that fails; `why` says how.
-Counts countsOf(const QString &scene, const QString &method, QString &why)
+/// Runs the counting program. Returns nothing if it fails, with the reason in `reason`.
+Counts countsOf(const QString &scene, const QString &method, QString &reason)
 {
     const QTemporaryDir folder;
     QProcess valgrind;
@@ -30,7 +30,7 @@ Counts countsOf(const QString &scene, const QString &method, QString &why)
     valgrind.start(VALGRIND, {"--quiet", "--tool=callgrind", "--callgrind-out-file=counts",
                               "--instr-atstart=no", INSTRUCTIONS, scene, method});
     const bool isDone = valgrind.waitForFinished(300'000);
-    why = valgrind.errorString() + valgrind.readAllStandardError();
+    reason = valgrind.errorString() + valgrind.readAllStandardError();
     Counts counts;
     if (!isDone || valgrind.exitStatus() != QProcess::NormalExit || valgrind.exitCode() != 0)
         return counts;
@@ -42,13 +42,13 @@ Counts countsOf(const QString &scene, const QString &method, QString &why)
     return counts;
 }
 
-/// The counts whose names begin with `beginning`, by the rest of the name.
-Counts under(const Counts &counts, const QString &beginning)
+/// Returns the counts whose names begin with `prefix`, by the rest of the name.
+Counts withPrefix(const Counts &counts, const QString &prefix)
 {
     Counts found;
     for (auto it = counts.begin(); it != counts.end(); ++it) {
-        if (it.key().startsWith(beginning))
-            found[it.key().mid(beginning.size())] = it.value();
+        if (it.key().startsWith(prefix))
+            found[it.key().mid(prefix.size())] = it.value();
     }
     return found;
 }
@@ -58,15 +58,15 @@ bool isWithin(double share, double a, double b)
     return std::abs(a - b) <= share * std::abs(b);
 }
 
-/// What each effect takes by its phases, their calls included, and what the method's own take ("").
-Counts apart(const Counts &counts)
+/// Returns the instructions of each effect's phases, and those of the method's phases and preludes under "".
+Counts countsByEffect(const Counts &counts)
 {
     Counts found;
-    const Counts phases = under(counts, "phase "), preludes = under(counts, "prelude ");
+    const Counts phases = withPrefix(counts, "phase "), preludes = withPrefix(counts, "prelude ");
     for (auto it = phases.begin(); it != phases.end(); ++it) { // "0 effect gravity", "2 rest kick"
-        const QString whose = it.key().section(' ', 1, 1) == "effect" ? it.key().section(' ', 2) : QString();
+        const QString effect = it.key().section(' ', 1, 1) == "effect" ? it.key().section(' ', 2) : QString();
         const double prelude = preludes.contains(it.key()) ? preludes[it.key()] : 0.0;
-        found[whose] += it.value() - prelude;
+        found[effect] += it.value() - prelude;
         found[{}] += prelude;
     }
     return found;
@@ -82,7 +82,7 @@ QByteArray text(const Counts &counts)
 
 }
 
-/// What effects cost, in instructions: they are the same on every run, whatever else a computer does.
+/// The cost of effects in instructions, which are the same on every run.
 class TestInstructions : public QObject
 {
     Q_OBJECT
@@ -97,15 +97,15 @@ class TestInstructions : public QObject
         }
     }
 
-    /// Counted once for all tests.
-    Counts countsOfRow(QString &why)
+    /// Returns the counts of the current row. Each scene and method is counted only once.
+    Counts currentCounts(QString &reason)
     {
         QFETCH(QString, scene);
         QFETCH(QString, method);
-        Counts &known = m_known[scene + ' ' + method];
-        if (known.isEmpty())
-            known = countsOf(scene, method, why);
-        return known;
+        Counts &cached = m_known[scene + ' ' + method];
+        if (cached.isEmpty())
+            cached = countsOf(scene, method, reason);
+        return cached;
     }
 
     QMap<QString, Counts> m_known;
@@ -117,21 +117,21 @@ private slots:
                  "valgrind is missing: install it (Debian: valgrind) and configure the build again.");
     }
 
-    void takingAnEffectOutSavesWhatItTakes_data()
+    void removedEffectSavesItsCost_data()
     {
         addRows({"creature in a room", "walkers"},
                 {"published", "semi_implicit_euler", "position_verlet", "velocity_verlet", "rk4"});
     }
-    void takingAnEffectOutSavesWhatItTakes()
+    void removedEffectSavesItsCost()
     {
-        QString why;
-        const Counts counts = countsOfRow(why);
-        QVERIFY2(counts.size() > 10, qPrintable(why));
+        QString reason;
+        const Counts counts = currentCounts(reason);
+        QVERIFY2(counts.size() > 10, qPrintable(reason));
         const double frame = counts["frame"] - counts["nothing"];
-        const Counts parts = apart(counts);
-        const Counts without = under(counts, "without ");
+        const Counts byEffect = countsByEffect(counts);
+        const Counts without = withPrefix(counts, "without ");
         double sum = 0.0;
-        for (auto it = parts.begin(); it != parts.end(); ++it) {
+        for (auto it = byEffect.begin(); it != byEffect.end(); ++it) {
             sum += it.value();
             if (it.key().isEmpty())
                 continue;
@@ -141,46 +141,47 @@ private slots:
                 qPrintable(
                     QString("%1 takes %2, without it %3 less").arg(it.key()).arg(it.value()).arg(saved)));
         }
-        QVERIFY2(isWithin(0.1, sum, frame), text(parts) + " of " + QByteArray::number(frame));
+        QVERIFY2(isWithin(0.1, sum, frame), text(byEffect) + " of " + QByteArray::number(frame));
     }
 
-    void whatIsNotListedTakesNothing_data()
+    void idleAndDisabledEffectsCostNothing_data()
     {
         addRows({"creature in a room", "walkers"}, {"published", "semi_implicit_euler", "rk4"});
     }
-    void whatIsNotListedTakesNothing()
+    void idleAndDisabledEffectsCostNothing()
     {
-        QString why;
-        const Counts counts = countsOfRow(why);
-        QVERIFY2(counts.size() > 10, qPrintable(why));
+        QString reason;
+        const Counts counts = currentCounts(reason);
+        QVERIFY2(counts.size() > 10, qPrintable(reason));
         QCOMPARE(counts["with an idle one"], counts["frame"]);
-        const Counts without = under(counts, "without "), off = under(counts, "switched off ");
+        const Counts without = withPrefix(counts, "without "), disabled = withPrefix(counts, "switched off ");
         QVERIFY(without.size() > 3);
         for (auto it = without.begin(); it != without.end(); ++it)
-            QVERIFY2(off[it.key()] == it.value(), qPrintable(it.key()));
+            QVERIFY2(disabled[it.key()] == it.value(), qPrintable(it.key()));
     }
 
-    /// Methods that compute effects within phases of their own: calling one again takes what one more call in place
-    /// does; and all of them with what stays of the frame make up the frame.
-    void whatAMethodComputesOnItsWayAddsUp_data()
+    /// For methods that compute several effects within one phase. Repeating a call alone costs as much as
+    /// repeating it within the frame. All calls and the rest of the frame add up to the frame.
+    void costsWithinAPhaseAddUp_data()
     {
         addRows({"creature in a room"}, {"dormand_prince", "dop853", "rkn86", "backward_euler", "tr_bdf2"});
     }
-    void whatAMethodComputesOnItsWayAddsUp()
+    void costsWithinAPhaseAddUp()
     {
-        QString why;
-        const Counts counts = countsOfRow(why);
-        QVERIFY2(counts.size() > 10, qPrintable(why));
+        QString reason;
+        const Counts counts = currentCounts(reason);
+        QVERIFY2(counts.size() > 10, qPrintable(reason));
         const double frame = counts["frame"] - counts["nothing"];
         const double rest = frame - (counts["twice"] - counts["once"]);
         double sum = rest;
-        const Counts again = under(counts, "again "), more = under(counts, "again and again ");
+        const Counts again = withPrefix(counts, "again "), more = withPrefix(counts, "again and again ");
         for (auto it = more.begin(); it != more.end(); ++it) {
-            const double own = it.value() - again[it.key()];
+            const double extraCall = it.value() - again[it.key()];
             const double inPlace = counts["twice " + it.key()] - counts["once"];
-            sum += own;
-            QVERIFY2(isWithin(0.1, own, inPlace) || std::abs(own - inPlace) < 0.01 * frame,
-                     qPrintable(QString("%1 takes %2, in place %3").arg(it.key()).arg(own).arg(inPlace)));
+            sum += extraCall;
+            QVERIFY2(
+                isWithin(0.1, extraCall, inPlace) || std::abs(extraCall - inPlace) < 0.01 * frame,
+                qPrintable(QString("%1 takes %2, in place %3").arg(it.key()).arg(extraCall).arg(inPlace)));
         }
         QVERIFY2(isWithin(0.1, sum, frame),
                  qPrintable(QString("%1 of %2, rest %3").arg(sum).arg(frame).arg(rest)));

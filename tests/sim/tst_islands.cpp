@@ -12,10 +12,10 @@
 
 namespace {
 
-using Runs = std::vector<sim::PointRange>;
+using Ranges = std::vector<sim::PointRange>;
 
-/// `points` points with springs between some, and nothing else.
-sim::Scene sprung(int points, const std::vector<sim::Link> &links)
+/// Returns `points` points with springs and gravity.
+sim::Scene pointsWithSprings(int points, const std::vector<sim::Link> &links)
 {
     sim::Scene scene;
     scene.start = sim::State::ofPoints(points);
@@ -24,55 +24,54 @@ sim::Scene sprung(int points, const std::vector<sim::Link> &links)
     return scene;
 }
 
-/// For each two points whether springs lead from one to the other: by squaring the table of neighbours until it
-/// stays as it is.
-std::vector<std::vector<bool>> reach(int points, const std::vector<sim::Link> &links)
+/// Returns for each pair of points whether springs connect them, by Warshall's algorithm.
+std::vector<std::vector<bool>> connectivity(int points, const std::vector<sim::Link> &links)
 {
     const auto size = static_cast<std::size_t>(points);
-    std::vector<std::vector<bool>> reaches(size, std::vector<bool>(size, false));
+    std::vector<std::vector<bool>> connected(size, std::vector<bool>(size, false));
     for (std::size_t i = 0; i < size; ++i)
-        reaches[i][i] = true;
+        connected[i][i] = true;
     for (const sim::Link &link : links) {
         const auto a = static_cast<std::size_t>(link.mover), b = static_cast<std::size_t>(link.anchor);
-        reaches[a][b] = reaches[b][a] = true;
+        connected[a][b] = connected[b][a] = true;
     }
-    for (std::size_t by = 0; by < size; ++by)
+    for (std::size_t via = 0; via < size; ++via)
         for (std::size_t a = 0; a < size; ++a)
             for (std::size_t b = 0; b < size; ++b)
-                reaches[a][b] = reaches[a][b] || (reaches[a][by] && reaches[by][b]);
-    return reaches;
+                connected[a][b] = connected[a][b] || (connected[a][via] && connected[via][b]);
+    return connected;
 }
 
 }
 
-/// Which parts of a scene nothing ties to each other.
-class Islands : public QObject
+/// The islands of a scene: points that no coupling joins to others.
+class TestIslands : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void eachCreatureOfACrowdIsOne()
+    void eachCreatureOfACrowdIsAnIsland()
     {
         const auto islands = sim::islandsOf(bench::crowd::inTheRoom(7));
         QCOMPARE(islands.size(), std::size_t{7});
         for (int creature = 0; creature < 7; ++creature) {
-            const Runs &runs = islands[static_cast<std::size_t>(creature)];
-            QCOMPARE(runs.size(), std::size_t{6});
+            const Ranges &ranges = islands[static_cast<std::size_t>(creature)];
+            QCOMPARE(ranges.size(), std::size_t{6});
             for (int foot = -1; foot < 5; ++foot) {
-                const sim::PointRange range = runs[static_cast<std::size_t>(foot + 1)];
+                const sim::PointRange range = ranges[static_cast<std::size_t>(foot + 1)];
                 QCOMPARE(range.first, bench::crowd::pointOf(7, creature, foot));
                 QCOMPARE(range.count, 1);
             }
         }
     }
 
-    void twoPointsShareOneIfSpringsLeadFromOneToTheOther_data()
+    void pointsShareAnIslandIfSpringsConnectThem_data()
     {
         QTest::addColumn<int>("links");
         for (const int links : {0, 5, 20, 35, 60})
             QTest::addRow("%d springs", links) << links;
     }
-    void twoPointsShareOneIfSpringsLeadFromOneToTheOther()
+    void pointsShareAnIslandIfSpringsConnectThem()
     {
         QFETCH(int, links);
         constexpr int points = 50;
@@ -80,7 +79,7 @@ private slots:
         std::vector<sim::Link> springs;
         for (int i = 0; i < links; ++i)
             springs.push_back({dice.whole(0, points - 1), dice.whole(0, points - 1)});
-        const auto islands = sim::islandsOf(sprung(points, springs));
+        const auto islands = sim::islandsOf(pointsWithSprings(points, springs));
         std::vector<int> islandOf(points, -1);
         int before = -1;
         for (std::size_t island = 0; island < islands.size(); ++island) {
@@ -88,7 +87,7 @@ private slots:
             before = islands[island].front().first;
             int end = -1;
             for (const sim::PointRange &range : islands[island]) {
-                QVERIFY(range.count > 0 && range.first > end); // apart: neighbours are one run
+                QVERIFY(range.count > 0 && range.first > end); // neighbours are in one range
                 end = range.end();
                 for (int i = range.first; i < range.end(); ++i) {
                     QCOMPARE(islandOf[static_cast<std::size_t>(i)], -1);
@@ -96,19 +95,19 @@ private slots:
                 }
             }
         }
-        const auto reaches = reach(points, springs);
+        const auto connected = connectivity(points, springs);
         for (std::size_t a = 0; a < points; ++a) {
             for (std::size_t b = 0; b < points; ++b)
-                QCOMPARE(islandOf[a] == islandOf[b], bool(reaches[a][b]));
+                QCOMPARE(islandOf[a] == islandOf[b], bool(connected[a][b]));
         }
     }
 
-    void whatSeesTheSceneMakesOneOfAll()
+    void effectThatDependsOnTheSceneJoinsAllPoints()
     {
-        sim::Scene scene = sprung(4, {{0, 1}, {2, 3}});
+        sim::Scene scene = pointsWithSprings(4, {{0, 1}, {2, 3}});
         QCOMPARE(sim::islandsOf(scene).size(), std::size_t{2});
         scene.effects.push_back(std::make_shared<sim::GaitClock>());
-        QCOMPARE(sim::islandsOf(scene).size(), std::size_t{2}); // no clock to turn
+        QCOMPARE(sim::islandsOf(scene).size(), std::size_t{2}); // the scene has no clocks
         scene.start.gait.setZero(1);
         scene.start.gaitSpeed.setZero(1);
         const auto islands = sim::islandsOf(scene);
@@ -117,9 +116,9 @@ private slots:
         QCOMPARE(islands[0][0].count, 4);
     }
 
-    void pointsThatPushEachOtherAreOne()
+    void pointsThatPushEachOtherShareAnIsland()
     {
-        sim::Scene scene = sprung(6, {{0, 1}, {2, 3}});
+        sim::Scene scene = pointsWithSprings(6, {{0, 1}, {2, 3}});
         scene.effects.push_back(
             std::make_shared<sim::Push>(std::vector<int>{1, 2, 5}, 0.1, 30.0, sim::Reaction::equal));
         const auto islands = sim::islandsOf(scene);
@@ -131,5 +130,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(Islands)
+QTEST_GUILESS_MAIN(TestIslands)
 #include "tst_islands.moc"

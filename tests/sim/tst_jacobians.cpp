@@ -1,4 +1,4 @@
-// How forces say that they change with places, against differences of what they add.
+// The Jacobians of forces and torques against finite differences.
 
 #include "sim/pipeline/pipeline.h"
 #include "support.h"
@@ -26,14 +26,14 @@ using support::Dice;
 
 namespace {
 
-constexpr int feet = 3; // and a body: four points
+constexpr int feet = 3; // with the body: four points
 constexpr double k = 0.23;
-constexpr double reach = 60.0; // px: nearer, points push each other
+constexpr double reach = 60.0; // px, distance below which points push each other
 
 using ForcePtr = std::shared_ptr<const Force>;
 using TorquePtr = std::shared_ptr<const Torque>;
 
-/// Points that feel all kinds of things: handles, light and heavy ones, one in a hand.
+/// Returns random points, some of them fixed, with different masses.
 State randomState(Dice &dice)
 {
     State state = State::ofPoints(feet + 1);
@@ -47,8 +47,8 @@ State randomState(Dice &dice)
     return state;
 }
 
-/// Whether slopes at `state` can be found from differences: nothing so near that pulls turn fast, and nothing about to
-/// begin or end touching.
+/// Returns whether finite differences are accurate at `state`: no points are so close that forces turn fast,
+/// and none is near the reach of a push.
 bool isSmooth(const State &state)
 {
     for (int i = 0; i < state.pointCount(); ++i) {
@@ -69,17 +69,17 @@ Eigen::MatrixXd matrixOf(const Jacobian &jacobian, int size)
     return matrix;
 }
 
-/// The derivative of `pulls(s)` at s = 0, to fourth order.
-template <class Pulls>
-Eigen::VectorXd difference(double delta, Pulls &&accelerations)
+/// Returns the derivative of `function(s)` at s = 0, to fourth order.
+template <class Function>
+Eigen::VectorXd difference(double delta, Function &&function)
 {
-    const Eigen::VectorXd near = accelerations(delta) - accelerations(-delta);
-    const Eigen::VectorXd far = accelerations(2 * delta) - accelerations(-2 * delta);
+    const Eigen::VectorXd near = function(delta) - function(-delta);
+    const Eigen::VectorXd far = function(2 * delta) - function(-2 * delta);
     return (8.0 * near - far) / (12.0 * delta);
 }
 
 Eigen::MatrixXd differences(const Force &force, const State &state, PointRange movers, double scale,
-                            DirectionRule way)
+                            DirectionRule directionRule)
 {
     const int size = 2 * state.pointCount();
     Eigen::MatrixXd matrix(size, size);
@@ -87,15 +87,15 @@ Eigen::MatrixXd differences(const Force &force, const State &state, PointRange m
         matrix.col(column) = difference(1e-2, [&](double by) -> Eigen::VectorXd {
             State moved = state;
             moved.position.data()[column] += by;
-            Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
-            force.add(moved, movers, scale, way, into);
-            return into.reshaped().matrix();
+            Eigen::ArrayX2d acceleration = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+            force.add(moved, movers, scale, directionRule, acceleration);
+            return acceleration.reshaped().matrix();
         });
     }
     return matrix;
 }
 
-/// Branches that branch twice, at odd angles.
+/// Returns a tree with two levels of branches at uneven angles.
 Tree oddTree()
 {
     Tree tree = Tree::ofTrunk(100.0);
@@ -115,7 +115,7 @@ State bentTree(const Tree &tree, Dice &dice)
     state.angle.resize(tree.branchCount());
     for (int i = 0; i < tree.branchCount(); ++i) {
         state.angle[i] = tree.rest[std::size_t(i)] + dice.real(-40, 40);
-        state.place(i, {dice.real(100, 400), dice.real(100, 400)}); // where a hand may hold it
+        state.place(i, {dice.real(100, 400), dice.real(100, 400)}); // held branches stay there
         state.inverseMass[i] = dice.chance(0.2) ? 0.0 : 1.0;
     }
     state.input.pointer = Vec2{dice.real(100, 500), dice.real(0, 100)};
@@ -123,8 +123,8 @@ State bentTree(const Tree &tree, Dice &dice)
     return state;
 }
 
-/// A force that does not know how it changes.
-class Steady : public Force
+/// A force without a Jacobian.
+class ForceWithoutJacobian : public Force
 {
 public:
     std::string id() const override { return "steady"; }
@@ -133,9 +133,9 @@ public:
     std::vector<Region> regions(DirectionRule) const override { return {{"file", "marker"}}; }
     int count(const State &, PointRange points) const override { return points.count; }
     void add(const State &, PointRange movers, double scale, DirectionRule,
-             Eigen::ArrayX2d &into) const override
+             Eigen::ArrayX2d &acceleration) const override
     {
-        into.middleRows(movers.first, movers.count) += scale;
+        acceleration.middleRows(movers.first, movers.count) += scale;
     }
     std::vector<LiveValue> explain(const State &, int, DirectionRule) const override { return {}; }
 };
@@ -146,7 +146,7 @@ Q_DECLARE_METATYPE(ForcePtr)
 Q_DECLARE_METATYPE(TorquePtr)
 Q_DECLARE_METATYPE(DirectionRule)
 
-class TestSlopes : public QObject
+class TestJacobians : public QObject
 {
     Q_OBJECT
 
@@ -165,7 +165,7 @@ private:
             {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(feet), k)},
             {"springs with an offset", std::make_shared<OffsetSpring>(scenes::legs(feet), k, 50)},
             {"radial springs", std::make_shared<RadialSpring>(scenes::legs(feet), k, 50)},
-            {"radial spring without a length", std::make_shared<RadialSpring>(scenes::legs(1), k, 0)},
+            {"radial spring of length 0", std::make_shared<RadialSpring>(scenes::legs(1), k, 0)},
             {"gravity", std::make_shared<Gravity>(0.5)},
             {"legs", legSpring(Aim::bone, Reaction::none)},
             {"swinging legs that the body feels", legSpring(Aim::swing, Reaction::equal)},
@@ -173,20 +173,20 @@ private:
             {"push and reaction",
              std::make_shared<Push>(std::vector<int>{0, 1, 3}, k, reach, Reaction::equal)},
             {"motor", std::make_shared<Motor>(2, k, 0.25)},
-            {"springs of their own",
+            {"springs with individual stiffness",
              std::make_shared<Springs>(std::vector<Spring>{{0, feet, k, 50}, {1, 2, 0.4 * k, 20}}, feet + 1)},
             {"wind", std::make_shared<Breeze>(BreezeStrength{0.4, 0.7},
                                               Eigen::ArrayXd::LinSpaced(feet + 1, 5, 30), 0)},
         };
         for (const auto &[name, force] : forces) {
-            QTest::addRow("%s, apart", name) << force << DirectionRule::regularised;
+            QTest::addRow("%s, regularised", name) << force << DirectionRule::regularised;
             QTest::addRow("%s, as published", name) << force << DirectionRule::published;
         }
     }
 
 private slots:
-    void aForceChangesByItsSlopes_data() { addForceRows(); }
-    void aForceChangesByItsSlopes()
+    void forceJacobianMatchesDifferences_data() { addForceRows(); }
+    void forceJacobianMatchesDifferences()
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
@@ -201,16 +201,17 @@ private slots:
             const PointRange movers = {first, state.pointCount() - 2 * first};
             Jacobian jacobian(state.pointCount());
             QVERIFY(force->addJacobian(state, movers, 0.7, directionRule, jacobian));
-            const Eigen::MatrixXd told = matrixOf(jacobian, 2 * state.pointCount());
-            const Eigen::MatrixXd found = differences(*force, state, movers, 0.7, directionRule);
-            // Pulls of 100 px k to 1e-16 over 1e-2 px; at 5 px the fifth derivative is 1e-1.
-            QVERIFY2((told - found).cwiseAbs().maxCoeff() < 1e-7,
-                     qPrintable(QString::number((told - found).cwiseAbs().maxCoeff())));
+            const Eigen::MatrixXd returned = matrixOf(jacobian, 2 * state.pointCount());
+            const Eigen::MatrixXd differenced = differences(*force, state, movers, 0.7, directionRule);
+            // Rounding gives 100 px k 1e-16 / 1e-2 px. Truncation is larger, as the fifth derivative is 1e-1
+            // at 5 px.
+            QVERIFY2((returned - differenced).cwiseAbs().maxCoeff() < 1e-7,
+                     qPrintable(QString::number((returned - differenced).cwiseAbs().maxCoeff())));
         }
     }
 
-    void slopesAreFiniteWhereAllIsInOnePlace_data() { addForceRows(); }
-    void slopesAreFiniteWhereAllIsInOnePlace()
+    void jacobianIsFiniteForCoincidentPoints_data() { addForceRows(); }
+    void jacobianIsFiniteForCoincidentPoints()
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
@@ -219,11 +220,11 @@ private slots:
         Jacobian jacobian(state.pointCount());
         QVERIFY(force->addJacobian(state, {0, state.pointCount()}, 1.0, directionRule, jacobian));
         for (const Jacobian::Entry &entry : jacobian.entries())
-            QVERIFY(std::abs(entry.value) <= 2 * k); // none is stiffer than its spring
+            QVERIFY(std::abs(entry.value) <= 2 * k); // bounded by the stiffness of the spring
     }
 
-    void whatFeelsNothingHasNoSlope_data() { addForceRows(); }
-    void whatFeelsNothingHasNoSlope()
+    void fixedPointsHaveNoJacobian_data() { addForceRows(); }
+    void fixedPointsHaveNoJacobian()
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
@@ -235,17 +236,17 @@ private slots:
         QVERIFY(jacobian.entries().empty());
     }
 
-    void aTorqueChangesByItsSlopes_data()
+    void torqueJacobianMatchesDifferences_data()
     {
         QTest::addColumn<TorquePtr>("torque");
         const auto tree = std::make_shared<const Tree>(oddTree());
-        const BranchMechanics limbs = branchMechanicsOf(*tree, k);
-        QTest::newRow("joints that spring back") << TorquePtr(std::make_shared<Torsion>(tree, limbs));
+        const BranchMechanics mechanics = branchMechanicsOf(*tree, k);
+        QTest::newRow("joints that spring back") << TorquePtr(std::make_shared<Torsion>(tree, mechanics));
         QTest::newRow("steady wind") << TorquePtr(
-            std::make_shared<WindTorque>(tree, limbs.inertia, 8.0, 0.0));
-        QTest::newRow("gusts") << TorquePtr(std::make_shared<WindTorque>(tree, limbs.inertia, 8.0, 0.5));
+            std::make_shared<WindTorque>(tree, mechanics.inertia, 8.0, 0.0));
+        QTest::newRow("gusts") << TorquePtr(std::make_shared<WindTorque>(tree, mechanics.inertia, 8.0, 0.5));
     }
-    void aTorqueChangesByItsSlopes()
+    void torqueJacobianMatchesDifferences()
     {
         QFETCH(TorquePtr, torque);
         const auto tree = std::make_shared<const Tree>(oddTree());
@@ -256,39 +257,40 @@ private slots:
         while (compared < 200) {
             State state = bentTree(*tree, dice);
             joints.drive(state, 0.0);
-            bool smooth = true;
+            bool isSmoothHere = true;
             for (int i = 0; i < state.pointCount(); ++i) {
                 const Vec2 end = endOf(*tree, state, i, degreesPerRadian);
                 const double far = length(end - *state.input.pointer);
-                // nearer than 100 px the wind grows no more; very near it turns fast
-                smooth = smooth && far > 10.0 && std::abs(far - 100.0) > 0.5;
+                // the strength of the wind is constant below 100 px, and its direction turns fast close to
+                // the pointer
+                isSmoothHere = isSmoothHere && far > 10.0 && std::abs(far - 100.0) > 0.5;
             }
-            if (!smooth)
+            if (!isSmoothHere)
                 continue;
             ++compared;
             const int points = state.pointCount();
             Jacobian jacobian(points);
             QVERIFY(torque->addJacobian(state, {0, points}, 0.7, jacobian));
-            const Eigen::MatrixXd told = matrixOf(jacobian, 3 * points);
-            QVERIFY(told.topRows(2 * points).isZero(0.0) && told.leftCols(2 * points).isZero(0.0));
+            const Eigen::MatrixXd returned = matrixOf(jacobian, 3 * points);
+            QVERIFY(returned.topRows(2 * points).isZero(0.0) && returned.leftCols(2 * points).isZero(0.0));
             for (int branch = 0; branch < points; ++branch) {
-                const Eigen::VectorXd found = difference(1e-2, [&](double by) -> Eigen::VectorXd {
+                const Eigen::VectorXd differenced = difference(1e-2, [&](double by) -> Eigen::VectorXd {
                     State turned = state;
                     turned.angle[branch] += by;
                     joints.drive(turned, 0.0);
-                    Eigen::ArrayXd into = Eigen::ArrayXd::Zero(points);
-                    torque->add(turned, {0, points}, 0.7, into);
-                    return into.matrix();
+                    Eigen::ArrayXd acceleration = Eigen::ArrayXd::Zero(points);
+                    torque->add(turned, {0, points}, 0.7, acceleration);
+                    return acceleration.matrix();
                 });
-                const Eigen::VectorXd wrong = told.col(2 * points + branch).tail(points) - found;
-                QVERIFY2(wrong.cwiseAbs().maxCoeff() < 1e-8, qPrintable(QString::number(wrong.norm())));
-                largest = std::max(largest, found.cwiseAbs().maxCoeff());
+                const Eigen::VectorXd error = returned.col(2 * points + branch).tail(points) - differenced;
+                QVERIFY2(error.cwiseAbs().maxCoeff() < 1e-8, qPrintable(QString::number(error.norm())));
+                largest = std::max(largest, differenced.cwiseAbs().maxCoeff());
             }
         }
-        QVERIFY(largest > 1e-3); // there was something to compare
+        QVERIFY(largest > 1e-3); // the torque does change
     }
 
-    void windThatDoesNotBlowHasNoSlope()
+    void calmWindHasNoJacobian()
     {
         const auto tree = std::make_shared<const Tree>(oddTree());
         const WindTorque wind(tree, branchMechanicsOf(*tree, k).inertia, 8.0, 0.5);
@@ -300,14 +302,14 @@ private slots:
         QVERIFY(jacobian.entries().empty());
     }
 
-    void aForceWithoutSlopesIsRefusedByMethodsThatNeedThem()
+    void implicitMethodsRefuseAForceWithoutJacobian()
     {
         Scene scene = scenes::creature(feet);
-        scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Steady>()};
+        scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<ForceWithoutJacobian>()};
         int refused = 0;
         for (const MethodPtr &method : allMethods()) {
             const std::vector<std::string> needs = method->requirements();
-            if (std::find(needs.begin(), needs.end(), "slopes") == needs.end())
+            if (std::find(needs.begin(), needs.end(), "jacobian") == needs.end())
                 continue;
             try {
                 compose(scene, *method, StepSize::ofLength(1.0));
@@ -323,5 +325,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSlopes)
+QTEST_APPLESS_MAIN(TestJacobians)
 #include "tst_jacobians.moc"

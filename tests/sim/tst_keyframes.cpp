@@ -1,4 +1,4 @@
-// How much memory the past takes, and what it costs to return to it.
+// The memory that keyframes take.
 
 #include "support.h"
 
@@ -11,7 +11,7 @@ namespace {
 Script creature(double h = 1.0)
 {
     support::Sample sample = support::sample("creature in a room");
-    sample.values.set("k", 0.02); // holds at every step used here
+    sample.values.set("k", 0.02); // stable at every step used here
     return support::script(sample, "semi_implicit_euler", h);
 }
 
@@ -22,7 +22,7 @@ std::size_t startBytes()
 
 }
 
-class TestHistory : public QObject
+class TestKeyframes : public QObject
 {
     Q_OBJECT
 
@@ -42,7 +42,7 @@ private slots:
         QFETCH(double, h);
         const auto limit = std::size_t(budget);
         Track track(creature(h), limit);
-        for (int row = 0; row < 2000; ++row) {
+        for (int step = 0; step < 2000; ++step) {
             track.seek({track.cursor().frame + track.framesPerOutput(), 0});
             QVERIFY(track.keyframeBytes() <= limit);
         }
@@ -53,32 +53,31 @@ private slots:
         }
     }
 
-    void spacingDoublesWhenTheBudgetIsFull()
+    void keyframeSpacingDoublesWhenTheBudgetIsFull()
     {
-        // Room for 8 states: after n rows, the states are those of every multiple of the least power of two
-        // with which they fit.
-        const std::size_t one = startBytes();
-        Track track(creature(), 8 * one);
-        for (int rows = 1; rows <= 300; ++rows) {
-            track.seek({rows, 0});
+        // The budget fits 8 states. The spacing is the smallest power of two with which the keyframes fit.
+        const std::size_t stateBytes = startBytes();
+        Track track(creature(), 8 * stateBytes);
+        for (int steps = 1; steps <= 300; ++steps) {
+            track.seek({steps, 0});
             int spacing = 1;
-            while (rows / spacing + 1 > 8)
+            while (steps / spacing + 1 > 8)
                 spacing *= 2;
-            QCOMPARE(track.keyframeCount(), std::size_t(rows / spacing + 1));
-            QCOMPARE(track.keyframeBytes(), track.keyframeCount() * one);
+            QCOMPARE(track.keyframeCount(), std::size_t(steps / spacing + 1));
+            QCOMPARE(track.keyframeBytes(), track.keyframeCount() * stateBytes);
         }
     }
 
     void everyFrameOfTenMinutesFitsTheDefaultBudget()
     {
-        // Awake all the time: what rests keeps fewer.
+        // Without sleeping, because a run at rest keeps fewer states.
         Track track(creature(), Timeline::defaultBudget / 2, Sleeping::never);
         track.seek({18'000, 0});
         QCOMPARE(track.keyframeCount(), std::size_t(18'001));
         QVERIFY(track.keyframeBytes() < Timeline::defaultBudget / 8);
     }
 
-    void withoutABudgetOnlyTheStartIsKept()
+    void onlyTheStartIsKeptWithoutABudget()
     {
         Track track(creature(), 0);
         track.seek({500, 0});
@@ -86,7 +85,7 @@ private slots:
         QCOMPARE(track.keyframeCount(), std::size_t(1));
     }
 
-    void aSmallerBudgetDropsStates()
+    void smallerBudgetDropsKeyframes()
     {
         Track track(creature(), 1'000'000);
         track.seek({1000, 0});
@@ -97,7 +96,7 @@ private slots:
         QVERIFY(track.keyframeBytes() <= 10'000);
     }
 
-    void runAndGhostShareTheBudget()
+    void runAndComparisonRunShareTheBudget()
     {
         constexpr std::size_t budget = 60'000;
         Timeline timeline(creature(), budget);
@@ -113,7 +112,7 @@ private slots:
         QVERIFY(timeline.keyframeBytes() <= budget / 2);
     }
 
-    void whatAnEditInvalidatesIsForgotten()
+    void editDropsLaterKeyframes()
     {
         Timeline timeline(creature());
         timeline.seek({100, 0});
@@ -127,5 +126,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHistory)
+QTEST_APPLESS_MAIN(TestKeyframes)
 #include "tst_keyframes.moc"

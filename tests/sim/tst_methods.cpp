@@ -17,8 +17,8 @@ using namespace sim;
 
 namespace {
 
-/// The slope of log2(error) over log2(h) between the two smallest steps.
-double slope(const std::vector<double> &errors)
+/// Returns the order of convergence between the two smallest steps, which differ by a factor of 2.
+double measuredOrder(const std::vector<double> &errors)
 {
     return std::log2(errors[errors.size() - 2] / errors.back());
 }
@@ -28,7 +28,7 @@ double distance(const State &a, const State &b)
     return std::max((a.position - b.position).abs().maxCoeff(), (a.velocity - b.velocity).abs().maxCoeff());
 }
 
-/// A body with five feet in the air: nothing in it jumps, so all methods have their order.
+/// Returns a creature in the air. No velocity jumps, so all methods have their order.
 Scene smoothScene()
 {
     Scene scene = scenes::springCreature(5, 0.1, 50.0);
@@ -45,7 +45,7 @@ Scene oscillator(double k, double damp)
     return scene;
 }
 
-/// x'' = -k x - c x' with c = -ln(damp), solved by its two roots (which may be complex).
+/// Returns the solution of x'' = -k x - c x' with c = -ln(damp) from its two roots, which may be complex.
 double closedForm(double x0, double v0, double k, double damp, double t)
 {
     using Complex = std::complex<double>;
@@ -71,7 +71,7 @@ private:
     }
 
 private slots:
-    void methodsConvergeToEachOtherWithOrderOne()
+    void publishedAndSemiImplicitConvergeWithOrderOne()
     {
         const Scene scene = smoothScene();
         std::vector<double> errors;
@@ -81,7 +81,8 @@ private slots:
                                       support::plainRun(scene, "semi_implicit_euler", h, 20)));
         }
         QVERIFY2(errors.back() > 1e-9, "the two methods compute the same: nothing is measured");
-        QVERIFY2(std::abs(slope(errors) - 1.0) < 0.1, qPrintable(QString::number(slope(errors))));
+        QVERIFY2(std::abs(measuredOrder(errors) - 1.0) < 0.1,
+                 qPrintable(QString::number(measuredOrder(errors))));
     }
 
     void methodsConvergeToTheDampedOscillator_data()
@@ -92,8 +93,8 @@ private slots:
         for (const MethodPtr &method : support::fixedMethods()) {
             const QString id = QString::fromStdString(method->id());
             const std::string title = method->title();
-            QTest::addRow("%s, swinging", title.c_str()) << id << 0.2 << 0.9;
-            QTest::addRow("%s, creeping", title.c_str()) << id << 0.05 << 0.5;
+            QTest::addRow("%s, underdamped", title.c_str()) << id << 0.2 << 0.9;
+            QTest::addRow("%s, overdamped", title.c_str()) << id << 0.05 << 0.5;
             QTest::addRow("%s, undamped", title.c_str()) << id << 0.2 << 1.0;
         }
     }
@@ -113,7 +114,8 @@ private slots:
             errors.push_back(std::abs(end.positionOf(0).x - exact));
         }
         QVERIFY2(errors.back() < 0.1, qPrintable(QString::number(errors.back())));
-        QVERIFY2(std::abs(slope(errors) - order) < 0.15, qPrintable(QString::number(slope(errors))));
+        QVERIFY2(std::abs(measuredOrder(errors) - order) < 0.15,
+                 qPrintable(QString::number(measuredOrder(errors))));
     }
 
     void dampingWithoutForceIsExactAtAnyStep_data() { addMethodRows(); }
@@ -124,16 +126,16 @@ private slots:
         scene.effects.erase(scene.effects.begin());
         for (const double h : {0.001, 0.125, 1.0 / 3, 1.0, 2.0, 10.0}) {
             const State end = support::plainRun(scene, method.toStdString(), h, 30);
-            const double kept = std::pow(0.9, 30);
-            // Each of the 30/h products rounds once, and keep itself is wrong by half a bit in each.
+            const double factor = std::pow(0.9, 30);
+            // Each of the 30/h products is rounded once, and each factor is off by half a bit.
             const double tolerance = 1.2e-16 * 2 * (30 / h);
-            QVERIFY2(std::abs(end.velocityOf(0).x / (3.0 * kept) - 1.0) < tolerance,
+            QVERIFY2(std::abs(end.velocityOf(0).x / (3.0 * factor) - 1.0) < tolerance,
                      qPrintable(QString::number(h)));
-            QVERIFY(std::abs(end.velocityOf(0).y / (8.0 * kept) - 1.0) < tolerance);
+            QVERIFY(std::abs(end.velocityOf(0).y / (8.0 * factor) - 1.0) < tolerance);
         }
     }
 
-    void semiImplicitKeepsTheEnergyOfASpring_data()
+    void semiImplicitBoundsTheEnergyOfASpring_data()
     {
         QTest::addColumn<double>("k");
         QTest::newRow("soft") << 0.01;
@@ -141,7 +143,7 @@ private slots:
         QTest::newRow("stiff") << 2.0;
         QTest::newRow("near the limit of 4") << 3.9;
     }
-    void semiImplicitKeepsTheEnergyOfASpring()
+    void semiImplicitBoundsTheEnergyOfASpring()
     {
         QFETCH(double, k);
         Scene scene = oscillator(k, 1.0);
@@ -149,13 +151,13 @@ private slots:
         const Pipeline frame = compose(scene, *findMethod("semi_implicit_euler"), StepSize::ofLength(1.0));
         State state = scene.start;
         findMethod("semi_implicit_euler")->prepareState(state);
-        // Semi-implicit Euler keeps v^2 + k x^2 - h k x v to rounding, and the energy within a factor that this
-        // form sets: Hairer, Lubich and Wanner, "Geometric numerical integration", section IX.3.
-        const auto kept = [&] {
+        // Semi-implicit Euler conserves v^2 + k x^2 - h k x v to rounding, which bounds the energy: Hairer,
+        // Lubich and Wanner, "Geometric numerical integration", section IX.3.
+        const auto invariant = [&] {
             const Vec2 x = state.positionOf(0), v = state.velocityOf(0);
             return v.x * v.x + k * x.x * x.x - k * x.x * v.x;
         };
-        const double start = kept();
+        const double start = invariant();
         const double root = std::sqrt(k);
         for (int i = 0; i < 100'000; ++i) {
             for (const Phase &phase : frame.phases)
@@ -165,26 +167,27 @@ private slots:
             QVERIFY(energy >= start / (1 + root / 2) * (1 - 1e-10));
             QVERIFY(energy <= start / (1 - root / 2) * (1 + 1e-10));
         }
-        QVERIFY2(std::abs(kept() / start - 1.0) < 1e-10, qPrintable(QString::number(kept() / start - 1.0)));
+        QVERIFY2(std::abs(invariant() / start - 1.0) < 1e-10,
+                 qPrintable(QString::number(invariant() / start - 1.0)));
     }
 
-    void symplecticMethodsKeepTheEnergyOfASpringForEver_data()
+    void symplecticMethodsBoundTheEnergyForAMillionFrames_data()
     {
         QTest::addColumn<QString>("method");
-        QTest::addColumn<double>("most"); // how far the energy swings, as a share of its least
-        // Each keeps a quadratic form to rounding, and the energy swings between what the form allows (Hairer, Lubich
-        // and Wanner, "Geometric numerical integration", section IX.3). With k = 0.2 and h = 1:
-        // semi-implicit Euler v^2 + k x^2 - h k x v; velocity Verlet v^2 + k (1 - h^2 k / 4) x^2; position Verlet
-        // (1 - h^2 k / 4) v^2 + k x^2.
+        QTest::addColumn<double>("expected"); // largest energy / smallest energy - 1
+        // Each method conserves a quadratic form to rounding, which bounds the energy (Hairer, Lubich and
+        // Wanner, "Geometric numerical integration", section IX.3). With k = 0.2 and h = 1: semi-implicit
+        // Euler v^2 + k x^2 - h k x v; velocity Verlet v^2 + k (1 - h^2 k / 4) x^2; position Verlet (1 - h^2
+        // k / 4) v^2 + k x^2.
         const double k = 0.2, root = std::sqrt(k);
         QTest::newRow("semi-implicit Euler") << "semi_implicit_euler" << (1 + root / 2) / (1 - root / 2) - 1;
         QTest::newRow("position Verlet") << "position_verlet" << 1 / (1 - k / 4) - 1;
         QTest::newRow("velocity Verlet") << "velocity_verlet" << 1 / (1 - k / 4) - 1;
     }
-    void symplecticMethodsKeepTheEnergyOfASpringForEver()
+    void symplecticMethodsBoundTheEnergyForAMillionFrames()
     {
         QFETCH(QString, method);
-        QFETCH(double, most);
+        QFETCH(double, expected);
         Scene scene = oscillator(0.2, 1.0);
         scene.effects.pop_back();
         const MethodPtr rule = findMethod(method.toStdString());
@@ -192,33 +195,34 @@ private slots:
         rule->prepareState(scene.start);
         const Pipeline frame = compose(scene, *rule, StepSize::ofLength(1.0));
         State state = scene.start;
-        struct Swing
+        struct EnergyRange
         {
-            double least = HUGE_VAL, greatest = 0.0, mean = 0.0;
+            double lowest = HUGE_VAL, highest = 0.0, mean = 0.0;
         };
-        const auto watch = [&](int frames) {
-            Swing swing;
+        const auto energyRange = [&](int frames) {
+            EnergyRange range;
             for (int i = 0; i < frames; ++i) {
                 for (const Phase &phase : frame.phases)
                     phase.run(state);
                 const double energy = state.velocityOf(0).x * state.velocityOf(0).x +
                                       0.2 * state.positionOf(0).x * state.positionOf(0).x;
-                swing.least = std::min(swing.least, energy);
-                swing.greatest = std::max(swing.greatest, energy);
-                swing.mean += energy / frames;
+                range.lowest = std::min(range.lowest, energy);
+                range.highest = std::max(range.highest, energy);
+                range.mean += energy / frames;
             }
-            return swing;
+            return range;
         };
-        const Swing first = watch(10'000);
-        watch(980'000);
-        const Swing last = watch(10'000);
-        for (const Swing &swing : {first, last})
-            QVERIFY2(std::abs((swing.greatest / swing.least - 1) / most - 1) < 0.02,
-                     qPrintable(QString::number(swing.greatest / swing.least - 1)));
-        // Means over ten thousand frames differ by where in a swing they begin and end: by some parts in a million.
+        const EnergyRange first = energyRange(10'000);
+        energyRange(980'000);
+        const EnergyRange last = energyRange(10'000);
+        for (const EnergyRange &range : {first, last})
+            QVERIFY2(std::abs((range.highest / range.lowest - 1) / expected - 1) < 0.02,
+                     qPrintable(QString::number(range.highest / range.lowest - 1)));
+        // The means differ by some parts in a million, depending on the phases at which the ranges begin and
+        // end.
         QVERIFY2(std::abs(last.mean / first.mean - 1) < 1e-4,
                  qPrintable(QString::number(last.mean / first.mean - 1)));
-        QVERIFY(std::abs(last.greatest / first.greatest - 1) < 1e-4);
+        QVERIFY(std::abs(last.highest / first.highest - 1) < 1e-4);
     }
 
     void explicitEulerGainsEnergyAtEveryStep()
@@ -235,7 +239,7 @@ private slots:
         }
     }
 
-    void semiImplicitKeepsTheMomentumOfACreature()
+    void semiImplicitConservesTheMomentumOfACreature()
     {
         Scene scene = smoothScene();
         scene.effects.resize(1); // the springs
@@ -245,15 +249,16 @@ private slots:
         const double largest = end.velocity.abs().maxCoeff();
         for (int axis = 0; axis < 2; ++axis) {
             const double drift = end.velocity.col(axis).sum() - scene.start.velocity.col(axis).sum();
-            // Twelve roundings a frame that add up like a random walk: 1e-16 * 12 * sqrt(10^4), with room.
+            // Twelve rounding errors per frame add up like a random walk: 1e-16 * 12 * sqrt(10^4), with a
+            // margin.
             QVERIFY2(std::abs(drift) < 1e-12 * largest, qPrintable(QString::number(drift)));
         }
     }
 
-    void whatASticksEndsFallLikeEverythingElse_data() { addMethodRows(); }
-    void whatASticksEndsFallLikeEverythingElse()
+    void middleOfAStickFallsFreely_data() { addMethodRows(); }
+    void middleOfAStickFallsFreely()
     {
-        // Two points on a stick that turns as it falls: its middle falls freely, whatever constraints do to its ends.
+        // The stick turns as it falls. The constraint must not change the fall of its middle.
         QFETCH(QString, method);
         Scene scene = scenes::pointsAt({{240, 200}, {300, 200}});
         scene.start.setVelocity(0, {0, 1});
@@ -261,19 +266,20 @@ private slots:
         scene.effects = {std::make_shared<Gravity>(0.5),
                          std::make_shared<Sticks>(std::vector<Stick>{{0, 1, 60.0, 0.5}}, 2)};
         if (!support::fits(scene, *findMethod(method.toStdString())))
-            return; // methods that solve refuse sticks
-        const double h = 1.0 / 8, time = 40.0, way = 0.5 * 0.5 * time * time;
+            return; // implicit methods refuse sticks
+        const double h = 1.0 / 8, time = 40.0, freeFall = 0.5 * 0.5 * time * time;
         const State end = support::plainRun(scene, method.toStdString(), h, int(time));
         const double fallen = 0.5 * (end.positionOf(0).y + end.positionOf(1).y) - 200.0;
-        // Euler's methods take the pull at one end of each step: half a step's worth more or less.
-        const double off = findMethod(method.toStdString())->order() == 1 ? 0.25 * time * h : 0.0;
-        QVERIFY2(std::abs(std::abs(fallen - way) - off) < 1e-9, qPrintable(QString::number(fallen - way)));
+        // Euler methods apply the force at one end of the step, which adds or removes half a step.
+        const double expectedError = findMethod(method.toStdString())->order() == 1 ? 0.25 * time * h : 0.0;
+        QVERIFY2(std::abs(std::abs(fallen - freeFall) - expectedError) < 1e-9,
+                 qPrintable(QString::number(fallen - freeFall)));
         QVERIFY(std::abs(length(end.positionOf(0) - end.positionOf(1)) - 60.0) < 1e-9);
     }
 
     void publishedPairPropelsItself()
     {
-        // Known of the published order: at k = 0.3, damp = 0.9 the pair flies off, all at once it stays.
+        // The published method moves one point after the other, so the pair flies off at k = 0.3, damp = 0.9.
         Scene scene = scenes::springCreature(1, 0.3, 50.0);
         scene.start.place(0, {300, 230});
         scenes::add<Damping>(scene, 0.9);
@@ -281,7 +287,7 @@ private slots:
         QVERIFY(support::plainRun(scene, "semi_implicit_euler", 1.0, 2000).velocity.matrix().norm() < 1e-6);
     }
 
-    void massTakesItsShareOfAPull()
+    void springsBetweenDifferentMassesConserveMomentum()
     {
         Scene scene = support::script(support::sample("heavy pair"), "published")
                           .build(support::sample("heavy pair").values);
@@ -294,7 +300,7 @@ private slots:
             QVERIFY(std::abs(momentum(end, axis)) < 1e-10);
     }
 
-    void whatMethodsClaimIsInOrder()
+    void methodsHaveUniqueIdsAndValidProperties()
     {
         std::set<std::string> ids, titles;
         for (const MethodPtr &method : allMethods()) {

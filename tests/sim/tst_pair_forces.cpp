@@ -1,5 +1,5 @@
-// Forces between two points: each pair is computed once, nothing is left out, the order of each point's pulls stays, and
-// the sums have the very bits of a loop that takes pair by pair.
+// Forces between pairs of points. Each pair is computed exactly once, the order of a point's forces is kept,
+// and the sums have the bits of a simple loop over the pairs.
 
 #include "support.h"
 
@@ -26,7 +26,7 @@ struct Layout
     std::vector<Link> links;
 };
 
-std::vector<Link> anyhow(int points, int count, std::uint64_t seed)
+std::vector<Link> randomLinks(int points, int count, std::uint64_t seed)
 {
     Dice dice(seed);
     std::vector<Link> links;
@@ -47,17 +47,17 @@ std::vector<Layout> layouts()
 {
     return {{"one creature", 6, scenes::legs(5)},
             {"a creature of three hundred feet", 301, scenes::legs(300)},
-            {"one creature foot by foot", 6, scenes::legsByParts(1, 5)},
-            {"two creatures foot by foot", 12, scenes::legsByParts(2, 5)},
-            {"six hundred creatures foot by foot", 3600, scenes::legsByParts(600, 5)},
+            {"one creature stored foot by foot", 6, scenes::legsByParts(1, 5)},
+            {"two creatures stored foot by foot", 12, scenes::legsByParts(2, 5)},
+            {"six hundred creatures stored foot by foot", 3600, scenes::legsByParts(600, 5)},
             {"a chain", 50, scenes::chainLinks(50)},
             {"a grid", 400, scenes::gridLinks(20)},
-            {"few links anyhow", 10, anyhow(10, 12, 1)},
-            {"many links anyhow", 40, anyhow(40, 500, 2)},
+            {"few random links", 10, randomLinks(10, 12, 1)},
+            {"many random links", 40, randomLinks(40, 500, 2)},
             {"no links", 5, {}}};
 }
 
-/// Scattered; here and there a handle, another mass, or two points in one place.
+/// Returns random points, some of them fixed, coincident, or of different masses.
 State stateOf(int points, std::uint64_t seed)
 {
     Dice dice(seed);
@@ -78,7 +78,7 @@ State stateOf(int points, std::uint64_t seed)
     return state;
 }
 
-Vec2 radialPull(Vec2 mover, Vec2 anchor, Link link)
+Vec2 radialForce(Vec2 mover, Vec2 anchor, Link link)
 {
     const Vec2 from = {mover.x - anchor.x, mover.y - anchor.y};
     const double length = std::sqrt(from.x * from.x + from.y * from.y);
@@ -90,33 +90,33 @@ Vec2 radialPull(Vec2 mover, Vec2 anchor, Link link)
     return {share * from.x, share * from.y};
 }
 
-Vec2 offsetPull(Vec2 mover, Vec2 anchor, Link)
+Vec2 offsetForce(Vec2 mover, Vec2 anchor, Link)
 {
     return {k * (anchor.x + rest - mover.x), k * (anchor.y - mover.y)};
 }
 
-Vec2 plainPull(Vec2 mover, Vec2 anchor, Link)
+Vec2 plainForce(Vec2 mover, Vec2 anchor, Link)
 {
     return {k * (anchor.x - mover.x), k * (anchor.y - mover.y)};
 }
 
-using PullOf = Vec2 (*)(Vec2, Vec2, Link);
+using ForceOf = Vec2 (*)(Vec2, Vec2, Link);
 
-/// The links in which the other one of a pair is not there any more: of links to and fro the first stands for both.
-/// Where the way back is not the opposite, each stays.
-struct TestPair
+/// A link, or two opposite links that are computed as one.
+struct ExpectedPair
 {
     Link link;
-    bool bothWays = false;
+    bool bothWays = false; ///< whether the anchor feels the opposite force
 };
 
-std::vector<TestPair> pairsOf(const std::vector<Link> &links, bool areMutual)
+/// Joins each link with its opposite link, if the forces of this kind are opposite (`areReciprocal`).
+std::vector<ExpectedPair> pairsOf(const std::vector<Link> &links, bool areReciprocal)
 {
-    std::vector<TestPair> pairs;
+    std::vector<ExpectedPair> pairs;
     for (const Link &link : links) {
-        const auto back = std::find_if(pairs.begin(), pairs.end(), [&](const TestPair &one) {
-            return areMutual && !one.bothWays && one.link.mover == link.anchor &&
-                   one.link.anchor == link.mover;
+        const auto back = std::find_if(pairs.begin(), pairs.end(), [&](const ExpectedPair &pair) {
+            return areReciprocal && !pair.bothWays && pair.link.mover == link.anchor &&
+                   pair.link.anchor == link.mover;
         });
         if (back == pairs.end())
             pairs.push_back({link});
@@ -126,18 +126,18 @@ std::vector<TestPair> pairsOf(const std::vector<Link> &links, bool areMutual)
     return pairs;
 }
 
-Eigen::ArrayX2d pairByPair(const std::vector<TestPair> &pairs, const State &state, PointRange movers,
-                           double scale, PullOf pullOf)
+Eigen::ArrayX2d sumPairByPair(const std::vector<ExpectedPair> &pairs, const State &state, PointRange range,
+                              double scale, ForceOf forceOf)
 {
     Eigen::ArrayX2d sum = state.acceleration;
     const auto add = [&](int point, Vec2 pull) {
-        if (!movers.contains(point) || state.inverseMass[point] == 0.0)
+        if (!range.contains(point) || state.inverseMass[point] == 0.0)
             return;
         sum(point, 0) += scale * (state.inverseMass[point] * pull.x);
         sum(point, 1) += scale * (state.inverseMass[point] * pull.y);
     };
     for (const auto &[link, bothWays] : pairs) {
-        const Vec2 pull = pullOf(state.positionOf(link.mover), state.positionOf(link.anchor), link);
+        const Vec2 pull = forceOf(state.positionOf(link.mover), state.positionOf(link.anchor), link);
         add(link.mover, pull);
         if (bothWays)
             add(link.anchor, {-pull.x, -pull.y});
@@ -150,7 +150,7 @@ bool sameBits(const Eigen::ArrayX2d &a, const Eigen::ArrayX2d &b)
     return std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
 }
 
-std::vector<PointRange> someOf(int points)
+std::vector<PointRange> someRanges(int points)
 {
     return {{0, points}, {0, points / 2}, {points / 3, points / 3}, {points - 1, 1}, {1, points - 1}, {2, 0}};
 }
@@ -160,8 +160,8 @@ Links linksOf(const std::vector<Link> &links)
     return {sim::pairsOf(links), true, [](int, int) { return true; }};
 }
 
-/// What a point has pulls to, in order.
-std::vector<int> othersOf(const std::vector<PointPair> &pairs, int point)
+/// Returns the points to which `point` has a force, in order.
+std::vector<int> partnersOf(const std::vector<PointPair> &pairs, int point)
 {
     std::vector<int> others;
     for (const PointPair &pair : pairs) {
@@ -210,50 +210,51 @@ private slots:
         const RadialSpring radial(given.links, k, rest);
         const OffsetSpring offset(given.links, k, rest);
         const BodySpring plain(given.links, k);
-        struct Row
+        struct Case
         {
             const Force *force;
-            PullOf pullOf;
-            std::vector<TestPair> pairs;
+            ForceOf forceOf;
+            std::vector<ExpectedPair> pairs;
         };
-        const std::vector<Row> rows = {{&radial, radialPull, pairsOf(given.links, true)},
-                                       {&offset, offsetPull, pairsOf(given.links, false)},
-                                       {&plain, plainPull, pairsOf(given.links, true)}};
+        const std::vector<Case> cases = {{&radial, radialForce, pairsOf(given.links, true)},
+                                         {&offset, offsetForce, pairsOf(given.links, false)},
+                                         {&plain, plainForce, pairsOf(given.links, true)}};
         for (std::uint64_t seed = 1; seed <= 8; ++seed) {
             State state = stateOf(given.points, seed);
             if (seed % 2 == 0)
-                state.inverseMass.setOnes(); // all loops have a form for this
-            for (const PointRange movers : someOf(given.points)) {
+                state.inverseMass.setOnes(); // the loops have a branch for equal masses
+            for (const PointRange range : someRanges(given.points)) {
                 for (const double scale : {1.0, 0.7}) {
-                    for (const Row &row : rows) {
+                    for (const Case &testCase : cases) {
                         Eigen::ArrayX2d sum = state.acceleration;
-                        row.force->add(state, movers, scale, DirectionRule::regularised, sum);
-                        QVERIFY2(sameBits(sum, pairByPair(row.pairs, state, movers, scale, row.pullOf)),
-                                 row.force->id().c_str());
+                        testCase.force->add(state, range, scale, DirectionRule::regularised, sum);
+                        QVERIFY2(sameBits(sum, sumPairByPair(testCase.pairs, state, range, scale,
+                                                             testCase.forceOf)),
+                                 testCase.force->id().c_str());
                     }
                 }
             }
         }
     }
 
-    void islandsByThemselvesHaveTheSameBits()
+    void separateIslandsHaveTheSameBits()
     {
         const int creatures = 40;
         const std::vector<Link> links = scenes::legsByParts(creatures, 5);
         const RadialSpring radial(links, k, rest);
         const State state = stateOf(6 * creatures, 3);
-        Eigen::ArrayX2d whole = state.acceleration, parts = state.acceleration;
-        radial.adderFor({{0, 6 * creatures}})(state, whole);
+        Eigen::ArrayX2d allAtOnce = state.acceleration, blockByBlock = state.acceleration;
+        radial.adderFor({{0, 6 * creatures}})(state, allAtOnce);
         for (int first = 0; first < creatures; first += 8) {
             std::vector<PointRange> ranges;
             for (int foot = 0; foot < 6; ++foot)
                 ranges.push_back({foot * creatures + first, 8});
-            radial.adderFor(ranges)(state, parts);
+            radial.adderFor(ranges)(state, blockByBlock);
         }
-        QVERIFY(sameBits(whole, parts));
+        QVERIFY(sameBits(allAtOnce, blockByBlock));
     }
 
-    void theTwoEndsFeelExactOpposites()
+    void bothEndsFeelExactlyOppositeForces()
     {
         Dice dice(7);
         for (int run = 0; run < 2000; ++run) {
@@ -266,12 +267,12 @@ private slots:
             Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(2, 2);
             spring.add(state, {0, 2}, 1.0, DirectionRule::regularised, pull);
             QVERIFY(pull.isFinite().all());
-            QVERIFY((pull.row(0) == -pull.row(1)).all()); // or a pair makes momentum
+            QVERIFY((pull.row(0) == -pull.row(1)).all()); // or momentum would not be conserved
         }
     }
 
-    void everyPairIsTakenOnceAndInItsPointsOrder_data() { addLayoutRows(); }
-    void everyPairIsTakenOnceAndInItsPointsOrder()
+    void batchesKeepEachPairOnceAndTheOrderPerPoint_data() { addLayoutRows(); }
+    void batchesKeepEachPairOnceAndTheOrderPerPoint()
     {
         QFETCH(int, index);
         const Layout given = layout(index);
@@ -285,7 +286,7 @@ private slots:
         }
         QCOMPARE(covered, static_cast<int>(list.pairs.size()));
         for (int point = 0; point < given.points; ++point)
-            QCOMPARE(othersOf(list.pairs, point), othersOf(links.pairs(), point));
+            QCOMPARE(partnersOf(list.pairs, point), partnersOf(links.pairs(), point));
     }
 
     void regularPairsRunInBatches_data()
@@ -294,9 +295,9 @@ private slots:
         QTest::addColumn<QString>("shapes");
         QTest::newRow("one creature") << 0 << "fan 5";
         QTest::newRow("a creature of three hundred feet") << 1 << "fan 300";
-        QTest::newRow("one creature foot by foot") << 2 << "fan 5";
-        QTest::newRow("two creatures foot by foot") << 3 << "list 10"; // too few for a row
-        QTest::newRow("six hundred creatures foot by foot")
+        QTest::newRow("one creature stored foot by foot") << 2 << "fan 5";
+        QTest::newRow("two creatures stored foot by foot") << 3 << "list 10"; // too few for a row batch
+        QTest::newRow("six hundred creatures stored foot by foot")
             << 4 << "row 600, row 600, row 600, row 600, row 600";
         QTest::newRow("a chain") << 5 << "row 49";
     }

@@ -1,4 +1,4 @@
-// How a scene and a method become the phases of a frame.
+// How a scene and a method are composed into the phases of a frame.
 
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/finite.h"
@@ -26,7 +26,7 @@ namespace {
 
 constexpr int feet = 2;
 
-/// One of each effect that there is.
+/// Returns seven different effects.
 std::vector<EffectPtr> oneOfEach()
 {
     return {
@@ -40,8 +40,8 @@ std::vector<EffectPtr> oneOfEach()
     };
 }
 
-/// An effect that no method knows what to do with.
-class Foreign : public Effect
+/// An effect that no method can compute.
+class UnknownEffect : public Effect
 {
 public:
     Role role() const override { return {}; }
@@ -52,8 +52,8 @@ public:
     int count(const State &, PointRange points) const override { return points.count; }
 };
 
-/// The phases, and in brackets the effects that a phase computes on its way.
-std::string ids(const Scene &scene, const std::string &method)
+/// Returns the ids of the phases, each followed by its inner effects in brackets.
+std::string phaseIds(const Scene &scene, const std::string &method)
 {
     std::string all;
     for (const Phase &phase : compose(scene, *findMethod(method), StepSize::ofLength(1.0)).phases) {
@@ -65,8 +65,8 @@ std::string ids(const Scene &scene, const std::string &method)
     return all;
 }
 
-/// The effects that the phases of a step compute.
-std::vector<EffectPtr> computed(const Scene &scene, const Method &method)
+/// Returns the effects that the phases of a step compute.
+std::vector<EffectPtr> computedEffects(const Scene &scene, const Method &method)
 {
     std::vector<EffectPtr> all;
     for (const Phase &phase : compose(scene, method, support::stepFor(method, 1.0)).phases) {
@@ -103,44 +103,44 @@ class TestPipeline : public QObject
 private slots:
     void publishedMovesOneGroupAfterTheOther()
     {
-        QCOMPARE(ids(roomScene(), "published"),
+        QCOMPARE(phaseIds(roomScene(), "published"),
                  std::string("radial_spring:feet gravity:feet damping:feet move:feet walls:feet "
                              "radial_spring:body gravity:body damping:body move:body walls:body"));
     }
 
     void semiImplicitMovesAllAtOnce()
     {
-        QCOMPARE(ids(roomScene(), "semi_implicit_euler"),
+        QCOMPARE(phaseIds(roomScene(), "semi_implicit_euler"),
                  std::string("radial_spring gravity kick damping move walls"));
     }
 
-    void whatIsNotListedMakesNoPhase()
+    void effectsThatAreNotListedMakeNoPhase()
     {
         Scene scene = roomScene();
         scene.effects.erase(scene.effects.begin() + 1); // gravity
         for (const char *method : {"published", "semi_implicit_euler"})
-            QVERIFY(ids(scene, method).find("gravity") == std::string::npos);
+            QVERIFY(phaseIds(scene, method).find("gravity") == std::string::npos);
         scene.effects.clear();
-        QCOMPARE(ids(scene, "published"), std::string("move:feet move:body"));
-        QCOMPARE(ids(scene, "semi_implicit_euler"), std::string("move"));
+        QCOMPARE(phaseIds(scene, "published"), std::string("move:feet move:body"));
+        QCOMPARE(phaseIds(scene, "semi_implicit_euler"), std::string("move"));
     }
 
     void effectsThatConcernOneGroupMakeOnePhase()
     {
         Scene scene = scenes::creature(feet);
         scene.effects = {std::make_shared<BodySpring>(std::vector<Link>{{0, 2}, {1, 2}}, 0.2)};
-        QCOMPARE(ids(scene, "published"), std::string("body_spring:feet move:feet move:body"));
+        QCOMPARE(phaseIds(scene, "published"), std::string("body_spring:feet move:feet move:body"));
     }
 
-    void aHandleHasNoPhasesOfItsOwn()
+    void groupOfHandlesHasNoPhases()
     {
         Scene scene = scenes::creature(1);
         scene.start.inverseMass[1] = 0.0;
         scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<Damping>(0.9)};
-        QCOMPARE(ids(scene, "published"), std::string("gravity:feet damping:feet move:feet"));
+        QCOMPARE(phaseIds(scene, "published"), std::string("gravity:feet damping:feet move:feet"));
     }
 
-    void aSceneInWhichNothingMovesIsRefused()
+    void sceneWithoutDynamicPointsIsRefused()
     {
         Scene scene = scenes::creature(1);
         scene.start.inverseMass.setZero();
@@ -150,10 +150,10 @@ private slots:
                      std::string("nothing-moves "));
     }
 
-    void anEffectThatNoMethodHandlesIsRefusedByName()
+    void unknownEffectIsRefusedByName()
     {
         Scene scene = roomScene();
-        scene.effects.push_back(std::make_shared<Foreign>());
+        scene.effects.push_back(std::make_shared<UnknownEffect>());
         for (const MethodPtr &method : allMethods())
             QCOMPARE(errorOf([&] { compose(scene, *method, support::stepFor(*method, 1.0)); }),
                      std::string("method-does-not-fit foreign"));
@@ -170,7 +170,7 @@ private slots:
                 }).empty());
     }
 
-    void everyPhaseSaysWhatItIs()
+    void phasesAreComplete()
     {
         Scene scene = roomScene();
         scene.effects = oneOfEach();
@@ -186,12 +186,12 @@ private slots:
     void stepsThatFillFramesAreAccepted_data()
     {
         QTest::addColumn<double>("h");
-        QTest::addColumn<int>("perRow");
+        QTest::addColumn<int>("stepsPerOutput");
         QTest::addColumn<int>("framesPerOutput");
         QTest::newRow("one frame") << 1.0 << 1 << 1;
         QTest::newRow("a quarter") << 0.25 << 4 << 1;
         QTest::newRow("a third") << 1.0 / 3 << 3 << 1;
-        QTest::newRow("a third, as typed") << 0.3333333333333 << 3 << 1;
+        QTest::newRow("a third, rounded") << 0.3333333333333 << 3 << 1;
         QTest::newRow("a millionth") << 1e-6 << 1'000'000 << 1;
         QTest::newRow("two frames") << 2.0 << 1 << 2;
         QTest::newRow("a hundred frames") << 100.0 << 1 << 100;
@@ -200,15 +200,15 @@ private slots:
     void stepsThatFillFramesAreAccepted()
     {
         QFETCH(double, h);
-        QFETCH(int, perRow);
+        QFETCH(int, stepsPerOutput);
         QFETCH(int, framesPerOutput);
         const StepSize step = StepSize::ofLength(h);
-        QCOMPARE(step.stepsPerOutput, perRow);
+        QCOMPARE(step.stepsPerOutput, stepsPerOutput);
         QCOMPARE(step.framesPerOutput, framesPerOutput);
-        QCOMPARE(step.h, perRow > 1 ? 1.0 / perRow : double(framesPerOutput)); // exactly
+        QCOMPARE(step.h, stepsPerOutput > 1 ? 1.0 / stepsPerOutput : double(framesPerOutput)); // exactly
     }
 
-    void everyPartOfAFrameIsAccepted()
+    void allUnitFractionsAreAccepted()
     {
         for (int n = 1; n <= 1'000'000; n += n < 1000 ? 1 : 997)
             QCOMPARE(StepSize::ofLength(1.0 / n).stepsPerOutput, n);
@@ -228,7 +228,7 @@ private slots:
         QCOMPARE(errorOf([&] { StepSize::ofLength(h); }), std::string("step-size "));
     }
 
-    void aRefusedStepIsNamedAsItWasGiven()
+    void refusedStepIsReportedAsGiven()
     {
         try {
             StepSize::ofLength(5e-7);
@@ -261,7 +261,7 @@ private slots:
                 if (subset >> i & 1u)
                     scene.effects.push_back(effects[i]);
             }
-            const std::vector<EffectPtr> found = computed(scene, *findMethod(method.toStdString()));
+            const std::vector<EffectPtr> found = computedEffects(scene, *findMethod(method.toStdString()));
             for (std::size_t i = 0; i < effects.size(); ++i)
                 QCOMPARE(std::count(found.begin(), found.end(), effects[i]) > 0, bool(subset >> i & 1u));
             const State end = support::plainRun(scene, method.toStdString(), h, 100);

@@ -9,20 +9,21 @@
 
 using namespace sim;
 
-/// The functions of alike.h against those of the C library in long double, which has eleven more digits (of two).
-class TestAlike : public QObject
+/// The functions of portable_math.h against the C library in long double, which has eleven more binary
+/// digits.
+class TestPortableMath : public QObject
 {
     Q_OBJECT
 
     std::mt19937 m_random{1};
 
-    double between(double least, double most)
+    double between(double low, double high)
     {
-        return std::uniform_real_distribution<double>(least, most)(m_random);
+        return std::uniform_real_distribution<double>(low, high)(m_random);
     }
 
-    /// How far `found` is from `exact`, in units of its last digit.
-    static double off(double found, long double exact)
+    /// Returns the error of `found` in units of the last bit of `exact`.
+    static double errorInUlp(double found, long double exact)
     {
         const double size = std::abs(static_cast<double>(exact));
         const double unit = std::nextafter(size, std::numeric_limits<double>::infinity()) - size;
@@ -36,39 +37,40 @@ private slots:
             QSKIP("long double has no more digits than double here");
     }
 
-    void sineAndCosineAreRightToTheLastDigit_data()
+    void sineAndCosineAreAccurateToTheLastBit_data()
     {
-        QTest::addColumn<double>("most");
-        for (const double most : {0.8, 3.2, 100.0, 1e4, 9e5})
-            QTest::addRow("to %g rad", most) << most;
+        QTest::addColumn<double>("limit");
+        for (const double limit : {0.8, 3.2, 100.0, 1e4, 9e5})
+            QTest::addRow("to %g rad", limit) << limit;
     }
-    void sineAndCosineAreRightToTheLastDigit()
+    void sineAndCosineAreAccurateToTheLastBit()
     {
-        QFETCH(double, most);
+        QFETCH(double, limit);
         for (int i = 0; i < 20'000; ++i) {
-            const double rad = between(-most, most);
-            QVERIFY2(off(portable::sin(rad), std::sin(static_cast<long double>(rad))) < 0.61,
+            const double rad = between(-limit, limit);
+            QVERIFY2(errorInUlp(portable::sin(rad), std::sin(static_cast<long double>(rad))) < 0.61,
                      qPrintable(QString::number(rad, 'g', 17)));
-            QVERIFY2(off(portable::cos(rad), std::cos(static_cast<long double>(rad))) < 0.61,
+            QVERIFY2(errorInUlp(portable::cos(rad), std::cos(static_cast<long double>(rad))) < 0.61,
                      qPrintable(QString::number(rad, 'g', 17)));
         }
     }
 
-    /// There nearly all digits of the angle go.
-    void soTheyAreNearQuartersOfATurn()
+    /// Near quarter turns nearly all digits of the angle cancel.
+    void sineAndCosineAreAccurateNearQuarterTurns()
     {
         for (int quarter = -400; quarter <= 400; ++quarter) {
             double rad = quarter * 1.5707963267948966;
             for (int i = 0; i < 4; ++i, rad = std::nextafter(rad, 1e9)) {
                 const long double sine = std::sin(static_cast<long double>(rad));
                 const long double cosine = std::cos(static_cast<long double>(rad));
-                QVERIFY(portable::sin(rad) == 0.0 ? sine == 0.0L : off(portable::sin(rad), sine) < 0.61);
-                QVERIFY(off(portable::cos(rad), cosine) < 0.61);
+                QVERIFY(portable::sin(rad) == 0.0 ? sine == 0.0L
+                                                  : errorInUlp(portable::sin(rad), sine) < 0.61);
+                QVERIFY(errorInUlp(portable::cos(rad), cosine) < 0.61);
             }
         }
     }
 
-    void whatIsNoAngleStaysNone()
+    void invalidAndHugeAnglesAreHandled()
     {
         QVERIFY(std::isnan(portable::sin(std::numeric_limits<double>::quiet_NaN())));
         QVERIFY(std::isnan(portable::cos(std::numeric_limits<double>::quiet_NaN())));
@@ -76,29 +78,29 @@ private slots:
             QVERIFY(std::abs(portable::sin(large)) <= 1.0 && std::abs(portable::cos(-large)) <= 1.0);
     }
 
-    void arcTangentIsRightToTheLastDigit_data()
+    void arcTangentIsAccurateToTheLastBit_data()
     {
         QTest::addColumn<double>("range"); // of the exponents of e
         for (const double range : {0.0, 1.0, 20.0, 200.0})
-            QTest::addRow("of sizes e^%g apart", range) << range;
+            QTest::addRow("sizes up to e^%g", range) << range;
     }
-    void arcTangentIsRightToTheLastDigit()
+    void arcTangentIsAccurateToTheLastBit()
     {
         QFETCH(double, range);
         for (int i = 0; i < 40'000; ++i) {
             const double x = between(-1, 1) * std::exp(between(-range, range));
             const double y = between(-1, 1) * std::exp(between(-range, range));
             const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
-            QVERIFY2(off(portable::atan2(y, x), exact) < 0.56,
+            QVERIFY2(errorInUlp(portable::atan2(y, x), exact) < 0.56,
                      qPrintable(QString("%1, %2").arg(y, 0, 'g', 17).arg(x, 0, 'g', 17)));
         }
     }
 
-    void theFastOnesAreOffByNoMoreThanAnAngleInDegrees()
+    void fastFunctionsStayWithinTheirErrorBounds()
     {
-        for (const double most : {0.8, 3.2, 100.0, 1e4, 9e5}) {
+        for (const double limit : {0.8, 3.2, 100.0, 1e4, 9e5}) {
             for (int i = 0; i < 20'000; ++i) {
-                const double rad = between(-most, most);
+                const double rad = between(-limit, limit);
                 QVERIFY(std::abs(portable::fast::sin(rad) - std::sin(static_cast<long double>(rad))) <
                         1.5e-16L);
                 QVERIFY(std::abs(portable::fast::cos(rad) - std::cos(static_cast<long double>(rad))) <
@@ -112,18 +114,18 @@ private slots:
                 const long double exact =
                     std::atan2(static_cast<long double>(y), static_cast<long double>(x));
                 QVERIFY(std::abs(portable::fast::atan2(y, x) - exact) < 5e-16L);
-                QVERIFY(off(portable::fast::atan2(y, x), exact) < 3.0); // small angles, too
+                QVERIFY(errorInUlp(portable::fast::atan2(y, x), exact) < 3.0); // also for small angles
             }
         }
         QCOMPARE(portable::fast::sin(0.0), 0.0);
         QCOMPARE(portable::fast::atan2(-0.0, -2.0), -std::numbers::pi);
-        const double none = std::numeric_limits<double>::quiet_NaN();
-        QVERIFY(std::isnan(portable::fast::sin(none)) && std::isnan(portable::fast::cos(none)));
-        QVERIFY(std::isnan(portable::fast::atan2(none, 1.0)) && std::isnan(portable::fast::atan2(1.0, none)));
+        const double nan = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(std::isnan(portable::fast::sin(nan)) && std::isnan(portable::fast::cos(nan)));
+        QVERIFY(std::isnan(portable::fast::atan2(nan, 1.0)) && std::isnan(portable::fast::atan2(1.0, nan)));
         QVERIFY(std::isnan(portable::fast::atan2(0.0, 0.0)));
     }
 
-    void alongTheAxesItIsTheLibrarys()
+    void arcTangentEqualsTheLibraryOnTheAxes()
     {
         for (const double x : {-3.0, -0.0, 0.0, 3.0}) {
             for (const double y : {-2.0, -0.0, 0.0, 2.0}) {
@@ -131,20 +133,20 @@ private slots:
                 QCOMPARE(std::signbit(portable::atan2(y, x)), std::signbit(std::atan2(y, x)));
             }
         }
-        for (const double none :
+        for (const double nan :
              {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
-            QVERIFY(std::isnan(portable::atan2(none, 1.0)));
-            QVERIFY(std::isnan(portable::atan2(1.0, none)));
+            QVERIFY(std::isnan(portable::atan2(nan, 1.0)));
+            QVERIFY(std::isnan(portable::atan2(1.0, nan)));
         }
     }
 
-    void remainderIsTheLibrarysToTheLastBit()
+    void remainderEqualsTheLibrary()
     {
         for (int i = 0; i < 200'000; ++i) {
             const double x = between(-1, 1) * std::exp(between(-20, 30));
             QCOMPARE(portable::remainder(x, 360.0), std::remainder(x, 360.0));
         }
-        for (int half = -3001; half <= 3001; ++half) { // at and beside where it jumps
+        for (int half = -3001; half <= 3001; ++half) { // at its jumps and beside them
             const double x = 180.0 * half;
             for (const double at : {std::nextafter(x, -1e9), x, std::nextafter(x, 1e9)})
                 QCOMPARE(portable::remainder(at, 360.0), std::remainder(at, 360.0));
@@ -152,5 +154,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAlike)
+QTEST_GUILESS_MAIN(TestPortableMath)
 #include "tst_portable_math.moc"

@@ -1,4 +1,5 @@
-// The published rule, v = (v + a) damp; x += v in turn, written out by hand and compared bit for bit.
+// The published method, v = (v + a) damp, x += v, one body after the other. The test computes it with plain
+// code and compares every bit.
 
 #include "sim/scene/scene.h"
 #include "support.h"
@@ -16,7 +17,7 @@ using support::Dice;
 
 namespace {
 
-struct Numbers
+struct Parameters
 {
     int feet = 5;
     double k = 0.2, damp = 0.85, radius = 50, gravity = 0.5, bounce = 1.0;
@@ -27,14 +28,14 @@ struct Body
     double x, y, vx, vy, half;
 };
 
-void pull(Body &mover, const Body &anchor, const Numbers &n)
+void pull(Body &mover, const Body &anchor, const Parameters &n)
 {
     const double angle = std::atan2(mover.y - anchor.y, mover.x - anchor.x);
     mover.vx += (anchor.x + n.radius * std::cos(angle) - mover.x) * n.k;
     mover.vy += (anchor.y + n.radius * std::sin(angle) - mover.y) * n.k;
 }
 
-void moveOn(Body &body, const Numbers &n)
+void moveBody(Body &body, const Parameters &n)
 {
     body.vy += n.gravity;
     body.vx *= n.damp;
@@ -55,21 +56,21 @@ void moveOn(Body &body, const Numbers &n)
     }
 }
 
-void frameByHand(std::vector<Body> &bodies, const Numbers &n)
+void computeFrame(std::vector<Body> &bodies, const Parameters &n)
 {
     Body &body = bodies.back();
     for (int i = 0; i < n.feet; ++i) {
         pull(bodies[std::size_t(i)], body, n);
-        moveOn(bodies[std::size_t(i)], n);
+        moveBody(bodies[std::size_t(i)], n);
     }
     for (int i = 0; i < n.feet; ++i)
         pull(body, bodies[std::size_t(i)], n);
-    moveOn(body, n);
+    moveBody(body, n);
 }
 
-Numbers randomNumbers(Dice &dice)
+Parameters randomParameters(Dice &dice)
 {
-    Numbers n;
+    Parameters n;
     n.feet = dice.whole(1, 12);
     n.k = dice.real(0.01, 0.4);
     n.damp = dice.real(0.6, 1.0);
@@ -79,10 +80,10 @@ Numbers randomNumbers(Dice &dice)
     return n;
 }
 
-Scene sceneWith(const Numbers &n, std::uint64_t seed, bool onePlace)
+Scene sceneWith(const Parameters &n, std::uint64_t seed, bool isCoincident)
 {
     Scene scene = scenes::springCreature(n.feet, n.k, n.radius);
-    if (!onePlace)
+    if (!isCoincident)
         support::scatter(scene.start, seed, 600.0);
     scenes::add<Gravity>(scene, n.gravity);
     scenes::add<Damping>(scene, n.damp);
@@ -97,17 +98,17 @@ class TestPublishedRule : public QObject
     Q_OBJECT
 
 private slots:
-    void anyCreatureIsComputedAsPrinted_data()
+    void creaturesAreComputedAsPublished_data()
     {
         QTest::addColumn<int>("seed");
         for (int seed = 1; seed <= 60; ++seed)
             QTest::addRow("creature %d", seed) << seed;
     }
-    void anyCreatureIsComputedAsPrinted()
+    void creaturesAreComputedAsPublished()
     {
         QFETCH(int, seed);
         Dice dice(static_cast<std::uint64_t>(seed));
-        const Numbers n = randomNumbers(dice);
+        const Parameters n = randomParameters(dice);
         const Scene scene = sceneWith(n, std::uint64_t(seed), seed % 10 == 0);
         std::vector<Body> bodies;
         for (int i = 0; i <= n.feet; ++i)
@@ -115,7 +116,7 @@ private slots:
                 {scene.start.positionOf(i).x, scene.start.positionOf(i).y, 0, 0, i == n.feet ? 15.0 : 5.0});
         Track track(support::script(scene, "published"), 0);
         for (int frame = 1; frame <= 400; ++frame) {
-            frameByHand(bodies, n);
+            computeFrame(bodies, n);
             track.seek({frame, 0});
             QVERIFY(!track.stop());
             for (int i = 0; i <= n.feet; ++i) {

@@ -1,4 +1,4 @@
-// A slanted wall: where it lies, and that bodies slide and bounce on it as they do by the closed forms.
+// A ramp: its geometry, and bodies that slide and bounce on it, against closed forms.
 
 #include "support.h"
 
@@ -18,11 +18,11 @@ namespace {
 
 constexpr double gravity = 0.5; ///< px/frame^2
 
-/// A ball of width 10 that touches a ramp through (0, 0), with gravity.
-Scene ballOn(double angle, double bounce, double above, Vec2 v)
+/// Returns a ball of width 10 px, `height` px above a ramp through (0, 0), with gravity.
+Scene ballOn(double angle, double bounce, double height, Vec2 v)
 {
     const Incline edge = inclineOf({0.0, 0.0}, angle, bounce);
-    Scene scene = scenes::onePoint("ball", (5.0 + above) * edge.normal, v);
+    Scene scene = scenes::onePoint("ball", (5.0 + height) * edge.normal, v);
     scene.effects = {std::make_shared<Gravity>(gravity),
                      std::make_shared<Ramp>(edge, Eigen::ArrayXd::Constant(1, 5.0))};
     return scene;
@@ -44,7 +44,7 @@ class TestRamp : public QObject
     Q_OBJECT
 
 private slots:
-    void bodiesAreKeptOnItsFreeSide_data()
+    void bodiesAreKeptOnTheFreeSide_data()
     {
         QTest::addColumn<double>("angle");
         QTest::addColumn<PointMotion>("before");
@@ -52,9 +52,9 @@ private slots:
         const auto row = [](const char *name, double angle, PointMotion before, PointMotion after) {
             QTest::newRow(name) << angle << before << after;
         };
-        row("above what is level", 0, {{70, 90}, {3, 4}}, {{70, 90}, {3, 4}});
-        row("below what is level", 0, {{70, 100}, {3, 4}}, {{70, 95}, {3, -2}});
-        row("on its way back already", 0, {{70, 100}, {3, -4}}, {{70, 95}, {3, -4}});
+        row("above a level ramp", 0, {{70, 90}, {3, 4}}, {{70, 90}, {3, 4}});
+        row("below a level ramp", 0, {{70, 100}, {3, 4}}, {{70, 95}, {3, -2}});
+        row("already moving away", 0, {{70, 100}, {3, -4}}, {{70, 95}, {3, -4}});
         row("a wall on the right", 90, {{70, 70}, {3, 4}}, {{45, 70}, {-1.5, 4}});
         row("a wall on the left", -90, {{30, 70}, {-3, 4}}, {{55, 70}, {1.5, 4}});
         row("a ceiling", 180, {{70, 20}, {3, -4}}, {{70, 105}, {3, 2}});
@@ -64,7 +64,7 @@ private slots:
         row("falling to the right", -45, {{50, 100}, {-1, 1}},
             {{50 + 2.5 * root, 100 - 2.5 * root}, {0.5, -0.5}});
     }
-    void bodiesAreKeptOnItsFreeSide()
+    void bodiesAreKeptOnTheFreeSide()
     {
         QFETCH(double, angle);
         QFETCH(PointMotion, before);
@@ -80,17 +80,17 @@ private slots:
         ramp.resolve(state, {0, 2});
         QVERIFY(length(state.positionOf(0) - after.x) < 1e-12);
         QVERIFY(length(state.velocityOf(0) - after.v) < 1e-12);
-        QVERIFY(state.positionOf(1) == before.x); // what is held meets nothing
+        QVERIFY(state.positionOf(1) == before.x); // held bodies have no contacts
     }
 
-    /// Along it there is nothing but gravity: g sin(angle).
-    void aBallSlidesDownAsItDoesByTheClosedForm_data()
+    /// The acceleration along the ramp is g sin(angle).
+    void slidingBallMatchesTheClosedForm_data()
     {
         QTest::addColumn<double>("angle");
         for (const double angle : {20.0, -35.0, 70.0})
             QTest::addRow("%g degrees", angle) << angle;
     }
-    void aBallSlidesDownAsItDoesByTheClosedForm()
+    void slidingBallMatchesTheClosedForm()
     {
         QFETCH(double, angle);
         constexpr int frames = 60;
@@ -105,25 +105,25 @@ private slots:
             const bool isAdaptive = method->stepping() == Stepping::adaptive;
             constexpr double h = 0.25;
             const State end = stateAfter(scene, *method, h, frames);
-            const Vec2 way = end.positionOf(0) - scene.start.positionOf(0);
-            const double slid = way.x * down.x + way.y * down.y;
-            const double off = way.x * down.y - way.y * down.x;
-            // A step of h adds at most g h / 2 to a way that is g t / 2: methods differ by which end of it counts.
-            const double most = isAdaptive ? 0.01 : std::abs(pull) * frames * h / 2.0 + 1e-9;
-            QVERIFY2(std::abs(slid - 0.5 * pull * frames * frames) <= most, method->id().c_str());
-            QVERIFY2(std::abs(off) < (isAdaptive ? 0.01 : 1e-9), method->id().c_str());
+            const Vec2 displacement = end.positionOf(0) - scene.start.positionOf(0);
+            const double slid = displacement.x * down.x + displacement.y * down.y;
+            const double offAxis = displacement.x * down.y - displacement.y * down.x;
+            // First-order methods are off by at most half a step, pull t h / 2.
+            const double tolerance = isAdaptive ? 0.01 : std::abs(pull) * frames * h / 2.0 + 1e-9;
+            QVERIFY2(std::abs(slid - 0.5 * pull * frames * frames) <= tolerance, method->id().c_str());
+            QVERIFY2(std::abs(offAxis) < (isAdaptive ? 0.01 : 1e-9), method->id().c_str());
             ++methods;
         }
         QVERIFY(methods >= 10);
     }
 
-    void aFullBounceKeepsAllEnergy_data()
+    void elasticBounceConservesEnergy_data()
     {
         QTest::addColumn<double>("angle");
         for (const double angle : {0.0, 20.0, -35.0})
             QTest::addRow("%g degrees", angle) << angle;
     }
-    void aFullBounceKeepsAllEnergy()
+    void elasticBounceConservesEnergy()
     {
         QFETCH(double, angle);
         const Scene scene = ballOn(angle, 1.0, 40.0, {0.7, -1.0});
@@ -133,14 +133,15 @@ private slots:
         };
         for (const char *id : {"dormand_prince", "dop853"}) {
             const MethodPtr method = findMethod(id);
-            double least = 1e9;
+            double minDistance = 1e9;
             for (const int frames : {10, 35, 60, 90}) {
                 const State end = stateAfter(scene, *method, 0.01, frames);
                 QVERIFY2(std::abs(energy(end) - energy(scene.start)) < 0.01, id);
                 const Vec2 normal = inclineOf({0, 0}, angle, 1.0).normal;
-                least = std::min(least, end.positionOf(0).x * normal.x + end.positionOf(0).y * normal.y);
+                minDistance =
+                    std::min(minDistance, end.positionOf(0).x * normal.x + end.positionOf(0).y * normal.y);
             }
-            QVERIFY(least > 5.0 - 1e-3);
+            QVERIFY(minDistance > 5.0 - 1e-3);
         }
     }
 };

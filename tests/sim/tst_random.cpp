@@ -1,4 +1,4 @@
-// Numbers that depend on nothing but their arguments.
+// Random numbers that depend only on their arguments.
 
 #include "sim/base/random.h"
 
@@ -14,7 +14,7 @@ static_assert(mixBits(1234567u) == 6457827717110365317u);
 static_assert(mixBits(1234567u + 0x9E3779B97F4A7C15u) == 3203168211198807973u);
 static_assert(mixBits(1234567u + 2 * 0x9E3779B97F4A7C15u) == 9817491932198370423u);
 static_assert(mixBits(0) == 0xE220A8397B1DCDAFu);
-// Computed by another program: a file with a seed must give the same run for ever.
+// Computed by another program. A saved file with a seed must always give the same run.
 static_assert(uniform(1, 0, 0) == 0x1.631405e8db1b0p-1);
 static_assert(uniform(1, 1, 0) == 0x1.5dd4992a69f86p-2);
 static_assert(uniform(1, 0, 1) == 0x1.b15e57852cedep-2);
@@ -22,7 +22,7 @@ static_assert(uniform(42, 18000, 99) == 0x1.42d4e53118e0cp-1);
 
 namespace {
 
-constexpr int many = 200'000;
+constexpr int sampleCount = 200'000;
 
 double correlation(const std::vector<double> &a, const std::vector<double> &b)
 {
@@ -51,7 +51,7 @@ private slots:
         QFETCH(int, argument);
         double sum = 0.0, squares = 0.0;
         std::vector<int> bins(100);
-        for (int i = 0; i < many; ++i) {
+        for (int i = 0; i < sampleCount; ++i) {
             const auto n = static_cast<std::uint64_t>(i);
             const double u = argument == 0   ? uniform(n, 3, 4)
                              : argument == 1 ? uniform(5, n, 4)
@@ -61,31 +61,32 @@ private slots:
             squares += (u - 0.5) * (u - 0.5);
             ++bins[static_cast<std::size_t>(u * 100)];
         }
-        // Five standard deviations of each: sqrt(1/12 n), sqrt(1/180 n), and chi-square's sqrt(2 * 99).
-        QVERIFY(std::abs(sum / many - 0.5) < 5 * std::sqrt(1.0 / 12 / many));
-        QVERIFY(std::abs(squares / many - 1.0 / 12) < 5 * std::sqrt(1.0 / 180 / many));
+        // Five standard deviations of each: sqrt(1/12 n), sqrt(1/180 n), and sqrt(2 * 99) for chi-square.
+        QVERIFY(std::abs(sum / sampleCount - 0.5) < 5 * std::sqrt(1.0 / 12 / sampleCount));
+        QVERIFY(std::abs(squares / sampleCount - 1.0 / 12) < 5 * std::sqrt(1.0 / 180 / sampleCount));
         double chiSquare = 0.0;
         for (const int count : bins)
-            chiSquare += (count - many / 100.0) * (count - many / 100.0) / (many / 100.0);
+            chiSquare +=
+                (count - sampleCount / 100.0) * (count - sampleCount / 100.0) / (sampleCount / 100.0);
         QVERIFY(std::abs(chiSquare - 99.0) < 5 * std::sqrt(2.0 * 99));
     }
 
-    void neighboursAreUnrelated()
+    void neighboursAreUncorrelated()
     {
-        std::vector<double> here, nextSeed, nextFrame, nextIndex, swapped;
-        for (std::uint64_t i = 0; i < many; ++i) {
-            here.push_back(uniform(1, i, 7));
+        std::vector<double> reference, nextSeed, nextFrame, nextIndex, swapped;
+        for (std::uint64_t i = 0; i < sampleCount; ++i) {
+            reference.push_back(uniform(1, i, 7));
             nextSeed.push_back(uniform(2, i, 7));
             nextFrame.push_back(uniform(1, i + 1, 7));
             nextIndex.push_back(uniform(1, i, 8));
             swapped.push_back(uniform(1, 7, i));
         }
-        const double limit = 5 / std::sqrt(double(many));
+        const double limit = 5 / std::sqrt(double(sampleCount));
         for (const auto *other : {&nextSeed, &nextFrame, &nextIndex, &swapped})
-            QVERIFY(std::abs(correlation(here, *other)) < limit);
+            QVERIFY(std::abs(correlation(reference, *other)) < limit);
     }
 
-    void largestAndSmallestArgumentsStayInside()
+    void extremeArgumentsStayInTheUnitInterval()
     {
         for (const std::uint64_t a : {std::uint64_t{0}, ~std::uint64_t{0}, std::uint64_t{1} << 63}) {
             for (const std::uint64_t b : {std::uint64_t{0}, ~std::uint64_t{0}})

@@ -18,9 +18,10 @@ Script creature(double h = 1.0)
     return support::script(support::sample("creature in a room"), "published", h);
 }
 
-/// Points that springs of a whole k swing about a place, undamped. By semi-implicit Euler at whole places, x' = x + v',
-/// v' = v - k x comes back exactly: after 6 rows for a k of 1, 4 for 2, 3 for 3. So it sleeps in rounds.
-Script rounds()
+/// Returns undamped points on springs whose k and positions are whole numbers. With semi-implicit Euler, v' =
+/// v - k x, x' = x + v', the states repeat exactly: after 6 output steps for k = 1, 4 for k = 2, 3 for k = 3.
+/// So the run sleeps.
+Script periodicScript()
 {
     support::Sample sample;
     sample.values.set("k", 1.0);
@@ -29,7 +30,7 @@ Script rounds()
         const int points = values.integer("points");
         Scene scene = scenes::creature(points - 1);
         for (int i = 0; i < points; ++i) {
-            scene.start.place(i, {100.0 + 16.0 * i, 200.0});
+            scene.start.position(i, {100.0 + 16.0 * i, 200.0});
             scene.effects.push_back(std::make_shared<PointSpring>(i, Vec2{100.0, 200.0}, values["k"]));
         }
         return scene;
@@ -37,9 +38,9 @@ Script rounds()
     return support::script(sample, "semi_implicit_euler");
 }
 
-constexpr int histories = tests::sized(200, 70);
+constexpr int sequenceCount = tests::sized(200, 70);
 
-/// The state at `timeline`'s cursor in a run of its script that knows nothing of how it came about.
+/// Returns the state at `timeline`'s cursor in a new run of its script.
 State freshState(const Timeline &timeline)
 {
     Track fresh(timeline.script(), 0, Sleeping::never);
@@ -52,18 +53,18 @@ std::string bodyName(Dice &dice)
     return dice.chance(0.3) ? "body" : "foot" + std::to_string(dice.whole(0, 4));
 }
 
-void useHand(Timeline &timeline, Dice &dice)
+void drag(Timeline &timeline, Dice &dice)
 {
-    const double what = dice.real(0, 1);
-    if (what < 0.35)
+    const double choice = dice.real(0, 1);
+    if (choice < 0.35)
         timeline.applyInput(Grab{bodyName(dice)});
-    else if (what < 0.8)
+    else if (choice < 0.8)
         timeline.applyInput(Move{{dice.real(0, 540), dice.real(0, 400)}});
     else
         timeline.applyInput(Release{});
 }
 
-void setSomething(Timeline &timeline, Dice &dice)
+void setRandomParameter(Timeline &timeline, Dice &dice)
 {
     struct Range
     {
@@ -79,7 +80,7 @@ void setSomething(Timeline &timeline, Dice &dice)
     timeline.setParameter(range.parameter, dice.real(range.low, range.high));
 }
 
-void replaceSomething(Timeline &timeline, Dice &dice)
+void replaceRandomSetting(Timeline &timeline, Dice &dice)
 {
     Script script = timeline.script();
     if (dice.chance(0.4))
@@ -97,24 +98,25 @@ void replaceSomething(Timeline &timeline, Dice &dice)
     timeline.replaceScript(std::move(script));
 }
 
-void doSomething(Timeline &timeline, Dice &dice)
+/// Applies a random edit to a run of creature().
+void editCreature(Timeline &timeline, Dice &dice)
 {
-    const double what = dice.real(0, 1);
-    if (what < 0.35)
+    const double choice = dice.real(0, 1);
+    if (choice < 0.35)
         timeline.seek({dice.whole(0, 60), dice.chance(0.6) ? 0 : dice.whole(0, 25)});
-    else if (what < 0.45)
+    else if (choice < 0.45)
         dice.chance(0.5) ? timeline.nextPhase() : timeline.previousPhase();
-    else if (what < 0.55)
+    else if (choice < 0.55)
         dice.chance(0.7) ? timeline.nextOutputStep() : timeline.previousOutputStep();
-    else if (what < 0.8)
-        useHand(timeline, dice);
-    else if (what < 0.92)
-        setSomething(timeline, dice);
+    else if (choice < 0.8)
+        drag(timeline, dice);
+    else if (choice < 0.92)
+        setRandomParameter(timeline, dice);
     else
-        replaceSomething(timeline, dice);
+        replaceRandomSetting(timeline, dice);
 }
 
-void takeBackSomething(Timeline &timeline, Dice &dice)
+void removeRandomEvent(Timeline &timeline, Dice &dice)
 {
     std::vector<Event> input = timeline.script().input;
     if (!input.empty())
@@ -122,80 +124,85 @@ void takeBackSomething(Timeline &timeline, Dice &dice)
     timeline.replaceInput(std::move(input));
 }
 
-void startElsewhere(Timeline &timeline, Vec2 place)
+void moveStart(Timeline &timeline, Vec2 position)
 {
     Script script = timeline.script();
-    script.bodies["body"] = {place, {}};
+    script.bodies["body"] = {position, {}};
     timeline.replaceScript(std::move(script));
 }
 
-/// The same for rounds().
-void disturbRounds(Timeline &timeline, Dice &dice)
+/// Applies a random edit to a run of periodicScript().
+void editPeriodicRun(Timeline &timeline, Dice &dice)
 {
-    const Vec2 place = {double(dice.whole(50, 150)), double(dice.whole(150, 250))};
-    const double what = dice.real(0, 1);
-    if (what < 0.45)
+    const Vec2 position = {double(dice.whole(50, 150)), double(dice.whole(150, 250))};
+    const double choice = dice.real(0, 1);
+    if (choice < 0.45)
         timeline.seek({dice.whole(0, dice.chance(0.7) ? 20 : 200), dice.chance(0.8) ? 0 : dice.whole(0, 6)});
-    else if (what < 0.55)
+    else if (choice < 0.55)
         dice.chance(0.5) ? timeline.nextOutputStep() : timeline.previousOutputStep();
-    else if (what < 0.65)
+    else if (choice < 0.65)
         timeline.applyInput(Grab{dice.chance(0.5) ? "body" : "foot0"});
-    else if (what < 0.75)
-        timeline.applyInput(Move{place});
-    else if (what < 0.85)
+    else if (choice < 0.75)
+        timeline.applyInput(Move{position});
+    else if (choice < 0.85)
         timeline.applyInput(Release{});
-    else if (what < 0.92)
+    else if (choice < 0.92)
         dice.chance(0.5) ? timeline.setParameter("k", dice.whole(1, 3))
                          : timeline.setParameter("points", dice.whole(1, 4));
-    else if (what < 0.97)
-        takeBackSomething(timeline, dice);
+    else if (choice < 0.97)
+        removeRandomEvent(timeline, dice);
     else
-        startElsewhere(timeline, place);
+        moveStart(timeline, position);
 }
 
 }
 
-class TestAnyHistory : public QObject
+class TestRandomEdits : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void anyHistoryGivesTheStateOfAFreshRun_data()
+    void anySequenceOfEditsGivesTheStateOfAFreshRun_data()
     {
         QTest::addColumn<int>("budget");
-        QTest::newRow("nearly no memory") << 8000; // two starts of the largest state, a method's of order 8
+        QTest::newRow("hardly any memory")
+            << 8000; // fits two of the largest states, those of a method of order 8
         QTest::newRow("some memory") << 30'000;
-        QTest::newRow("all is kept") << 100'000'000;
+        QTest::newRow("everything fits") << 100'000'000;
     }
-    void anyHistoryGivesTheStateOfAFreshRun()
+    void anySequenceOfEditsGivesTheStateOfAFreshRun()
     {
         QFETCH(int, budget);
-        tryHistories(creature(), budget, doSomething);
+        trySequences(creature(), budget, editCreature);
     }
 
-    void soDoesAnyHistoryOfWhatSleepsInRounds_data() { anyHistoryGivesTheStateOfAFreshRun_data(); }
-    void soDoesAnyHistoryOfWhatSleepsInRounds()
+    void anySequenceOfEditsOnAPeriodicRunGivesTheStateOfAFreshRun_data()
+    {
+        anySequenceOfEditsGivesTheStateOfAFreshRun_data();
+    }
+    void anySequenceOfEditsOnAPeriodicRunGivesTheStateOfAFreshRun()
     {
         QFETCH(int, budget);
-        const int slept = tryHistories(rounds(), budget, disturbRounds);
-        QVERIFY2(slept > 2 * histories, qPrintable(QString::number(slept))); // else little was tried
+        const int slept = trySequences(periodicScript(), budget, editPeriodicRun);
+        // With fewer sleeping states the test would hardly check sleeping.
+        QVERIFY2(slept > 2 * sequenceCount, qPrintable(QString::number(slept)));
     }
 
 private:
-    /// Returns after how many acts the run was asleep.
-    static int tryHistories(const Script &script, int budget, void (*act)(Timeline &, Dice &))
+    /// Returns the number of edits after which the run slept.
+    static int trySequences(const Script &script, int budget, void (*edit)(Timeline &, Dice &))
     {
         int slept = 0;
-        for (std::uint64_t seed = 1; seed <= std::uint64_t(histories); ++seed) {
+        for (std::uint64_t seed = 1; seed <= std::uint64_t(sequenceCount); ++seed) {
             Dice dice(seed);
             Timeline timeline(script, std::size_t(budget));
             for (int i = 0; i < 25; ++i) {
-                act(timeline, dice);
+                edit(timeline, dice);
                 std::string found = support::difference(timeline.state(), freshState(timeline));
                 if (timeline.keyframeBytes() > std::size_t(budget))
-                    found += " more is kept than may be";
+                    found += " the budget is exceeded";
                 if (!found.empty()) {
-                    const QString where = QString("seed %1, act %2: ").arg(seed).arg(i);
+                    const QString where = QString("seed %1, edit %2: ").arg(seed).arg(i);
                     QTest::qFail(qPrintable(where + QString::fromStdString(found)), __FILE__, __LINE__);
                     return 0;
                 }
@@ -206,5 +213,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAnyHistory)
+QTEST_APPLESS_MAIN(TestRandomEdits)
 #include "tst_random_edits.moc"

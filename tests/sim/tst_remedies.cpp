@@ -1,4 +1,4 @@
-// What would mend a step past its limit, each tried by running it; and the map of growth.
+// Remedies for a step beyond its stability limit, each checked by a run, and the growth map.
 
 #include "stability_scenes.h"
 #include "support.h"
@@ -13,11 +13,11 @@
 #include <QTest>
 
 using namespace sim;
-using namespace stability_bench;
+using namespace stability_scenes;
 
 namespace {
 
-/// A creature whose parameters are k and damp, at rest.
+/// Returns a script with a creature at rest. Its parameters are k and damp.
 Script creatureScript(int feet, const char *method, double k, double damp, double h)
 {
     Script script;
@@ -29,13 +29,13 @@ Script creatureScript(int feet, const char *method, double k, double damp, doubl
     return script;
 }
 
-struct Asked
+struct Request
 {
     Script script;
     Scene scene = sceneOf(script, script.values);
     Stability now = stabilityOf(scene, scene.start, *script.method, script.step.h);
 
-    explicit Asked(Script given) : script(std::move(given)) {}
+    explicit Request(Script given) : script(std::move(given)) {}
     std::vector<Remedy> remedies(const DampRange *damp) const
     {
         return remediesFor(script, script.values, scene.start, now, damp);
@@ -46,9 +46,9 @@ const DampRange damping = {"damp", 0.0, 0.01};
 
 const Remedy *find(const std::vector<Remedy> &all, Remedy::Kind kind)
 {
-    for (const Remedy &one : all) {
-        if (one.kind == kind)
-            return &one;
+    for (const Remedy &remedy : all) {
+        if (remedy.kind == kind)
+            return &remedy;
     }
     return nullptr;
 }
@@ -60,19 +60,19 @@ class TestRemedies : public QObject
     Q_OBJECT
 
 private slots:
-    void eachRemedyMendsARunThatGrows_data();
-    void eachRemedyMendsARunThatGrows();
-    void theStepIsTheLargestThatHoldsWell();
-    void theDampingIsTheLeastThatHolds();
-    void aStepThatHoldsWellNeedsNothing();
-    void whereNoStepHoldsNoneIsOffered();
-    void withoutSuchAParameterNoDampingIsOffered();
-    void aMapSaysWhereRunsGrow_data();
-    void aMapSaysWhereRunsGrow();
-    void aMapStopsWhenToldTo();
+    void remediesStabiliseAGrowingRun_data();
+    void remediesStabiliseAGrowingRun();
+    void suggestedStepIsTheLargestSafeOne();
+    void suggestedDampingIsTheWeakestStableOne();
+    void safeStepGetsNoRemedy();
+    void noStepIsSuggestedIfNoneIsStable();
+    void noDampingIsSuggestedWithoutAParameter();
+    void growthMapAgreesWithRuns_data();
+    void growthMapAgreesWithRuns();
+    void growthMapCanBeCancelled();
 };
 
-void TestRemedies::eachRemedyMendsARunThatGrows_data()
+void TestRemedies::remediesStabiliseAGrowingRun_data()
 {
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("k");
@@ -84,40 +84,40 @@ void TestRemedies::eachRemedyMendsARunThatGrows_data()
     QTest::addRow("Runge-Kutta 4") << "rk4" << 4.0 << 0.9;
 }
 
-void TestRemedies::eachRemedyMendsARunThatGrows()
+void TestRemedies::remediesStabiliseAGrowingRun()
 {
     QFETCH(QString, method);
     QFETCH(double, k);
     QFETCH(double, damp);
     const int feet = 3;
-    const Asked asked(creatureScript(feet, qPrintable(method), k, damp, 1.0));
+    const Request request(creatureScript(feet, qPrintable(method), k, damp, 1.0));
     QVERIFY(grows(creature(feet, k, damp), method.toStdString(), 1.0));
-    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const std::vector<Remedy> remedies = request.remedies(&damping);
     QVERIFY(find(remedies, Remedy::Kind::smallerStep));
     QVERIFY(find(remedies, Remedy::Kind::unlimitedMethod));
-    for (const Remedy &one : remedies) {
-        const bool damps = one.kind == Remedy::Kind::moreDamping;
-        const Swinging mended = creature(feet, k, damps ? one.value : damp);
-        QVERIFY2(!grows(mended, one.method->id(), one.step.h, 4000),
-                 qPrintable(QString::fromStdString(one.method->id())));
-        QVERIFY(one.share <= (damps ? marginalShare : safeShare));
+    for (const Remedy &remedy : remedies) {
+        const bool isDamping = remedy.kind == Remedy::Kind::moreDamping;
+        const OscillatingScene changed = creature(feet, k, isDamping ? remedy.value : damp);
+        QVERIFY2(!grows(changed, remedy.method->id(), remedy.step.h, 4000),
+                 qPrintable(QString::fromStdString(remedy.method->id())));
+        QVERIFY(remedy.share <= (isDamping ? marginalShare : safeShare));
     }
 }
 
-void TestRemedies::theStepIsTheLargestThatHoldsWell()
+void TestRemedies::suggestedStepIsTheLargestSafeOne()
 {
-    const Asked asked(creatureScript(5, "explicit_euler", 0.2, 0.85, 1.0));
-    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const Request request(creatureScript(5, "explicit_euler", 0.2, 0.85, 1.0));
+    const std::vector<Remedy> remedies = request.remedies(&damping);
     const Remedy *step = find(remedies, Remedy::Kind::smallerStep);
     QVERIFY(step);
-    QVERIFY(step->step.h <= safeShare * asked.now.limit);
-    QVERIFY(2.0 * step->step.h > safeShare * asked.now.limit);
+    QVERIFY(step->step.h <= safeShare * request.now.limit);
+    QVERIFY(2.0 * step->step.h > safeShare * request.now.limit);
 }
 
-void TestRemedies::theDampingIsTheLeastThatHolds()
+void TestRemedies::suggestedDampingIsTheWeakestStableOne()
 {
-    const Asked asked(creatureScript(3, "published", 0.3, 0.9, 1.0));
-    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const Request request(creatureScript(3, "published", 0.3, 0.9, 1.0));
+    const std::vector<Remedy> remedies = request.remedies(&damping);
     const Remedy *damp = find(remedies, Remedy::Kind::moreDamping);
     QVERIFY(damp);
     const auto shareAt = [&](double value) {
@@ -128,17 +128,17 @@ void TestRemedies::theDampingIsTheLeastThatHolds()
     QVERIFY(shareAt(damp->value + 0.01) > marginalShare);
 }
 
-void TestRemedies::aStepThatHoldsWellNeedsNothing()
+void TestRemedies::safeStepGetsNoRemedy()
 {
-    const Asked asked(creatureScript(5, "semi_implicit_euler", 0.2, 0.85, 1.0));
-    QVERIFY(asked.now.share() < safeShare);
-    QVERIFY(asked.remedies(&damping).empty());
+    const Request request(creatureScript(5, "semi_implicit_euler", 0.2, 0.85, 1.0));
+    QVERIFY(request.now.share() < safeShare);
+    QVERIFY(request.remedies(&damping).empty());
 }
 
-void TestRemedies::whereNoStepHoldsNoneIsOffered()
+void TestRemedies::noStepIsSuggestedIfNoneIsStable()
 {
-    const Asked asked(creatureScript(3, "explicit_euler", 0.2, 1.0, 1.0));
-    const std::vector<Remedy> remedies = asked.remedies(&damping);
+    const Request request(creatureScript(3, "explicit_euler", 0.2, 1.0, 1.0));
+    const std::vector<Remedy> remedies = request.remedies(&damping);
     QVERIFY(!find(remedies, Remedy::Kind::smallerStep));
     const Remedy *other = find(remedies, Remedy::Kind::stableMethod);
     QVERIFY(other);
@@ -146,21 +146,21 @@ void TestRemedies::whereNoStepHoldsNoneIsOffered()
     QVERIFY(other->method->requirements().empty());
 }
 
-void TestRemedies::withoutSuchAParameterNoDampingIsOffered()
+void TestRemedies::noDampingIsSuggestedWithoutAParameter()
 {
-    const Asked asked(creatureScript(3, "published", 0.3, 0.9, 1.0));
-    QVERIFY(find(asked.remedies(&damping), Remedy::Kind::moreDamping));
-    QVERIFY(!find(asked.remedies(nullptr), Remedy::Kind::moreDamping));
+    const Request request(creatureScript(3, "published", 0.3, 0.9, 1.0));
+    QVERIFY(find(request.remedies(&damping), Remedy::Kind::moreDamping));
+    QVERIFY(!find(request.remedies(nullptr), Remedy::Kind::moreDamping));
 }
 
-void TestRemedies::aMapSaysWhereRunsGrow_data()
+void TestRemedies::growthMapAgreesWithRuns_data()
 {
     QTest::addColumn<QString>("method");
     for (const char *method : {"published", "semi_implicit_euler", "explicit_euler"})
         QTest::addRow("%s", method) << QString(method);
 }
 
-void TestRemedies::aMapSaysWhereRunsGrow()
+void TestRemedies::growthMapAgreesWithRuns()
 {
     QFETCH(QString, method);
     const Script script = creatureScript(2, qPrintable(method), 0.2, 0.9, 1.0);
@@ -170,24 +170,24 @@ void TestRemedies::aMapSaysWhereRunsGrow()
             growthMap(script, script.values, scene.start, MapAxis::evenly("k", 0.05, 3.0, 7), y,
                       [](const GrowthMap &) { return true; });
         QCOMPARE(map.growth.size(), std::size_t(7 * 5));
-        int growing = 0;
+        int growingCells = 0;
         for (std::size_t row = 0; row < map.y.values.size(); ++row) {
             for (std::size_t column = 0; column < map.x.values.size(); ++column) {
                 const double value = map.y.values[row];
                 const bool isStep = map.y.parameter.empty();
-                const Swinging here = creature(2, map.x.values[column], isStep ? 0.9 : value);
-                const bool found = grows(here, method.toStdString(), isStep ? value : 1.0, 4000);
+                const OscillatingScene changed = creature(2, map.x.values[column], isStep ? 0.9 : value);
+                const bool found = grows(changed, method.toStdString(), isStep ? value : 1.0, 4000);
                 QCOMPARE(map.at(column, row) > 1.0, found);
-                growing += found;
+                growingCells += found;
             }
         }
-        QVERIFY(growing > 0 && growing < 35);
+        QVERIFY(growingCells > 0 && growingCells < 35);
     };
     check(MapAxis::byRatio({}, 0.1, 2.0, 5));
     check(MapAxis::evenly("damp", 0.3, 0.99, 5));
 }
 
-void TestRemedies::aMapStopsWhenToldTo()
+void TestRemedies::growthMapCanBeCancelled()
 {
     const Script script = creatureScript(2, "published", 0.2, 0.9, 1.0);
     const Scene scene = sceneOf(script, script.values);

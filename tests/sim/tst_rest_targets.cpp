@@ -1,4 +1,4 @@
-// Where springs and sticks say that they rest, they do: nothing pulls there, and nothing is moved.
+// Springs and sticks do nothing to a point at its rest target.
 
 #include "support.h"
 
@@ -34,12 +34,12 @@ using EffectOf = std::function<EffectPtr(Dice &)>;
 
 Q_DECLARE_METATYPE(EffectOf)
 
-class RestingTest : public QObject
+class TestRestTargets : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void nothingHappensToWhatIsWhereItRests_data()
+    void pointAtItsRestTargetStaysThere_data()
     {
         QTest::addColumn<EffectOf>("make");
         QTest::newRow("radial spring") << EffectOf([](Dice &dice) {
@@ -48,7 +48,7 @@ private slots:
         QTest::newRow("offset spring") << EffectOf([](Dice &dice) {
             return std::make_shared<OffsetSpring>(std::vector<Link>{{1, 3}}, k, dice.real(1, 90));
         });
-        QTest::newRow("spring of its own") << EffectOf([](Dice &dice) {
+        QTest::newRow("spring with individual stiffness") << EffectOf([](Dice &dice) {
             return std::make_shared<Springs>(std::vector<Spring>{{0, 2, k, dice.real(1, 90)}}, points);
         });
         for (const Aim aim : {Aim::bone, Aim::below, Aim::swing})
@@ -74,34 +74,34 @@ private slots:
         });
     }
 
-    void nothingHappensToWhatIsWhereItRests()
+    void pointAtItsRestTargetStaysThere()
     {
         QFETCH(EffectOf, make);
         Dice dice(7);
         for (int i = 0; i < 50; ++i) {
             const EffectPtr effect = make(dice);
             const State state = scattered(dice);
-            std::vector<RestTarget> rests;
-            effect->addRestTargets(state, rests);
-            QVERIFY(!rests.empty());
-            for (const RestTarget &rest : rests) {
-                State there = state;
-                there.place(rest.mover, rest.position);
+            std::vector<RestTarget> targets;
+            effect->addRestTargets(state, targets);
+            QVERIFY(!targets.empty());
+            for (const RestTarget &rest : targets) {
+                State atRest = state;
+                atRest.place(rest.mover, rest.position);
                 QVERIFY2(changeOf(*effect, state, rest.mover) > 1e-6, "it would be at rest anywhere");
-                const double change = changeOf(*effect, there, rest.mover);
+                const double change = changeOf(*effect, atRest, rest.mover);
                 QVERIFY2(change < 1e-9, qPrintable(QString::number(change)));
             }
         }
     }
 
 private:
-    /// By how much the effect pulls a point, or moves it, in px.
+    /// Returns the acceleration that a force gives `point`, px/frame^2, or how far a constraint moves it, px.
     static double changeOf(const Effect &effect, State state, int point)
     {
         if (const auto *force = dynamic_cast<const Force *>(&effect)) {
-            Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(points, 2);
-            force->add(state, {0, points}, 1.0, DirectionRule::regularised, into);
-            return length(Vec2{into(point, 0), into(point, 1)});
+            Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(points, 2);
+            force->add(state, {0, points}, 1.0, DirectionRule::regularised, accelerations);
+            return length(Vec2{accelerations(point, 0), accelerations(point, 1)});
         }
         const Vec2 before = state.positionOf(point);
         dynamic_cast<const Constraint &>(effect).enforce(state, {0, points}, DirectionRule::regularised, 1.0);
@@ -109,5 +109,5 @@ private:
     }
 };
 
-QTEST_APPLESS_MAIN(RestingTest)
+QTEST_APPLESS_MAIN(TestRestTargets)
 #include "tst_rest_targets.moc"

@@ -1,4 +1,4 @@
-// Sums are rounded after every operation, on every machine and in every build.
+// Every operation is rounded separately, on every machine and in every build.
 
 #include "rounding.h"
 #include "support.h"
@@ -13,14 +13,14 @@ using namespace sim;
 
 namespace {
 
-/// A number that the compiler cannot compute with beforehand.
+/// Returns `value`, hidden from the compiler's constant folding.
 double opaque(double value)
 {
     volatile double hidden = value;
     return hidden;
 }
 
-/// FNV-1a over the bits of what moves, of masses, and of what is held.
+/// Returns the FNV-1a hash of positions, velocities, accelerations, masses and the drag.
 std::uint64_t hashOf(const State &state)
 {
     std::uint64_t hash = 0xcbf29ce484222325u;
@@ -57,7 +57,7 @@ private slots:
         const double a = opaque(1.0 + 0x1.0p-30);
         const double rounded = opaque(a * a);
         QCOMPARE(productMinus(a, a, rounded), 0.0);
-        QVERIFY(std::fma(a, a, -rounded) != 0.0); // what contraction would make of it
+        QVERIFY(std::fma(a, a, -rounded) != 0.0); // the result with contraction
     }
 
     void phasesRoundTheirProducts()
@@ -72,16 +72,16 @@ private slots:
     {
         QTest::addColumn<double>("h");
         QTest::addColumn<quint64>("hash");
-        QTest::newRow("one step a frame") << 1.0 << quint64(0xde5b2b8c64a2fe66);
-        QTest::newRow("two steps a frame") << 0.5 << quint64(0xc7833748a05341dc);
+        QTest::newRow("one step per frame") << 1.0 << quint64(0xde5b2b8c64a2fe66);
+        QTest::newRow("two steps per frame") << 0.5 << quint64(0xc7833748a05341dc);
     }
     void aRunHasTheSameBitsInEveryBuild()
     {
         QFETCH(double, h);
         QFETCH(quint64, hash);
         support::Sample sample = support::sample("creature in a room");
-        sample.values.set("damp",
-                          0.25); // a power that every mathematics library takes exactly, at both steps
+        // The powers of 0.25 are exact in every mathematics library, at both steps.
+        sample.values.set("damp", 0.25);
         const Scene scene = sample.build(sample.values);
         QCOMPARE(QString::number(hashOf(support::plainRun(scene, "semi_implicit_euler", h, 200)), 16),
                  QString::number(hash, 16));

@@ -1,10 +1,10 @@
-// What has come to rest sleeps: its rows are not computed, and no bit of the run differs.
+// A run at rest sleeps: its output steps are not computed, and the run has the same bits.
 
 #include "sleep_scenes.h"
 
 #include <QTest>
 
-using namespace sleep_bench;
+using namespace sleep_scenes;
 
 class TestSleep : public QObject
 {
@@ -38,11 +38,11 @@ private slots:
                         {900, Release{}},
                         {1300, Grab{"foot"}},
                         {1310, Release{}}};
-        const std::string what = sleepDiffers(script, 2000);
-        QVERIFY2(what.empty(), what.c_str());
+        const std::string difference = sleepDiffers(script, 2000);
+        QVERIFY2(difference.empty(), difference.c_str());
     }
 
-    void whatIsDampedFallsAsleep_data()
+    void dampedScenesSleep_data()
     {
         QTest::addColumn<QString>("method");
         for (const MethodPtr &method : support::fixedMethods()) {
@@ -50,25 +50,25 @@ private slots:
                 QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
         }
     }
-    void whatIsDampedFallsAsleep()
+    void dampedScenesSleep()
     {
         QFETCH(QString, method);
         Track track(scriptOf(homing, method.toStdString()), budget);
         const std::int64_t from = sleepsFrom(track);
-        QVERIFY2(from > 0, "it never sleeps");
+        QVERIFY2(from > 0, "the run never sleeps");
         QVERIFY(track.sleep()->isStill());
         QVERIFY(track.isFinished());
-        const std::string what = sleepDiffers(track.script(), from + 500);
-        QVERIFY2(what.empty(), what.c_str());
+        const std::string difference = sleepDiffers(track.script(), from + 500);
+        QVERIFY2(difference.empty(), difference.c_str());
     }
 
-    void aFarFrameOfASleepingRunIsThereAtOnce()
+    void seekingInASleepingRunComputesNothing()
     {
         auto count = make_shared<std::int64_t>(0);
         Script script = scriptOf(homing);
         script.build = [count](const Values &values) {
             Scene scene = homing(values);
-            scene.effects.push_back(make_shared<Counting>(count));
+            scene.effects.push_back(make_shared<CountingForce>(count));
             return scene;
         };
         Track track(script, budget);
@@ -84,22 +84,22 @@ private slots:
         for (int i = 0; i < 1000; ++i)
             track.seek({from + i * 977, 0});
         QVERIFY(continueIdentically(track.stateAt(from + 123'456), rest));
-        QCOMPARE(*count, computed); // no phase ran
-        // The same run awake, as far as a test can wait for it.
-        Track waker(script, 0, Sleeping::never);
-        waker.seek({from + 3000, 0});
+        QCOMPARE(*count, computed); // no phase was computed
+        // The same run without sleeping. It has fewer frames, because it is slow.
+        Track reference(script, 0, Sleeping::never);
+        reference.seek({from + 3000, 0});
         track.seek({from + 3000, 0});
-        QVERIFY(sameBits(track.state(), waker.state()));
-        // Inside a frame its phases run, as always.
+        QVERIFY(sameBits(track.state(), reference.state()));
+        // Seeking a phase within a frame computes the phases.
         const std::int64_t before = *count;
-        track.seek({from + 3000, 3}); // two springs, and the one that counts
+        track.seek({from + 3000, 3}); // two springs and the counting force
         QCOMPARE(*count, before + 2);
         track.seek({from + 3001, 0});
-        waker.seek({from + 3001, 0});
-        QVERIFY(sameBits(track.state(), waker.state()));
+        reference.seek({from + 3001, 0});
+        QVERIFY(sameBits(track.state(), reference.state()));
     }
 
-    void aSleepingRunTakesNoMoreMemoryTheLongerItIs()
+    void sleepingRunTakesConstantMemory()
     {
         Track track(scriptOf(homing), budget);
         const std::int64_t from = sleepsFrom(track);
@@ -108,7 +108,7 @@ private slots:
         for (std::int64_t frame = from; frame <= 10'000'000; frame += 9973)
             track.seek({frame, 0});
         for (int i = 0; i < 100; ++i) {
-            track.seek({5'000'000 + i, 2}); // into frames, too
+            track.seek({5'000'000 + i, 2}); // also within frames
             track.seek({5'000'000 + i + 1, 0});
         }
         QCOMPARE(track.keyframeCount(), states);
@@ -116,9 +116,10 @@ private slots:
         QVERIFY(track.sleepBytes() <= CycleDetector::longest * byteSize(track.state()));
     }
 
-    void aRoundOfAFewStatesSleepsTooButIsNotOver()
+    void cycleOfStatesSleepsButIsNotFinished()
     {
-        // x' = x + v', v' = v - x: with k = 1 and h = 1 semi-implicit Euler comes back after 6 frames, exactly.
+        // With k = 1 and h = 1 the states of semi-implicit Euler, v' = v - x, x' = x + v', repeat exactly
+        // after 6 frames.
         Scene scene = scenes::creature(1);
         scene.start.place(0, {16.0, 0.0});
         scene.start.place(1, {0.0, 0.0});
@@ -130,27 +131,26 @@ private slots:
         QCOMPARE(track.sleep()->period(), 6);
         QVERIFY(!track.sleep()->isStill());
         QVERIFY(!track.isFinished());
-        const double round[] = {16.0, 0.0, -16.0, -16.0, 0.0, 16.0};
+        const double positions[] = {16.0, 0.0, -16.0, -16.0, 0.0, 16.0};
         for (std::int64_t frame = 1'000'000; frame < 1'000'020; ++frame) {
             track.seek({frame, 0});
-            QCOMPARE(track.state().positionOf(0).x, round[frame % 6]);
+            QCOMPARE(track.state().positionOf(0).x, positions[frame % 6]);
         }
-        const std::string what = sleepDiffers(script, from + 100);
-        QVERIFY2(what.empty(), what.c_str());
+        const std::string difference = sleepDiffers(script, from + 100);
+        QVERIFY2(difference.empty(), difference.c_str());
     }
 
-    void whatWasComputedIsCountedOn()
+    void evaluationsAreCountedWhileSleeping()
     {
-        // A method that counts its own evaluations tells the same number asleep.
         for (const char *method : {"backward_euler", "implicit_midpoint"}) {
             Track track(scriptOf(homing, method), budget);
             const std::int64_t from = sleepsFrom(track);
             QVERIFY(from > 0);
-            Track waker(track.script(), 0, Sleeping::never);
-            waker.seek({from + 777, 0});
+            Track reference(track.script(), 0, Sleeping::never);
+            reference.seek({from + 777, 0});
             track.seek({from + 777, 0});
-            QVERIFY(waker.state().pointEvaluations > 0);
-            QCOMPARE(track.state().pointEvaluations, waker.state().pointEvaluations);
+            QVERIFY(reference.state().pointEvaluations > 0);
+            QCOMPARE(track.state().pointEvaluations, reference.state().pointEvaluations);
         }
     }
 
@@ -163,7 +163,7 @@ private slots:
             script.input.push_back({i * 500 + 2, Release{}});
         }
         const std::size_t small = 40 * byteSize(Track(script, 0).state());
-        Track track(script, small), straight(script, 0, Sleeping::never);
+        Track track(script, small), reference(script, 0, Sleeping::never);
         support::Dice dice(3);
         for (int i = 0; i < 200; ++i) {
             const std::int64_t frame = dice.whole(0, 100'500);
@@ -171,8 +171,8 @@ private slots:
             QVERIFY(track.sleepBytes() <= small + CycleDetector::longest * byteSize(track.state()));
             QVERIFY(track.keyframeBytes() <= small);
             if (i % 40 == 0) {
-                straight.seek({frame, 0});
-                QVERIFY(sameBits(track.state(), straight.state()));
+                reference.seek({frame, 0});
+                QVERIFY(sameBits(track.state(), reference.state()));
             }
         }
     }

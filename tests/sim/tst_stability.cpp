@@ -1,4 +1,4 @@
-// What bounds a step, which spring decides it, and what is left out.
+// The bound of a step, the spring that determines it, and the effects that the analysis ignores.
 
 #include "stability_scenes.h"
 #include "support.h"
@@ -16,25 +16,25 @@
 #include <cmath>
 
 using namespace sim;
-using namespace stability_bench;
+using namespace stability_scenes;
 using std::make_shared;
 
 namespace {
 
-/// A force that keeps its slopes to itself.
-class Silent : public Force
+/// A force that hides the Jacobian of another force.
+class ForceWithoutJacobian : public Force
 {
 public:
-    explicit Silent(std::shared_ptr<const Force> inner) : m_inner(std::move(inner)) {}
+    explicit ForceWithoutJacobian(std::shared_ptr<const Force> inner) : m_inner(std::move(inner)) {}
     std::string id() const override { return "silent"; }
     std::string title() const override { return "silent"; }
     EffectKind kind() const override { return EffectKind::spring; }
     std::vector<Region> regions(DirectionRule) const override { return {}; }
     int count(const State &state, PointRange points) const override { return m_inner->count(state, points); }
-    void add(const State &state, PointRange movers, double scale, DirectionRule way,
-             Eigen::ArrayX2d &into) const override
+    void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
+             Eigen::ArrayX2d &accelerations) const override
     {
-        m_inner->add(state, movers, scale, way, into);
+        m_inner->add(state, movers, scale, directionRule, accelerations);
     }
     std::vector<LiveValue> explain(const State &, int, DirectionRule) const override { return {}; }
 
@@ -49,36 +49,36 @@ class TestStability : public QObject
     Q_OBJECT
 
 private slots:
-    void everyMethodSaysWhatBoundsIt();
-    void nothingSwingsWithoutSprings();
-    void whatPushesApartIsNoFaultOfTheStep();
+    void everyMethodReportsItsBound();
+    void sceneWithoutSpringsHasNoLimit();
+    void bucklingIsNotCountedAsInstability();
     void theStiffestSpringIsNamed();
-    void aSpringToAPlaceIsNamed();
-    void contactsAreNamedAsLeftOut();
-    void forcesWithoutSlopesAreDifferenced();
-    void whatPushesApartIsLeftOutOfDifferencesToo();
-    void aHeldBodyDoesNotSwing();
-    void theLargestEigenvaluesOfALargeMatrixAreFound();
-    void pullsThatAreNotFiniteAreSaid();
-    void extremesHaveAnAnswer_data();
-    void extremesHaveAnAnswer();
+    void stiffestPointSpringIsNamed();
+    void ignoredContactsAreNamed();
+    void forcesWithoutJacobianAreDifferenced();
+    void bucklingIsIgnoredInDifferencesToo();
+    void heldBodyIsFixed();
+    void largestEigenvalueOfALargeMatrixIsFound();
+    void nonFiniteForcesAreReported();
+    void extremeParametersGiveAResult_data();
+    void extremeParametersGiveAResult();
 };
 
-void TestStability::everyMethodSaysWhatBoundsIt()
+void TestStability::everyMethodReportsItsBound()
 {
     const Scene scene = chain(3, 0.2, 0.9).scene;
     for (const MethodPtr &method : allMethods()) {
         const Bound bound = stabilityOf(scene, scene.start, *method, 1.0).bound;
         if (method->stepping() == Stepping::adaptive)
             QCOMPARE(bound, Bound::tolerance);
-        else if (method->requirements() == std::vector<std::string>{"slopes"})
+        else if (method->requirements() == std::vector<std::string>{"jacobian"})
             QCOMPARE(bound, Bound::none);
         else
             QCOMPARE(bound, Bound::stiffness);
     }
 }
 
-void TestStability::nothingSwingsWithoutSprings()
+void TestStability::sceneWithoutSpringsHasNoLimit()
 {
     Scene scene = scenes::creature(2);
     scene.effects = {make_shared<Gravity>(0.5), make_shared<Damping>(0.9)};
@@ -86,18 +86,18 @@ void TestStability::nothingSwingsWithoutSprings()
     QCOMPARE(growthOf(scene, scene.start, *findMethod("published"), 1.0), 1.0);
 }
 
-void TestStability::whatPushesApartIsNoFaultOfTheStep()
+void TestStability::bucklingIsNotCountedAsInstability()
 {
-    // A long row of points that springs press together would buckle sideways by itself; along the springs it has the
-    // limit of springs that nothing presses.
+    // Compressed springs buckle sideways at any step. Along the springs the limit is that of uncompressed
+    // springs.
     Scene scene = creature(3, 0.2, 0.9).scene;
-    const Stability slack = predicted(scene, "semi_implicit_euler", 0.1);
+    const Stability unloaded = predicted(scene, "semi_implicit_euler", 0.1);
     for (int i = 0; i < 3; ++i)
         scene.start.place(i, scene.start.positionOf(3) +
                                  0.4 * (scene.start.positionOf(i) - scene.start.positionOf(3)));
-    const Stability pressed = predicted(scene, "semi_implicit_euler", 0.1);
-    QVERIFY(pressed.holds());
-    QVERIFY(std::abs(pressed.limit - slack.limit) < 1e-9);
+    const Stability compressed = predicted(scene, "semi_implicit_euler", 0.1);
+    QVERIFY(compressed.holds());
+    QVERIFY(std::abs(compressed.limit - unloaded.limit) < 1e-9);
     const Stability published = predicted(scene, "published", 0.1);
     QVERIFY(published.holds());
 }
@@ -116,7 +116,7 @@ void TestStability::theStiffestSpringIsNamed()
     }
 }
 
-void TestStability::aSpringToAPlaceIsNamed()
+void TestStability::stiffestPointSpringIsNamed()
 {
     Scene scene = chain(6, 0.05, 0.95).scene;
     const auto stiff = make_shared<PointSpring>(2, Vec2{0, 0}, 0.9);
@@ -128,7 +128,7 @@ void TestStability::aSpringToAPlaceIsNamed()
     QCOMPARE(found.points.front(), 2);
 }
 
-void TestStability::contactsAreNamedAsLeftOut()
+void TestStability::ignoredContactsAreNamed()
 {
     const support::Sample &room = support::sample("creature in a room");
     const Scene scene = room.build(room.values);
@@ -138,38 +138,39 @@ void TestStability::contactsAreNamedAsLeftOut()
     QCOMPARE(found.ignored.front()->id(), "walls");
 }
 
-void TestStability::forcesWithoutSlopesAreDifferenced()
+void TestStability::forcesWithoutJacobianAreDifferenced()
 {
     Scene scene = creature(4, 0.2, 0.9).scene;
     for (const char *method : {"rk4", "published"}) {
-        const double told = predicted(scene, method).limit;
-        Scene silent = scene;
-        silent.effects.front() =
-            make_shared<Silent>(std::dynamic_pointer_cast<const Force>(scene.effects.front()));
-        const double found = predicted(silent, method).limit;
-        QVERIFY2(std::abs(told - found) < 1e-3 * told, qPrintable(QString("%1 %2").arg(told).arg(found)));
+        const double exact = predicted(scene, method).limit;
+        Scene withoutJacobian = scene;
+        withoutJacobian.effects.front() =
+            make_shared<ForceWithoutJacobian>(std::dynamic_pointer_cast<const Force>(scene.effects.front()));
+        const double found = predicted(withoutJacobian, method).limit;
+        QVERIFY2(std::abs(exact - found) < 1e-3 * exact, qPrintable(QString("%1 %2").arg(exact).arg(found)));
     }
 }
 
-void TestStability::whatPushesApartIsLeftOutOfDifferencesToo()
+void TestStability::bucklingIsIgnoredInDifferencesToo()
 {
-    // One spring, as differences cannot tell several that pull one point apart. They are symmetric but for rounding.
+    // Only one spring, because differences cannot separate several springs of one point.
     Scene scene = creature(1, 0.2, 0.9).scene;
     scene.start.place(0, scene.start.positionOf(1) + Vec2{12.0, 17.0});
-    Scene silent = scene;
-    silent.effects.front() =
-        make_shared<Silent>(std::dynamic_pointer_cast<const Force>(scene.effects.front()));
+    Scene withoutJacobian = scene;
+    withoutJacobian.effects.front() =
+        make_shared<ForceWithoutJacobian>(std::dynamic_pointer_cast<const Force>(scene.effects.front()));
     for (const char *method : {"semi_implicit_euler", "rk4", "published"}) {
-        const Stability told = predicted(scene, method, 0.1), found = predicted(silent, method, 0.1);
+        const Stability exact = predicted(scene, method, 0.1),
+                        found = predicted(withoutJacobian, method, 0.1);
         QVERIFY(found.holds());
-        QVERIFY2(std::abs(told.limit - found.limit) < 1e-3 * told.limit,
-                 qPrintable(QString("%1: %2 %3").arg(method).arg(told.limit).arg(found.limit)));
+        QVERIFY2(std::abs(exact.limit - found.limit) < 1e-3 * exact.limit,
+                 qPrintable(QString("%1: %2 %3").arg(method).arg(exact.limit).arg(found.limit)));
     }
 }
 
-void TestStability::aHeldBodyDoesNotSwing()
+void TestStability::heldBodyIsFixed()
 {
-    // The pair is then one foot on a spring to a place.
+    // The pair is then one foot on a spring to a fixed position.
     Scene scene = creature(1, 0.3, 1.0).scene;
     scene.start.inverseMass[1] = 0.0;
     const double limit = 2.0 / std::sqrt(0.3);
@@ -177,7 +178,7 @@ void TestStability::aHeldBodyDoesNotSwing()
         QVERIFY(std::abs(predicted(scene, method).limit - limit) < 2e-4 * limit);
 }
 
-void TestStability::theLargestEigenvaluesOfALargeMatrixAreFound()
+void TestStability::largestEigenvalueOfALargeMatrixIsFound()
 {
     const int size = 300;
     support::Dice dice(3);
@@ -194,7 +195,7 @@ void TestStability::theLargestEigenvaluesOfALargeMatrixAreFound()
     QVERIFY((matrix * vector - found.values().front() * vector).norm() < 1e-4 * largest);
 }
 
-void TestStability::pullsThatAreNotFiniteAreSaid()
+void TestStability::nonFiniteForcesAreReported()
 {
     Scene scene = creature(1, 0.3, 0.9).scene;
     scene.start.place(0, {std::nan(""), 0.0});
@@ -203,7 +204,7 @@ void TestStability::pullsThatAreNotFiniteAreSaid()
     QVERIFY(!found.holds());
 }
 
-void TestStability::extremesHaveAnAnswer_data()
+void TestStability::extremeParametersGiveAResult_data()
 {
     QTest::addColumn<double>("k");
     QTest::addColumn<double>("damp");
@@ -216,7 +217,7 @@ void TestStability::extremesHaveAnAnswer_data()
     }
 }
 
-void TestStability::extremesHaveAnAnswer()
+void TestStability::extremeParametersGiveAResult()
 {
     QFETCH(double, k);
     QFETCH(double, damp);
@@ -230,7 +231,7 @@ void TestStability::extremesHaveAnAnswer()
             QCOMPARE(found.bound, Bound::stiffness);
             QVERIFY(found.limit >= 0.0);
             QVERIFY(found.growth >= 0.0);
-            // Far below its limit a step holds, unless that is below what rounding tells.
+            // A step below its limit is stable.
             if (found.limit > 0.0 && found.share() < 0.9)
                 QVERIFY(found.holds());
         }

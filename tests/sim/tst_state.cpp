@@ -1,4 +1,4 @@
-// State: what is compared, counted and found.
+// State: comparison of bits, memory size and non-finite points.
 
 #include "sim/run/finite.h"
 #include "support.h"
@@ -12,9 +12,9 @@ using namespace sim;
 namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
-State three()
+State threePoints()
 {
     State state = State::ofPoints(3);
     support::scatter(state, 1, 100.0);
@@ -47,16 +47,16 @@ private slots:
     void everyMemberIsCompared()
     {
         QFETCH(std::function<void(State &)>, change);
-        State other = three();
-        QVERIFY(sameBits(other, three()));
+        State other = threePoints();
+        QVERIFY(sameBits(other, threePoints()));
         change(other);
-        QVERIFY(!sameBits(other, three()));
-        QVERIFY(!sameBits(three(), other));
+        QVERIFY(!sameBits(other, threePoints()));
+        QVERIFY(!sameBits(threePoints(), other));
     }
 
     void notANumberEqualsItself()
     {
-        State state = three();
+        State state = threePoints();
         state.position(0, 0) = notANumber;
         const State copy = state;
         QVERIFY(sameBits(state, copy));
@@ -70,27 +70,27 @@ private slots:
         QVERIFY(!sameBits(a, b));
     }
 
-    void memoryGrowsByWhatAPointTakes()
+    void memoryGrowsByTheSizeOfAPoint()
     {
-        const std::size_t one = byteSize(State::ofPoints(1001)) - byteSize(State::ofPoints(1000));
-        QCOMPARE(one, 5 * sizeof(double)); // x, y, vx, vy, mass
-        QVERIFY(byteSize(three()) >= sizeof(State) + 3 * 7 * sizeof(double));
+        const std::size_t bytesPerPoint = byteSize(State::ofPoints(1001)) - byteSize(State::ofPoints(1000));
+        QCOMPARE(bytesPerPoint, 5 * sizeof(double)); // x, y, vx, vy, mass
+        QVERIFY(byteSize(threePoints()) >= sizeof(State) + 3 * 7 * sizeof(double));
     }
 
-    void theFirstPointThatIsNotFiniteIsFound_data()
+    void firstNonFinitePointIsFound_data()
     {
         QTest::addColumn<double>("number");
         QTest::newRow("not a number") << notANumber;
-        QTest::newRow("infinite") << infinite;
-        QTest::newRow("minus infinite") << -infinite;
+        QTest::newRow("infinity") << infinity;
+        QTest::newRow("negative infinity") << -infinity;
     }
-    void theFirstPointThatIsNotFiniteIsFound()
+    void firstNonFinitePointIsFound()
     {
         QFETCH(double, number);
-        QCOMPARE(firstNonFinitePoint(three()), -1);
+        QCOMPARE(firstNonFinitePoint(threePoints()), -1);
         for (int point = 0; point < 3; ++point) {
             for (int axis = 0; axis < 2; ++axis) {
-                State x = three(), v = three(), a = three();
+                State x = threePoints(), v = threePoints(), a = threePoints();
                 x.position(point, axis) = number;
                 v.velocity(point, axis) = number;
                 a.acceleration(point, axis) = number;
@@ -99,7 +99,7 @@ private slots:
                 QCOMPARE(firstNonFinitePoint(a), point);
             }
         }
-        State large = three();
+        State large = threePoints();
         large.position.setConstant(std::numeric_limits<double>::max());
         large.velocity.setConstant(-std::numeric_limits<double>::denorm_min());
         QCOMPARE(firstNonFinitePoint(large), -1);

@@ -1,4 +1,4 @@
-// A cloth that is far stiffer than a step follows, and the solver that it takes.
+// A cloth that is much too stiff for explicit methods at this step, and its linear solver.
 
 #include "implicit_scenes.h"
 #include "support.h"
@@ -20,9 +20,9 @@ namespace {
 
 using Entries = std::vector<Jacobian::Entry>;
 
-/// The slopes of all points of `scene` that feel something, numbered through, times `reach` squared: what backward
-/// Euler solves with.
-Entries entriesOf(const Scene &scene, double reach)
+/// Returns the Jacobian of the dynamic points of `scene`, times -h^2, as backward Euler uses it. Fixed points
+/// have no rows and columns.
+Entries entriesOf(const Scene &scene, double h)
 {
     const int points = scene.start.pointCount();
     std::vector<int> number(std::size_t(points), -1);
@@ -33,22 +33,22 @@ Entries entriesOf(const Scene &scene, double reach)
     OdeSystem(scene, DirectionRule::regularised).jacobian(scene.start, jacobian);
     Entries entries;
     const auto numberOf = [&](int row) {
-        const int own = number[std::size_t(row % points)];
-        return own < 0 || row < points ? own : own + free;
+        const int index = number[std::size_t(row % points)];
+        return index < 0 || row < points ? index : index + free;
     };
     for (const Jacobian::Entry &entry : jacobian.entries()) {
         if (numberOf(entry.row) >= 0 && numberOf(entry.column) >= 0)
-            entries.push_back({numberOf(entry.row), numberOf(entry.column), -reach * reach * entry.value});
+            entries.push_back({numberOf(entry.row), numberOf(entry.column), -h * h * entry.value});
     }
     return entries;
 }
 
-int unknowns(const Scene &scene)
+int unknownCount(const Scene &scene)
 {
     return 2 * int((scene.start.inverseMass != 0.0).count());
 }
 
-/// 1 / inverse mass of each unknown.
+/// Returns the mass of each unknown.
 Eigen::VectorXd massesOf(const Scene &scene)
 {
     std::vector<double> masses;
@@ -56,10 +56,11 @@ Eigen::VectorXd massesOf(const Scene &scene)
         if (scene.start.isDynamic(i))
             masses.push_back(1.0 / scene.start.inverseMass[i]);
     }
-    const Eigen::VectorXd one = Eigen::Map<Eigen::VectorXd>(masses.data(), Eigen::Index(masses.size()));
-    Eigen::VectorXd both(2 * one.size());
-    both << one, one;
-    return both;
+    const Eigen::VectorXd pointMasses =
+        Eigen::Map<Eigen::VectorXd>(masses.data(), Eigen::Index(masses.size()));
+    Eigen::VectorXd allMasses(2 * pointMasses.size());
+    allMasses << pointMasses, pointMasses;
+    return allMasses;
 }
 
 Eigen::MatrixXd denseOf(const Entries &entries, int size)
@@ -70,15 +71,15 @@ Eigen::MatrixXd denseOf(const Entries &entries, int size)
     return matrix;
 }
 
-/// Returns where row `row` of a cloth hangs at rest, in px below where it is unstretched: each spring of a column carries
-/// all that is below it, so that the m-th is stretched by weight (side - m) / k.
+/// Returns how far row `row` of a cloth hangs below its unstretched position at rest, in px. Each spring of a
+/// column carries the points below it, so the m-th spring is stretched by weight (side - m) / k.
 double sag(int side, double k, int row)
 {
     const double carried = row * side - row * (row + 1) / 2.0; // the sum of side - m, m from 1 to row
     return cloth::weight * carried / k;
 }
 
-/// A cloth whose springs are all stretched, with masses of 1 to 1000.
+/// Returns a cloth with stretched springs and masses from 1 to 1000.
 Scene crumpled(int side, double k)
 {
     Scene scene = cloth::hung(side, k, 1.0);
@@ -99,17 +100,17 @@ class TestStiffCloth : public QObject
     Q_OBJECT
 
 private slots:
-    void itComesToRestAtItsExactSag_data()
+    void clothComesToRestAtItsExactSag_data()
     {
         QTest::addColumn<QString>("method");
         QTest::newRow("backward Euler") << "backward_euler";
         QTest::newRow("TR-BDF2") << "tr_bdf2";
     }
-    void itComesToRestAtItsExactSag()
+    void clothComesToRestAtItsExactSag()
     {
         QFETCH(QString, method);
         constexpr int side = 64, frames = 12;
-        constexpr double k = 1e6; // and one step a frame: k h^2 = 1e6
+        constexpr double k = 1e6; // one step per frame, so k h^2 = 1e6
         const Scene scene = cloth::hung(side, k, 0.5);
         const State end = support::plainRun(scene, method.toStdString(), 1.0, frames);
         for (int point = 0; point < end.pointCount(); ++point) {
@@ -118,82 +119,88 @@ private slots:
             QVERIFY2(std::abs(moved.y - exact) <= 0.01 * exact,
                      qPrintable(QString("point %1: %2, not %3").arg(point).arg(moved.y).arg(exact)));
             QVERIFY2(std::abs(moved.x) <= 0.01 * sag(side, k, side - 1),
-                     qPrintable(QString("point %1: %2 aside").arg(point).arg(moved.x)));
+                     qPrintable(QString("point %1: %2 sideways").arg(point).arg(moved.x)));
         }
         // In a hundred frames it would move by less than a hundredth of its sag.
         QVERIFY2(end.velocity.abs().maxCoeff() < 1e-4 * sag(side, k, side - 1),
                  qPrintable(QString::number(end.velocity.abs().maxCoeff())));
     }
 
-    /// Else nothing above would have taken conjugate gradients.
-    void whichSolverAMatrixTakesFollowsFromItsSprings()
+    /// Makes sure that the other tests do use conjugate gradients.
+    void solverFollowsFromTheSprings()
     {
-        const auto of = [](const Scene &scene) { return solverFor(entriesOf(scene, 1.0), unknowns(scene)); };
-        QVERIFY(of(cloth::hung(4, 1.0, 1.0)) == Solver::dense);
-        QVERIFY(of(cloth::hung(10, 1.0, 1.0)) == Solver::sparse);
-        QVERIFY(of(cloth::hung(64, 1.0, 1.0)) == Solver::conjugate);
-        QVERIFY(of(implicit_scenes::creature(2000, 1.0)) == Solver::sparse); // a star: it has no rounds
+        const auto solverOf = [](const Scene &scene) {
+            return solverFor(entriesOf(scene, 1.0), unknownCount(scene));
+        };
+        QVERIFY(solverOf(cloth::hung(4, 1.0, 1.0)) == Solver::dense);
+        QVERIFY(solverOf(cloth::hung(10, 1.0, 1.0)) == Solver::sparse);
+        QVERIFY(solverOf(cloth::hung(64, 1.0, 1.0)) == Solver::conjugate);
+        QVERIFY(solverOf(implicit_scenes::creature(2000, 1.0)) == Solver::sparse); // a star has no cycles
     }
 
-    void conjugateGradientsFindWhatFactorsFind_data()
+    void conjugateGradientsAgreeWithFactorisation_data()
     {
         QTest::addColumn<double>("k");
         for (const double k : {0.2, 1e3, 1e6})
             QTest::addRow("k = %g", k) << k;
     }
-    void conjugateGradientsFindWhatFactorsFind()
+    void conjugateGradientsAgreeWithFactorisation()
     {
         QFETCH(double, k);
         const Scene scene = crumpled(8, k);
-        const int size = unknowns(scene);
+        const int size = unknownCount(scene);
         const Entries entries = entriesOf(scene, 1.0);
-        const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(size, -1.0, 2.0), masses = massesOf(scene);
+        const Eigen::VectorXd rightSide = Eigen::VectorXd::LinSpaced(size, -1.0, 2.0),
+                              masses = massesOf(scene);
         const auto matrix = SpringMatrix::of(entries, masses);
         QVERIFY(matrix);
-        const Conjugate found = conjugateGradients(*matrix, inTurn(masses.cwiseProduct(right)), 1e-13);
+        const ConjugateResult found =
+            conjugateGradients(*matrix, interleaved(masses.cwiseProduct(rightSide)), 1e-13);
         const Eigen::MatrixXd dense = denseOf(entries, size);
-        const Eigen::VectorXd exact = dense.fullPivLu().solve(right);
-        const double off = (inColumns(found.x) - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
-        const double worst = dense.norm() * dense.inverse().norm(); // how much rounding can grow
-        QVERIFY2(off < 1e-13 * worst + 1e-13, qPrintable(QString("%1, %2").arg(off).arg(worst)));
+        const Eigen::VectorXd exact = dense.fullPivLu().solve(rightSide);
+        const double error = (separated(found.x) - exact).cwiseAbs().maxCoeff() / exact.cwiseAbs().maxCoeff();
+        const double conditionNumber = dense.norm() * dense.inverse().norm(); // amplifies rounding errors
+        QVERIFY2(error < 1e-13 * conditionNumber + 1e-13,
+                 qPrintable(QString("%1, %2").arg(error).arg(conditionNumber)));
         QVERIFY(found.iterations > 5);
     }
 
-    void withoutMassesAMatrixIsNotTheSameOnBothSides()
+    void springMatrixIsSymmetricOnlyWithItsMasses()
     {
         const Scene scene = crumpled(8, 1e3);
         const Entries entries = entriesOf(scene, 1.0);
-        QVERIFY(!SpringMatrix::of(entries, Eigen::VectorXd::Ones(unknowns(scene))));
+        QVERIFY(!SpringMatrix::of(entries, Eigen::VectorXd::Ones(unknownCount(scene))));
         Eigen::VectorXd masses = massesOf(scene);
         QVERIFY(SpringMatrix::of(entries, masses));
         masses[3] = std::numeric_limits<double>::infinity();
         QVERIFY(!SpringMatrix::of(entries, masses));
     }
 
-    /// Springs pressed to a third of their length push sideways: no conjugate gradients, and factors do it.
-    void whatPushesIsLeftToFactors()
+    /// Springs compressed to a third of their length make the matrix indefinite, so conjugate gradients fail.
+    void compressedClothFallsBackToFactorisation()
     {
         Scene scene = cloth::hung(40, 1e3, 1.0);
         scene.start.position /= 3.0;
         const Entries entries = entriesOf(scene, 1.0);
-        const int size = unknowns(scene);
-        const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(size, -1.0, 2.0), masses = massesOf(scene);
+        const int size = unknownCount(scene);
+        const Eigen::VectorXd rightSide = Eigen::VectorXd::LinSpaced(size, -1.0, 2.0),
+                              masses = massesOf(scene);
         QVERIFY(solverFor(entries, size) == Solver::conjugate);
         const auto matrix = SpringMatrix::of(entries, masses);
-        QVERIFY(matrix && !conjugateGradients(*matrix, inTurn(right), 1e-12).x.allFinite());
-        const Eigen::VectorXd found = solved(entries, right, masses);
-        Eigen::VectorXd missed = found - right;
+        QVERIFY(matrix && !conjugateGradients(*matrix, interleaved(rightSide), 1e-12).x.allFinite());
+        const Eigen::VectorXd found = solved(entries, rightSide, masses);
+        Eigen::VectorXd residual = found - rightSide;
         for (const Jacobian::Entry &entry : entries)
-            missed[entry.row] += entry.value * found[entry.column];
-        QVERIFY2(missed.norm() < 1e-8 * right.norm(), qPrintable(QString::number(missed.norm())));
+            residual[entry.row] += entry.value * found[entry.column];
+        QVERIFY2(residual.norm() < 1e-8 * rightSide.norm(), qPrintable(QString::number(residual.norm())));
     }
 
-    void twoRunsAreTheSameBitForBit()
+    void repeatedRunsHaveTheSameBits()
     {
         const Scene scene = cloth::hung(32, 1e6, 0.9);
-        const State one = support::plainRun(scene, "backward_euler", 1.0, 3);
-        QVERIFY(sameBits(one, support::plainRun(scene, "backward_euler", 1.0, 3)));
-        QCOMPARE(firstNonFinitePoint(one), -1);
+        const State run = support::plainRun(scene, "backward_euler", 1.0, 3);
+        QVERIFY(sameBits(run, support::plainRun(scene, "backward_euler", 1.0, 3)));
+        QCOMPARE(firstNonFinitePoint(run), -1);
     }
 };
 

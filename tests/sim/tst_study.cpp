@@ -1,4 +1,4 @@
-// The study of accuracy: how it is watched and stopped, what is timed, which rows it has and what it refuses.
+// The accuracy study: progress and cancellation, timing, its rows, and refused scenes.
 
 #include "study_scenes.h"
 
@@ -15,23 +15,23 @@ using namespace support;
 
 namespace {
 
-/// A spring that counts how often it was asked for its pull.
+/// A spring that counts its evaluations.
 class CountedSpring : public PointSpring
 {
 public:
-    CountedSpring(int mover, Vec2 centre, double k, std::int64_t &asked)
-        : PointSpring(mover, centre, k), m_asked(asked)
+    CountedSpring(int mover, Vec2 centre, double k, std::int64_t &evaluations)
+        : PointSpring(mover, centre, k), m_evaluations(evaluations)
     {
     }
     void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
-             Eigen::ArrayX2d &into) const override
+             Eigen::ArrayX2d &accelerations) const override
     {
-        ++m_asked;
-        PointSpring::add(state, movers, scale, directionRule, into);
+        ++m_evaluations;
+        PointSpring::add(state, movers, scale, directionRule, accelerations);
     }
 
 private:
-    std::int64_t &m_asked;
+    std::int64_t &m_evaluations;
 };
 
 }
@@ -41,59 +41,61 @@ class TestStudy : public QObject
     Q_OBJECT
 
 private slots:
-    void aStudyThatIsStoppedEndsAtOnce_data()
+    void cancelledStudyEndsAtOnce_data()
     {
         QTest::addColumn<int>("calls");
         for (const int calls : {1, 2, 3, 5, 8})
             QTest::addRow("at call %d", calls) << calls;
     }
-    void aStudyThatIsStoppedEndsAtOnce()
+    void cancelledStudyEndsAtOnce()
     {
         QFETCH(int, calls);
-        int made = 0;
-        const auto stop = [&](const Accuracy &, double) { return ++made < calls; };
+        int callsMade = 0;
+        const auto stop = [&](const Accuracy &, double) { return ++callsMade < calls; };
         StudyPlan plan;
         plan.frames = 10'000;
         const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, stop);
-        QCOMPARE(made, calls); // it was not asked again
+        QCOMPARE(callsMade, calls); // the callback was not called again
         QVERIFY(!found.rows.empty());
         if (calls == 1)
             QVERIFY(found.rows.front().outcome == Outcome::waiting);
     }
 
-    void aStudyIsStoppedInTheMiddleOfAFrame()
+    void studyCanBeCancelledWithinAFrame()
     {
-        // So stiff that the exact run takes all the steps that a frame may have, and of many points that are tied to each
-        // other, so that they take a while: the study is told to stop before its first frame is done.
-        std::int64_t asked = 0, askedWhenStopped = 0;
+        // The springs are so stiff that the reference run needs more steps than a frame may have. Many
+        // coupled points make these steps slow, so the study is cancelled within the first frame.
+        std::int64_t evaluations = 0, evaluationsWhenStopped = 0;
         Scene scene = scenes::creature(400);
         support::scatter(scene.start, 7, 300.0);
-        scene.effects = {std::make_shared<CountedSpring>(0, spot, 1e12, asked)};
+        scene.effects = {std::make_shared<CountedSpring>(0, anchor, 1e12, evaluations)};
         for (int i = 1; i <= 400; ++i)
-            scene.effects.push_back(std::make_shared<PointSpring>(i, spot, 1e12));
+            scene.effects.push_back(std::make_shared<PointSpring>(i, anchor, 1e12));
         scene.effects.push_back(std::make_shared<BodySpring>(scenes::legs(400), 1e-6));
         int calls = 0;
         const auto stop = [&](const Accuracy &, double) {
-            askedWhenStopped = asked;
+            evaluationsWhenStopped = evaluations;
             return ++calls < 2;
         };
         const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(100), stop);
         QCOMPARE(calls, 2);
         QCOMPARE(found.horizon, std::int64_t(0));
-        const std::int64_t more = asked - askedWhenStopped;
-        QVERIFY2(more <= 20 * 16, std::to_string(more).c_str()); // 20 tries, of at most 16 evaluations each
+        const std::int64_t evaluationsAfterStop = evaluations - evaluationsWhenStopped;
+        QVERIFY2(evaluationsAfterStop <= 20 * 16,
+                 std::to_string(evaluationsAfterStop)
+                     .c_str()); // 20 attempted steps with at most 16 evaluations each
     }
 
-    void aFrameOfTooManyStepsTakesTooLong()
+    void frameWithTooManyStepsEndsTheReferenceRun()
     {
         Scene scene = dampedSpring();
-        scene.effects = {std::make_shared<PointSpring>(0, spot, 1e12)};
-        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(10), goOn);
+        scene.effects = {std::make_shared<PointSpring>(0, anchor, 1e12)};
+        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(10), keepGoing);
         QCOMPARE(found.horizon, std::int64_t(0));
         QVERIFY(found.reference.end == ReferenceRun::End::tooLong);
     }
 
-    void progressGoesFromNothingToOne()
+    void progressGoesFromZeroToOne()
     {
         std::vector<double> shares;
         studyAccuracy(scriptOf(dampedSpring()), quickPlan(50), [&](const Accuracy &, double done) {
@@ -105,12 +107,12 @@ private slots:
         QCOMPARE(shares.back(), 1.0);
     }
 
-    void everyMeasuredRowIsTimedAndTheFrontIsWhatNothingBeats()
+    void measuredRowsAreTimedAndTheFrontIsUnbeaten()
     {
         StudyPlan plan;
         plan.frames = 30;
         plan.secondsOfTiming = 0.2;
-        const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, goOn);
+        const Accuracy found = studyAccuracy(scriptOf(dampedSpring()), plan, keepGoing);
         int front = 0;
         for (const AccuracyRow &row : found.rows) {
             if (row.outcome != Outcome::measured)
@@ -127,7 +129,7 @@ private slots:
         QVERIFY(front >= 2);
     }
 
-    void theCheapestIsTheFastestThatIsWithinTheError()
+    void cheapestIsTheFastestWithinTheError()
     {
         Accuracy found;
         const MethodPtr method = findMethod("published");
@@ -155,73 +157,74 @@ private slots:
         QCOMPARE(front, (std::vector<bool>{true, false, true, false, false}));
     }
 
-    void laddersGoFromCoarseToFine()
+    void refinementLevelsGoFromCoarseToFine()
     {
         for (const MethodPtr &method : allMethods()) {
-            const std::vector<StepSize> rungs = refinementLevels(*method);
-            QCOMPARE(rungs.size(), std::size_t(method->stepping() == Stepping::fixed ? 7 : 11));
-            for (std::size_t i = 0; i < rungs.size(); ++i) {
-                QCOMPARE(rungs[i].isAdaptive(), method->stepping() == Stepping::adaptive);
+            const std::vector<StepSize> levels = refinementLevels(*method);
+            QCOMPARE(levels.size(), std::size_t(method->stepping() == Stepping::fixed ? 7 : 11));
+            for (std::size_t i = 0; i < levels.size(); ++i) {
+                QCOMPARE(levels[i].isAdaptive(), method->stepping() == Stepping::adaptive);
                 if (i > 0)
-                    QVERIFY(rungs[i].h < rungs[i - 1].h || rungs[i].tolerance < rungs[i - 1].tolerance);
+                    QVERIFY(levels[i].h < levels[i - 1].h || levels[i].tolerance < levels[i - 1].tolerance);
             }
         }
     }
 
-    void theWayInUseHasItsPlaceAmongTheRungs_data()
+    void methodSetupInUseIsSortedIntoTheLevels_data()
     {
         QTest::addColumn<double>("h");
         QTest::addColumn<int>("rows");
-        QTest::addColumn<int>("place");
-        QTest::newRow("a rung") << 0.5 << 7 << 1;
-        QTest::newRow("between two") << 1.0 / 3.0 << 8 << 2;
-        QTest::newRow("coarser than all") << 5.0 << 8 << 0;
-        QTest::newRow("finer than all") << 0.01 << 8 << 7;
+        QTest::addColumn<int>("index");
+        QTest::newRow("a level") << 0.5 << 7 << 1;
+        QTest::newRow("between two levels") << 1.0 / 3.0 << 8 << 2;
+        QTest::newRow("coarser than all levels") << 5.0 << 8 << 0;
+        QTest::newRow("finer than all levels") << 0.01 << 8 << 7;
     }
-    void theWayInUseHasItsPlaceAmongTheRungs()
+    void methodSetupInUseIsSortedIntoTheLevels()
     {
         QFETCH(double, h);
         QFETCH(int, rows);
-        QFETCH(int, place);
+        QFETCH(int, index);
         Script script = scriptOf(dampedSpring());
         script.step = StepSize::ofLength(h);
         StudyPlan plan = quickPlan(21);
         plan.inUse = MethodSetup{script.method, script.step};
-        const Accuracy found = studyAccuracy(script, plan, goOn);
+        const Accuracy found = studyAccuracy(script, plan, keepGoing);
         std::vector<const AccuracyRow *> published;
         for (const AccuracyRow &row : found.rows) {
             if (row.setup.method->id() == "published")
                 published.push_back(&row);
         }
         QCOMPARE(int(published.size()), rows);
-        const AccuracyRow &row = *published[std::size_t(place)];
+        const AccuracyRow &row = *published[std::size_t(index)];
         QCOMPARE(row.setup.step.h, script.step.h);
         QVERIFY(row.outcome == Outcome::measured);
         QCOMPARE(row.evaluations, 1.0 / h);
-        // Of rows that are frames apart, the frames between have the error of the one before.
+        // With steps longer than a frame, the frames between two output steps have the error of the earlier
+        // one.
         QCOMPARE(row.errorAt.size(), std::size_t(h > 1.0 ? 21 : 22));
         if (h == 5.0)
             QVERIFY(row.errorAt[9] == row.errorAt[5] && row.errorAt[10] != row.errorAt[9]);
     }
 
-    void aStepPastTheHorizonHasNothingToBeComparedWith()
+    void stepBeyondTheHorizonDoesNotFit()
     {
         Script script = scriptOf(dampedSpring());
         StudyPlan plan = quickPlan(20);
         plan.inUse = MethodSetup{script.method, StepSize::ofLength(50.0)};
-        const Accuracy found = studyAccuracy(script, plan, goOn);
+        const Accuracy found = studyAccuracy(script, plan, keepGoing);
         const AccuracyRow &row = found.rows.front();
         QVERIFY(row.setup.step == plan.inUse->step && row.outcome == Outcome::doesNotFit);
         QCOMPARE(row.why->id(), std::string("short-horizon"));
         QVERIFY(found.rows[1].outcome == Outcome::measured);
     }
 
-    void aSceneThatItsOwnMethodCannotComputeIsRefused()
+    void sceneThatDoesNotFitItsMethodIsRefused()
     {
         Scene scene = dampedSpring();
         scene.effects.clear();
         scene.groups = {};
-        QVERIFY_EXCEPTION_THROWN(studyAccuracy(scriptOf(scene), quickPlan(5), goOn), Error);
+        QVERIFY_EXCEPTION_THROWN(studyAccuracy(scriptOf(scene), quickPlan(5), keepGoing), Error);
     }
 };
 

@@ -20,7 +20,7 @@
 
 namespace {
 
-/// How often each of `parts` parts is called.
+/// Returns how often each of `parts` parts is called.
 std::vector<int> callsOf(sim::ThreadPool &pool, int parts)
 {
     std::vector<std::atomic<int>> calls(static_cast<std::size_t>(parts));
@@ -28,26 +28,26 @@ std::vector<int> callsOf(sim::ThreadPool &pool, int parts)
     return {calls.begin(), calls.end()};
 }
 
-/// Shares a job of which no part ends before each of `threads` threads has one.
-std::set<std::thread::id> meet(
+/// Runs a job with one part per thread. No part ends before all have started. Returns the ids of the threads.
+std::set<std::thread::id> runOnAllThreads(
     sim::ThreadPool &pool, int threads, const std::function<void()> &work = [] {})
 {
-    std::atomic<int> there = 0;
-    std::vector<std::thread::id> who(static_cast<std::size_t>(threads));
+    std::atomic<int> started = 0;
+    std::vector<std::thread::id> ids(static_cast<std::size_t>(threads));
     pool.parallelFor(threads, [&](int part) {
-        ++there;
-        while (there < threads)
+        ++started;
+        while (started < threads)
             std::this_thread::yield();
-        who[static_cast<std::size_t>(part)] = std::this_thread::get_id();
+        ids[static_cast<std::size_t>(part)] = std::this_thread::get_id();
         work();
     });
-    return {who.begin(), who.end()};
+    return {ids.begin(), ids.end()};
 }
 
 }
 
-/// Workers that share the parts of a job.
-class Crew : public QObject
+/// A pool of threads that share the parts of a job.
+class TestThreadPool : public QObject
 {
     Q_OBJECT
 
@@ -59,8 +59,8 @@ class Crew : public QObject
     }
 
 private slots:
-    void everyPartIsDoneOnce_data() { addThreadRows(); }
-    void everyPartIsDoneOnce()
+    void everyPartRunsOnce_data() { addThreadRows(); }
+    void everyPartRunsOnce()
     {
         QFETCH(int, threads);
         sim::ThreadPool pool(threads);
@@ -70,12 +70,12 @@ private slots:
         }
     }
 
-    void whenAJobIsOverAllThatItWroteIsThere_data() { addThreadRows(); }
-    void whenAJobIsOverAllThatItWroteIsThere()
+    void resultsAreVisibleAfterTheJob_data() { addThreadRows(); }
+    void resultsAreVisibleAfterTheJob()
     {
         QFETCH(int, threads);
         sim::ThreadPool pool(threads);
-        std::vector<int> numbers(1000, 0); // plain numbers: only the crew keeps its threads apart
+        std::vector<int> numbers(1000, 0); // not atomic, so the pool must order the accesses
         for (int job = 0; job < 200; ++job) {
             pool.parallelFor(1000, [&](int part) { numbers[static_cast<std::size_t>(part)] += part; });
             QCOMPARE(numbers[999], 999 * (job + 1));
@@ -86,51 +86,51 @@ private slots:
         }
     }
 
-    void thePartsRunOnAsManyThreadsAsItHas_data() { addThreadRows(); }
-    void thePartsRunOnAsManyThreadsAsItHas()
+    void partsRunOnAllThreads_data() { addThreadRows(); }
+    void partsRunOnAllThreads()
     {
         QFETCH(int, threads);
         sim::ThreadPool pool(threads);
-        const std::set<std::thread::id> who = meet(pool, threads);
-        QCOMPARE(who.size(), static_cast<std::size_t>(threads));
-        QVERIFY(who.contains(std::this_thread::get_id()));
-        QVERIFY(meet(pool, threads) == who); // the same ones for the next job
+        const std::set<std::thread::id> ids = runOnAllThreads(pool, threads);
+        QCOMPARE(ids.size(), static_cast<std::size_t>(threads));
+        QVERIFY(ids.contains(std::this_thread::get_id()));
+        QVERIFY(runOnAllThreads(pool, threads) == ids); // the next job uses the same threads
     }
 
-    void aCopyHasThreadsOfItsOwnAndAMovedOneKeepsThem()
+    void copyGetsNewThreadsAndMoveKeepsThem()
     {
         sim::ThreadPool pool(2);
-        const std::set<std::thread::id> who = meet(pool, 2);
+        const std::set<std::thread::id> ids = runOnAllThreads(pool, 2);
         sim::ThreadPool copy = pool;
-        const std::set<std::thread::id> others = meet(copy, 2);
-        QVERIFY(others != who);
+        const std::set<std::thread::id> otherIds = runOnAllThreads(copy, 2);
+        QVERIFY(otherIds != ids);
         copy = pool;
-        QCOMPARE(meet(copy, 2).size(), std::size_t{2});
+        QCOMPARE(runOnAllThreads(copy, 2).size(), std::size_t{2});
         sim::ThreadPool moved = std::move(pool);
-        QVERIFY(meet(moved, 2) == who);
-        sim::ThreadPool unused(3); // ends without ever having started
+        QVERIFY(runOnAllThreads(moved, 2) == ids);
+        sim::ThreadPool unused(3); // destroyed without ever having started its threads
         sim::ThreadPool another = unused;
         another = std::move(moved);
-        QVERIFY(meet(another, 2) == who);
+        QVERIFY(runOnAllThreads(another, 2) == ids);
     }
 
-    void helpersRoundAsTheirCallerDoes()
+    void workersUseTheRoundingModeOfTheCaller()
     {
         sim::ThreadPool pool(2);
         const double third = 1.0 / 3.0; // rounded down
-        for (const bool upwards : {true, false, true}) {
-            std::fesetround(upwards ? FE_UPWARD : FE_TONEAREST);
+        for (const bool roundsUp : {true, false, true}) {
+            std::fesetround(roundsUp ? FE_UPWARD : FE_TONEAREST);
             std::atomic<int> asCaller = 0;
-            meet(pool, 2, [&] {
+            runOnAllThreads(pool, 2, [&] {
                 volatile double one = 1.0, three = 3.0;
-                asCaller += (one / three > third) == upwards ? 1 : 0;
+                asCaller += (one / three > third) == roundsUp ? 1 : 0;
             });
             std::fesetround(FE_TONEAREST);
             QCOMPARE(asCaller.load(), 2);
         }
     }
 
-    void helpersFlushWhatIsTooSmallIfTheirCallerDoes()
+    void workersUseTheFlushModeOfTheCaller()
     {
 #if defined(__SSE2__)
         sim::ThreadPool pool(2);
@@ -138,11 +138,11 @@ private slots:
             _MM_SET_FLUSH_ZERO_MODE(flushes ? _MM_FLUSH_ZERO_ON : _MM_FLUSH_ZERO_OFF);
             _MM_SET_DENORMALS_ZERO_MODE(flushes ? _MM_DENORMALS_ZERO_ON : _MM_DENORMALS_ZERO_OFF);
             std::atomic<int> asCaller = 0;
-            meet(pool, 2, [&] {
-                volatile double least = std::numeric_limits<double>::min();
+            runOnAllThreads(pool, 2, [&] {
+                volatile double minNormal = std::numeric_limits<double>::min();
                 volatile double denormal = std::numeric_limits<double>::denorm_min();
-                const bool flushed = least / 4.0 == 0.0 && denormal * 1e300 == 0.0;
-                asCaller += flushed == flushes ? 1 : 0;
+                const bool isFlushed = minNormal / 4.0 == 0.0 && denormal * 1e300 == 0.0;
+                asCaller += isFlushed == flushes ? 1 : 0;
             });
             _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_OFF);
             _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_OFF);
@@ -153,19 +153,19 @@ private slots:
 #endif
     }
 
-    void betweenJobsHelpersSleep()
+    void workersSleepBetweenJobs()
     {
         const QDir tasks(QStringLiteral("/proc/self/task"));
         if (!tasks.exists())
             QSKIP("no list of threads here");
         sim::ThreadPool pool(3);
-        QCOMPARE(meet(pool, 3).size(), std::size_t{3});
+        QCOMPARE(runOnAllThreads(pool, 3).size(), std::size_t{3});
         const auto sleeping = [&] {
             int count = 0;
             for (const QString &task : tasks.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
                 QFile stat(tasks.filePath(task + QStringLiteral("/stat")));
                 if (stat.open(QIODevice::ReadOnly))
-                    count += stat.readAll().contains(") S ") ? 1 : 0; // what spins is R
+                    count += stat.readAll().contains(") S ") ? 1 : 0; // a spinning thread has state R
             }
             return count;
         };
@@ -173,5 +173,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(Crew)
+QTEST_GUILESS_MAIN(TestThreadPool)
 #include "tst_thread_pool.moc"

@@ -1,4 +1,4 @@
-// Going anywhere in time gives the bits of a straight run.
+// Seeking to any cursor gives the bits of a straight run.
 
 #include "sim/run/script/composed_interval.h"
 #include "support.h"
@@ -17,19 +17,19 @@ namespace {
 
 constexpr std::size_t tinyBudget = 4000; // a few states
 
-/// Breaks the rule that effects have no memory of their own: pulls harder each time it is asked.
-class Forgetful : public Force
+/// A force that breaks the rule that effects have no memory: it grows with each call.
+class ForceWithMemory : public Force
 {
 public:
-    std::string id() const override { return "forgetful"; }
-    std::string title() const override { return "forgetful"; }
+    std::string id() const override { return "force_with_memory"; }
+    std::string title() const override { return "force_with_memory"; }
     EffectKind kind() const override { return EffectKind::wind; }
     std::vector<Region> regions(DirectionRule) const override { return {}; }
     int count(const State &, PointRange points) const override { return points.count; }
     void add(const State &, PointRange movers, double scale, DirectionRule,
-             Eigen::ArrayX2d &into) const override
+             Eigen::ArrayX2d &accelerations) const override
     {
-        into.middleRows(movers.first, movers.count) += scale * 1e-9 * ++m_asked;
+        accelerations.middleRows(movers.first, movers.count) += scale * 1e-9 * ++m_calls;
     }
     bool addJacobian(const State &, PointRange, double, DirectionRule, Jacobian &) const override
     {
@@ -38,11 +38,11 @@ public:
     std::vector<LiveValue> explain(const State &, int, DirectionRule) const override { return {}; }
 
 private:
-    mutable int m_asked = 0;
+    mutable int m_calls = 0;
 };
 
-/// A run with a hand in it: a body is carried, thrown, and a parameter changes on the way.
-Script handled(Script script)
+/// Returns a script in which bodies are dragged and thrown and parameters change.
+Script withInput(Script script)
 {
     const std::string body = script.build(script.values).names.front();
     script.input = {{3, Grab{body}},       {3, Move{{120, 90}}}, {5, Move{{160, 110}}},
@@ -59,7 +59,7 @@ class TestTimeline : public QObject
     Q_OBJECT
 
 private slots:
-    void aChangeComposesItsSceneOnce()
+    void parameterChangeComposesTheSceneOnce()
     {
         int built = 0;
         Script script = support::script(support::sample("creature in a room"), "published");
@@ -73,7 +73,7 @@ private slots:
         timeline.applyInput(Grab{"body"});
         timeline.applyInput(Move{{120, 90}});
         timeline.seek({25, 0});
-        QCOMPARE(built, 1); // a hand changes no scene
+        QCOMPARE(built, 1); // a drag changes no scene
         timeline.setParameter("k", 0.25);
         timeline.seek({40, 0});
         QCOMPARE(built, 2);
@@ -84,7 +84,7 @@ private slots:
         QCOMPARE(built, 3);
     }
 
-    void thePhaseBeforeIsTheOneBefore()
+    void stateBeforeLastPhaseIsThatOfThePreviousPhase()
     {
         for (const char *method : {"published", "semi_implicit_euler"}) {
             const support::Sample &sample = support::samples().front();
@@ -96,7 +96,7 @@ private slots:
                     track.seek({frame, phase - 1});
                     State before = track.state();
                     track.seek({frame, phase});
-                    if (phase == 1) // after the input that the row begins with
+                    if (phase == 1) // after the input of this output step
                         before = track.stateAfterInput(before, frame);
                     QVERIFY(sameBits(*stateBeforeLastPhase(track), before));
                 }
@@ -113,7 +113,7 @@ private slots:
             for (const MethodPtr &method : allMethods()) {
                 if (!support::fits(sample.build(sample.values), *method))
                     continue;
-                // What h does to rows is the pipeline's, whatever the method.
+                // Output steps depend on h in the same way for all methods, so two methods test all steps.
                 std::vector<double> steps = {1.0};
                 if (method->id() == "published" || method->id() == "semi_implicit_euler")
                     steps = {1.0, 0.25, 1.0 / 3, 2.0, 10.0};
@@ -129,7 +129,7 @@ private slots:
         QFETCH(QString, method);
         QFETCH(double, h);
         const Script plain = support::script(support::sample(scene.toStdString()), method.toStdString(), h);
-        for (const Script &script : {plain, handled(plain)}) {
+        for (const Script &script : {plain, withInput(plain)}) {
             for (const std::size_t budget : {std::size_t{0}, tinyBudget, Timeline::defaultBudget}) {
                 const std::string found =
                     support::seekMismatch(script, budget, h > 2 ? 200 : 60, tests::sized(500, 100), 1);
@@ -138,8 +138,8 @@ private slots:
         }
     }
 
-    void aStraightRunIsThePhasesAndNothingElse_data() { anyCursorHasTheBitsOfAStraightRun_data(); }
-    void aStraightRunIsThePhasesAndNothingElse()
+    void straightRunEqualsPlainPhases_data() { anyCursorHasTheBitsOfAStraightRun_data(); }
+    void straightRunEqualsPlainPhases()
     {
         QFETCH(QString, scene);
         QFETCH(QString, method);
@@ -152,61 +152,61 @@ private slots:
         QCOMPARE(support::difference(track.state(), expected), std::string());
     }
 
-    void aMemoryInAnEffectIsNoticed_data()
+    void effectWithMemoryIsDetected_data()
     {
         QTest::addColumn<QString>("method");
         for (const MethodPtr &method : support::fixedMethods())
             QTest::newRow(method->title().c_str()) << QString::fromStdString(method->id());
     }
-    void aMemoryInAnEffectIsNoticed()
+    void effectWithMemoryIsDetected()
     {
         QFETCH(QString, method);
         support::Sample sample = support::sample("creature in a room");
         const auto build = sample.build;
         sample.build = [build](const Values &values) {
             Scene scene = build(values);
-            scene.effects.push_back(std::make_shared<Forgetful>());
+            scene.effects.push_back(std::make_shared<ForceWithMemory>());
             return scene;
         };
         const Script script = support::script(sample, method.toStdString());
         QVERIFY(!support::seekMismatch(script, tinyBudget, 60, 500, 1).empty());
     }
 
-    void phasesGoOnAndBack_data()
+    void phasesStepForwardAndBack_data()
     {
         QTest::addColumn<double>("h");
         for (const double h : {1.0, 0.5, 3.0})
             QTest::addRow("h = %g", h) << h;
     }
-    void phasesGoOnAndBack()
+    void phasesStepForwardAndBack()
     {
         QFETCH(double, h);
-        Timeline timeline(handled(support::script(support::sample("creature in a room"), "published", h)));
-        std::vector<std::pair<Cursor, State>> way;
+        Timeline timeline(withInput(support::script(support::sample("creature in a room"), "published", h)));
+        std::vector<std::pair<Cursor, State>> visited;
         while (timeline.cursor().frame < 30) {
-            way.emplace_back(timeline.cursor(), timeline.state());
+            visited.emplace_back(timeline.cursor(), timeline.state());
             timeline.nextPhase();
         }
-        for (; !way.empty(); way.pop_back()) {
+        for (; !visited.empty(); visited.pop_back()) {
             timeline.previousPhase();
-            QVERIFY(timeline.cursor() == way.back().first);
-            QCOMPARE(support::difference(timeline.state(), way.back().second), std::string());
+            QVERIFY(timeline.cursor() == visited.back().first);
+            QCOMPARE(support::difference(timeline.state(), visited.back().second), std::string());
         }
         timeline.previousPhase();
         QVERIFY(timeline.cursor() == (Cursor{0, 0}));
     }
 
-    void rowsGoOnAndBack()
+    void outputStepsGoForwardAndBack()
     {
         Timeline timeline(support::script(support::sample("creature in a room"), "published", 2.0));
         timeline.seek({7, 0});
-        QVERIFY(timeline.cursor() == (Cursor{6, 0})); // rounded down to a row
+        QVERIFY(timeline.cursor() == (Cursor{6, 0})); // rounded down to an output step
         timeline.nextOutputStep();
         QVERIFY(timeline.cursor() == (Cursor{8, 0}));
         timeline.nextPhase();
         timeline.nextPhase();
         timeline.previousOutputStep();
-        QVERIFY(timeline.cursor() == (Cursor{8, 0})); // to the start of this row first
+        QVERIFY(timeline.cursor() == (Cursor{8, 0})); // first to the start of this output step
         timeline.previousOutputStep();
         QVERIFY(timeline.cursor() == (Cursor{6, 0}));
         timeline.nextPhase();
@@ -217,7 +217,7 @@ private slots:
         QVERIFY(timeline.cursor() == (Cursor{0, 0}));
     }
 
-    void aPhasePastTheLastLeadsToTheNextRow()
+    void phaseBeyondTheLastIsTheNextOutputStep()
     {
         Timeline timeline(support::script(support::sample("spring to a point"), "published"));
         timeline.seek({5, 1000});
@@ -252,14 +252,14 @@ private slots:
         for (int i = 0; i < 200; ++i) {
             track.seek({track.cursor().frame, track.cursor().phase + 1});
             const State before = track.state();
-            const std::vector<PhaseExplanation> moments = track.explainPhases(name);
+            const std::vector<PhaseExplanation> explanations = track.explainPhases(name);
             QCOMPARE(support::difference(track.state(), before), std::string());
             const int phases = track.nextInterval()->pipeline.phasesPerStep();
             const int done = track.cursor().phase % phases == 0 ? phases : track.cursor().phase % phases;
-            QCOMPARE(int(moments.size()), done);
-            for (const PhaseExplanation &moment : moments) {
-                for (const LiveValue &live : moment.live) {
-                    if (live.name == "x" && moment.phase + 1 == done)
+            QCOMPARE(int(explanations.size()), done);
+            for (const PhaseExplanation &explanation : explanations) {
+                for (const LiveValue &live : explanation.live) {
+                    if (live.name == "x" && explanation.phase + 1 == done)
                         QVERIFY(std::get<Vec2>(live.value) == before.positionOf(0));
                 }
             }
@@ -267,7 +267,7 @@ private slots:
         QVERIFY(track.explainPhases("nobody").empty());
     }
 
-    void theShownSceneBelongsToTheState()
+    void sceneOfTheIntervalBelongsToTheState()
     {
         Script script = support::script(support::sample("creature in a room"), "published");
         script.input = {{10, Set{"feet", 2}}, {20, Set{"feet", 4}}};
@@ -275,7 +275,7 @@ private slots:
         support::Dice dice(1);
         for (int i = 0; i < 300; ++i) {
             track.seek({dice.whole(0, 30), dice.whole(0, 9)});
-            // The row that ends at frame 10 is the first with two feet: its phases already have them.
+            // The output step that ends at frame 10 is the first with two feet, including its phases.
             const std::int64_t end = track.cursor().frame + (track.cursor().phase > 0 ? 1 : 0);
             const int feet = end < 10 ? 5 : end < 20 ? 2 : 4;
             QCOMPARE(track.state().pointCount(), feet + 1);
@@ -284,7 +284,7 @@ private slots:
         }
     }
 
-    void previewShowsTheRowsInputBeforeItRuns()
+    void previewAppliesTheInputOfTheNextStep()
     {
         Script script = support::script(support::sample("creature in a room"), "published");
         script.input = {{4, Grab{"foot0"}}, {4, Move{{77, 88}}}};

@@ -1,4 +1,4 @@
-// What makes creatures walk, each against its closed form, computed in another way than the effect does.
+// Effects that make creatures walk, each against its closed form, computed independently.
 
 #include "support.h"
 
@@ -24,7 +24,7 @@ namespace {
 constexpr double k = 0.17;
 const std::vector<Leg> twoCreatures = {{0, 2, 0.3, 0}, {1, 2, 2.0, 0}, {3, 5, -1.0, 1}, {4, 5, 4.0, 1}};
 
-/// Two creatures of two feet and a body each, some of whose points feel nothing.
+/// Returns two creatures with two feet and a body each. Some points are fixed.
 State randomState(Dice &dice)
 {
     State state = State::ofPoints(6);
@@ -45,14 +45,14 @@ LegRule rule(Aim aim, Reaction reaction)
     return {k, 40.0, 30.0, aim, reaction};
 }
 
-Eigen::ArrayX2d added(const Force &force, const State &state, PointRange movers, double scale = 1.0)
+Eigen::ArrayX2d accelerationsOf(const Force &force, const State &state, PointRange movers, double scale = 1.0)
 {
-    Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
-    force.add(state, movers, scale, DirectionRule::regularised, into);
-    return into;
+    Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+    force.add(state, movers, scale, DirectionRule::regularised, accelerations);
+    return accelerations;
 }
 
-Complex row(const Eigen::ArrayX2d &values, int i)
+Complex complexRow(const Eigen::ArrayX2d &values, int i)
 {
     return {values(i, 0), values(i, 1)};
 }
@@ -74,7 +74,7 @@ class TestWalkingEffects : public QObject
     static void addForceRows()
     {
         QTest::addColumn<ForcePtr>("force");
-        QTest::addColumn<bool>("equal");
+        QTest::addColumn<bool>("isReciprocal");
         const std::vector<int> all = {0, 1, 2, 3, 4, 5};
         const auto legs = [](Aim aim, Reaction reaction) {
             return ForcePtr(std::make_shared<LegSpring>(twoCreatures, rule(aim, reaction)));
@@ -88,62 +88,63 @@ class TestWalkingEffects : public QObject
     }
 
 private slots:
-    void aLegPullsItsFootToItsPlace_data()
+    void legPullsItsFootToItsTarget_data()
     {
         QTest::addColumn<Aim>("aim");
         QTest::newRow("bone") << Aim::bone;
         QTest::newRow("below") << Aim::below;
         QTest::newRow("swing") << Aim::swing;
     }
-    void aLegPullsItsFootToItsPlace()
+    void legPullsItsFootToItsTarget()
     {
         QFETCH(Aim, aim);
         Dice dice(1);
         const LegSpring springs(twoCreatures, rule(aim, Reaction::none));
         for (int run = 0; run < 1000; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d into = added(springs, state, {0, 6});
+            const Eigen::ArrayX2d accelerations = accelerationsOf(springs, state, {0, 6});
             for (const Leg &leg : twoCreatures) {
                 const double angle = leg.angle + (aim == Aim::swing ? state.gait[leg.clock] : 0.0);
                 const Complex drop(0.0, aim == Aim::bone ? 0.0 : 30.0);
                 const Complex place = at(state, leg.body) + drop - std::polar(40.0, angle);
                 const Complex pull = state.inverseMass[leg.foot] * k * (place - at(state, leg.foot));
-                QVERIFY(std::abs(row(into, leg.foot) - pull) < 1e-12);
+                QVERIFY(std::abs(complexRow(accelerations, leg.foot) - pull) < 1e-12);
             }
-            QVERIFY((into.row(2) == 0.0).all() && (into.row(5) == 0.0).all());
+            QVERIFY((accelerations.row(2) == 0.0).all() && (accelerations.row(5) == 0.0).all());
         }
     }
 
-    void forcesWithAReactionAddUpToNothing_data() { addForceRows(); }
-    void forcesWithAReactionAddUpToNothing()
+    void forcesWithAReactionAddUpToZero_data() { addForceRows(); }
+    void forcesWithAReactionAddUpToZero()
     {
         QFETCH(ForcePtr, force);
-        QFETCH(bool, equal);
+        QFETCH(bool, isReciprocal);
         Dice dice(2);
         double largest = 0.0;
         for (int run = 0; run < 200; ++run) {
             State state = randomState(dice);
             for (int i = 0; i < 6; ++i)
                 state.inverseMass[i] = dice.real(0.1, 3.0);
-            Eigen::ArrayX2d into = added(*force, state, {0, 6});
-            into.colwise() /= state.inverseMass;
-            largest = std::max(largest, into.colwise().sum().abs().maxCoeff());
+            Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, {0, 6});
+            accelerations.colwise() /= state.inverseMass;
+            largest = std::max(largest, accelerations.colwise().sum().abs().maxCoeff());
         }
-        QVERIFY(equal ? largest < 1e-11 : largest > 1.0);
+        QVERIFY(isReciprocal ? largest < 1e-11 : largest > 1.0);
     }
 
-    void groupAfterGroupAddsTheSameAsAllAtOnce_data() { addForceRows(); }
-    void groupAfterGroupAddsTheSameAsAllAtOnce()
+    void groupsOneByOneAddTheSameAsAllAtOnce_data() { addForceRows(); }
+    void groupsOneByOneAddTheSameAsAllAtOnce()
     {
         QFETCH(ForcePtr, force);
         Dice dice(3);
         for (int run = 0; run < 200; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d parts = added(*force, state, {0, 2}) + added(*force, state, {2, 1}) +
-                                          added(*force, state, {3, 2}) + added(*force, state, {5, 1});
-            const Eigen::ArrayX2d whole = added(*force, state, {0, 6});
-            QVERIFY(((parts - whole).abs() < 1e-12).all());
-            QVERIFY(((added(*force, state, {0, 6}, 0.5) - 0.5 * whole).abs() < 1e-12).all());
+            const Eigen::ArrayX2d groupByGroup =
+                accelerationsOf(*force, state, {0, 2}) + accelerationsOf(*force, state, {2, 1}) +
+                accelerationsOf(*force, state, {3, 2}) + accelerationsOf(*force, state, {5, 1});
+            const Eigen::ArrayX2d allAtOnce = accelerationsOf(*force, state, {0, 6});
+            QVERIFY(((groupByGroup - allAtOnce).abs() < 1e-12).all());
+            QVERIFY(((accelerationsOf(*force, state, {0, 6}, 0.5) - 0.5 * allAtOnce).abs() < 1e-12).all());
             QCOMPARE(force->count(state, {0, 2}) + force->count(state, {2, 1}) + force->count(state, {3, 3}),
                      force->count(state, {0, 6}));
         }
@@ -156,57 +157,57 @@ private slots:
         Dice dice(4);
         for (int run = 0; run < 300; ++run) {
             const State state = randomState(dice);
-            const Eigen::ArrayX2d into = added(*force, state, {0, 6});
+            const Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, {0, 6});
             for (int i = 0; i < 6; ++i) {
                 const std::vector<LiveValue> live = force->explain(state, i, DirectionRule::regularised);
                 const Vec2 pull = live.empty() ? Vec2{} : std::get<Vec2>(live.back().value);
                 QVERIFY(live.empty() || live.back().name == "pull");
-                QVERIFY(std::abs(row(into, i) - Complex(pull.x, pull.y)) < 1e-12);
+                QVERIFY(std::abs(complexRow(accelerations, i) - Complex(pull.x, pull.y)) < 1e-12);
             }
         }
     }
 
-    void whatFeelsNothingGetsNothing_data() { addForceRows(); }
-    void whatFeelsNothingGetsNothing()
+    void fixedPointsGetNoForce_data() { addForceRows(); }
+    void fixedPointsGetNoForce()
     {
         QFETCH(ForcePtr, force);
         Dice dice(5);
         for (int run = 0; run < 200; ++run) {
             State state = randomState(dice);
-            const Eigen::ArrayX2d into = added(*force, state, {0, 6});
+            const Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, {0, 6});
             for (int i = 0; i < 6; ++i)
-                QVERIFY(state.isDynamic(i) || (into.row(i) == 0.0).all());
+                QVERIFY(state.isDynamic(i) || (accelerations.row(i) == 0.0).all());
             state.inverseMass.setZero();
             QCOMPARE(force->count(state, {0, 6}), 0);
         }
     }
 
-    void aPushIsKTimesWhatIsMissing()
+    void pushIsProportionalToTheOverlap()
     {
         const Push push({0, 1}, k, 60.0, Reaction::equal);
-        for (const double apart : {0.5, 20.0, 59.9, 60.0, 61.0, 1000.0}) {
+        for (const double distance : {0.5, 20.0, 59.9, 60.0, 61.0, 1000.0}) {
             State state = State::ofPoints(2);
-            state.place(1, {0.6 * apart, 0.8 * apart});
-            const Eigen::ArrayX2d into = added(push, state, {0, 2});
-            const double strength = k * std::max(0.0, 60.0 - apart);
-            QVERIFY(std::abs(row(into, 1) - strength * Complex(0.6, 0.8)) < 1e-12);
-            QVERIFY(std::abs(row(into, 0) + row(into, 1)) < 1e-12);
+            state.place(1, {0.6 * distance, 0.8 * distance});
+            const Eigen::ArrayX2d accelerations = accelerationsOf(push, state, {0, 2});
+            const double strength = k * std::max(0.0, 60.0 - distance);
+            QVERIFY(std::abs(complexRow(accelerations, 1) - strength * Complex(0.6, 0.8)) < 1e-12);
+            QVERIFY(std::abs(complexRow(accelerations, 0) + complexRow(accelerations, 1)) < 1e-12);
         }
     }
 
-    void pushedPointsInOnePlacePart()
+    void coincidentPointsArePushedApart()
     {
         const State state = State::ofPoints(2);
         const Push push({0, 1}, k, 60.0, Reaction::equal);
-        for (const DirectionRule way : {DirectionRule::regularised, DirectionRule::published}) {
-            Eigen::ArrayX2d into = Eigen::ArrayX2d::Zero(2, 2);
-            push.add(state, {0, 2}, 1.0, way, into);
-            QVERIFY(std::abs(std::abs(row(into, 0)) - k * 60.0) < 1e-12);
-            QVERIFY(std::abs(row(into, 0) + row(into, 1)) < 1e-12);
+        for (const DirectionRule directionRule : {DirectionRule::regularised, DirectionRule::published}) {
+            Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(2, 2);
+            push.add(state, {0, 2}, 1.0, directionRule, accelerations);
+            QVERIFY(std::abs(std::abs(complexRow(accelerations, 0)) - k * 60.0) < 1e-12);
+            QVERIFY(std::abs(complexRow(accelerations, 0) + complexRow(accelerations, 1)) < 1e-12);
         }
     }
 
-    void clocksGoAtTheirOwnSpeedAtAnyStep()
+    void clocksRunAtTheirSpeedAtAnyStep()
     {
         Dice dice(6);
         const State start = randomState(dice);
@@ -219,7 +220,7 @@ private slots:
         }
     }
 
-    void steeringLeavesTheSpeedAloneWithoutKeysAndPointer()
+    void steeringWithoutInputKeepsTheSpeed()
     {
         Dice dice(7);
         State state = randomState(dice);
@@ -233,7 +234,7 @@ private slots:
         QCOMPARE(state.gaitSpeed[1], -4.0);
     }
 
-    void aHeldPointTurnsNothingRound()
+    void heldPointReversesNoClock()
     {
         State state = State::ofPoints(2);
         state.gait.setZero(2);
@@ -254,13 +255,13 @@ private slots:
         QCOMPARE(state.gaitSpeed[0], -0.1);
     }
 
-    void allClocksOfOneCreatureTurnTogether()
+    void clocksOfOneCreatureReverseTogether()
     {
         State state = State::ofPoints(4);
         for (int i = 0; i < 4; ++i)
             state.place(i, {50, 0});
         state.gaitSpeed.setConstant(4, 0.1);
-        // Points 0 and 1 are feet of one creature, 2 that of another one, 3 is loose.
+        // Points 0 and 1 are feet of one creature, point 2 is a foot of another one, point 3 belongs to none.
         const TurnRound turn({0.0, 100.0, 1e9, 0.0}, Eigen::ArrayXd::Constant(4, 5.0), {0, 1, 2, 3},
                              {{1}, {0}, {}, {}});
         state.place(1, {97, 0});
@@ -271,7 +272,7 @@ private slots:
         QCOMPARE(state.gaitSpeed[3], 0.1);
     }
 
-    void groundHoldsWhatIsBelowItAndNothingElse()
+    void groundStopsOnlyItsPoints()
     {
         Dice dice(8);
         const Ground ground({4, 1}, {10.0, 0.4, Traction::none});
@@ -280,11 +281,12 @@ private slots:
             State state = before;
             ground.resolve(state, {0, 5});
             for (int i = 0; i < 6; ++i) {
-                const bool hit = (i == 1 || i == 4) && before.isDynamic(i) && before.positionOf(i).y > 10.0;
+                const bool isBelow =
+                    (i == 1 || i == 4) && before.isDynamic(i) && before.positionOf(i).y > 10.0;
                 const Vec2 v = before.velocityOf(i);
                 QCOMPARE(state.positionOf(i),
-                         (hit ? Vec2{before.positionOf(i).x, 10.0} : before.positionOf(i)));
-                QVERIFY(length(state.velocityOf(i) - (hit ? Vec2{v.x, -0.4 * v.y} : v)) < 1e-12);
+                         (isBelow ? Vec2{before.positionOf(i).x, 10.0} : before.positionOf(i)));
+                QVERIFY(length(state.velocityOf(i) - (isBelow ? Vec2{v.x, -0.4 * v.y} : v)) < 1e-12);
             }
             state = before;
             ground.resolve(state, {2, 2});

@@ -1,4 +1,4 @@
-// The room: two walls and a floor.
+// The room with two walls and a floor.
 
 #include "support.h"
 
@@ -23,23 +23,23 @@ private slots:
         QTest::addColumn<PointMotion>("after");
         const Room full = {20, 520, 380, 1.0};
         const Room half = {20, 520, 380, 0.5};
-        const Room dead = {20, 520, 380, 0.0};
-        const auto row = [](const char *name, Room room, PointMotion before, PointMotion after) {
+        const Room inelastic = {20, 520, 380, 0.0};
+        const auto addRow = [](const char *name, Room room, PointMotion before, PointMotion after) {
             QTest::newRow(name) << room << before << after;
         };
-        row("inside", full, {{100, 100}, {3, 4}}, {{100, 100}, {3, 4}});
-        row("touching the right wall", full, {{505, 100}, {3, 4}}, {{505, 100}, {3, 4}});
-        row("past the right wall", full, {{505.5, 100}, {3, 4}}, {{505, 100}, {-3, 4}});
-        row("past the left wall", full, {{30, 100}, {-3, 4}}, {{35, 100}, {3, 4}});
-        row("past the floor", full, {{100, 400}, {3, 4}}, {{100, 365}, {3, -4}});
-        row("far above: no ceiling", full, {{100, -1e6}, {3, -4}}, {{100, -1e6}, {3, -4}});
-        row("half the speed is kept", half, {{600, 100}, {3, 4}}, {{505, 100}, {-1.5, 4}});
-        row("no speed is kept", dead, {{100, 400}, {3, 4}}, {{100, 365}, {3, 0}});
-        row("in the right corner", half, {{600, 400}, {3, 4}}, {{505, 365}, {-1.5, -2}});
-        row("in the left corner", full, {{0, 400}, {-3, 4}}, {{35, 365}, {3, -4}});
-        row("already on the way back", full, {{600, 100}, {-3, 4}}, {{505, 100}, {3, 4}});
-        row("walls closer than the body", {100, 110, 380, 0.5}, {{104, 0}, {8, 0}}, {{115, 0}, {2, 0}});
-        row("walls in the wrong order", {500, 100, 380, 1.0}, {{300, 0}, {8, 0}}, {{515, 0}, {8, 0}});
+        addRow("inside", full, {{100, 100}, {3, 4}}, {{100, 100}, {3, 4}});
+        addRow("touching the right wall", full, {{505, 100}, {3, 4}}, {{505, 100}, {3, 4}});
+        addRow("past the right wall", full, {{505.5, 100}, {3, 4}}, {{505, 100}, {-3, 4}});
+        addRow("past the left wall", full, {{30, 100}, {-3, 4}}, {{35, 100}, {3, 4}});
+        addRow("past the floor", full, {{100, 400}, {3, 4}}, {{100, 365}, {3, -4}});
+        addRow("far above, no ceiling", full, {{100, -1e6}, {3, -4}}, {{100, -1e6}, {3, -4}});
+        addRow("half the speed is kept", half, {{600, 100}, {3, 4}}, {{505, 100}, {-1.5, 4}});
+        addRow("no speed is kept", inelastic, {{100, 400}, {3, 4}}, {{100, 365}, {3, 0}});
+        addRow("in the right corner", half, {{600, 400}, {3, 4}}, {{505, 365}, {-1.5, -2}});
+        addRow("in the left corner", full, {{0, 400}, {-3, 4}}, {{35, 365}, {3, -4}});
+        addRow("already moving back", full, {{600, 100}, {-3, 4}}, {{505, 100}, {3, 4}});
+        addRow("walls closer than the body", {100, 110, 380, 0.5}, {{104, 0}, {8, 0}}, {{115, 0}, {2, 0}});
+        addRow("walls in the wrong order", {500, 100, 380, 1.0}, {{300, 0}, {8, 0}}, {{515, 0}, {8, 0}});
     }
     void bodiesBounceAtHalfTheirWidth()
     {
@@ -56,7 +56,7 @@ private slots:
         QCOMPARE(state.velocityOf(0).y, after.v.y);
     }
 
-    void eachBodyHasItsOwnWidth()
+    void widthsOfBodiesAreRespected()
     {
         Eigen::ArrayXd half(2);
         half << 5.0, 15.0;
@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(state.positionOf(1).x, 35.0);
     }
 
-    void whatIsHeldMeetsNoWall()
+    void heldBodyPassesThroughWalls()
     {
         State state = State::ofPoints(2);
         state.inverseMass[0] = 0.0;

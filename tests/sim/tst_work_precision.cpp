@@ -1,4 +1,4 @@
-// The study of accuracy: its errors against truths that the tests work out themselves, and its horizon.
+// The accuracy study: its errors against closed forms, and its horizon.
 
 #include "study_scenes.h"
 
@@ -22,34 +22,35 @@ using namespace support;
 
 namespace {
 
-/// A ball that falls and bounces, and where it is after t frames: parabola after parabola.
-constexpr double fall = 0.5, kept = 0.8, ground = 375.0;
+/// Parameters of a ball that falls and bounces: px/frame^2, restitution, px.
+constexpr double gravity = 0.5, bounce = 0.8, ground = 375.0;
 const Vec2 dropX = {100.0, 200.0}, dropV = {1.5, 0.0};
 
 Scene bouncingBall()
 {
     Scene scene = scenes::onePoint("ball", dropX, dropV);
     scene.effects = {
-        std::make_shared<Gravity>(fall),
-        std::make_shared<Walls>(Room{0.0, 1e6, ground + 5.0, kept}, Eigen::ArrayXd::Constant(1, 5.0))};
+        std::make_shared<Gravity>(gravity),
+        std::make_shared<Walls>(Room{0.0, 1e6, ground + 5.0, bounce}, Eigen::ArrayXd::Constant(1, 5.0))};
     return scene;
 }
 
-Vec2 onBouncingBall(double t)
+/// Returns the ball's exact position after t frames: parabola after parabola.
+Vec2 bouncingBallAt(double t)
 {
-    double y = dropX.y, v = dropV.y, left = t;
+    double y = dropX.y, v = dropV.y, timeLeft = t;
     for (;;) {
         // The first time s > 0 with y + v s + fall s^2 / 2 = ground.
-        const double hit = (-v + std::sqrt(v * v + 2.0 * fall * (ground - y))) / fall;
-        if (hit >= left)
-            return {dropX.x + dropV.x * t, y + v * left + fall * left * left / 2.0};
-        left -= hit;
-        v = -kept * (v + fall * hit);
+        const double timeToHit = (-v + std::sqrt(v * v + 2.0 * gravity * (ground - y))) / gravity;
+        if (timeToHit >= timeLeft)
+            return {dropX.x + dropV.x * t, y + v * timeLeft + gravity * timeLeft * timeLeft / 2.0};
+        timeLeft -= timeToHit;
+        v = -bounce * (v + gravity * timeToHit);
         y = ground;
     }
 }
 
-/// The error of a way, measured without the study.
+/// Returns the largest distance of point 0 from `truth` in the first `frames` frames, px.
 double errorAgainst(const Script &script, const std::function<Vec2(double)> &truth, std::int64_t frames)
 {
     Track track(script, 0);
@@ -61,15 +62,15 @@ double errorAgainst(const Script &script, const std::function<Vec2(double)> &tru
     return largest;
 }
 
-/// A creature in a room without any loss: it never comes to rest, and small differences grow.
-Script restless()
+/// Returns an undamped creature in a room. It never comes to rest, and small differences grow.
+Script undampedCreature()
 {
     Script script = support::script(support::sample("creature in a room"), "published");
     script.values.set("damp", 1.0);
     return script;
 }
 
-/// A chain that is thrown: every stick has its length at the start.
+/// Returns a thrown chain of three sticks that have their lengths at the start.
 Scene threeSticks()
 {
     Scene scene = scenes::creature(3);
@@ -100,19 +101,19 @@ private slots:
         QFETCH(bool, bounces);
         QFETCH(int, frames);
         const Scene scene = bounces ? bouncingBall() : dampedSpring();
-        const std::function<Vec2(double)> truth = bounces ? onBouncingBall : onDampedSpring;
-        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(frames), goOn);
+        const std::function<Vec2(double)> truth = bounces ? bouncingBallAt : dampedSpringAt;
+        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(frames), keepGoing);
         QCOMPARE(found.horizon, frames);
         QVERIFY(found.reference.kind == ReferenceRun::Kind::solution);
         int compared = 0;
         std::set<std::string> methods;
         for (const AccuracyRow &row : found.rows) {
             if (row.outcome != Outcome::measured || row.error < 1e-8)
-                continue; // below that the closed form's own rounding shows
+                continue; // smaller errors are rounding errors of the closed form
             const double exact = errorAgainst(scriptOf(scene, row.setup), truth, frames);
-            const std::string figures =
+            const std::string message =
                 nameOf(row) + ": " + std::to_string(row.error) + ", not " + std::to_string(exact);
-            QVERIFY2(std::abs(row.error - exact) <= 0.02 * exact, figures.c_str());
+            QVERIFY2(std::abs(row.error - exact) <= 0.02 * exact, message.c_str());
             ++compared;
             methods.insert(row.setup.method->id());
         }
@@ -120,24 +121,24 @@ private slots:
         QVERIFY(methods.size() > 4);
     }
 
-    void theReferenceIsTheClosedForm()
+    void referenceRunMatchesTheClosedForm()
     {
-        const Accuracy found = studyAccuracy(scriptOf(bouncingBall()), quickPlan(100), goOn);
+        const Accuracy found = studyAccuracy(scriptOf(bouncingBall()), quickPlan(100), keepGoing);
         QCOMPARE(found.reference.trajectories.size(), std::size_t(101));
         for (std::size_t frame = 0; frame <= 100; ++frame) {
-            const Vec2 exact = onBouncingBall(static_cast<double>(frame));
+            const Vec2 exact = bouncingBallAt(static_cast<double>(frame));
             QVERIFY(length(found.reference.trajectories[frame][0] - exact) < 1e-8);
         }
         QVERIFY(found.reference.disagreement <= referenceAgreement);
     }
 
-    void aRowIsReproducedByARunOfItsMethodAndStep_data()
+    void errorIsReproducedByARunOfTheMethodAndStep_data()
     {
         QTest::addColumn<bool>("hasInput");
-        QTest::newRow("left alone") << false;
-        QTest::newRow("with a hand and a parameter") << true;
+        QTest::newRow("without input") << false;
+        QTest::newRow("with a drag and a parameter change") << true;
     }
-    void aRowIsReproducedByARunOfItsMethodAndStep()
+    void errorIsReproducedByARunOfTheMethodAndStep()
     {
         QFETCH(bool, hasInput);
         Script script = support::script(support::sample("creature from one place"), "published");
@@ -145,7 +146,7 @@ private slots:
         if (hasInput)
             script.input = {
                 {20, Grab{"foot1"}}, {22, Move{{300, 150}}}, {30, Release{}}, {35, Set{"k", 0.15}}};
-        const Accuracy found = studyAccuracy(script, quickPlan(60), goOn);
+        const Accuracy found = studyAccuracy(script, quickPlan(60), keepGoing);
         QVERIFY(found.horizon > 30);
         support::Dice dice(2026);
         for (int checked = 0; checked < 10;) {
@@ -153,54 +154,55 @@ private slots:
             if (row.outcome != Outcome::measured)
                 continue;
             ++checked;
-            Script own = script;
-            own.method = row.setup.method;
-            own.step = row.setup.step;
-            Track track(own, 1 << 20);
+            Script reference = script;
+            reference.method = row.setup.method;
+            reference.step = row.setup.step;
+            Track track(reference, 1 << 20);
             double largest = 0.0;
             for (std::int64_t frame = 1; frame <= found.horizon; ++frame) {
                 track.seek({frame, 0});
-                double farthest = 0.0;
+                double maxDistance = 0.0;
                 const std::vector<Vec2> &places = found.reference.trajectories[std::size_t(frame)];
                 for (std::size_t i = 0; i < places.size(); ++i)
-                    farthest = std::max(farthest, length(track.state().positionOf(int(i)) - places[i]));
-                QCOMPARE(row.errorAt[std::size_t(frame)], farthest);
-                largest = std::max(largest, farthest);
+                    maxDistance = std::max(maxDistance, length(track.state().positionOf(int(i)) - places[i]));
+                QCOMPARE(row.errorAt[std::size_t(frame)], maxDistance);
+                largest = std::max(largest, maxDistance);
             }
             QCOMPARE(row.error, largest);
         }
     }
 
-    void whereSmallDifferencesGrowTheHorizonEnds()
+    void horizonEndsWhereSmallDifferencesGrow()
     {
-        const Accuracy found = studyAccuracy(restless(), quickPlan(3000), goOn);
+        const Accuracy found = studyAccuracy(undampedCreature(), quickPlan(3000), keepGoing);
         QVERIFY(found.reference.kind == ReferenceRun::Kind::solution);
         QVERIFY(found.horizon > 10 && found.horizon < 3000);
         QVERIFY(found.reference.end == ReferenceRun::End::diverged);
         QVERIFY(found.reference.disagreement <= referenceAgreement);
         QCOMPARE(std::int64_t(found.reference.trajectories.size()), found.horizon + 1);
-        // The frame after the horizon is where they part.
-        Script first = restless(), second = restless();
+        // The two reference runs differ in the frame after the horizon.
+        Script first = undampedCreature(), second = undampedCreature();
         first.method = findMethod(found.reference.method);
         first.step = found.reference.step;
         second.method = findMethod(found.reference.check);
         second.step = found.reference.checkStep;
         Track a(first, 0), b(second, 0);
-        const auto apart = [&](std::int64_t frame) {
+        const auto distanceAt = [&](std::int64_t frame) {
             a.seek({frame, 0});
             b.seek({frame, 0});
-            double farthest = 0.0;
+            double maxDistance = 0.0;
             for (int i = 0; i < a.state().pointCount(); ++i)
-                farthest = std::max(farthest, length(a.state().positionOf(i) - b.state().positionOf(i)));
-            return farthest;
+                maxDistance =
+                    std::max(maxDistance, length(a.state().positionOf(i) - b.state().positionOf(i)));
+            return maxDistance;
         };
-        QVERIFY(apart(found.horizon) <= referenceAgreement);
-        QVERIFY(apart(found.horizon + 1) > referenceAgreement);
+        QVERIFY(distanceAt(found.horizon) <= referenceAgreement);
+        QVERIFY(distanceAt(found.horizon + 1) > referenceAgreement);
     }
 
-    void whatHasNoLimitIsComparedWithItself()
+    void sceneWithoutContinuousLimitUsesSelfRefinement()
     {
-        const Accuracy found = studyAccuracy(scriptOf(threeSticks()), quickPlan(20), goOn);
+        const Accuracy found = studyAccuracy(scriptOf(threeSticks()), quickPlan(20), keepGoing);
         QVERIFY(found.reference.kind == ReferenceRun::Kind::selfRefinement);
         QCOMPARE(found.reference.discontinuity->id(), std::string("sticks"));
         QVERIFY(found.reference.trajectories.empty());
@@ -216,60 +218,59 @@ private slots:
         QVERIFY(measured >= 14);
     }
 
-    void ownRefinementIsTheMethodsOwnFinestRun()
+    void selfRefinementIsTheFinestRunOfTheMethod()
     {
         const Scene scene = threeSticks();
         StudyPlan plan = quickPlan(15);
-        plan.secondsPerRun =
-            600.0; // so that a busy machine does not choose a coarser finest run for one method
-        const Accuracy found = studyAccuracy(scriptOf(scene), plan, goOn);
+        plan.secondsPerRun = 600.0; // so the finest run does not depend on the load of the machine
+        const Accuracy found = studyAccuracy(scriptOf(scene), plan, keepGoing);
         QVERIFY(found.horizon > 0);
         for (const AccuracyRow &row : found.rows) {
             if (row.outcome != Outcome::measured || row.setup.method->id() != "semi_implicit_euler")
                 continue;
-            Track own(scriptOf(scene, {row.setup.method, found.reference.step}), 0);
+            Track reference(scriptOf(scene, {row.setup.method, found.reference.step}), 0);
             Track run(scriptOf(scene, row.setup), 0);
             double largest = 0.0;
             for (std::int64_t frame = 1; frame <= found.horizon; ++frame) {
-                own.seek({frame, 0});
+                reference.seek({frame, 0});
                 run.seek({frame, 0});
                 for (int i = 0; i < 4; ++i)
-                    largest =
-                        std::max(largest, length(own.state().positionOf(i) - run.state().positionOf(i)));
+                    largest = std::max(largest,
+                                       length(reference.state().positionOf(i) - run.state().positionOf(i)));
             }
             QCOMPARE(row.error, largest);
         }
     }
 
-    void numbersThatGrowAreUnstable()
+    void growingRunsAreUnstable()
     {
         Scene scene = dampedSpring();
-        scene.effects = {std::make_shared<PointSpring>(0, spot, 6.0)}; // stable up to h = 2 / sqrt(6)
-        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(200), goOn);
+        scene.effects = {std::make_shared<PointSpring>(0, anchor, 6.0)}; // stable up to h = 2 / sqrt(6)
+        const Accuracy found = studyAccuracy(scriptOf(scene), quickPlan(200), keepGoing);
         for (const AccuracyRow &row : found.rows) {
             if (row.setup.method->id() == "published")
                 QCOMPARE(row.outcome == Outcome::unstable, row.setup.step.h == 1.0);
         }
     }
 
-    void aFirstLookTellsTheErrorsOfTheFramesThatItNames()
+    void previewHasTheErrorsOfItsFrames()
     {
         StudyPlan plan = quickPlan(60);
         plan.secondsToPreview = 0.0;
         int compared = 0;
         bool isRight = true;
-        std::int64_t lastLook = 0;
+        std::int64_t lastPreview = 0;
         const auto compare = [&](const Accuracy &soFar, double) {
-            if (soFar.previewed == 0 || soFar.previewed == lastLook)
+            if (soFar.previewed == 0 || soFar.previewed == lastPreview)
                 return true;
             isRight &= soFar.previewed <= soFar.horizon;
             for (const AccuracyRow &row : soFar.rows) {
                 if (row.outcome != Outcome::measured || row.error < 1e-8)
                     continue;
                 const double exact =
-                    errorAgainst(scriptOf(dampedSpring(), row.setup), onDampedSpring, soFar.previewed);
+                    errorAgainst(scriptOf(dampedSpring(), row.setup), dampedSpringAt, soFar.previewed);
                 isRight &= std::abs(row.error - exact) <= 1e-3 * exact + 1e-9;
-                lastLook = soFar.previewed;
+                lastPreview = soFar.previewed;
                 ++compared;
             }
             return true;
@@ -280,20 +281,20 @@ private slots:
         QCOMPARE(found.previewed, 0);
     }
 
-    void aFirstLookLeavesNothingInTheResult()
+    void previewDoesNotChangeTheResult()
     {
-        StudyPlan looking = quickPlan(60);
-        looking.secondsToPreview = 0.0;
-        StudyPlan plain = quickPlan(60);
-        plain.secondsToPreview = std::numeric_limits<double>::infinity();
-        const Accuracy a = studyAccuracy(scriptOf(bouncingBall()), looking, goOn);
-        const Accuracy b = studyAccuracy(scriptOf(bouncingBall()), plain, goOn);
+        StudyPlan withPreview = quickPlan(60);
+        withPreview.secondsToPreview = 0.0;
+        StudyPlan withoutPreview = quickPlan(60);
+        withoutPreview.secondsToPreview = std::numeric_limits<double>::infinity();
+        const Accuracy a = studyAccuracy(scriptOf(bouncingBall()), withPreview, keepGoing);
+        const Accuracy b = studyAccuracy(scriptOf(bouncingBall()), withoutPreview, keepGoing);
         QCOMPARE(a.horizon, b.horizon);
         QCOMPARE(a.reference.disagreement, b.reference.disagreement);
         QCOMPARE(a.rows.size(), b.rows.size());
         for (std::size_t i = 0; i < a.rows.size(); ++i) {
             if (a.rows[i].outcome == Outcome::tooLong || b.rows[i].outcome == Outcome::tooLong)
-                continue; // that depends on the machine
+                continue; // depends on the machine
             QVERIFY(a.rows[i].outcome == b.rows[i].outcome);
             QCOMPARE(a.rows[i].errorAt, b.rows[i].errorAt);
             QCOMPARE(a.rows[i].evaluations, b.rows[i].evaluations);

@@ -15,7 +15,7 @@ std::size_t familyOf(const sim::Method &method)
 {
     enum Family : std::size_t { euler, verlet, rungeKutta, adaptive, implicit };
     const std::vector<std::string> needs = method.requirements();
-    if (std::find(needs.begin(), needs.end(), "slopes") != needs.end())
+    if (std::find(needs.begin(), needs.end(), "jacobian") != needs.end())
         return implicit;
     if (method.stepping() == sim::Stepping::adaptive)
         return adaptive;

@@ -22,8 +22,8 @@ constexpr double near = 0.15; ///< of an order
 std::optional<double> orderOf(const sim::Accuracy &accuracy, const sim::Method &method)
 {
     std::vector<double> orders;
-    for (const Slope &jacobian : slopesOf(accuracy, method))
-        orders.push_back(jacobian.order);
+    for (const Slope &slope : slopesOf(accuracy, method))
+        orders.push_back(slope.order);
     if (orders.empty())
         return std::nullopt;
     std::sort(orders.begin(), orders.end());
@@ -159,14 +159,14 @@ QString OrderPlot::tipOf(const Spot &spot) const
 {
     QString text = rowWords(rowOf(spot));
     const sim::Method &method = *rowOf(spot).setup.method;
-    for (const Slope &jacobian : slopesOf(*m_study.accuracy(), method)) {
-        if (jacobian.fine != &rowOf(spot))
+    for (const Slope &slope : slopesOf(*m_study.accuracy(), method)) {
+        if (slope.fine != &rowOf(spot))
             continue;
-        const double times = jacobian.coarse->setup.step.h / jacobian.fine->setup.step.h;
+        const double times = slope.coarse->setup.step.h / slope.fine->setup.step.h;
         text +=
             '\n' + tr("A step %1 times as short makes the error %2 times as small: order %3 here, %4 stated")
-                       .arg(roughNumber(times), roughNumber(jacobian.coarse->error / jacobian.fine->error),
-                            fixedNumber(jacobian.order, 2))
+                       .arg(roughNumber(times), roughNumber(slope.coarse->error / slope.fine->error),
+                            fixedNumber(slope.order, 2))
                        .arg(method.order());
     }
     return text;

@@ -34,7 +34,7 @@ QString plain(QString text)
 
 NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
     : QDoubleSpinBox(parent), m_theme(theme), m_min(parameter.min), m_max(parameter.max),
-      m_decimals(parameter.hasWholeValues() ? 0 : parameter.decimals), m_scale(parameter.scale)
+      m_decimals(parameter.isInteger ? 0 : parameter.decimals), m_scale(parameter.scale)
 {
     setButtonSymbols(QAbstractSpinBox::NoButtons);
     setFocusPolicy(Qt::StrongFocus); // not by the wheel, which would choose it and change it at once
@@ -43,7 +43,7 @@ NumberBox::NumberBox(const lessons::Parameter &parameter, const Theme &theme, QW
     setLocale(QLocale::c());
     setDecimals(keptDecimals);
     setRange(-farthest, farthest);
-    setSingleStep(parameter.hasWholeValues() ? 1.0 : std::pow(10.0, -parameter.decimals));
+    setSingleStep(parameter.isInteger ? 1.0 : std::pow(10.0, -parameter.decimals));
     setFixedSize(width_, height_);
     connect(this, &QDoubleSpinBox::valueChanged, this, &NumberBox::chosen);
     connect(this, &QDoubleSpinBox::editingFinished, this, &NumberBox::write);

@@ -26,7 +26,7 @@ double decadeSteps(double first, double value)
 
 ParameterSlider::ParameterSlider(const lessons::Parameter &parameter, const Theme &theme, QWidget *parent)
     : QSlider(Qt::Horizontal, parent), m_theme(theme), m_scale(parameter.scale), m_min(parameter.sliderMin),
-      m_unit(parameter.hasWholeValues() ? 1.0 : std::pow(10.0, -parameter.decimals))
+      m_unit(parameter.isInteger ? 1.0 : std::pow(10.0, -parameter.decimals))
 {
     const int steps = std::max(1, qRound(m_scale == lessons::Scale::logarithmic
                                              ? decadeSteps(m_min, parameter.sliderMax)

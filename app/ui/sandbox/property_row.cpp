@@ -73,7 +73,7 @@ void PropertyRow::choose(double value)
 {
     const lessons::Parameter &about = m_property.about;
     value = std::clamp(value, about.min, about.max);
-    if (about.hasWholeValues())
+    if (about.isInteger)
         value = std::round(value);
     const Chosen chosen = m_bench.chosen();
     const QString what =

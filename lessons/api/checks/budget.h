@@ -7,22 +7,22 @@
 
 namespace lessons {
 
-/// What a run may be off, and what it may cost.
+/// The largest error and the largest computing time that a run may have.
 struct Budget
 {
-    double error = 0.0;      ///< px, the largest distance of any body from the exact run at any whole frame
-    double nsPerFrame = 0.0; ///< that the program takes to compute it; infinite: it may cost anything
-    std::int64_t frames = 0; ///< both over this stretch from the start on
+    double error = 0.0;      ///< px, largest distance of any point from the exact run at any whole frame
+    double nsPerFrame = 0.0; ///< computing time; infinite: no limit
+    std::int64_t frames = 0; ///< length of the run, from its start, for which both limits hold
 };
 
-/// How long `frames` frames of a script take, in ns a frame.
+/// Returns the time that the first `frames` frames of a script take to compute, in ns per frame.
 using TimeMeasurement = std::function<double(const sim::Script &script, std::int64_t frames)>;
 
-/// Measures it on this machine, now: the median of repeated runs, as the study of accuracy does. Runs of more than
-/// some milliseconds are measured once, roughly.
+/// Measures the computing time on this machine: the median of repeated runs, as in the accuracy study. A run
+/// of more than some milliseconds is only estimated from its first frames.
 double measureTime(const sim::Script &script, std::int64_t frames);
 
-/// Whether the run of `script` keeps `budget`. Steps of less than 1/128 frame do not.
+/// Returns whether the run of `script` stays within `budget`. Steps of less than 1/128 frame never do.
 bool staysWithin(const Budget &budget, const sim::Script &script, const TimeMeasurement &timing);
 
 }

@@ -19,27 +19,29 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Conditions)
 };
 
-/// `text` with the number that is asked for in place of %2.
-QString asking(QString text, double number)
+/// Returns `text` with the required value in place of %2.
+QString withRequired(QString text, double required)
 {
-    return text.replace(QStringLiteral("%2"), QLocale().toString(number, 'g', 6));
+    return text.replace(QStringLiteral("%2"), QLocale().toString(required, 'g', 6));
 }
 
-double speedLetGo(const sim::Timeline &run)
+/// Returns the speed at which the last drag released its body, in px/frame. It is 0 during a drag.
+double releaseSpeed(const sim::Timeline &run)
 {
-    const std::optional<DragGesture> carry = lastReleased(run);
-    return carry ? sim::length(carry->releaseVelocity()) : 0.0;
+    const std::optional<DragGesture> drag = lastReleased(run);
+    return drag ? sim::length(drag->releaseVelocity()) : 0.0;
 }
 
-double lastReach(const sim::Timeline &run)
+/// Returns the largest distance of the last drag from where its body was, in px.
+double lastDragDistance(const sim::Timeline &run)
 {
     const std::vector<DragGesture> all = dragGestures(run);
     if (all.empty() || all.back().path.empty())
         return 0.0;
     const sim::Vec2 from = grabPosition(run, all.back());
     double farthest = 0.0;
-    for (const PointerSample &place : all.back().path)
-        farthest = std::max(farthest, sim::length(place.position - from));
+    for (const PointerSample &sample : all.back().path)
+        farthest = std::max(farthest, sim::length(sample.position - from));
     return farthest;
 }
 
@@ -47,7 +49,8 @@ double lastReach(const sim::Timeline &run)
 
 bool Conditions::hold(const sim::Timeline &run) const
 {
-    return std::all_of(m_all.begin(), m_all.end(), [&](const Condition &one) { return one.holds(run); });
+    return std::all_of(m_all.begin(), m_all.end(),
+                       [&](const Condition &condition) { return condition.holds(run); });
 }
 
 bool Conditions::hasBegun(const sim::Timeline &run) const
@@ -59,18 +62,18 @@ QString Conditions::todo(const sim::Timeline &run) const
 {
     if (!hasBegun(run))
         return {};
-    const auto missing =
-        std::find_if(m_all.begin(), m_all.end(), [&](const Condition &one) { return !one.holds(run); });
+    const auto missing = std::find_if(m_all.begin(), m_all.end(),
+                                      [&](const Condition &condition) { return !condition.holds(run); });
     if (missing == m_all.end())
         return {};
     QString todo = missing->todo;
     if (missing->measured) {
         const double number = missing->measured(run);
-        QLocale plain;
-        plain.setNumberOptions(QLocale::OmitGroupSeparator);
-        const QString written = plain.toString(number, 'f', missing->decimals);
+        QLocale locale;
+        locale.setNumberOptions(QLocale::OmitGroupSeparator);
+        const QString formatted = locale.toString(number, 'f', missing->decimals);
         todo.replace(QStringLiteral("%1"),
-                     std::isfinite(number) ? QString(written).replace(u'-', u'−') : QStringLiteral("–"));
+                     std::isfinite(number) ? QString(formatted).replace(u'-', u'−') : QStringLiteral("–"));
     }
     return todo;
 }
@@ -85,19 +88,19 @@ Condition releasedSinceSet(const std::string &id, const std::string &body)
 {
     Condition condition = released(body);
     condition.holds = [id, body](const sim::Timeline &run) {
-        const std::optional<DragGesture> carry = lastReleased(run, body);
+        const std::optional<DragGesture> drag = lastReleased(run, body);
         const std::int64_t set = lastSetFrame(run, id);
-        return carry && (carry->grabFrame >= set || *carry->releaseFrame > set);
+        return drag && (drag->grabFrame >= set || *drag->releaseFrame > set);
     };
     return condition;
 }
 
-Condition thrownAtLeast(double leastSpeed)
+Condition thrownAtLeast(double minSpeed)
 {
     return atLeast(
-        leastSpeed, speedLetGo,
-        asking(Text::tr("let go while the mouse moves, at %2 px per frame or more. Yours left at %1."),
-               leastSpeed));
+        minSpeed, releaseSpeed,
+        withRequired(Text::tr("let go while the mouse moves, at %2 px per frame or more. Yours left at %1."),
+                     minSpeed));
 }
 
 Condition lastGrabbed(const std::string &body)
@@ -115,9 +118,10 @@ Condition holding(const std::string &body)
             Text::tr("take it with the mouse, and hold it.")};
 }
 
-Condition draggedAtLeast(double least)
+Condition draggedAtLeast(double minDistance)
 {
-    return atLeast(least, lastReach, asking(Text::tr("carry it %2 px or more. It came %1 px."), least), 0);
+    return atLeast(minDistance, lastDragDistance,
+                   withRequired(Text::tr("carry it %2 px or more. It came %1 px."), minDistance), 0);
 }
 
 Condition allStill()
@@ -132,8 +136,8 @@ Condition idleFor(std::int64_t frames)
         [](const sim::Timeline &run) {
             return run.cursor().phase > 0 ? 0.0 : static_cast<double>(idleFrames(run));
         },
-        asking(Text::tr("hands off, and let time run for %2 frames. So far: %1."),
-               static_cast<double>(frames)),
+        withRequired(Text::tr("hands off, and let time run for %2 frames. So far: %1."),
+                     static_cast<double>(frames)),
         0);
 }
 
@@ -142,8 +146,8 @@ Condition unchangedFor(const std::string &id, std::int64_t frames)
     return atLeast(
         static_cast<double>(frames),
         [id](const sim::Timeline &run) { return static_cast<double>(framesSinceSet(run, id)); },
-        asking(Text::tr("let time run for %2 frames with this value. So far: %1."),
-               static_cast<double>(frames)),
+        withRequired(Text::tr("let time run for %2 frames with this value. So far: %1."),
+                     static_cast<double>(frames)),
         0);
 }
 
@@ -151,7 +155,7 @@ Condition playedTo(std::int64_t frame)
 {
     return {
         [frame](const sim::Timeline &run) { return run.cursor().phase == 0 && run.cursor().frame >= frame; },
-        asking(Text::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
+        withRequired(Text::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
         [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
 }
 
@@ -165,7 +169,7 @@ Condition runsMethod(const std::string &id, const QString &todo)
     return {[id](const sim::Timeline &run) { return usesMethod(run, id); }, todo};
 }
 
-Condition insideAFrame()
+Condition insideFrame()
 {
     return {[](const sim::Timeline &run) { return run.cursor().phase > 0; },
             Text::tr("stop, and go into a frame: **Shift+→**.")};
@@ -177,12 +181,12 @@ Condition onlyPulled()
             Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved.")};
 }
 
-Condition ghostDiffers(const std::string &id)
+Condition comparisonDiffers(const std::string &id)
 {
     return {[id](const sim::Timeline &run) { return differsFromComparison(run, id); }};
 }
 
-Condition playedBesideGhost()
+Condition playedSinceFork()
 {
     return atLeast(
         10.0,
@@ -190,17 +194,17 @@ Condition playedBesideGhost()
         Text::tr("play on for 10 frames from where the two part. So far: %1."), 0);
 }
 
-Condition atLeast(double least, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+Condition atLeast(double min, std::function<double(const sim::Timeline &)> measured, const QString &todo,
                   int decimals)
 {
-    return {[measured, least](const sim::Timeline &run) { return measured(run) >= least; }, todo, measured,
+    return {[measured, min](const sim::Timeline &run) { return measured(run) >= min; }, todo, measured,
             decimals};
 }
 
-Condition atMost(double most, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+Condition atMost(double max, std::function<double(const sim::Timeline &)> measured, const QString &todo,
                  int decimals)
 {
-    return {[measured, most](const sim::Timeline &run) { return measured(run) <= most; }, todo, measured,
+    return {[measured, max](const sim::Timeline &run) { return measured(run) <= max; }, todo, measured,
             decimals};
 }
 

@@ -14,25 +14,27 @@
 
 namespace lessons {
 
-/// A condition of a thing to try: what has to be true of the run at its cursor, and what is to do while it is not.
+/// A condition of a thing to try: a test of the run at its cursor, and what the learner has to do until it
+/// holds.
 struct Condition
 {
     std::function<bool(const sim::Timeline &)> holds;
-    /// What is still to do, for example "let go of the foot at 5 px per frame or more. Yours left at %1.": Markdown, without
-    /// a capital at its start. `%1` stands for `measured`. Empty where the text of the thing to try says all.
+    /// Markdown without a capital at its start: what is still to do. For example "let go of the foot at 5 px
+    /// per frame or more. Yours left at %1." `%1` stands for `measured`. Empty if the text of the thing to
+    /// try says everything.
     QString todo = {};
-    std::function<double(const sim::Timeline &)> measured = {}; ///< in the unit that `todo` names
-    int decimals = 1;                                           ///< of that number
+    std::function<double(const sim::Timeline &)> measured = {}; ///< number for `%1`
+    int decimals = 1;                                           ///< of the measured number
 };
 
-/// The conditions of a thing to try, all of which must hold at one moment. The first is what a learner begins with: once it
-/// holds, the thing is begun, and the first of the others that does not hold says what is missing.
+/// The conditions of a thing to try, all of which must hold at the same time. The first one holds as soon as
+/// a learner has begun. From then on, the first condition that does not hold says what is missing.
 class Conditions
 {
 public:
     Conditions() = default;
     Conditions(std::initializer_list<Condition> all) : m_all(all) {}
-    /// One condition, which the text of the thing to try says in full.
+    /// A single condition, without a `todo` because the text of the thing to try says everything.
     template <class Holds,
               class = std::enable_if_t<std::is_invocable_r_v<bool, Holds, const sim::Timeline &>>>
     Conditions(Holds holds) : m_all{{std::move(holds)}}
@@ -40,10 +42,11 @@ public:
     }
 
     const std::vector<Condition> &all() const { return m_all; }
+    /// Returns whether all conditions hold at the cursor of `run`.
     bool hold(const sim::Timeline &run) const;
-    /// Returns whether a learner has begun: the first condition holds.
+    /// Returns whether a learner has begun, that is, whether the first condition holds.
     bool hasBegun(const sim::Timeline &run) const;
-    /// Returns what is still to do; empty when all is done, and before a learner has begun.
+    /// Returns what is still to do. Empty before a learner has begun and when everything is done.
     QString todo(const sim::Timeline &run) const;
 
 private:
@@ -52,44 +55,45 @@ private:
 
 // Conditions that many things to try share
 
-/// The hand has let go of `body`, or of anything if that is empty, and has taken nothing since.
+/// The learner's last drag is finished, and it moved `body` (any body if empty).
 Condition released(const std::string &body = {});
-/// The same, and it let go after the parameter `id` was set: what was done with another value does not count.
+/// The learner's last drag is finished, moved `body` (any if empty), and ended after the parameter `id` was
+/// set last.
 Condition releasedSinceSet(const std::string &id, const std::string &body = {});
-/// It let go while it moved at least `leastSpeed` px/frame.
-Condition thrownAtLeast(double leastSpeed = 5.0);
-/// What the hand took last is `body`, whether it still holds it or not.
+/// The last drag is finished and released its body at `minSpeed` px/frame or more.
+Condition thrownAtLeast(double minSpeed = 5.0);
+/// The last drag moves or moved `body`.
 Condition lastGrabbed(const std::string &body);
-/// The hand holds `body`.
+/// The learner is dragging `body`.
 Condition holding(const std::string &body);
-/// The hand carried what it took last at least `least` px away.
-Condition draggedAtLeast(double least);
-/// Nothing moves.
+/// The last drag went `minDistance` px or more from where its body was.
+Condition draggedAtLeast(double minDistance);
+/// Nothing moves (isStill()).
 Condition allStill();
-/// The hand has been off for `frames` frames.
+/// There has been no drag and no other input, except to parameters, for `frames` frames.
 Condition idleFor(std::int64_t frames);
-/// The parameter `id` has its value for `frames` frames.
+/// The parameter `id` has not been set for `frames` frames.
 Condition unchangedFor(const std::string &id, std::int64_t frames);
-/// The run has come to `frame`.
+/// The cursor is between two frames, at `frame` or later.
 Condition playedTo(std::int64_t frame);
-/// The parameter `id` is `value`; `todo` says to set it.
+/// The parameter `id` is `value`. `todo` tells the learner to set it.
 Condition parameterSetTo(const std::string &id, double value, const QString &todo = {});
-/// The run goes on with the method called `id`; `todo` says to choose it.
+/// The run uses the method `id`. `todo` tells the learner to choose it.
 Condition runsMethod(const std::string &id, const QString &todo = {});
-/// The cursor stands inside a frame.
-Condition insideAFrame();
-/// In the frame where the cursor stands, a spring has pulled and nothing has moved.
+/// The cursor is inside a frame.
+Condition insideFrame();
+/// The cursor is inside a step in which a spring has pulled and nothing has moved yet.
 Condition onlyPulled();
-/// The run differs from its ghost in the parameter `id`.
-Condition ghostDiffers(const std::string &id);
-/// The run has gone on for ten frames since it left its ghost.
-Condition playedBesideGhost();
+/// The parameter `id` differs between the run and its comparison run.
+Condition comparisonDiffers(const std::string &id);
+/// The cursor is ten frames or more after the frame at which the run departs from its comparison run.
+Condition playedSinceFork();
 
-/// A condition that `measured` is `least` or more; `todo` may show it as `%1`.
-Condition atLeast(double least, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+/// `measured` is `min` or more. `todo` may show it as `%1`.
+Condition atLeast(double min, std::function<double(const sim::Timeline &)> measured, const QString &todo,
                   int decimals = 1);
-/// A condition that `measured` is `most` or less.
-Condition atMost(double most, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+/// `measured` is `max` or less. `todo` may show it as `%1`.
+Condition atMost(double max, std::function<double(const sim::Timeline &)> measured, const QString &todo,
                  int decimals = 1);
 
 }

@@ -9,34 +9,35 @@ namespace lessons {
 
 namespace {
 
-/// The frame whose input has been applied at the cursor: inside a frame that is the one under way.
-std::int64_t framesBegun(const sim::Timeline &timeline)
+/// Returns the last frame whose input has been applied at the cursor. Inside a frame, that is the frame in
+/// progress.
+std::int64_t lastAppliedFrame(const sim::Timeline &timeline)
 {
-    const sim::Cursor at = timeline.cursor();
-    return at.phase > 0 ? at.frame + timeline.track().framesPerOutput() : at.frame;
+    const sim::Cursor cursor = timeline.cursor();
+    return cursor.phase > 0 ? cursor.frame + timeline.track().framesPerOutput() : cursor.frame;
 }
 
-/// Calls `visit(event)` for the input that has been applied at the cursor.
+/// Calls `visit(event)` for each input event that has been applied at the cursor.
 template <class Visit>
 void forEachApplied(const sim::Timeline &timeline, Visit &&visit)
 {
-    const std::int64_t begun = framesBegun(timeline);
-    if (begun == 0)
+    const std::int64_t lastFrame = lastAppliedFrame(timeline);
+    if (lastFrame == 0)
         return;
     for (const sim::Event &event : timeline.script().input) {
-        if (event.frame > begun)
+        if (event.frame > lastFrame)
             return;
         visit(event);
     }
 }
 
-void letGo(std::vector<DragGesture> &all, std::int64_t frame)
+void release(std::vector<DragGesture> &all, std::int64_t frame)
 {
     if (!all.empty() && !all.back().releaseFrame)
         all.back().releaseFrame = frame;
 }
 
-void goTo(std::vector<DragGesture> &all, std::int64_t frame, sim::Vec2 to)
+void moveTo(std::vector<DragGesture> &all, std::int64_t frame, sim::Vec2 to)
 {
     if (all.empty() || all.back().releaseFrame)
         return;
@@ -52,17 +53,17 @@ void goTo(std::vector<DragGesture> &all, std::int64_t frame, sim::Vec2 to)
 double DragGesture::farthest() const
 {
     double farthest = 0.0;
-    for (const PointerSample &place : path)
-        farthest = std::max(farthest, sim::length(place.position - path.front().position));
+    for (const PointerSample &sample : path)
+        farthest = std::max(farthest, sim::length(sample.position - path.front().position));
     return farthest;
 }
 
 std::optional<sim::Vec2> DragGesture::positionAt(std::int64_t frame) const
 {
     std::optional<sim::Vec2> found;
-    for (const PointerSample &place : path) {
-        if (place.frame <= frame)
-            found = place.position;
+    for (const PointerSample &sample : path) {
+        if (sample.frame <= frame)
+            found = sample.position;
     }
     return found;
 }
@@ -71,7 +72,7 @@ sim::Vec2 DragGesture::releaseVelocity() const
 {
     if (!releaseFrame)
         return {};
-    // In the frame in which it lets go the body is free already: its velocity is from the frame before.
+    // The body is already free in the frame of its release, so its velocity comes from the frame before.
     const std::optional<sim::Vec2> last = positionAt(*releaseFrame - 1);
     const std::optional<sim::Vec2> before = positionAt(*releaseFrame - 2);
     return last && before ? *last - *before : sim::Vec2{};
@@ -82,12 +83,12 @@ std::vector<DragGesture> dragGestures(const sim::Timeline &timeline)
     std::vector<DragGesture> all;
     forEachApplied(timeline, [&](const sim::Event &event) {
         if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
-            letGo(all, event.frame);
+            release(all, event.frame);
             all.push_back({grab->body, event.frame, {}, {}});
         } else if (const auto *move = std::get_if<sim::Move>(&event.what)) {
-            goTo(all, event.frame, move->to);
+            moveTo(all, event.frame, move->to);
         } else if (std::holds_alternative<sim::Release>(event.what)) {
-            letGo(all, event.frame);
+            release(all, event.frame);
         }
     });
     return all;

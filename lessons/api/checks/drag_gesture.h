@@ -10,40 +10,42 @@
 
 namespace lessons {
 
-/// Where the hand went in one frame.
+/// The pointer's position in one frame of a drag.
 struct PointerSample
 {
-    std::int64_t frame = 0; ///< the frame whose computation it precedes
+    std::int64_t frame = 0; ///< the sample is applied before this frame is computed
     sim::Vec2 position;     ///< px
 };
 
-/// One time that a hand held a body, from the grab to the moment it let go.
+/// A drag of a body, from its grab to its release.
 struct DragGesture
 {
     std::string body;
-    std::int64_t grabFrame = 0;               ///< the frame whose computation the grab precedes
-    std::optional<std::int64_t> releaseFrame; ///< likewise; empty while the hand still holds
-    std::vector<PointerSample> path;          ///< at most one a frame; empty if the hand never moved
+    std::int64_t grabFrame = 0;               ///< the grab is applied before this frame is computed
+    std::optional<std::int64_t> releaseFrame; ///< likewise; empty during the drag
+    std::vector<PointerSample> path;          ///< at most one sample per frame; empty without a move
 
-    /// The farthest that the hand came from where it first moved to, in px.
+    /// Returns the largest distance of the path from its first sample, in px.
     double farthest() const;
-    /// The velocity that the body had when the hand let go, in px/frame; 0 while it is held.
+    /// Returns the velocity of the body at its release, in px/frame. It is 0 during the drag and after a drag
+    /// whose path began less than two frames before the release.
     sim::Vec2 releaseVelocity() const;
 
 private:
     std::optional<sim::Vec2> positionAt(std::int64_t frame) const;
 };
 
-/// What the hand did up to the cursor, in order.
+/// Returns the drags up to the cursor, in order of time.
 std::vector<DragGesture> dragGestures(const sim::Timeline &timeline);
 
-/// The last carry, if the hand has let go since and, with a name given, it was that body.
+/// Returns the last drag if it is finished and moved `body` (any body if empty).
 std::optional<DragGesture> lastReleased(const sim::Timeline &timeline, const std::string &body = {});
 
-/// The body in the hand at the cursor; empty if there is none.
+/// Returns the name of the body that is dragged at the cursor. Empty if there is none.
 std::string heldBody(const sim::Timeline &timeline);
 
-/// How many frames the hand has done nothing, up to the cursor.
+/// Returns the number of frames up to the cursor since the last input other than a parameter. 0 during a
+/// drag.
 std::int64_t idleFrames(const sim::Timeline &timeline);
 
 }

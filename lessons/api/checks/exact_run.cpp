@@ -13,10 +13,10 @@ namespace lessons {
 
 namespace {
 
-constexpr std::size_t keptRuns = 3; ///< the run, its ghost, and the one that a change has just made
-constexpr std::size_t memory = std::size_t{4} << 20;
+constexpr std::size_t maxCachedRuns = 3;             ///< run, comparison run and edited run
+constexpr std::size_t memory = std::size_t{4} << 20; ///< bytes per run
 
-bool sameButForMethod(const sim::Script &a, const sim::Script &b)
+bool differOnlyInMethod(const sim::Script &a, const sim::Script &b)
 {
     return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff && a.input == b.input;
 }
@@ -26,7 +26,7 @@ bool sameButForMethod(const sim::Script &a, const sim::Script &b)
 struct ExactRun::CachedRun
 {
     sim::Script script;
-    std::unique_ptr<sim::Track> track; ///< null where the scene has none
+    std::unique_ptr<sim::Track> track; ///< null for a scene without a continuous limit
 };
 
 ExactRun::ExactRun() = default;
@@ -34,24 +34,24 @@ ExactRun::~ExactRun() = default;
 
 sim::Track *ExactRun::trackOf(const sim::Script &script)
 {
-    const auto found = std::find_if(m_kept.begin(), m_kept.end(), [&](const CachedRun &kept) {
-        return sameButForMethod(kept.script, script);
+    const auto found = std::find_if(m_cache.begin(), m_cache.end(), [&](const CachedRun &cached) {
+        return differOnlyInMethod(cached.script, script);
     });
-    if (found != m_kept.end()) {
-        m_kept.splice(m_kept.begin(), m_kept, found);
-        return m_kept.front().track.get();
+    if (found != m_cache.end()) {
+        m_cache.splice(m_cache.begin(), m_cache, found);
+        return m_cache.front().track.get();
     }
-    CachedRun kept = {
+    CachedRun cached = {
         sim::scriptFor(script, {sim::findMethod("dop853"), sim::StepSize::withTolerance(tolerance)}), {}};
     try {
-        kept.track = std::make_unique<sim::Track>(kept.script, memory);
-    } catch (const sim::Error &) { // it has no continuous limit: nothing to compare with
-        kept.track = nullptr;
+        cached.track = std::make_unique<sim::Track>(cached.script, memory);
+    } catch (const sim::Error &) { // the scene has no continuous limit
+        cached.track = nullptr;
     }
-    m_kept.push_front(std::move(kept));
-    if (m_kept.size() > keptRuns)
-        m_kept.pop_back();
-    return m_kept.front().track.get();
+    m_cache.push_front(std::move(cached));
+    if (m_cache.size() > maxCachedRuns)
+        m_cache.pop_back();
+    return m_cache.front().track.get();
 }
 
 const sim::State *ExactRun::at(const sim::Script &script, std::int64_t frame)

@@ -13,20 +13,20 @@ namespace lessons {
 
 namespace {
 
-/// The index of the first phase of the step under way.
+/// Returns the index of the first phase of the step in progress.
 int stepStart(const sim::Timeline &timeline)
 {
     const int perStep = timeline.track().interval().pipeline.phasesPerStep();
     return (timeline.cursor().phase - 1) / perStep * perStep;
 }
 
-/// Whether `which(phase)` for any phase that is done of the step under way, inside a frame.
-template <class Which>
-bool anyDone(const sim::Timeline &timeline, Which &&which)
+/// Returns whether `matches(phase)` for any computed phase of the step in progress. False between two frames.
+template <class Matches>
+bool anyComputedPhase(const sim::Timeline &timeline, Matches &&matches)
 {
     const int done = timeline.cursor().phase;
     for (int i = done > 0 ? stepStart(timeline) : 0; i < done; ++i) {
-        if (which(timeline.track().interval().pipeline.phaseAt(i)))
+        if (matches(timeline.track().interval().pipeline.phaseAt(i)))
             return true;
     }
     return false;
@@ -36,9 +36,9 @@ bool anyDone(const sim::Timeline &timeline, Which &&which)
 
 sim::Vec2 positionOf(const sim::Timeline &timeline, const std::string &name)
 {
-    constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const int point = timeline.track().interval().scene.find(name);
-    return point < 0 ? sim::Vec2{nowhere, nowhere} : timeline.state().positionOf(point);
+    return point < 0 ? sim::Vec2{none, none} : timeline.state().positionOf(point);
 }
 
 double distance(const sim::Timeline &timeline, const std::string &a, const std::string &b)
@@ -58,9 +58,9 @@ sim::Vec2 momentum(const sim::Timeline &timeline)
     return {sum[0], sum[1]};
 }
 
-bool onStage(sim::Vec2 place)
+bool onStage(sim::Vec2 position)
 {
-    return place.x >= 0.0 && place.x <= 540.0 && place.y >= 0.0 && place.y <= 400.0;
+    return position.x >= 0.0 && position.x <= 540.0 && position.y >= 0.0 && position.y <= 400.0;
 }
 
 bool isStill(const sim::Timeline &timeline)
@@ -71,11 +71,11 @@ bool isStill(const sim::Timeline &timeline)
     std::shared_ptr<const sim::ComposedInterval> interval;
     sim::State state = timeline.track().preview(interval);
     Eigen::ArrayX2d before = timeline.state().position;
-    for (int row = 0; row < 2; ++row) {
+    for (int output = 0; output < 2; ++output) {
         for (int phase = 0; phase < interval->pipeline.phasesPerOutput(); ++phase)
             interval->pipeline.phaseAt(phase).run(state);
         if (sim::firstStuckPoint(state) >= 0 || before.rows() != state.position.rows() ||
-            !((state.position - before).abs() <= stillness).all()) // false for what is not finite, too
+            !((state.position - before).abs() <= stillness).all()) // also false for NaN
             return false;
         before = state.position;
     }
@@ -104,19 +104,19 @@ bool isSetTo(const sim::Timeline &timeline, const std::string &id, double value)
     return timeline.values().has(id) && std::abs(timeline.values()[id] - value) < 0.005;
 }
 
-sim::Vec2 grabPosition(const sim::Timeline &timeline, const DragGesture &carry)
+sim::Vec2 grabPosition(const sim::Timeline &timeline, const DragGesture &drag)
 {
-    const int point = timeline.track().interval().scene.find(carry.body);
-    const sim::State then = timeline.track().stateAt(std::max<std::int64_t>(0, carry.grabFrame - 1));
-    return point >= 0 && point < then.pointCount() ? then.positionOf(point)
-           : carry.path.empty()                    ? sim::Vec2{}
-                                                   : carry.path.front().position;
+    const int point = timeline.track().interval().scene.find(drag.body);
+    const sim::State grabbed = timeline.track().stateAt(std::max<std::int64_t>(0, drag.grabFrame - 1));
+    return point >= 0 && point < grabbed.pointCount() ? grabbed.positionOf(point)
+           : drag.path.empty()                        ? sim::Vec2{}
+                                                      : drag.path.front().position;
 }
 
-bool wasThrown(const sim::Timeline &timeline, const std::string &body, double leastSpeed)
+bool wasThrown(const sim::Timeline &timeline, const std::string &body, double minSpeed)
 {
-    const std::optional<DragGesture> carry = lastReleased(timeline, body);
-    return carry && sim::length(carry->releaseVelocity()) >= leastSpeed;
+    const std::optional<DragGesture> drag = lastReleased(timeline, body);
+    return drag && sim::length(drag->releaseVelocity()) >= minSpeed;
 }
 
 const sim::Phase *lastPhase(const sim::Timeline &timeline)
@@ -127,15 +127,15 @@ const sim::Phase *lastPhase(const sim::Timeline &timeline)
 
 bool hasMoved(const sim::Timeline &timeline, int group)
 {
-    return anyDone(timeline, [&](const sim::Phase &phase) {
+    return anyComputedPhase(timeline, [&](const sim::Phase &phase) {
         return phase.id == "move" && (group < 0 || phase.group == group);
     });
 }
 
 bool onlySpringsPulled(const sim::Timeline &timeline)
 {
-    const bool pulled =
-        anyDone(timeline, [](const sim::Phase &phase) { return phase.kind == sim::EffectKind::spring; });
+    const bool pulled = anyComputedPhase(
+        timeline, [](const sim::Phase &phase) { return phase.kind == sim::EffectKind::spring; });
     return pulled && !hasMoved(timeline);
 }
 
@@ -143,9 +143,9 @@ bool differsFromComparison(const sim::Timeline &timeline, const std::string &id)
 {
     if (!timeline.comparison())
         return false;
-    const sim::Values &then = timeline.comparison()->interval().values;
-    const sim::Values &now = timeline.track().interval().values;
-    return then.has(id) && now.has(id) && then[id] != now[id];
+    const sim::Values &compared = timeline.comparison()->interval().values;
+    const sim::Values &current = timeline.track().interval().values;
+    return compared.has(id) && current.has(id) && compared[id] != current[id];
 }
 
 bool usesMethod(const sim::Timeline &timeline, const std::string &id)

@@ -6,49 +6,55 @@
 #include <cstdint>
 #include <string>
 
-/// What the checks of "things to try" are made of. Each looks at the moment of the cursor, and at what was done up
-/// to there; none of them remembers anything.
+/// Queries of a run at its cursor and of the input up to there. The checks of things to try are built from
+/// them. They keep no state.
 namespace lessons {
 
 struct DragGesture;
 
-/// Where the body called `name` is, in px; NaN when there is none.
+/// Returns the position of the point `name`, in px. NaN if there is none.
 sim::Vec2 positionOf(const sim::Timeline &timeline, const std::string &name);
-/// How far apart two bodies are, in px.
+/// Returns the distance between two points, in px.
 double distance(const sim::Timeline &timeline, const std::string &a, const std::string &b);
-/// The middle of all points, in px, and the sum of their velocities, in px/frame: the momentum, with masses of 1.
+/// Returns the mean position of all points, in px.
 sim::Vec2 centreOfPoints(const sim::Timeline &timeline);
+/// Returns the sum of the velocities of all points, in px/frame. It is the momentum if all masses are 1.
 sim::Vec2 momentum(const sim::Timeline &timeline);
-/// Whether a place is on the stage of 540 x 400 px.
-bool onStage(sim::Vec2 place);
+/// Returns whether a position, in px, is on the stage of 540 x 400 px.
+bool onStage(sim::Vec2 position);
 
-/// Whether nothing moves: over the next two frames no point would come `stillness` px far in either. (One frame
-/// is not enough: what swings stops for a moment where it turns.) Only between frames.
+/// px per frame. A point that moves no farther counts as still.
 constexpr double stillness = 0.05;
+/// Returns whether no point moves more than `stillness` in each of the next two output steps. One step is not
+/// enough, because a swinging point stops for a moment where it turns. False inside a frame.
 bool isStill(const sim::Timeline &timeline);
 
-/// The frame before which the parameter `id` was set last, up to the cursor; 0 where it never was.
+/// Returns the frame at which the parameter `id` was set last, up to the cursor. 0 if it was never set.
 std::int64_t lastSetFrame(const sim::Timeline &timeline, const std::string &id);
-/// How many frames the parameter `id` has had the value that it has at the cursor.
+/// Returns the number of frames since the parameter `id` was set last.
 std::int64_t framesSinceSet(const sim::Timeline &timeline, const std::string &id);
-/// Whether `id` is `value`, to half of what its last shown place can be (0.005).
+/// Returns whether the parameter `id` differs from `value` by less than 0.005, half a unit of the last shown
+/// decimal.
 bool isSetTo(const sim::Timeline &timeline, const std::string &id, double value);
 
-/// Where the body of a carry was when the hand took it, in px.
-sim::Vec2 grabPosition(const sim::Timeline &timeline, const DragGesture &carry);
-/// Whether the hand let go of `body` (of anything, if empty) while it moved at least `leastSpeed` px/frame.
-bool wasThrown(const sim::Timeline &timeline, const std::string &body = {}, double leastSpeed = 5.0);
+/// Returns the position of the dragged body just before it was grabbed, in px.
+sim::Vec2 grabPosition(const sim::Timeline &timeline, const DragGesture &drag);
+/// Returns whether the last drag is finished and released `body` (any if empty) at `minSpeed` px/frame or
+/// more.
+bool wasThrown(const sim::Timeline &timeline, const std::string &body = {}, double minSpeed = 5.0);
 
-/// The phase that was done last, inside a frame; null between two frames.
+/// Returns the last phase that was computed. Null between two frames.
 const sim::Phase *lastPhase(const sim::Timeline &timeline);
-/// Whether a point of the scene's group `group` (any, if -1) has moved in the step under way, inside a frame.
+/// Returns whether a point of the scene's group `group` (any if -1) has moved in the step in progress. False
+/// between two frames.
 bool hasMoved(const sim::Timeline &timeline, int group = -1);
-/// Whether the cursor stands inside a frame where a spring has pulled and nothing has moved.
+/// Returns whether a spring has pulled and nothing has moved yet in the step in progress. False between two
+/// frames.
 bool onlySpringsPulled(const sim::Timeline &timeline);
 
-/// Whether the run has a ghost, which has another value of `id` now.
+/// Returns whether the run has a comparison run with a different value of the parameter `id`.
 bool differsFromComparison(const sim::Timeline &timeline, const std::string &id);
-/// Whether the run goes on with the method called `id`.
+/// Returns whether the run uses the method `id`.
 bool usesMethod(const sim::Timeline &timeline, const std::string &id);
 
 }

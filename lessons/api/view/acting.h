@@ -6,9 +6,9 @@
 
 namespace lessons {
 
-// What acts in a scene: an effect that is switched off is not among its effects, and nothing of it is drawn.
+// Effects that are switched off are not in Scene::effects, so nothing of them is drawn.
 
-/// The first effect of a class that acts in `scene`; null where none does.
+/// Returns the first effect of a class that acts in `scene`. Null if there is none.
 template <class Effect>
 const Effect *effectOf(const sim::Scene &scene)
 {
@@ -19,7 +19,7 @@ const Effect *effectOf(const sim::Scene &scene)
     return nullptr;
 }
 
-/// Whether any effect of this kind acts in `scene`.
+/// Returns whether any effect of this kind acts in `scene`.
 inline bool hasEffectOfKind(const sim::Scene &scene, sim::EffectKind kind)
 {
     return std::any_of(scene.effects.begin(), scene.effects.end(),

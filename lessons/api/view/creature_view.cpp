@@ -13,32 +13,33 @@ namespace lessons {
 
 namespace {
 
-/// Adds one zigzag a link, but none for a link that leads back along one that is there already.
-void addLinks(std::vector<SpringView> &looks, const std::vector<sim::PointPair> &links, double length,
+/// Adds one zigzag per link, but only one for two links between the same points in opposite directions.
+void addLinks(std::vector<SpringView> &springViews, const std::vector<sim::PointPair> &links, double length,
               sim::Vec2 at = {})
 {
-    const std::size_t first = looks.size();
+    const std::size_t first = springViews.size();
     for (const sim::PointPair &link : links) {
-        const auto leadsBack = [&](const SpringView &one) {
-            return one.a == link.anchor && one.b == link.mover;
+        const auto isOpposite = [&](const SpringView &view) {
+            return view.a == link.anchor && view.b == link.mover;
         };
-        const auto from = looks.begin() + static_cast<std::ptrdiff_t>(first);
-        if (at != sim::Vec2() || std::none_of(from, looks.end(), leadsBack))
-            looks.push_back({.a = link.mover, .b = link.anchor, .length = length, .at = at});
+        const auto from = springViews.begin() + static_cast<std::ptrdiff_t>(first);
+        if (at != sim::Vec2() || std::none_of(from, springViews.end(), isOpposite))
+            springViews.push_back({.a = link.mover, .b = link.anchor, .length = length, .at = at});
     }
 }
 
-/// Legs whose places stay where they are, seen from the body.
-void addLegs(std::vector<SpringView> &looks, const sim::LegSpring &springs, const sim::State &state)
+/// Adds one zigzag per leg whose target is fixed relative to the body.
+void addLegs(std::vector<SpringView> &springViews, const sim::LegSpring &springs, const sim::State &state)
 {
     if (springs.rule().aim == sim::Aim::swing)
         return;
     const std::vector<sim::Leg> legs = springs.legs();
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const sim::Leg &leg = legs[i];
-        looks.push_back({.a = leg.foot,
-                         .b = leg.body,
-                         .at = springs.target(state, static_cast<int>(i)) - state.positionOf(leg.body)});
+        springViews.push_back(
+            {.a = leg.foot,
+             .b = leg.body,
+             .at = springs.target(state, static_cast<int>(i)) - state.positionOf(leg.body)});
     }
 }
 
@@ -46,54 +47,54 @@ void addLegs(std::vector<SpringView> &looks, const sim::LegSpring &springs, cons
 
 View creatureView(const sim::Scene &scene)
 {
-    View look;
+    View view;
     for (const std::string &name : scene.names) {
-        look.bodies.push_back(isBody(name) ? BodyView{BodyView::Shape::body, bodyWidth / 2}
+        view.bodies.push_back(isBody(name) ? BodyView{BodyView::Shape::body, bodyWidth / 2}
                                            : BodyView{BodyView::Shape::foot, footWidth / 2});
     }
-    return look;
+    return view;
 }
 
 View creatureViewWithLegs(const sim::Scene &scene)
 {
-    View look = creatureView(scene);
+    View view = creatureView(scene);
     int firstFoot = 0;
     for (int i = 0; i < scene.start.pointCount(); ++i) {
         if (!isBody(scene.names[static_cast<std::size_t>(i)]))
             continue;
         for (int foot = firstFoot; foot < i; ++foot)
-            look.legs.push_back({i, foot});
+            view.legs.push_back({i, foot});
         firstFoot = i + 1;
     }
-    return look;
+    return view;
 }
 
 std::vector<SpringView> actingSprings(const sim::Scene &scene)
 {
-    std::vector<SpringView> looks;
+    std::vector<SpringView> springViews;
     for (const sim::EffectPtr &effect : scene.effects) {
         if (effect->isIdle())
             continue;
-        if (const auto *toPlace = dynamic_cast<const sim::PointSpring *>(effect.get()))
-            looks.push_back({.a = toPlace->mover(), .b = -1, .at = toPlace->centre()});
-        else if (const auto *toPoints = dynamic_cast<const sim::BodySpring *>(effect.get()))
-            addLinks(looks, toPoints->links(), 0.0);
-        else if (const auto *beside = dynamic_cast<const sim::OffsetSpring *>(effect.get()))
-            addLinks(looks, beside->links(), 0.0, {beside->numbers().front().offset, 0.0});
+        if (const auto *pointSpring = dynamic_cast<const sim::PointSpring *>(effect.get()))
+            springViews.push_back({.a = pointSpring->mover(), .b = -1, .at = pointSpring->centre()});
+        else if (const auto *bodySpring = dynamic_cast<const sim::BodySpring *>(effect.get()))
+            addLinks(springViews, bodySpring->links(), 0.0);
+        else if (const auto *offsetSpring = dynamic_cast<const sim::OffsetSpring *>(effect.get()))
+            addLinks(springViews, offsetSpring->links(), 0.0, {offsetSpring->numbers().front().offset, 0.0});
         else if (const auto *radial = dynamic_cast<const sim::RadialSpring *>(effect.get()))
-            addLinks(looks, radial->links(), radial->numbers().front().radius);
+            addLinks(springViews, radial->links(), radial->numbers().front().radius);
         else if (const auto *legs = dynamic_cast<const sim::LegSpring *>(effect.get()))
-            addLegs(looks, *legs, scene.start);
+            addLegs(springViews, *legs, scene.start);
     }
-    return looks;
+    return springViews;
 }
 
 View crowdByPartsView(const sim::Scene &scene, int creatures)
 {
-    View look = creatureView(scene);
+    View view = creatureView(scene);
     for (int foot = creatures; foot < scene.start.pointCount(); ++foot)
-        look.legs.push_back({foot % creatures, foot});
-    return look;
+        view.legs.push_back({foot % creatures, foot});
+    return view;
 }
 
 }

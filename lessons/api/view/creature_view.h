@@ -7,13 +7,14 @@
 
 namespace lessons {
 
-/// Feet and bodies as discs; with legs, a line from the body to each of its feet.
+/// Returns a view of feet and bodies as discs.
 View creatureView(const sim::Scene &scene);
+/// Returns the same view with a line from each body to each of its feet.
 View creatureViewWithLegs(const sim::Scene &scene);
-/// The same, with legs, for a scene of crowdByParts().
+/// Returns a view with legs of a scene of crowdByParts().
 View crowdByPartsView(const sim::Scene &scene, int creatures);
-/// Returns one zigzag for each spring that acts in `scene`: none where its stiffness is 0 or it is switched off, and
-/// one where two points pull each other. Legs that a gait turns have none, as their places move by themselves.
+/// Returns one zigzag for each spring that acts in `scene`. Springs of stiffness 0 have none, and two points
+/// that pull each other have one. Legs that a gait clock turns have none, because their target moves.
 std::vector<SpringView> actingSprings(const sim::Scene &scene);
 
 }

@@ -7,23 +7,23 @@ namespace lessons {
 
 namespace {
 
-/// px, of a branch of scale 1, as published.
+/// px, width of a branch of scale 1 (published).
 constexpr double trunkWidth = 10.0;
 
 }
 
 View treeView(const sim::Tree &tree)
 {
-    View look;
-    look.bodies.assign(tree.parent.size(), {BodyView::Shape::none, 0.0});
-    look.tree = TreeView{tree.parent, tree.scale, tree.scale};
-    for (double &length : look.tree->length)
+    View view;
+    view.bodies.assign(tree.parent.size(), {BodyView::Shape::none, 0.0});
+    view.tree = TreeView{tree.parent, tree.scale, tree.scale};
+    for (double &length : view.tree->length)
         length *= tree.baseLength;
-    for (double &width : look.tree->width)
+    for (double &width : view.tree->width)
         width *= trunkWidth;
-    look.stage = QRectF(0, 0, 550, 400);
-    look.sky = View::Sky::dusk;
-    return look;
+    view.stage = QRectF(0, 0, 550, 400);
+    view.sky = View::Sky::dusk;
+    return view;
 }
 
 }

@@ -6,7 +6,8 @@ namespace lessons {
 
 struct View;
 
-/// Returns a tree before a dusky sky. A hand takes hold of a branch by name only: the pointer blows.
+/// Returns a view of a tree against a dusky sky. The pointer cannot drag its branches, because it makes the
+/// wind; files can drag them by name.
 View treeView(const sim::Tree &tree);
 
 }

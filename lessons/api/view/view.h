@@ -12,57 +12,57 @@
 
 namespace lessons {
 
-/// How a point is drawn.
+/// The appearance of a point.
 struct BodyView
 {
     enum class Shape {
         body,  ///< a disc with eyes
         foot,  ///< a disc
-        joint, ///< a small disc: an end of sticks
-        none,  ///< not at all: something else is drawn in its place, and a hand cannot take it
+        joint, ///< a small disc at the end of sticks
+        none,  ///< not drawn, and the pointer cannot drag it
     };
     Shape shape = Shape::foot;
     double radius = 5.0; ///< px
-    bool fixed = false;  ///< nailed where it is: drawn with a nail
+    bool fixed = false;  ///< whether the point is fixed; drawn with a nail
 };
 
-/// A leg between two points.
+/// A leg, drawn between two points.
 struct LegView
 {
     int from = 0;
     int to = 0;
-    /// How far above `to` the control point of the leg's quadratic curve lies, px; 0: a straight leg.
+    /// px, height of the control point of the leg's quadratic curve above `to`. 0 is a straight leg.
     double curve = 0.0;
 };
 
-/// A stick, in the colour of its error: how far its length is from `length`.
+/// A stick. Its colour shows the error of its length.
 struct StickView
 {
     int a = 0;
     int b = 0;
-    double length = 0.0; ///< px
+    double length = 0.0; ///< px, without error
     double width = 3.0;  ///< px
 };
 
-/// A spring, drawn as a zigzag that gets longer and shorter: from point `a` to the place `at`, seen from point `b`.
+/// A spring, drawn as a zigzag from point `a` to point `b` plus the offset `at`.
 struct SpringView
 {
     int a = 0;
-    int b = 0;           ///< -1: `at` is a fixed place
+    int b = 0;           ///< -1: `at` is a fixed position
     double length = 0.0; ///< px, at rest
     sim::Vec2 at = {};   ///< px
-    /// Springs of soft matter are lines only: those within it are faint, those at its edge are not.
+    /// Springs of a soft sheet are drawn as lines. Those inside the sheet are faint.
     enum class Part { alone, inside, edge };
     Part part = Part::alone;
 };
 
-/// A patch of soft matter between four points, in order, that springs hold along its sides and across.
+/// A soft sheet between four points, in order. It has springs along its sides and diagonals.
 struct SheetView
 {
     std::array<int, 4> corners{};
 };
 
-/// A thick round limb under the sticks.
+/// A thick limb with round ends, drawn under the sticks.
 struct LimbView
 {
     int a = 0;
@@ -70,32 +70,33 @@ struct LimbView
     double width = 12.0; ///< px
 };
 
-/// A chain that gets thinner from its first point to its last: a tentacle.
+/// A tentacle: a chain of points that gets thinner from the first to the last.
 struct ChainView
 {
     std::vector<int> points;
-    double width = 8.0; ///< px, at its root
+    double width = 8.0; ///< px, at the first point
 };
 
-/// A body whose outline is the smooth closed curve through some points, in order.
+/// A body whose outline is a smooth closed curve through some points, in order.
 struct SkinView
 {
     std::vector<int> outline;
-    int front = -1; ///< the point that it looks from, with eyes; -1: no eyes
+    int front = -1; ///< the point with the eyes; -1: no eyes
 };
 
-/// A tree: one branch a point, from the point's place along its angle. Arrays have one row a branch.
+/// A tree with one branch per point. A branch begins at its point and goes in the direction of the point's
+/// angle. Each array has one entry per branch.
 struct TreeView
 {
-    std::vector<int> parent;    ///< -1 for the trunk; parents come before their children
+    std::vector<int> parent;    ///< -1 for the trunk; parents precede their children
     std::vector<double> length; ///< px
-    std::vector<double> width;  ///< px, where it begins
+    std::vector<double> width;  ///< px, at the start of the branch
 };
 
-/// How a scene is drawn: by point numbers, the same for all states of the scene.
+/// The appearance of a scene, by point indices. It is the same for all states of the scene.
 struct View
 {
-    std::vector<BodyView> bodies; ///< one a point
+    std::vector<BodyView> bodies; ///< one per point
     std::vector<LegView> legs;
     std::vector<StickView> sticks;
     std::vector<SpringView> springs;
@@ -103,40 +104,41 @@ struct View
     std::vector<ChainView> chains;
     std::vector<SkinView> skins;
     std::optional<TreeView> tree;
-    std::optional<sim::Room> room; ///< walls and floor, if the scene has any
-    std::optional<double> ground;  ///< px, how far down an endless ground lies, if there is one
-    QRectF stage{0, 0, 540, 400};  ///< px, what "fit" shows
+    std::optional<sim::Room> room; ///< walls and floor; empty without them
+    std::optional<double> ground;  ///< px, y of an endless ground; empty without one
+    QRectF stage{0, 0, 540, 400};  ///< px, the area that "fit" shows
     enum class Sky { paper, dusk };
     Sky sky = Sky::paper;
-    /// The point that the camera follows when it walks out of the picture; -1: none.
+    /// The point that the camera follows out of the stage; -1: none.
     int followedPoint = -1;
-    /// What the feet diagram shows, in order; empty: no diagram.
+    /// The feet in the feet diagram, in order. Empty: no diagram.
     std::vector<int> feet;
-    /// The point that goes where the pointer is: dragging it sends the pointer instead of a hand. -1: none.
+    /// The point that follows the pointer. Dragging it sends pointer events instead of a drag. -1: none.
     int pointerPoint = -1;
-    /// Shown from the start; the learner can switch each.
+    /// Whether velocities and onion skins are shown at first. The learner can switch them.
     bool showsVelocities = false;
     bool showsOnionSkins = false;
     std::vector<SheetView> sheets;
 };
 
-/// A thing that explains: drawn thin, over the picture, made anew for each state.
+/// A thin explanatory drawing over the scene, computed for each state.
 struct Overlay
 {
     enum class Shape {
-        cross, ///< a place, at `a`
-        ring,  ///< a circle round `a`, `size` its radius in px
-        arrow, ///< a pull that `label` names, from `a`; `b` is the arrow's vector in px/frame^2
-        line,  ///< dashed, from `a` to `b`
-        angle, ///< an arc round `a` from the x axis to `size` rad
-        wind,  ///< streaks that blow away from `a`
+        cross, ///< a cross at `a`
+        ring,  ///< a circle round `a` with radius `size`, px
+        arrow, ///< an acceleration `b`, px/frame^2, drawn from `a`
+        line,  ///< a dashed line from `a` to `b`
+        angle, ///< an arc round `a` from the x axis to the angle `size`, rad
+        wind,  ///< streaks that point away from `a`
     };
     Shape shape = Shape::cross;
-    sim::Vec2 a = {};
+    sim::Vec2 a = {}; ///< px
     sim::Vec2 b = {};
     double size = 0.0;
     QString label = {}; ///< may be empty
-    /// What the guide is about. A picture that shows the exact motion by itself leaves out guides that do, too.
+    /// The subject of the overlay. While the scene view shows the exact motion itself, overlays about it are
+    /// not drawn.
     enum class About { step, exactMotion };
     About about = About::step;
 };

@@ -19,11 +19,11 @@ std::string idOf(const AccuracyRow &row)
 
 void addInUse(const MethodSetup &inUse, std::vector<AccuracyRow> &rows)
 {
-    const auto isMethods = [&](const AccuracyRow &row) { return idOf(row) == inUse.method->id(); };
-    auto at = std::find_if(rows.begin(), rows.end(), isMethods);
-    while (at != rows.end() && isMethods(*at) && isCoarser(at->setup.step, inUse.step))
+    const auto hasMethod = [&](const AccuracyRow &row) { return idOf(row) == inUse.method->id(); };
+    auto at = std::find_if(rows.begin(), rows.end(), hasMethod);
+    while (at != rows.end() && hasMethod(*at) && isCoarser(at->setup.step, inUse.step))
         ++at;
-    if (at != rows.end() && isMethods(*at) && at->setup.step == inUse.step)
+    if (at != rows.end() && hasMethod(*at) && at->setup.step == inUse.step)
         return;
     AccuracyRow row;
     row.setup = inUse;
@@ -44,13 +44,14 @@ public:
         m_share = share;
         if (row != end && !fits(row, end))
             return;
-        if (m_found.reference.kind == ReferenceRun::Kind::selfRefinement && !runOwn(row->setup.method)) {
+        if (m_found.reference.kind == ReferenceRun::Kind::selfRefinement &&
+            !runSelfReference(row->setup.method)) {
             for (; row != end; ++row)
                 row->outcome = Outcome::tooLong;
             return;
         }
         for (AccuracyRow *coarser = nullptr; row != end && m_monitor.report(m_share); coarser = row++) {
-            if (wouldTakeLong(*row, coarser))
+            if (wouldTakeTooLong(*row, coarser))
                 row->outcome = Outcome::tooLong;
             else
                 measureOne(*row);
@@ -58,20 +59,20 @@ public:
     }
 
 private:
-    const Trajectories &places() const
+    const Trajectories &referencePositions() const
     {
         return m_found.reference.kind == ReferenceRun::Kind::solution ? m_found.reference.trajectories
-                                                                      : m_own;
+                                                                      : m_selfReference;
     }
 
-    /// Asks whether the method can compute the scene at all, and says so in its rows if not.
+    /// Returns whether the method can compute the scene. If not, sets the outcome of its rows.
     bool fits(AccuracyRow *row, AccuracyRow *end) const
     {
         std::optional<Error> why = composeError(scriptFor(m_script, row->setup));
         if (!why && m_found.horizon == 0) {
-            const EffectPtr &jump = m_found.reference.discontinuity;
-            why = jump ? Error("no-limit", {{"effect", jump->id()}})
-                       : Error("short-horizon", {{"frames", "0"}});
+            const EffectPtr &discontinuity = m_found.reference.discontinuity;
+            why = discontinuity ? Error("no-limit", {{"effect", discontinuity->id()}})
+                                : Error("short-horizon", {{"frames", "0"}});
         }
         for (; why && row != end; ++row) {
             row->outcome = Outcome::doesNotFit;
@@ -80,30 +81,31 @@ private:
         return !why;
     }
 
-    /// The method's own run at a fine step, as far as its numbers are finite. False: it takes too long.
-    bool runOwn(const MethodPtr &method)
+    /// Runs the method at a fine step, as the reference for its coarser steps. Stops at the first state that
+    /// is not finite. Returns false if this takes too long.
+    bool runSelfReference(const MethodPtr &method)
     {
         const double seconds = 2.0 * m_plan.secondsPerRun;
-        Script own = scriptFor(m_script, {method, StepSize::ofLength(1.0)});
-        own.step = finestSelfStep(own, m_found.horizon, seconds, m_monitor);
-        m_finest = own.step.h;
-        m_own = {placesOf(Track(own, 0).state())};
+        Script fine = scriptFor(m_script, {method, StepSize::ofLength(1.0)});
+        fine.step = finestSelfStep(fine, m_found.horizon, seconds, m_monitor);
+        m_finestStep = fine.step.h;
+        m_selfReference = {placesOf(Track(fine, 0).state())};
         const auto keep = [this](std::int64_t, const State &state) {
-            m_own.push_back(placesOf(state));
+            m_selfReference.push_back(placesOf(state));
             return true;
         };
-        const RunResult run = runFrames(own, m_found.horizon, 2.0 * seconds, m_monitor, keep);
+        const RunResult run = runFrames(fine, m_found.horizon, 2.0 * seconds, m_monitor, keep);
         return run.end != RunEnd::tooLong;
     }
 
-    bool wouldTakeLong(const AccuracyRow &row, const AccuracyRow *coarser) const
+    bool wouldTakeTooLong(const AccuracyRow &row, const AccuracyRow *coarser) const
     {
-        if (row.setup.step.h < 4.0 * m_finest)
-            return true; // too near to what it would be compared with
+        if (row.setup.step.h < 4.0 * m_finestStep)
+            return true; // the self-reference is not accurate enough to compare with
         if (!coarser || coarser->outcome == Outcome::unstable)
-            return false; // a run that ends early tells nothing about the next
-        const double more = row.setup.step.isAdaptive() ? 1.0 : coarser->setup.step.h / row.setup.step.h;
-        return coarser->outcome == Outcome::tooLong || m_seconds * more > m_plan.secondsPerRun;
+            return false; // an unstable run ends early, so its time predicts nothing
+        const double costRatio = row.setup.step.isAdaptive() ? 1.0 : coarser->setup.step.h / row.setup.step.h;
+        return coarser->outcome == Outcome::tooLong || m_secondsBefore * costRatio > m_plan.secondsPerRun;
     }
 
     void measureOne(AccuracyRow &row)
@@ -118,25 +120,27 @@ private:
         row.errorAt = {0.0};
         bool isFar = false;
         const auto visit = [&](std::int64_t frame, const State &state) {
-            const auto whole = static_cast<std::size_t>(frame);
-            const double off = whole < places().size() ? distanceFrom(places()[whole], state) : HUGE_VAL;
-            isFar = !(off <= unstableFrom);
+            const auto index = static_cast<std::size_t>(frame);
+            const double distance = index < referencePositions().size()
+                                        ? distanceFrom(referencePositions()[index], state)
+                                        : HUGE_VAL;
+            isFar = !(distance <= divergenceDistance);
             if (isFar)
                 return false;
-            row.errorAt.resize(whole,
-                               row.errorAt.back()); // between two rows that are more than a frame apart
-            row.errorAt.push_back(off);
-            row.error = std::max(row.error, off);
+            row.errorAt.resize(index, row.errorAt.back()); // frames between two output steps
+            row.errorAt.push_back(distance);
+            row.error = std::max(row.error, distance);
             return true;
         };
         const RunResult run = runFrames(script, horizon, 2.0 * m_plan.secondsPerRun, m_monitor, visit);
-        const double done = static_cast<double>(std::max<std::int64_t>(1, run.frames));
-        m_seconds = run.seconds / done * static_cast<double>(horizon);
-        const int each = row.setup.method->evaluationsPerStep();
-        row.evaluations =
-            each > 0 ? each * static_cast<double>(script.step.stepsPerOutput) / script.step.framesPerOutput
-                     : run.evaluations / done;
-        row.firstRun = 1e9 * run.computed / done;
+        const double framesDone = static_cast<double>(std::max<std::int64_t>(1, run.frames));
+        m_secondsBefore = run.seconds / framesDone * static_cast<double>(horizon);
+        const int evaluationsPerStep = row.setup.method->evaluationsPerStep();
+        row.evaluations = evaluationsPerStep > 0
+                              ? evaluationsPerStep * static_cast<double>(script.step.stepsPerOutput) /
+                                    script.step.framesPerOutput
+                              : run.evaluations / framesDone;
+        row.firstRun = 1e9 * run.computed / framesDone;
         conclude(row, run.end, isFar);
     }
 
@@ -158,9 +162,9 @@ private:
     const StudyPlan &m_plan;
     const Accuracy &m_found;
     StudyMonitor &m_monitor;
-    Trajectories m_own;
-    double m_finest = 0.0;  ///< frames, the step of m_own; 0 when that is not in use
-    double m_seconds = 0.0; ///< that the row before took, or would have taken to the horizon
+    Trajectories m_selfReference;
+    double m_finestStep = 0.0;    ///< frames, the step of m_selfReference; 0 without one
+    double m_secondsBefore = 0.0; ///< of the previous row up to the horizon, extrapolated if it ended early
     double m_share = 0.0;
 };
 
@@ -168,16 +172,16 @@ private:
 
 std::vector<StepSize> refinementLevels(const Method &method)
 {
-    std::vector<StepSize> rungs;
+    std::vector<StepSize> levels;
     if (method.stepping() == Stepping::fixed) {
         for (int steps = 1; steps <= 64; steps *= 2)
-            rungs.push_back(StepSize::ofLength(1.0 / steps));
+            levels.push_back(StepSize::ofLength(1.0 / steps));
     } else {
-        // Not 1e-1 * 1e-1: each is to be the number that a file has.
+        // Literals, because products such as 1e-1 * 1e-1 differ from the numbers that a file contains.
         for (const double tolerance : {1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10})
-            rungs.push_back(StepSize::withTolerance(tolerance));
+            levels.push_back(StepSize::withTolerance(tolerance));
     }
-    return rungs;
+    return levels;
 }
 
 std::vector<AccuracyRow> waitingRows(const StudyPlan &plan)

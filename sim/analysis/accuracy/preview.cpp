@@ -8,12 +8,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double secondsOfRun = 5e-3; ///< a rung that takes longer waits for its turn
-constexpr double untilNext = 4.0;     ///< times as long as until the last one
+constexpr double maxSecondsPerRun = 5e-3; ///< a setup that takes longer is not previewed
+constexpr double intervalFactor = 4.0;    ///< ratio of the times of two previews
 
-double secondsSince(Clock::time_point begun)
+double secondsSince(Clock::time_point start)
 {
-    return std::chrono::duration<double>(Clock::now() - begun).count();
+    return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 }
@@ -23,16 +23,16 @@ Preview::Preview(const Script &script, const StudyPlan &plan, Accuracy &found, S
 {
 }
 
-void Preview::look(double share)
+void Preview::update(double share)
 {
-    const double spent = secondsSince(m_begun) - m_monitor.secondsAway();
+    const double spent = secondsSince(m_start) - m_monitor.secondsAway();
     if (spent < m_next || m_found.horizon < 1 || m_monitor.isStopped())
         return;
-    const Clock::time_point begun = Clock::now();
-    measure(std::max(spent, secondsOfRun), share);
+    const Clock::time_point start = Clock::now();
+    measure(std::max(spent, maxSecondsPerRun), share);
     m_monitor.reportNow(share);
-    m_next = untilNext * spent;
-    m_monitor.addSecondsAway(secondsSince(begun));
+    m_next = intervalFactor * spent;
+    m_monitor.addSecondsAway(secondsSince(start));
 }
 
 void Preview::measure(double seconds, double share)
@@ -40,15 +40,15 @@ void Preview::measure(double seconds, double share)
     m_found.rows = waitingRows(m_plan);
     m_found.previewed = m_found.horizon;
     StudyPlan quick = m_plan;
-    quick.secondsPerRun = secondsOfRun;
-    const Clock::time_point begun = Clock::now();
-    const StudyProgress inTime = [&](const Accuracy &, double) {
-        return m_monitor.report(share) && secondsSince(begun) < seconds;
+    quick.secondsPerRun = maxSecondsPerRun;
+    const Clock::time_point start = Clock::now();
+    const StudyProgress shouldContinue = [&](const Accuracy &, double) {
+        return m_monitor.report(share) && secondsSince(start) < seconds;
     };
-    StudyMonitor monitor(inTime, m_found);
+    StudyMonitor monitor(shouldContinue, m_found);
     measureErrors(m_script, quick, m_found, monitor);
     for (AccuracyRow &row : m_found.rows) {
-        // What was left out now may well be measured later.
+        // A setup that the preview has skipped can still be measured later.
         if (row.outcome == Outcome::measured || row.outcome == Outcome::unstable)
             continue;
         row.outcome = Outcome::waiting;
@@ -56,7 +56,7 @@ void Preview::measure(double seconds, double share)
     }
 }
 
-void Preview::forget()
+void Preview::discard()
 {
     if (m_found.previewed == 0)
         return;

@@ -4,19 +4,22 @@
 
 namespace sim {
 
-/// What can be said before the reference has reached the end of the span: errors over the frames that it has reached.
-/// Whoever watches need not wait for a scene whose exact motion takes seconds. Nothing of it stays in the result.
+/// Measures errors over the frames that the reference has reached so far, while it is still being computed. A
+/// scene whose reference takes seconds then shows results early. The final result keeps nothing of a preview.
 class Preview
 {
 public:
-    /// All must outlive this.
+    /// All arguments must outlive the preview.
     Preview(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor);
 
-    /// Measures rows up to the horizon of `found`, if the reference has taken long enough since the last time.
-    /// Takes no longer than the reference has, and counts as time away from it.
-    void look(double share);
-    /// All rows wait again.
-    void forget();
+    /// Measures rows up to the horizon of `found`, if the reference has run long enough since the last
+    /// preview. This takes no longer than the reference has taken so far, and that time is not counted as the
+    /// reference's.
+    /// @param share progress of the reference, 0 to 1
+    void update(double share);
+
+    /// Discards the preview: all rows are waiting again.
+    void discard();
 
 private:
     void measure(double seconds, double share);
@@ -25,8 +28,8 @@ private:
     const StudyPlan &m_plan;
     Accuracy &m_found;
     StudyMonitor &m_monitor;
-    std::chrono::steady_clock::time_point m_begun = std::chrono::steady_clock::now();
-    double m_next; ///< s, of the reference's time
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+    double m_next; ///< s, time spent on the reference at which the next preview is due
 };
 
 }

@@ -7,49 +7,50 @@ namespace sim {
 
 namespace {
 
-constexpr int mostOwnSteps = 256; ///< a frame: 4 times the finest rung of a ladder
-constexpr int leastOwnSteps = 8;
+constexpr int maxSelfSteps = 256; ///< per frame, 4 times as many as at the finest refinement level
+constexpr int minSelfSteps = 8;   ///< per frame
 
-/// The first effect without a continuous limit in any scene that the script comes to, or null.
-EffectPtr firstJump(const Script &script, std::int64_t frames)
+/// Returns the first effect without a continuous limit, in any scene that the script composes up to `frames`,
+/// or null.
+EffectPtr firstDiscontinuity(const Script &script, std::int64_t frames)
 {
-    const auto jumpWith = [&](const Values &values) {
+    const auto discontinuityWith = [&](const Values &values) {
         return OdeSystem::firstDiscontinuity(sceneOf(script, values), OdeSystem::Contacts::allowed);
     };
     Values values = script.values;
-    EffectPtr jump = jumpWith(values);
+    EffectPtr discontinuity = discontinuityWith(values);
     for (const Event &event : script.input) {
         const Set *set = std::get_if<Set>(&event.what);
-        if (!set || jump || event.frame > frames)
+        if (!set || discontinuity || event.frame > frames)
             continue;
         values.set(set->parameter, set->value);
-        jump = jumpWith(values);
+        discontinuity = discontinuityWith(values);
     }
-    return jump;
+    return discontinuity;
 }
 
-/// What can be a reference, the best first: two unlike pairs of high order with tight tolerances, and in their
-/// absence the methods of highest order at a fine step.
+/// Returns the setups that can serve as a reference, the best first. These are two different embedded pairs
+/// of high order with tight tolerances, then the methods of fixed step by order, at a fine step.
 std::vector<MethodSetup> candidates()
 {
-    std::vector<MethodSetup> ways;
+    std::vector<MethodSetup> setups;
     for (const auto &[id, tolerance] : {std::pair{"dop853", 1e-12}, {"dormand_prince", 1e-12}}) {
         if (const MethodPtr method = findMethod(id))
-            ways.push_back({method, StepSize::withTolerance(tolerance)});
+            setups.push_back({method, StepSize::withTolerance(tolerance)});
     }
     std::vector<MethodSetup> fixed;
     for (const MethodPtr &method : allMethods()) {
         if (method->stepping() == Stepping::fixed)
-            fixed.push_back({method, StepSize::ofLength(1.0 / mostOwnSteps)});
+            fixed.push_back({method, StepSize::ofLength(1.0 / maxSelfSteps)});
     }
     std::stable_sort(fixed.begin(), fixed.end(), [](const MethodSetup &a, const MethodSetup &b) {
         return a.method->order() > b.method->order();
     });
-    ways.insert(ways.end(), fixed.begin(), fixed.end());
-    return ways;
+    setups.insert(setups.end(), fixed.begin(), fixed.end());
+    return setups;
 }
 
-/// The first two of candidates() that can compute `script`.
+/// Returns the first two of candidates() that can compute `script`.
 std::vector<MethodSetup> fittingPair(const Script &script)
 {
     std::vector<MethodSetup> pair;
@@ -60,7 +61,7 @@ std::vector<MethodSetup> fittingPair(const Script &script)
     return pair;
 }
 
-/// Runs a reference and its check side by side, and keeps the places as long as they agree within `agreement` px.
+/// Runs a reference and its check side by side. Stores the positions while both agree within `agreement` px.
 void runPair(const Script &script, const std::vector<MethodSetup> &pair, double agreement, double seconds,
              Accuracy &found, StudyMonitor &monitor, Preview &preview)
 {
@@ -75,25 +76,25 @@ void runPair(const Script &script, const std::vector<MethodSetup> &pair, double 
         if (why == RunEnd::tooLong)
             reference.end = ReferenceRun::End::tooLong;
     };
-    TimeLimit patience(seconds, monitor);
-    const ShouldContinue shouldContinue = patience.callback();
+    TimeLimit timeLimit(seconds, monitor);
+    const ShouldContinue shouldContinue = timeLimit.callback();
     const auto visit = [&](std::int64_t frame, const State &state) {
-        const bool isThere = check.seek({frame, 0}, shouldContinue);
-        if (!isThere || check.stop()) {
-            end(isThere ? endOf(*check.stop()) : patience.end());
+        const bool isReached = check.seek({frame, 0}, shouldContinue);
+        if (!isReached || check.stop()) {
+            end(isReached ? endOf(*check.stop()) : timeLimit.end());
             return false;
         }
-        std::vector<Vec2> places = placesOf(state);
-        const double apart = distanceFrom(places, check.state());
-        if (!(apart <= agreement)) {
+        std::vector<Vec2> positions = placesOf(state);
+        const double distance = distanceFrom(positions, check.state());
+        if (!(distance <= agreement)) {
             reference.end = ReferenceRun::End::diverged;
             return false;
         }
-        reference.disagreement = std::max(reference.disagreement, apart);
-        reference.trajectories.push_back(std::move(places));
+        reference.disagreement = std::max(reference.disagreement, distance);
+        reference.trajectories.push_back(std::move(positions));
         found.horizon = frame;
         const double share = static_cast<double>(frame) / static_cast<double>(found.span);
-        preview.look(share);
+        preview.update(share);
         return monitor.report(share);
     };
     const RunResult run = runFrames(scriptFor(script, pair[0]), found.span, seconds, monitor, visit);
@@ -106,10 +107,10 @@ StepSize finestSelfStep(const Script &script, std::int64_t frames, double second
 {
     const Script coarse = scriptFor(script, {script.method, StepSize::ofLength(1.0)});
     const auto visit = [](std::int64_t, const State &) { return true; };
-    const RunResult run = runFrames(coarse, frames, seconds / leastOwnSteps, monitor, visit);
+    const RunResult run = runFrames(coarse, frames, seconds / minSelfSteps, monitor, visit);
     const double perFrame = run.seconds / static_cast<double>(std::max<std::int64_t>(1, run.frames));
-    int steps = mostOwnSteps;
-    while (steps > leastOwnSteps && perFrame * static_cast<double>(frames) * steps > seconds)
+    int steps = maxSelfSteps;
+    while (steps > minSelfSteps && perFrame * static_cast<double>(frames) * steps > seconds)
         steps /= 2;
     return StepSize::ofLength(1.0 / steps);
 }
@@ -118,7 +119,7 @@ void findReference(const Script &script, const StudyPlan &plan, Accuracy &found,
                    Preview &preview)
 {
     ReferenceRun &reference = found.reference;
-    reference.discontinuity = firstJump(script, plan.frames);
+    reference.discontinuity = firstDiscontinuity(script, plan.frames);
     if (!reference.discontinuity) {
         const std::vector<MethodSetup> pair = fittingPair(script);
         reference.end = ReferenceRun::End::diverged;
@@ -133,12 +134,12 @@ void findReference(const Script &script, const StudyPlan &plan, Accuracy &found,
     reference.kind = ReferenceRun::Kind::selfRefinement;
     reference.method = reference.check = "own_refinement";
     if (script.method->stepping() == Stepping::adaptive)
-        return; // cannot be: these compute no jumps
+        return; // unreachable: adaptive methods compute no scene with discontinuities
     const StepSize finest = finestSelfStep(script, plan.frames, 2.0 * plan.secondsPerRun, monitor);
     const std::vector<MethodSetup> pair = {{script.method, finest},
                                            {script.method, StepSize::ofLength(2.0 * finest.h)}};
     runPair(script, pair, selfAgreement, 10.0 * plan.secondsPerRun, found, monitor, preview);
-    reference.trajectories.clear(); // each method has its own
+    reference.trajectories.clear(); // each method is compared with its own run
 }
 
 }

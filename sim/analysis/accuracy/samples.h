@@ -4,18 +4,18 @@
 
 namespace sim {
 
-/// The value that `share` of `sorted` are below, between two of them by proportion.
+/// Returns the `share` quantile (0 to 1) of `sorted`, interpolated linearly. `sorted` must not be empty.
 double quantile(const std::vector<double> &sorted, double share);
 
-/// What the rounds of a measurement found of one thing.
+/// Repeated measurements of one quantity.
 class Samples
 {
 public:
     void add(double value);
     int count() const { return static_cast<int>(m_sorted.size()); }
-    /// 0 without any.
+    /// Returns the median, or 0 without samples.
     double median() const;
-    /// Half the distance between the quartiles.
+    /// Returns half the distance between the quartiles, or 0 without samples.
     double spread() const;
 
 private:

@@ -13,10 +13,10 @@ namespace sim {
 
 bool Accuracy::isExact() const
 {
-    const auto isOff = [](const AccuracyRow &row) {
+    const auto hasError = [](const AccuracyRow &row) {
         return row.outcome == Outcome::waiting || row.outcome == Outcome::unstable || row.error > 0.0;
     };
-    return horizon > 0 && previewed == 0 && !rows.empty() && std::none_of(rows.begin(), rows.end(), isOff);
+    return horizon > 0 && previewed == 0 && !rows.empty() && std::none_of(rows.begin(), rows.end(), hasError);
 }
 
 const AccuracyRow *Accuracy::cheapest(double error) const
@@ -61,7 +61,7 @@ Accuracy studyAccuracy(const Script &script, const StudyPlan &plan, const StudyP
     monitor.beginPart(0.0, 0.1);
     Preview preview(script, plan, found, monitor);
     findReference(script, plan, found, monitor, preview);
-    preview.forget();
+    preview.discard();
     monitor.beginPart(0.1, 0.5);
     if (monitor.reportNow(0.0))
         measureErrors(script, plan, found, monitor);

@@ -6,31 +6,32 @@
 
 namespace sim {
 
-/// Tells who asked for a study how far it is, a few times a second, and learns whether to go on.
+/// Reports the progress of a study a few times a second, and remembers whether it was stopped.
 class StudyMonitor
 {
 public:
-    /// Both must outlive this.
+    /// Both must outlive the monitor.
     StudyMonitor(const StudyProgress &progress, const Accuracy &soFar) : m_progress(progress), m_soFar(soFar)
     {
     }
 
-    /// From here on shares are parts of the stretch `from` to `to` of the whole study.
+    /// Begins the part of the study from `from` to `to` (of 1). Shares are shares of this part from now on.
     void beginPart(double from, double to)
     {
         m_from = from;
         m_to = to;
         m_share = 0.0;
     }
-    /// Tells, if the last time is a while ago, that `share` (0 to 1) of this part is done. Returns whether to go on.
+    /// Reports that `share` (0 to 1) of this part is done, unless the last report was less than 50 ms ago.
+    /// Returns whether to continue.
     bool report(double share)
     {
         m_share = share;
         return report();
     }
-    /// The same, with the share as it was told last.
+    /// Reports again with the last share.
     bool report() { return Clock::now() < m_next ? !m_stopped : reportNow(m_share); }
-    /// Tells it at once.
+    /// Reports at once, even shortly after another report.
     bool reportNow(double share)
     {
         if (!m_stopped && m_progress)
@@ -39,9 +40,9 @@ public:
         return !m_stopped;
     }
     bool isStopped() const { return m_stopped; }
-    /// Seconds that went to something else than what is under way: runs do not count them as theirs.
-    double secondsAway() const { return m_away; }
-    void addSecondsAway(double seconds) { m_away += seconds; }
+    /// Returns the seconds spent on previews, which time limits do not count.
+    double secondsAway() const { return m_secondsAway; }
+    void addSecondsAway(double seconds) { m_secondsAway += seconds; }
 
 private:
     using Clock = std::chrono::steady_clock;
@@ -50,7 +51,7 @@ private:
     const Accuracy &m_soFar;
     double m_from = 0.0;
     double m_to = 1.0;
-    double m_away = 0.0;
+    double m_secondsAway = 0.0;
     double m_share = 0.0;
     bool m_stopped = false;
     Clock::time_point m_next = Clock::now();

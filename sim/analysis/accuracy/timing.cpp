@@ -16,22 +16,22 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double shortestSample = 100e-6; ///< s: far above what reading the clock takes
-constexpr double longestSample = 1e-3;    ///< s: mostly too short for another program to come in between
-constexpr double dearRun = 0.05;          ///< s: from here on the run that told the error is the first sample
-constexpr int mostRuns = 25;
-constexpr int fewestMoreRuns = 2; ///< after the first one, in which the sizes of samples are chosen
+constexpr double minSample = 100e-6; ///< s, far longer than reading the clock takes
+constexpr double maxSample = 1e-3;   ///< s, short enough that other programs rarely interrupt it
+constexpr double longRun = 0.05;     ///< s, from here on the run that measured the error is the first sample
+constexpr int maxRuns = 25;
+constexpr int minRuns = 2; ///< after the first run, which only chooses the sample sizes
 
-/// Runs one way from the scene's start as the app does, under a clock.
+/// Times runs of one method setup from the start of the scene, computed as in the app.
 class TimedRun
 {
 public:
     TimedRun(const Script &script, std::int64_t frames)
-        : m_frames(frames), m_stretch(script.step.framesPerOutput)
+        : m_frames(frames), m_chunk(script.step.framesPerOutput)
     {
-        const bool isLeftAlone = std::all_of(script.input.begin(), script.input.end(),
-                                             [&](const Event &event) { return event.frame > frames; });
-        if (isLeftAlone) {
+        const bool hasNoInput = std::all_of(script.input.begin(), script.input.end(),
+                                            [&](const Event &event) { return event.frame > frames; });
+        if (hasNoInput) {
             const Scene scene = sceneOf(script, script.values);
             m_start = scene.start;
             m_pipeline = compose(scene, *script.method, script.step);
@@ -40,8 +40,9 @@ public:
         }
     }
 
-    /// The seconds of computing that one run over the first `frames` frames takes. Between stretches of some milliseconds, while
-    /// the clock stands, `watch` is asked whether to go on.
+    /// Returns the seconds that one run over the first `frames` frames takes. The run is timed in chunks of
+    /// some milliseconds. Between two chunks, while the clock is stopped, `monitor` decides whether to
+    /// continue.
     double seconds(std::int64_t frames, StudyMonitor &monitor, double share)
     {
         if (m_track)
@@ -49,19 +50,19 @@ public:
         State state = m_start;
         double total = 0.0;
         for (std::int64_t done = 0; done < frames && monitor.report(share);) {
-            const std::int64_t end = std::min(frames, done + m_stretch);
-            const double before = m_isLong ? threadCpuSeconds() : wallSeconds();
+            const std::int64_t end = std::min(frames, done + m_chunk);
+            const double before = m_usesCpuClock ? threadCpuSeconds() : wallSeconds();
             if (m_track)
-                m_track->seek({end, 0}); // with the input of each row
+                m_track->seek({end, 0}); // applies the input
             else
                 runTo(end, state, done);
-            const double took = (m_isLong ? threadCpuSeconds() : wallSeconds()) - before;
-            total += took;
+            const double chunkSeconds = (m_usesCpuClock ? threadCpuSeconds() : wallSeconds()) - before;
+            total += chunkSeconds;
             done = end;
-            if (took < 0.01 && m_stretch < m_frames)
-                m_stretch *= 2;
+            if (chunkSeconds < 0.01 && m_chunk < m_frames)
+                m_chunk *= 2;
         }
-        m_isLong = total > shortestSample;
+        m_usesCpuClock = total > minSample;
         return total;
     }
     std::int64_t frames() const { return m_frames; }
@@ -81,25 +82,26 @@ private:
     }
 
     std::int64_t m_frames;
-    std::int64_t m_stretch; ///< frames; short enough to be asked often, long enough not to be noticed
-    bool m_isLong =
-        false; ///< so that other programs may come in between, and the dearer clock is worth its price
+    std::int64_t m_chunk; ///< frames, short enough to stop soon and long enough to time
+    /// Whether runs are so long that other programs interrupt them. The CPU clock is slower to read but
+    /// ignores these.
+    bool m_usesCpuClock = false;
     State m_start;
     Pipeline m_pipeline;
     std::unique_ptr<Track> m_track;
 };
 
-/// A row, how it is run, and what that took.
+/// A row, its timed run and the samples taken.
 struct Sampled
 {
     AccuracyRow *row;
     TimedRun run;
-    std::int64_t frames = 0;          ///< a run
-    int repeats = 1;                  ///< runs a sample
-    std::vector<double> samples = {}; ///< ns a frame
-    bool isDear = false;              ///< runs that are long, and can not be cut
+    std::int64_t frames = 0;          ///< per run
+    int repeats = 1;                  ///< runs per sample
+    std::vector<double> samples = {}; ///< ns per frame
+    bool isLong = false;              ///< whether a run is long and cannot be shortened
 
-    /// ns a frame.
+    /// Takes one sample and returns its ns per frame.
     double sample(StudyMonitor &monitor, double share)
     {
         double total = 0.0;
@@ -109,7 +111,7 @@ struct Sampled
     }
 };
 
-void note(Sampled &sampled)
+void updateRow(Sampled &sampled)
 {
     std::vector<double> sorted = sampled.samples;
     std::sort(sorted.begin(), sorted.end());
@@ -142,17 +144,17 @@ public:
     {
         double round = 0.0; // seconds
         for (std::size_t i = 0; i < m_all.size() && m_monitor.report(0.1 * shareOf(i)); ++i)
-            round += size(m_all[i], 0.1 * shareOf(i));
-        m_repeatsDear = m_dear * fewestMoreRuns <= m_plan.secondsOfTiming;
-        round -= m_repeatsDear ? 0.0 : m_dear;
+            round += chooseSampleLength(m_all[i], 0.1 * shareOf(i));
+        m_repeatsLong = m_secondsOfLong * minRuns <= m_plan.secondsOfTiming;
+        round -= m_repeatsLong ? 0.0 : m_secondsOfLong;
         const auto start = Clock::now();
-        for (int runs = 0; runs < mostRuns && !m_monitor.isStopped(); ++runs) {
+        for (int runs = 0; runs < maxRuns && !m_monitor.isStopped(); ++runs) {
             const double spent = std::chrono::duration<double>(Clock::now() - start).count();
-            const bool isOver = spent + round > m_plan.secondsOfTiming;
-            const bool isFarOver = spent + round > 2.0 * m_plan.secondsOfTiming;
-            if (runs >= fewestMoreRuns && isOver && (runs >= m_plan.leastRuns || isFarOver))
+            const bool isOverBudget = spent + round > m_plan.secondsOfTiming;
+            const bool isFarOverBudget = spent + round > 2.0 * m_plan.secondsOfTiming;
+            if (runs >= minRuns && isOverBudget && (runs >= m_plan.leastRuns || isFarOverBudget))
                 break;
-            oneRound(runs, std::max(spent / m_plan.secondsOfTiming, double(runs) / mostRuns));
+            runRound(runs, std::max(spent / m_plan.secondsOfTiming, double(runs) / maxRuns));
         }
         if (!m_monitor.isStopped())
             m_found.noise = noiseOf(m_all);
@@ -161,55 +163,56 @@ public:
 private:
     double shareOf(std::size_t i) const { return static_cast<double>(i) / static_cast<double>(m_all.size()); }
 
-    /// Decides what a sample of `one` is. Long runs of fixed steps, which cost the same all along, are cut; those
-    /// of adaptive ones, which do not, are not. Returns the seconds that a sample takes.
-    double size(Sampled &one, double share)
+    /// Chooses the length of a sample. A long run at fixed steps is shortened, because each of its frames
+    /// costs the same. An adaptive run is not. Returns the seconds that a sample takes.
+    double chooseSampleLength(Sampled &one, double share)
     {
         one.frames = one.run.frames();
         const double first = 1e-9 * one.row->firstRun * static_cast<double>(one.frames);
-        if (one.row->setup.step.isAdaptive() && first > dearRun) {
-            one.isDear = true;
+        if (one.row->setup.step.isAdaptive() && first > longRun) {
+            one.isLong = true;
             one.samples.push_back(one.row->firstRun);
-            note(one);
-            m_dear += first;
+            updateRow(one);
+            m_secondsOfLong += first;
             return first;
         }
-        double whole = one.run.seconds(one.frames, m_monitor, share);
-        if (whole < shortestSample) // the first run found nothing in the caches
-            whole = std::max(1e-9, one.run.seconds(one.frames, m_monitor, share));
-        const double most = std::min(
-            longestSample, m_plan.secondsOfTiming / (m_plan.leastRuns * static_cast<double>(m_all.size())));
-        double expected = whole;
-        if (whole > most && !one.row->setup.step.isAdaptive()) {
+        double runSeconds = one.run.seconds(one.frames, m_monitor, share);
+        if (runSeconds < minSample) // again, because the first run started with cold caches
+            runSeconds = std::max(1e-9, one.run.seconds(one.frames, m_monitor, share));
+        const double maxSeconds = std::min(
+            maxSample, m_plan.secondsOfTiming / (m_plan.leastRuns * static_cast<double>(m_all.size())));
+        double expected = runSeconds;
+        if (runSeconds > maxSeconds && !one.row->setup.step.isAdaptive()) {
             const int framesPerOutput = one.row->setup.step.framesPerOutput;
-            const auto rows = static_cast<std::int64_t>(static_cast<double>(one.frames) * most / whole);
-            one.frames = std::max<std::int64_t>(1, rows / framesPerOutput) * framesPerOutput;
-            expected = whole * static_cast<double>(one.frames) / static_cast<double>(one.run.frames());
+            const auto frames =
+                static_cast<std::int64_t>(static_cast<double>(one.frames) * maxSeconds / runSeconds);
+            one.frames = std::max<std::int64_t>(1, frames / framesPerOutput) * framesPerOutput;
+            expected = runSeconds * static_cast<double>(one.frames) / static_cast<double>(one.run.frames());
         }
-        one.repeats = static_cast<int>(std::ceil(std::max(1.0, shortestSample / expected)));
-        if (whole > longestSample && !m_monitor.isStopped()) { // as good as any, and dear
-            one.samples.push_back(1e9 * whole / static_cast<double>(one.run.frames()));
-            note(one);
+        one.repeats = static_cast<int>(std::ceil(std::max(1.0, minSample / expected)));
+        if (runSeconds > maxSample && !m_monitor.isStopped()) { // a long run is already a good sample
+            one.samples.push_back(1e9 * runSeconds / static_cast<double>(one.run.frames()));
+            updateRow(one);
         }
         return expected * one.repeats;
     }
 
-    /// One sample of each row. Each round begins at another row, and every second one goes the other way, so that no
-    /// row always follows the same one.
-    void oneRound(int round, double share)
+    /// Takes one sample per row. Each round starts at another row and every second round goes backwards, so
+    /// no row always follows the same one.
+    void runRound(int round, double share)
     {
         const std::size_t count = m_all.size();
-        const double told = 0.1 + 0.9 * std::min(1.0, share);
+        const double progress = 0.1 + 0.9 * std::min(1.0, share);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t step = round % 2 == 0 ? i : count - 1 - i;
             Sampled &one = m_all[(step + static_cast<std::size_t>(round) * 7) % count];
-            if (one.isDear && !m_repeatsDear)
+            if (one.isLong && !m_repeatsLong)
                 continue;
-            const double ns = one.sample(m_monitor, told);
+            const double ns = one.sample(m_monitor, progress);
             if (m_monitor.isStopped())
                 return;
             one.samples.push_back(ns);
-            note(one);
+            updateRow(one);
         }
         markFront(m_found.rows);
     }
@@ -218,8 +221,8 @@ private:
     Accuracy &m_found;
     StudyMonitor &m_monitor;
     std::vector<Sampled> m_all;
-    double m_dear = 0.0;        ///< s: one run of all that are dear
-    bool m_repeatsDear = false; ///< whether there is time to run those more often
+    double m_secondsOfLong = 0.0; ///< s, one run of each long row
+    bool m_repeatsLong = false;   ///< whether there is time to repeat the long runs
 };
 
 }

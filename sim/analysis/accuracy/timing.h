@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// Times all measured rows by interleaved runs, and notes the noise.
+/// Times all measured rows of `found` by interleaved runs, and sets its noise.
 void measureTimes(const Script &script, const StudyPlan &plan, Accuracy &found, StudyMonitor &monitor);
 
 }

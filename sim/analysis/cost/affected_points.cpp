@@ -6,36 +6,37 @@ namespace sim {
 
 namespace {
 
-/// Halves what has something to do until it knows where: most effects find out about few points at once quickly.
-void mark(const Effect &effect, const State &state, PointRange among, std::vector<char> &movers)
+/// Sets `movers` to 1 at each point of `range` for which the effect computes anything. Halves the range until
+/// single points are left, because most effects count few points quickly.
+void mark(const Effect &effect, const State &state, PointRange range, std::vector<char> &movers)
 {
-    if (among.count == 0 || effect.count(state, among) == 0)
+    if (range.count == 0 || effect.count(state, range) == 0)
         return;
-    if (among.count == 1) {
-        movers[static_cast<std::size_t>(among.first)] = 1;
+    if (range.count == 1) {
+        movers[static_cast<std::size_t>(range.first)] = 1;
         return;
     }
-    const int half = among.count / 2;
-    mark(effect, state, {among.first, half}, movers);
-    mark(effect, state, {among.first + half, among.count - half}, movers);
+    const int half = range.count / 2;
+    mark(effect, state, {range.first, half}, movers);
+    mark(effect, state, {range.first + half, range.count - half}, movers);
 }
 
-void markPulled(const Force &force, const State &state, DirectionRule directionRule,
-                std::vector<char> &touched)
+void markAccelerated(const Force &force, const State &state, DirectionRule directionRule,
+                     std::vector<char> &touched)
 {
-    Eigen::ArrayX2d pulls = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
-    force.add(state, {0, state.pointCount()}, 1.0, directionRule, pulls);
+    Eigen::ArrayX2d acceleration = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+    force.add(state, {0, state.pointCount()}, 1.0, directionRule, acceleration);
     for (int i = 0; i < state.pointCount(); ++i) {
-        if (pulls(i, 0) != 0.0 || pulls(i, 1) != 0.0)
+        if (acceleration(i, 0) != 0.0 || acceleration(i, 1) != 0.0)
             touched[static_cast<std::size_t>(i)] = 1;
     }
 }
 
-void markTied(const Effect &effect, const State &state, std::vector<char> &touched)
+void markCoupled(const Effect &effect, const State &state, std::vector<char> &touched)
 {
-    std::vector<Coupling> ties;
-    effect.addCouplings(ties);
-    for (const auto &[one, other] : ties) {
+    std::vector<Coupling> couplings;
+    effect.addCouplings(couplings);
+    for (const auto &[one, other] : couplings) {
         for (const int end : {one, other}) {
             if (state.isDynamic(end))
                 touched[static_cast<std::size_t>(end)] = 1;
@@ -58,9 +59,9 @@ int pointsOf(const Effect &effect, const State &state, const std::vector<char> &
     std::vector<char> touched = movers;
     const auto *force = as<Force>(effect);
     if (force)
-        markPulled(*force, state, directionRule, touched);
+        markAccelerated(*force, state, directionRule, touched);
     if (force ? force->conservesMomentum(state) : as<Constraint>(effect) != nullptr)
-        markTied(effect, state, touched);
+        markCoupled(effect, state, touched);
     return static_cast<int>(std::count(touched.begin(), touched.end(), 1));
 }
 

@@ -4,11 +4,12 @@
 
 namespace sim {
 
-/// For each point 1 if `effect` computes something when it is that point's turn, else 0.
+/// Returns for each point 1 if `effect` computes anything for it in `state`, else 0.
 std::vector<char> affectedPoints(const Effect &effect, const State &state);
 
-/// How many points `effect` works on: those whose turn it takes, and those that feel what it does to them at the
-/// other end.
+/// Returns how many points `effect` works on in `state`. These are the points in `movers`, and the points at
+/// the other ends of their couplings.
+/// @param movers the result of affectedPoints()
 int pointsOf(const Effect &effect, const State &state, const std::vector<char> &movers,
              DirectionRule directionRule);
 

@@ -11,7 +11,7 @@
 
 namespace sim {
 
-/// One call of an effect, with all that it was given, to be done again on what is its own.
+/// A recorded call of an effect. It keeps copies of its arguments and can be repeated on them.
 class Replay
 {
 public:
@@ -19,14 +19,15 @@ public:
     virtual void run(int times) = 0;
 };
 
-/// `call` as a Replay: only the first of many in a row costs more than the call itself.
+/// Returns `call` as a Replay. The virtual call happens once per run(), so many repetitions cost no more than
+/// direct calls.
 template <class Call>
 std::unique_ptr<Replay> replayOf(Call call)
 {
-    class Again : public Replay
+    class CallReplay : public Replay
     {
     public:
-        explicit Again(Call again) : m_call(std::move(again)) {}
+        explicit CallReplay(Call recorded) : m_call(std::move(recorded)) {}
         void run(int times) override
         {
             for (int i = 0; i < times; ++i)
@@ -36,17 +37,17 @@ std::unique_ptr<Replay> replayOf(Call call)
     private:
         Call m_call;
     };
-    return std::make_unique<Again>(std::move(call));
+    return std::make_unique<CallReplay>(std::move(call));
 }
 
-/// Calls of one kind.
+/// Counts calls of one kind, and records some of them.
 struct Calls
 {
     std::int64_t count = 0;
-    std::int64_t every = 0; ///< keeps the first of each so many; 0: none
-    std::vector<std::unique_ptr<Replay>> kept;
+    std::int64_t every = 0;                    ///< every how many calls one is recorded; 0: never
+    std::vector<std::unique_ptr<Replay>> kept; ///< the recorded calls
 
-    /// Counts one, and keeps what `make()` gives if it is its turn.
+    /// Counts one call, and records the Replay that `make()` returns if this call is due.
     template <class Make>
     void add(Make &&make)
     {
@@ -56,48 +57,52 @@ struct Calls
     }
 };
 
-/// What a method asked of one effect.
+/// Counts the calls of a method to one effect. Calls can also be repeated or recorded, to measure their time.
 class CallCounter
 {
 public:
-    /// `movers`: for each point whether the effect computes something when it is that point's turn.
+    /// @param movers for each point 1 if the effect computes anything for it, else 0; see affectedPoints()
     explicit CallCounter(std::vector<char> movers);
 
-    Calls acts;   ///< that did what the effect is for
-    Calls slopes; ///< that asked for derivatives
-    /// How often all points had their turn; a call for one group counts as its part of them.
+    Calls acts;   ///< calls that compute the effect
+    Calls slopes; ///< calls for its Jacobian
+    /// How often the effect was computed for all its points. A call for one range counts as the fraction of
+    /// these points in it.
     double evaluations = 0.0;
-    /// How many more times each call is done, on numbers that nobody reads.
+    /// How many more times each call is repeated, on scratch data.
     int repeats = 0;
-    Eigen::ArrayX2d pulls; ///< where repeated calls of forces add to
-    Eigen::ArrayXd turns;  ///< the same of torques
-    State state;           ///< what repeated calls of drivers drive
-    Jacobian found{0};     ///< where repeated calls for derivatives put them
+    Eigen::ArrayX2d accelerationScratch;       ///< for repeated calls of forces
+    Eigen::ArrayXd angularAccelerationScratch; ///< for repeated calls of torques
+    State stateScratch;                        ///< for repeated calls of drivers
+    Jacobian jacobianScratch{0};               ///< for repeated calls for Jacobians
 
-    /// Nothing was asked so far. What is kept stays.
+    /// Sets all counts to 0. Recorded calls stay.
     void restart()
     {
         acts.count = slopes.count = 0;
         evaluations = 0.0;
     }
-    /// Counts the turn of `points`.
-    void turn(PointRange points) { evaluations += shareOf(points); }
-    /// Makes room for repeated calls on what looks like `like`, as soon as there may be any.
-    void makeRoom(const State &like)
+
+    /// Counts one computation of the effect for `points`.
+    void countPoints(PointRange points) { evaluations += shareOf(points); }
+
+    /// Prepares the scratch data for states of the size of `model`, if calls are repeated or recorded.
+    void allocateScratch(const State &model)
     {
-        if ((acts.every == 0 && repeats == 0) || state.pointCount() == like.pointCount())
+        if ((acts.every == 0 && repeats == 0) || stateScratch.pointCount() == model.pointCount())
             return;
-        state = like;
-        pulls.setZero(like.pointCount(), 2);
-        turns.setZero(like.pointCount());
+        stateScratch = model;
+        accelerationScratch.setZero(model.pointCount(), 2);
+        angularAccelerationScratch.setZero(model.pointCount());
     }
 
 private:
     double shareOf(PointRange points);
 
-    std::vector<char> m_movers;
-    std::ptrdiff_t m_all; ///< movers
-    /// Those asked for before, by first point and count: one that computes island by island asks for many.
+    std::vector<char> m_affected;
+    std::ptrdiff_t m_affectedCount; ///< number of ones in m_affected
+    /// Results of shareOf() by first point and count, because a method that computes islands asks for many
+    /// ranges.
     std::map<std::pair<int, int>, double> m_shares;
 };
 

@@ -12,31 +12,31 @@ namespace sim {
 
 namespace {
 
-constexpr std::size_t keptBytes = 64 << 20; ///< of the states that calls are kept with, an effect
-constexpr std::int64_t mostKept = 8;        ///< calls of one kind
-constexpr double replaySeconds = 10e-6;     ///< a sample of one kept call
-constexpr int mostReplays = 2000;
+constexpr std::size_t maxRecordedBytes = 64 << 20; ///< per effect, of the states in its recorded calls
+constexpr std::int64_t maxRecordedCalls = 8;       ///< of one kind
+constexpr double secondsPerReplay = 10e-6;         ///< duration of a sample of one recorded call
+constexpr int maxReplays = 2000;
 
 /// One effect under measurement.
-struct Watched
+struct MeasuredEffect
 {
-    Watched(const EffectPtr &which, const State &state, DirectionRule directionRule)
-        : Watched(which, state, affectedPoints(*which, state), directionRule)
+    MeasuredEffect(const EffectPtr &original, const State &state, DirectionRule directionRule)
+        : MeasuredEffect(original, state, affectedPoints(*original, state), directionRule)
     {
     }
-    Watched(const EffectPtr &which, const State &state, const std::vector<char> &movers,
-            DirectionRule directionRule)
-        : effect(which), counter(std::make_unique<CallCounter>(movers)),
-          points(pointsOf(*which, state, movers, directionRule))
+    MeasuredEffect(const EffectPtr &original, const State &state, const std::vector<char> &movers,
+                   DirectionRule directionRule)
+        : effect(original), counter(std::make_unique<CallCounter>(movers)),
+          points(pointsOf(*original, state, movers, directionRule))
     {
     }
 
-    bool isAsked() const { return counter->acts.count + counter->slopes.count > 0; }
+    bool isCalled() const { return counter->acts.count + counter->slopes.count > 0; }
 
     EffectPtr effect;
     std::unique_ptr<CallCounter> counter;
     int points = 0;
-    bool isWithin = false; ///< whether phases of the method's own compute it
+    bool isInner = false; ///< whether phases of the method compute it inside
     double evaluations = 0.0;
     Samples samples = {};
 };
@@ -60,25 +60,27 @@ class CostMeter::Work
 {
 public:
     Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, TimerKind clocks)
-        : m_plain(compose(scene, *method, step)), m_frames(step.framesPerOutput),
+        : m_plain(compose(scene, *method, step)), m_framesPerOutput(step.framesPerOutput),
           m_stateBytes(std::max<std::size_t>(1, byteSize(from)))
     {
         for (const EffectPtr &effect : scene.effects) {
             if (!effect->isIdle())
-                m_watched.emplace_back(effect, from, method->directionRule());
+                m_effects.emplace_back(effect, from, method->directionRule());
         }
-        Scene probed = scene;
-        probed.effects.clear();
-        for (Watched &one : m_watched)
-            probed.effects.push_back(instrumented(one.effect, *one.counter));
-        m_probed = compose(probed, *method, step);
-        std::stable_sort(m_watched.begin(), m_watched.end(), [this](const Watched &a, const Watched &b) {
-            return firstPhaseOf(m_plain, a.effect) < firstPhaseOf(m_plain, b.effect);
-        });
-        for (Watched &one : m_watched)
-            one.isWithin = std::any_of(m_plain.phases.begin(), m_plain.phases.end(), [&](const Phase &phase) {
-                return !phase.effect && computes(phase, one.effect);
-            });
+        Scene instrumentedScene = scene;
+        instrumentedScene.effects.clear();
+        for (MeasuredEffect &measured : m_effects)
+            instrumentedScene.effects.push_back(instrumented(measured.effect, *measured.counter));
+        m_instrumented = compose(instrumentedScene, *method, step);
+        std::stable_sort(m_effects.begin(), m_effects.end(),
+                         [this](const MeasuredEffect &a, const MeasuredEffect &b) {
+                             return firstPhaseOf(m_plain, a.effect) < firstPhaseOf(m_plain, b.effect);
+                         });
+        for (MeasuredEffect &measured : m_effects)
+            measured.isInner =
+                std::any_of(m_plain.phases.begin(), m_plain.phases.end(), [&](const Phase &phase) {
+                    return !phase.effect && computes(phase, measured.effect);
+                });
         m_batch.emplace(std::move(from), std::move(clocks));
     }
 
@@ -90,14 +92,14 @@ public:
         const auto plain = frame ? m_batch->timePhases(m_plain, shouldContinue) : std::nullopt;
         if (!plain)
             return false;
-        Round found{*frame, 0.0, std::vector<double>(m_watched.size(), 0.0)};
-        if (!addPhases(*plain, found, shouldContinue) || !addWithin(found, shouldContinue))
+        Round found{*frame, 0.0, std::vector<double>(m_effects.size(), 0.0)};
+        if (!addPhases(*plain, found, shouldContinue) || !addInnerEffects(found, shouldContinue))
             return false;
-        const double scale = 1e9 / m_frames;
+        const double scale = 1e9 / m_framesPerOutput;
         m_frame.add(scale * found.frame);
         m_rest.add(scale * found.rest);
-        for (std::size_t i = 0; i < m_watched.size(); ++i)
-            m_watched[i].samples.add(scale * found.effects[i]);
+        for (std::size_t i = 0; i < m_effects.size(); ++i)
+            m_effects[i].samples.add(scale * found.effects[i]);
         return true;
     }
 
@@ -105,16 +107,16 @@ public:
     {
         FrameCost cost{m_frame.median(), m_frame.spread(), {},
                        m_rest.median(),  m_rest.spread(),  m_frame.count()};
-        for (const Watched &one : m_watched)
-            cost.effects.push_back(
-                {one.effect, one.points, one.evaluations, one.samples.median(), one.samples.spread()});
+        for (const MeasuredEffect &measured : m_effects)
+            cost.effects.push_back({measured.effect, measured.points, measured.evaluations,
+                                    measured.samples.median(), measured.samples.spread()});
         return cost;
     }
 
     const Pipeline &pipeline() const { return m_plain; }
 
 private:
-    /// Seconds a row.
+    /// Seconds per output step.
     struct Round
     {
         double frame;
@@ -122,87 +124,86 @@ private:
         std::vector<double> effects;
     };
 
-    /// Counts what each effect is asked in the frames that are measured, and keeps calls of those that have no phase of
-    /// their own.
+    /// Counts the calls of each effect in the measured frames, and records calls of effects without a phase.
     bool prepare(const ShouldContinue &shouldContinue)
     {
-        if (!m_batch->choose(m_plain, shouldContinue) || !m_batch->timeFrames(m_probed, shouldContinue))
+        if (!m_batch->choose(m_plain, shouldContinue) || !m_batch->timeFrames(m_instrumented, shouldContinue))
             return false;
-        const double frames = double(m_batch->rowsRun()) * m_frames;
-        bool anyWithin = false;
-        const auto most =
-            std::clamp<std::int64_t>(static_cast<std::int64_t>(keptBytes / m_stateBytes), 1, mostKept);
-        for (Watched &one : m_watched) {
-            one.evaluations = one.counter->evaluations / frames;
-            one.isWithin = one.isWithin && one.isAsked();
-            anyWithin = anyWithin || one.isWithin;
-            for (Calls *calls : {&one.counter->acts, &one.counter->slopes})
-                calls->every = one.isWithin ? (calls->count + most - 1) / most : 0;
+        const double frames = double(m_batch->outputStepsRun()) * m_framesPerOutput;
+        bool hasInner = false;
+        const auto maxCalls = std::clamp<std::int64_t>(
+            static_cast<std::int64_t>(maxRecordedBytes / m_stateBytes), 1, maxRecordedCalls);
+        for (MeasuredEffect &measured : m_effects) {
+            measured.evaluations = measured.counter->evaluations / frames;
+            measured.isInner = measured.isInner && measured.isCalled();
+            hasInner = hasInner || measured.isInner;
+            for (Calls *calls : {&measured.counter->acts, &measured.counter->slopes})
+                calls->every = measured.isInner ? (calls->count + maxCalls - 1) / maxCalls : 0;
         }
-        if (anyWithin && !keepCalls(shouldContinue))
+        if (hasInner && !recordCalls(shouldContinue))
             return false;
         m_isReady = true;
         return true;
     }
 
-    bool keepCalls(const ShouldContinue &shouldContinue)
+    bool recordCalls(const ShouldContinue &shouldContinue)
     {
-        for (Watched &one : m_watched)
-            one.counter->restart();
-        const bool isDone = m_batch->timeFrames(m_probed, shouldContinue).has_value();
-        for (Watched &one : m_watched) {
-            for (Calls *calls : {&one.counter->acts, &one.counter->slopes})
+        for (MeasuredEffect &measured : m_effects)
+            measured.counter->restart();
+        const bool isDone = m_batch->timeFrames(m_instrumented, shouldContinue).has_value();
+        for (MeasuredEffect &measured : m_effects) {
+            for (Calls *calls : {&measured.counter->acts, &measured.counter->slopes})
                 calls->every = 0;
         }
-        m_perRow.clear();
-        for (const Watched &one : m_watched)
-            m_perRow.push_back({one.counter->acts.count, one.counter->slopes.count});
+        m_callsPerSample.clear();
+        for (const MeasuredEffect &measured : m_effects)
+            m_callsPerSample.push_back({measured.counter->acts.count, measured.counter->slopes.count});
         return isDone;
     }
 
-    /// Effects and the rest as far as they have phases of their own, and of the others the rest.
+    /// Adds the times of effects that have a phase, and of the rest.
     bool addPhases(const PhaseTimes &plain, Round &found, const ShouldContinue &shouldContinue)
     {
-        bool anyWithin = false;
+        bool hasInner = false;
         for (std::size_t i = 0; i < m_plain.phases.size(); ++i) {
             const Phase &phase = m_plain.phases[i];
             found.rest += plain.prelude[i];
-            if (const auto which = indexOf(phase.effect))
-                found.effects[*which] += plain.run[i] - plain.prelude[i];
+            if (const auto index = indexOf(phase.effect))
+                found.effects[*index] += plain.run[i] - plain.prelude[i];
             else
                 found.rest += plain.run[i] - plain.prelude[i];
-            anyWithin = anyWithin || computesWithin(phase);
+            hasInner = hasInner || computesInner(phase);
         }
-        if (!anyWithin)
+        if (!hasInner)
             return true;
-        const auto once = m_batch->timePhases(m_probed, shouldContinue);
+        const auto once = m_batch->timePhases(m_instrumented, shouldContinue);
         setRepeats(1);
-        const auto twice = once ? m_batch->timePhases(m_probed, shouldContinue) : std::nullopt;
+        const auto twice = once ? m_batch->timePhases(m_instrumented, shouldContinue) : std::nullopt;
         setRepeats(0);
         for (std::size_t i = 0; twice && i < m_plain.phases.size(); ++i) {
-            if (computesWithin(m_plain.phases[i]))
+            if (computesInner(m_plain.phases[i]))
                 found.rest -= twice->run[i] - once->run[i];
         }
         return twice.has_value();
     }
 
-    /// Effects that have no phases of their own, by calling them again.
-    bool addWithin(Round &found, const ShouldContinue &shouldContinue)
+    /// Adds the times of effects without a phase, by replaying their calls.
+    bool addInnerEffects(Round &found, const ShouldContinue &shouldContinue)
     {
-        for (std::size_t i = 0; i < m_watched.size(); ++i) {
-            Watched &one = m_watched[i];
-            if (!one.isWithin)
+        for (std::size_t i = 0; i < m_effects.size(); ++i) {
+            MeasuredEffect &measured = m_effects[i];
+            if (!measured.isInner)
                 continue;
             if (shouldContinue && !shouldContinue())
                 return false;
-            found.effects[i] += (secondsOf(one.counter->acts) * double(m_perRow[i].acts) +
-                                 secondsOf(one.counter->slopes) * double(m_perRow[i].slopes)) /
-                                m_batch->rowsRun();
+            found.effects[i] += (secondsOf(measured.counter->acts) * double(m_callsPerSample[i].acts) +
+                                 secondsOf(measured.counter->slopes) * double(m_callsPerSample[i].slopes)) /
+                                m_batch->outputStepsRun();
         }
         return true;
     }
 
-    /// Seconds a call, the mean over the kept ones.
+    /// Returns seconds per call, the mean over the recorded calls.
     double secondsOf(Calls &calls) const
     {
         double sum = 0.0;
@@ -213,33 +214,33 @@ private:
                 return std::max(0.0, m_batch->now() - before - m_batch->reading()) / times;
             };
             const double first = timed(4);
-            const double wanted = replaySeconds / std::max(first, 1e-9);
-            sum += wanted < 4.0 ? first : timed(static_cast<int>(std::min(wanted, double(mostReplays))));
+            const double repeats = secondsPerReplay / std::max(first, 1e-9);
+            sum += repeats < 4.0 ? first : timed(static_cast<int>(std::min(repeats, double(maxReplays))));
         }
         return calls.kept.empty() ? 0.0 : sum / static_cast<double>(calls.kept.size());
     }
 
     void setRepeats(int repeats)
     {
-        for (Watched &one : m_watched)
-            one.counter->repeats = one.isWithin ? repeats : 0;
+        for (MeasuredEffect &measured : m_effects)
+            measured.counter->repeats = measured.isInner ? repeats : 0;
     }
 
     std::optional<std::size_t> indexOf(const EffectPtr &effect) const
     {
-        for (std::size_t i = 0; i < m_watched.size(); ++i) {
-            if (effect && m_watched[i].effect == effect)
+        for (std::size_t i = 0; i < m_effects.size(); ++i) {
+            if (effect && m_effects[i].effect == effect)
                 return i;
         }
         return {};
     }
 
-    bool computesWithin(const Phase &phase) const
+    bool computesInner(const Phase &phase) const
     {
         return std::any_of(phase.innerEffects.begin(), phase.innerEffects.end(),
                            [this](const EffectPtr &effect) {
-                               const auto which = indexOf(effect);
-                               return which && m_watched[*which].isWithin;
+                               const auto index = indexOf(effect);
+                               return index && m_effects[*index].isInner;
                            });
     }
 
@@ -250,11 +251,11 @@ private:
     };
 
     Pipeline m_plain;
-    Pipeline m_probed; ///< the same, with effects that tell what they are asked
-    std::vector<Watched> m_watched;
+    Pipeline m_instrumented; ///< the same with instrumented effects
+    std::vector<MeasuredEffect> m_effects;
     std::optional<TimingBatch> m_batch;
-    std::vector<CallCounts> m_perRow;
-    int m_frames; ///< a row
+    std::vector<CallCounts> m_callsPerSample;
+    int m_framesPerOutput;
     std::size_t m_stateBytes;
     bool m_isReady = false;
     Samples m_frame;
@@ -264,8 +265,8 @@ private:
 double FrameCost::sum() const
 {
     double total = restNs;
-    for (const EffectCost &one : effects)
-        total += one.ns;
+    for (const EffectCost &effect : effects)
+        total += effect.ns;
     return total;
 }
 

@@ -8,60 +8,65 @@
 
 namespace sim {
 
-/// What one effect costs in a frame under a method.
+/// The cost of one effect in a frame under a method.
 struct EffectCost
 {
     EffectPtr effect;
-    int points = 0; ///< how many points (not pulls) it works on
-    /// How often it is computed in a frame, for all its points: counted, over the frames that are measured. 0 for a
-    /// damping that a method has in its own arithmetic.
+    int points = 0; ///< number of points that the effect works on
+    /// Computations of the effect for all its points per frame, counted over the measured frames. 0 for
+    /// damping that a method includes in its formulas.
     double evaluations = 0.0;
-    double ns = 0.0;     ///< a frame, median of the rounds
+    double ns = 0.0;     ///< per frame, median of the rounds
     double spread = 0.0; ///< ns, half the distance between the quartiles of the rounds
 };
 
+/// The cost of a frame, split over its effects.
 struct FrameCost
 {
-    double ns = 0.0;                 ///< of the whole frame, median of the rounds
-    double spread = 0.0;             ///< ns, as above
+    double ns = 0.0;                 ///< whole frame, median of the rounds
+    double spread = 0.0;             ///< ns, half the distance between the quartiles of the rounds
     std::vector<EffectCost> effects; ///< in the order in which they run
-    double restNs = 0.0;             ///< what no effect takes: kicks, moves, the method's own arithmetic
+    double restNs = 0.0;             ///< time outside effects: kicks, moves, the method's arithmetic
     double restSpread = 0.0;
     int rounds = 0;
 
-    /// What effects and rest come to, ns. Each is measured by itself, and so is the frame: the two are near each other
-    /// where measuring went well.
+    /// Returns the effects plus the rest, in ns. All are measured separately from the whole frame. A sum near
+    /// `ns` shows that the measurement went well.
     double sum() const;
 };
 
-/// Measures what the frames of a run cost, by rounds: each times the whole frame, each effect and the rest one after
-/// the other, so that what a computer does besides meets them all alike. The run itself is left alone.
+/// Measures the cost of the frames of a run, in rounds. A round times the whole frame, each effect and the
+/// rest in turn, so other programs disturb all of them alike. The measured run itself is not changed.
 ///
-/// An effect with a phase of its own is timed as that phase, without its prelude, in the very course of the frames. One that
-/// a method's own phase computes on its way is called again with what it was given there, and these calls are timed.
-/// The rest is the method's own phases; of one that computes effects on its way, what stays when each call of them is
-/// done twice and what that adds is taken off. Nothing here is what is left of something else.
+/// A phase that computes a single effect is timed while frames run in order, without its prelude. An effect
+/// that a method computes inside its own phase is timed by replaying its calls with recorded arguments.
+///
+/// The rest is the method's own phases. If such a phase computes effects, their time is subtracted. It is
+/// measured as the time that repeating each of their calls adds. No result is the whole frame minus other
+/// results.
 class CostMeter
 {
 public:
-    /// Seconds from any start on.
+    /// Returns seconds since an arbitrary start.
     using Clock = std::function<double()>;
 
-    /// The frames that follow on `from`, a state of `scene` between two rows.
+    /// Measures the frames after `from`, a state of `scene` between two output steps.
     /// @throws Error when scene, method and step do not fit
     CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from);
+    /// Uses `clock` for all measurements.
     CostMeter(const Scene &scene, const MethodPtr &method, StepSize step, State from, Clock clock);
     ~CostMeter();
     CostMeter(CostMeter &&) noexcept;
     CostMeter &operator=(CostMeter &&) noexcept;
 
-    /// One round: about two milliseconds, or some frames where those take longer. The first also finds out how many
-    /// make a good sample. Asks `goesOn` on the way; when that says no it leaves off, returns false and forgets
-    /// the round.
+    /// Measures one round: about two milliseconds, or some output steps if those take longer. The first round
+    /// also chooses the sample size. Returns false, and discards the round, when `shouldContinue` returned
+    /// false.
     bool round(const ShouldContinue &shouldContinue = {});
-    /// What the rounds so far came to; points only, before the first.
+    /// Returns the result of the rounds so far. Before the first round it contains only the points of each
+    /// effect.
     FrameCost result() const;
-    /// What is measured. What it leaves out costs nothing.
+    /// Returns the measured pipeline. Effects that it omits cost nothing.
     const Pipeline &pipeline() const;
 
 private:

@@ -4,38 +4,38 @@ namespace sim {
 
 namespace {
 
-/// Leaves `slopes` without entries and with the memory that it has: to ask for more takes as long as the state of the
-/// heap will have it, which is no cost of an effect.
-void empty(Jacobian &jacobian, const State &state)
+/// Removes all entries of `jacobian` but keeps its memory. The time of an allocation depends on the heap and
+/// is no cost of an effect.
+void clearEntries(Jacobian &jacobian, const State &state)
 {
-    const Jacobian none(state.pointCount());
-    jacobian = none;
+    const Jacobian empty(state.pointCount());
+    jacobian = empty;
 }
 
-/// What is the same for every kind of effect.
+/// The part that is the same for all kinds of effects.
 template <class Base>
 class Probe : public Base
 {
 public:
-    Probe(std::shared_ptr<const Base> seen, CallCounter &counter)
-        : m_seen(std::move(seen)), m_counter(counter)
+    Probe(std::shared_ptr<const Base> effect, CallCounter &counter)
+        : m_effect(std::move(effect)), m_counter(counter)
     {
     }
 
-    std::string id() const override { return m_seen->id(); }
-    std::string title() const override { return m_seen->title(); }
-    EffectKind kind() const override { return m_seen->kind(); }
+    std::string id() const override { return m_effect->id(); }
+    std::string title() const override { return m_effect->title(); }
+    EffectKind kind() const override { return m_effect->kind(); }
     std::vector<Region> regions(DirectionRule directionRule) const override
     {
-        return m_seen->regions(directionRule);
+        return m_effect->regions(directionRule);
     }
-    int count(const State &state, PointRange points) const override { return m_seen->count(state, points); }
-    Dependence dependence() const override { return m_seen->dependence(); }
-    void addCouplings(std::vector<Coupling> &into) const override { m_seen->addCouplings(into); }
-    bool isIdle() const override { return m_seen->isIdle(); }
+    int count(const State &state, PointRange points) const override { return m_effect->count(state, points); }
+    Dependence dependence() const override { return m_effect->dependence(); }
+    void addCouplings(std::vector<Coupling> &into) const override { m_effect->addCouplings(into); }
+    bool isIdle() const override { return m_effect->isIdle(); }
 
 protected:
-    const std::shared_ptr<const Base> m_seen;
+    const std::shared_ptr<const Base> m_effect;
     CallCounter &m_counter;
 };
 
@@ -46,53 +46,54 @@ public:
     void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override
     {
-        note(state, into, {movers},
-             [seen = m_seen, movers, scale, directionRule](const State &at, Eigen::ArrayX2d &sum) {
-                 seen->add(at, movers, scale, directionRule, sum);
-             });
+        countAndAdd(state, into, {movers},
+                    [effect = m_effect, movers, scale, directionRule](const State &at, Eigen::ArrayX2d &sum) {
+                        effect->add(at, movers, scale, directionRule, sum);
+                    });
     }
     AccelerationAdder adderFor(const std::vector<PointRange> &ranges) const override
     {
-        return [this, ranges, add = m_seen->adderFor(ranges)](const State &state, Eigen::ArrayX2d &into) {
-            note(state, into, ranges, add);
+        return [this, ranges, add = m_effect->adderFor(ranges)](const State &state, Eigen::ArrayX2d &into) {
+            countAndAdd(state, into, ranges, add);
         };
     }
     bool addJacobian(const State &state, PointRange movers, double scale, DirectionRule directionRule,
                      Jacobian &jacobian) const override
     {
-        const auto alone = [seen = m_seen, movers, scale, directionRule](const State &at, Jacobian &sum) {
-            empty(sum, at);
-            seen->addJacobian(at, movers, scale, directionRule, sum);
+        const auto compute = [effect = m_effect, movers, scale, directionRule](const State &at,
+                                                                               Jacobian &sum) {
+            clearEntries(sum, at);
+            effect->addJacobian(at, movers, scale, directionRule, sum);
         };
         m_counter.slopes.add([&] {
-            return replayOf([alone, state, jacobian = Jacobian(0)]() mutable { alone(state, jacobian); });
+            return replayOf([compute, state, jacobian = Jacobian(0)]() mutable { compute(state, jacobian); });
         });
         for (int i = 0; i < m_counter.repeats; ++i)
-            alone(state, m_counter.found);
-        return m_seen->addJacobian(state, movers, scale, directionRule, jacobian);
+            compute(state, m_counter.jacobianScratch);
+        return m_effect->addJacobian(state, movers, scale, directionRule, jacobian);
     }
     std::optional<double> potentialEnergy(const State &state) const override
     {
-        return m_seen->potentialEnergy(state);
+        return m_effect->potentialEnergy(state);
     }
-    bool conservesMomentum(const State &state) const override { return m_seen->conservesMomentum(state); }
+    bool conservesMomentum(const State &state) const override { return m_effect->conservesMomentum(state); }
     std::vector<LiveValue> explain(const State &state, int mover, DirectionRule directionRule) const override
     {
-        return m_seen->explain(state, mover, directionRule);
+        return m_effect->explain(state, mover, directionRule);
     }
 
 private:
     template <class Add>
-    void note(const State &state, Eigen::ArrayX2d &into, const std::vector<PointRange> &ranges,
-              const Add &add) const
+    void countAndAdd(const State &state, Eigen::ArrayX2d &into, const std::vector<PointRange> &ranges,
+                     const Add &add) const
     {
-        m_counter.makeRoom(state);
+        m_counter.allocateScratch(state);
         for (const PointRange &range : ranges)
-            m_counter.turn(range);
+            m_counter.countPoints(range);
         m_counter.acts.add(
             [&] { return replayOf([add, state, into = into]() mutable { add(state, into); }); });
         for (int i = 0; i < m_counter.repeats; ++i)
-            add(state, m_counter.pulls);
+            add(state, m_counter.accelerationScratch);
         add(state, into);
     }
 };
@@ -103,38 +104,38 @@ public:
     using Probe::Probe;
     void add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const override
     {
-        m_counter.makeRoom(state);
-        m_counter.turn(movers);
+        m_counter.allocateScratch(state);
+        m_counter.countPoints(movers);
         m_counter.acts.add([&] {
-            return replayOf([seen = m_seen, state, movers, scale, into = into]() mutable {
-                seen->add(state, movers, scale, into);
+            return replayOf([effect = m_effect, state, movers, scale, into = into]() mutable {
+                effect->add(state, movers, scale, into);
             });
         });
         for (int i = 0; i < m_counter.repeats; ++i)
-            m_seen->add(state, movers, scale, m_counter.turns);
-        m_seen->add(state, movers, scale, into);
+            m_effect->add(state, movers, scale, m_counter.angularAccelerationScratch);
+        m_effect->add(state, movers, scale, into);
     }
     bool addJacobian(const State &state, PointRange movers, double scale, Jacobian &jacobian) const override
     {
-        const auto alone = [seen = m_seen, movers, scale](const State &at, Jacobian &sum) {
-            empty(sum, at);
-            seen->addJacobian(at, movers, scale, sum);
+        const auto compute = [effect = m_effect, movers, scale](const State &at, Jacobian &sum) {
+            clearEntries(sum, at);
+            effect->addJacobian(at, movers, scale, sum);
         };
         m_counter.slopes.add([&] {
-            return replayOf([alone, state, jacobian = Jacobian(0)]() mutable { alone(state, jacobian); });
+            return replayOf([compute, state, jacobian = Jacobian(0)]() mutable { compute(state, jacobian); });
         });
         for (int i = 0; i < m_counter.repeats; ++i)
-            alone(state, m_counter.found);
-        return m_seen->addJacobian(state, movers, scale, jacobian);
+            compute(state, m_counter.jacobianScratch);
+        return m_effect->addJacobian(state, movers, scale, jacobian);
     }
     std::optional<double> potentialEnergy(const State &state) const override
     {
-        return m_seen->potentialEnergy(state);
+        return m_effect->potentialEnergy(state);
     }
-    Eigen::ArrayXd inertia() const override { return m_seen->inertia(); }
+    Eigen::ArrayXd inertia() const override { return m_effect->inertia(); }
     std::vector<LiveValue> explain(const State &state, int mover) const override
     {
-        return m_seen->explain(state, mover);
+        return m_effect->explain(state, mover);
     }
 };
 
@@ -144,22 +145,22 @@ public:
     using Probe::Probe;
     void drive(State &state, double h) const override
     {
-        m_counter.makeRoom(state);
-        m_counter.turn({0, state.pointCount()});
+        m_counter.allocateScratch(state);
+        m_counter.countPoints({0, state.pointCount()});
         m_counter.acts.add(
-            [&] { return replayOf([seen = m_seen, state, h]() mutable { seen->drive(state, h); }); });
+            [&] { return replayOf([effect = m_effect, state, h]() mutable { effect->drive(state, h); }); });
         for (int i = 0; i < m_counter.repeats; ++i)
-            m_seen->drive(m_counter.state, h);
-        m_seen->drive(state, h);
+            m_effect->drive(m_counter.stateScratch, h);
+        m_effect->drive(state, h);
     }
-    DriverTiming timing() const override { return m_seen->timing(); }
+    DriverTiming timing() const override { return m_effect->timing(); }
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override
     {
-        return m_seen->explain(before, after, point);
+        return m_effect->explain(before, after, point);
     }
 };
 
-// What follows always has a phase of its own: it is measured there, and only counted here.
+// The kinds below always have a phase to themselves, which is timed. So their calls are only counted.
 
 class DragProbe : public Probe<Drag>
 {
@@ -167,15 +168,15 @@ public:
     using Probe::Probe;
     void apply(State &state, PointRange points, double h) const override
     {
-        m_counter.turn(points);
+        m_counter.countPoints(points);
         ++m_counter.acts.count;
-        m_seen->apply(state, points, h);
+        m_effect->apply(state, points, h);
     }
-    std::optional<double> dampingRate(int point) const override { return m_seen->dampingRate(point); }
+    std::optional<double> dampingRate(int point) const override { return m_effect->dampingRate(point); }
     std::vector<LiveValue> explain(const State &before, const State &after, int point,
                                    double h) const override
     {
-        return m_seen->explain(before, after, point, h);
+        return m_effect->explain(before, after, point, h);
     }
 };
 
@@ -185,13 +186,13 @@ public:
     using Probe::Probe;
     void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override
     {
-        m_counter.turn(points);
+        m_counter.countPoints(points);
         ++m_counter.acts.count;
-        m_seen->enforce(state, points, directionRule, h);
+        m_effect->enforce(state, points, directionRule, h);
     }
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override
     {
-        return m_seen->explain(before, after, point);
+        return m_effect->explain(before, after, point);
     }
 };
 
@@ -201,18 +202,18 @@ public:
     using Probe::Probe;
     void resolve(State &state, PointRange points) const override
     {
-        m_counter.turn(points);
+        m_counter.countPoints(points);
         ++m_counter.acts.count;
-        m_seen->resolve(state, points);
+        m_effect->resolve(state, points);
     }
-    std::vector<Surface> surfaces(int point) const override { return m_seen->surfaces(point); }
+    std::vector<Surface> surfaces(int point) const override { return m_effect->surfaces(point); }
 };
 
-template <class Base, class Seeing>
+template <class Base, class ProbeType>
 EffectPtr probed(const EffectPtr &effect, CallCounter &counter)
 {
     const auto typed = sharedAs<Base>(effect);
-    return typed ? std::make_shared<const Seeing>(typed, counter) : nullptr;
+    return typed ? std::make_shared<const ProbeType>(typed, counter) : nullptr;
 }
 
 }
@@ -222,8 +223,8 @@ EffectPtr instrumented(const EffectPtr &effect, CallCounter &counter)
     for (const auto probe :
          {probed<Force, ForceProbe>, probed<Torque, TorqueProbe>, probed<Driver, DriverProbe>,
           probed<Drag, DragProbe>, probed<Constraint, ConstraintProbe>, probed<Contact, ContactProbe>}) {
-        if (const EffectPtr found = probe(effect, counter))
-            return found;
+        if (const EffectPtr instrumentedEffect = probe(effect, counter))
+            return instrumentedEffect;
     }
     return effect;
 }

@@ -4,8 +4,8 @@
 
 namespace sim {
 
-/// An effect that does all that `effect` does, and notes in `tally`, which must outlive it, what it is asked. For
-/// measuring only: what runs is always the effect itself.
+/// Returns an effect that does the same as `effect` and counts the calls to it in `counter`, which must
+/// outlive it. It is used for measuring only, never in a real run.
 EffectPtr instrumented(const EffectPtr &effect, CallCounter &counter);
 
 }

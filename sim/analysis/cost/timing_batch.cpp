@@ -9,22 +9,22 @@ namespace sim {
 
 namespace {
 
-constexpr std::size_t cacheBytes = 24 << 10; ///< of the lanes: less than the first cache of any desktop
-constexpr int mostLanes = 24;
-constexpr int mostRows = 64;
-constexpr double sampleSeconds = 150e-6; ///< mostly too short for another program to come in between
-constexpr double shortStep =
-    90e-9; ///< s: some hundred instructions, as many as a processor has under way at once
-constexpr double mostReading = 0.05; ///< of what is between two readings, for the patient clock to be used
+/// For all lanes, less than the first-level cache of any desktop.
+constexpr std::size_t cacheBytes = 24 << 10;
+constexpr int maxLanes = 24;
+constexpr int maxOutputSteps = 64;
+constexpr double sampleSeconds = 150e-6; ///< short enough that other programs rarely interrupt it
+constexpr double shortStep = 90e-9; ///< s, some hundred instructions, as many as a processor executes at once
+constexpr double maxReadingShare = 0.05; ///< of the measured time; below it the CPU clock is used
 
-void beginRow(State &state, const Pipeline &pipeline)
+void beginOutputStep(State &state, const Pipeline &pipeline)
 {
     state.frame += pipeline.step.framesPerOutput;
-    state.input.gust.reset(); // for one row only
+    state.input.gust.reset(); // lasts one output step
     state.input.newTargets.clear();
 }
 
-/// All phases of a row that has begun. Returns false when `goesOn` said no.
+/// Runs all phases of an output step that has begun. Returns false when `shouldContinue` returned false.
 bool runPhases(State &state, const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
     for (int step = 0; step < pipeline.step.stepsPerOutput; ++step) {
@@ -37,9 +37,9 @@ bool runPhases(State &state, const Pipeline &pipeline, const ShouldContinue &sho
     return true;
 }
 
-bool runRow(State &state, const Pipeline &pipeline, const ShouldContinue &shouldContinue)
+bool runOutputStep(State &state, const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
-    beginRow(state, pipeline);
+    beginOutputStep(state, pipeline);
     return runPhases(state, pipeline, shouldContinue);
 }
 
@@ -59,10 +59,10 @@ double readingOf(const Clock &clock)
 TimingBatch::TimingBatch(State from, TimerKind clocks)
     : m_clocks(std::move(clocks)), m_starts{std::move(from)}
 {
-    read(m_clocks.wall);
+    useClock(m_clocks.wall);
 }
 
-void TimingBatch::read(const Clock &clock)
+void TimingBatch::useClock(const Clock &clock)
 {
     m_clock = clock;
     m_reading = readingOf(clock);
@@ -71,41 +71,41 @@ void TimingBatch::read(const Clock &clock)
 bool TimingBatch::choose(const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
     State state = m_starts.front();
-    if (!runRow(state, pipeline, shouldContinue)) // the first one finds nothing in the caches
+    if (!runOutputStep(state, pipeline, shouldContinue)) // the first run has cold caches
         return false;
     const double before = m_clock();
-    if (!runRow(state, pipeline, shouldContinue))
+    if (!runOutputStep(state, pipeline, shouldContinue))
         return false;
     const double seconds = std::max(m_clock() - before, 1e-9);
-    const double rows = std::clamp(sampleSeconds / seconds, 1.0, double(mostLanes) * mostRows);
+    const double outputSteps = std::clamp(sampleSeconds / seconds, 1.0, double(maxLanes) * maxOutputSteps);
     const std::size_t fit = cacheBytes / byteSize(state);
     const auto lanes =
-        std::clamp<std::size_t>(fit, 1, static_cast<std::size_t>(std::min<double>(rows, mostLanes)));
-    m_rows = std::clamp(static_cast<int>(rows / static_cast<double>(lanes)), 1, mostRows);
+        std::clamp<std::size_t>(fit, 1, static_cast<std::size_t>(std::min<double>(outputSteps, maxLanes)));
+    m_outputSteps = std::clamp(static_cast<int>(outputSteps / static_cast<double>(lanes)), 1, maxOutputSteps);
     while (m_starts.size() < lanes) {
         state = m_starts.back();
-        if (!runRow(state, pipeline, shouldContinue))
+        if (!runOutputStep(state, pipeline, shouldContinue))
             return false;
         if (firstNonFinitePoint(state) >= 0)
             break;
         m_starts.push_back(state);
     }
     state = m_starts.back();
-    for (int row = 0; row < m_rows;
-         ++row) { // what is measured is what a learner sees: it ends where a run does
-        if (!runRow(state, pipeline, shouldContinue))
+    // Only finite states are measured, because a run stops at others.
+    for (int outputStep = 0; outputStep < m_outputSteps; ++outputStep) {
+        if (!runOutputStep(state, pipeline, shouldContinue))
             return false;
         if (firstNonFinitePoint(state) >= 0)
-            m_rows = std::max(1, row);
+            m_outputSteps = std::max(1, outputStep);
     }
-    const std::optional<double> found = timeFrames(pipeline, shouldContinue);
-    if (!found)
+    const std::optional<double> frameSeconds = timeFrames(pipeline, shouldContinue);
+    if (!frameSeconds)
         return false;
-    const double step = *found / pipeline.step.stepsPerOutput;
+    const double step = *frameSeconds / pipeline.step.stepsPerOutput;
     m_isShort = step < shortStep;
-    const double between = step * static_cast<double>(m_starts.size()) / pipeline.phasesPerStep();
-    if (readingOf(m_clocks.threadCpu) < mostReading * between)
-        read(m_clocks.threadCpu);
+    const double phaseSeconds = step * static_cast<double>(m_starts.size()) / pipeline.phasesPerStep();
+    if (readingOf(m_clocks.threadCpu) < maxReadingShare * phaseSeconds)
+        useClock(m_clocks.threadCpu);
     return true;
 }
 
@@ -115,18 +115,18 @@ double TimingBatch::timed(Work &&work)
     const double before = m_clock();
     for (State &state : m_lanes)
         work(state);
-    return (m_clock() - before - m_reading) / rowsRun();
+    return (m_clock() - before - m_reading) / outputStepsRun();
 }
 
 std::optional<double> TimingBatch::timeFrames(const Pipeline &pipeline, const ShouldContinue &shouldContinue)
 {
     restore();
     double total = 0.0;
-    for (int row = 0; row < m_rows; ++row) {
+    for (int outputStep = 0; outputStep < m_outputSteps; ++outputStep) {
         if (shouldContinue && !shouldContinue())
             return {};
         for (State &state : m_lanes)
-            beginRow(state, pipeline);
+            beginOutputStep(state, pipeline);
         total += timed([&](State &state) { runPhases(state, pipeline, nullptr); });
     }
     return total;
@@ -135,12 +135,12 @@ std::optional<double> TimingBatch::timeFrames(const Pipeline &pipeline, const Sh
 std::optional<PhaseTimes> TimingBatch::timePhases(const Pipeline &pipeline,
                                                   const ShouldContinue &shouldContinue)
 {
-    std::optional<PhaseTimes> times = timeApart(pipeline, shouldContinue);
+    std::optional<PhaseTimes> times = timeEachPhase(pipeline, shouldContinue);
     if (!m_isShort || !times)
         return times;
     double before = 0.0;
     for (std::size_t i = 0; i < pipeline.phases.size(); ++i) {
-        const std::optional<double> upTo = timeUpTo(i, pipeline, shouldContinue);
+        const std::optional<double> upTo = timeThroughPhase(i, pipeline, shouldContinue);
         if (!upTo)
             return {};
         times->run[i] = *upTo - before;
@@ -149,15 +149,15 @@ std::optional<PhaseTimes> TimingBatch::timePhases(const Pipeline &pipeline,
     return times;
 }
 
-std::optional<PhaseTimes> TimingBatch::timeApart(const Pipeline &pipeline,
-                                                 const ShouldContinue &shouldContinue)
+std::optional<PhaseTimes> TimingBatch::timeEachPhase(const Pipeline &pipeline,
+                                                     const ShouldContinue &shouldContinue)
 {
     restore();
     const std::size_t phases = pipeline.phases.size();
     PhaseTimes times{std::vector<double>(phases, 0.0), std::vector<double>(phases, 0.0)};
-    for (int row = 0; row < m_rows; ++row) {
+    for (int outputStep = 0; outputStep < m_outputSteps; ++outputStep) {
         for (State &state : m_lanes)
-            beginRow(state, pipeline);
+            beginOutputStep(state, pipeline);
         for (int step = 0; step < pipeline.step.stepsPerOutput; ++step) {
             for (std::size_t i = 0; i < phases; ++i) {
                 if (shouldContinue && !shouldContinue())
@@ -172,17 +172,17 @@ std::optional<PhaseTimes> TimingBatch::timeApart(const Pipeline &pipeline,
     return times;
 }
 
-std::optional<double> TimingBatch::timeUpTo(std::size_t last, const Pipeline &pipeline,
-                                            const ShouldContinue &shouldContinue)
+std::optional<double> TimingBatch::timeThroughPhase(std::size_t last, const Pipeline &pipeline,
+                                                    const ShouldContinue &shouldContinue)
 {
     restore();
     const auto middle = pipeline.phases.begin() + static_cast<std::ptrdiff_t>(last) + 1;
     double total = 0.0;
-    for (int row = 0; row < m_rows; ++row) {
+    for (int outputStep = 0; outputStep < m_outputSteps; ++outputStep) {
         if (shouldContinue && !shouldContinue())
             return {};
         for (State &state : m_lanes)
-            beginRow(state, pipeline);
+            beginOutputStep(state, pipeline);
         for (int step = 0; step < pipeline.step.stepsPerOutput; ++step) {
             total += timed([&](State &state) {
                 for (auto phase = pipeline.phases.begin(); phase != middle; ++phase)

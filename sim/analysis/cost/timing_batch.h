@@ -7,68 +7,70 @@
 
 namespace sim {
 
-/// Seconds, from any start on.
+/// Returns seconds since an arbitrary start.
 using Clock = std::function<double()>;
 
-/// Two clocks: one that is read quickly, for what is short; and one for what is so long that other programs come in
-/// between, which counts none of their time and may take longer to read.
+/// Two clocks. The wall clock is quick to read and used for short measurements. The CPU clock of the thread
+/// does not count other programs, but may be slower to read.
 struct TimerKind
 {
     Clock wall;
     Clock threadCpu;
 };
 
-/// What each phase of a pipeline took, in seconds a lane and row.
+/// The time of each phase of a pipeline, in seconds per lane and output step.
 struct PhaseTimes
 {
-    std::vector<double> run;     ///< all of it
-    std::vector<double> prelude; ///< of that what is the method's own
+    std::vector<double> run;     ///< whole phase
+    std::vector<double> prelude; ///< the part of the phase that is the method's own work
 };
 
-/// The frames that are measured: some runs side by side, each a row further on than the one before, over the same
-/// number of rows. Side by side, so that one reading of the clock times many calls of a phase, each on a state of its
-/// own that the phase really meets: no call is repeated on what the one before has left. Few enough to stay in the
-/// fastest cache where a single run would.
+/// The frames that are measured: several copies of a run (lanes), each one output step ahead of the one
+/// before, over the same number of output steps. One reading of the clock therefore times many calls of a
+/// phase. Each call works on a state that really occurs in the run, never on the result of the previous call.
+/// There are few enough lanes to fit the fastest cache, if a single run does.
 class TimingBatch
 {
 public:
-    /// The rows after `from`. Nothing is computed before choose() is.
+    /// Measures the output steps after `from`. Call choose() first.
     TimingBatch(State from, TimerKind clocks);
 
-    /// Chooses how many lanes and rows make a good sample. Returns false when `goesOn` said no.
+    /// Chooses how many lanes and output steps make a good sample. Returns false when `shouldContinue`
+    /// returned false.
     bool choose(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
-    /// Runs whole frames. Seconds a lane and row; empty when `goesOn` said no.
+    /// Runs whole output steps. Returns seconds per lane and output step, or nothing when `shouldContinue`
+    /// returned false.
     std::optional<double> timeFrames(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
-    /// Runs all lanes through one phase, then through the next. Where a frame is so short that the processor is busy with
-    /// most of it at once, a phase looks cheaper so than it is: there what `run` took is what the phase adds to the
-    /// frame up to it.
+    /// Runs all lanes through one phase, then through the next. A processor overlaps the phases of very short
+    /// steps, so timing them one by one underestimates their cost. For such steps `run` is the time that the
+    /// phase adds to the step up to it.
     std::optional<PhaseTimes> timePhases(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
 
-    /// How many rows are run in a sample, in all lanes together.
-    int rowsRun() const { return m_rows * static_cast<int>(m_starts.size()); }
-    /// Seconds since the clock began.
+    /// Returns the number of output steps in a sample, over all lanes.
+    int outputStepsRun() const { return m_outputSteps * static_cast<int>(m_starts.size()); }
+    /// Returns the seconds on the clock in use.
     double now() const { return m_clock(); }
-    /// Seconds that reading the clock adds to what is between two readings.
+    /// Returns the seconds that reading the clock adds to a measurement.
     double reading() const { return m_reading; }
 
 private:
     void restore() { m_lanes = m_starts; }
-    void read(const Clock &clock);
-    /// Seconds that `work` takes on all lanes.
+    void useClock(const Clock &clock);
+    /// Returns the seconds that `work` takes on all lanes, per lane and output step.
     template <class Work>
     double timed(Work &&work);
-    std::optional<PhaseTimes> timeApart(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
-    /// The frame up to the phase numbered `last`, seconds a lane and row.
-    std::optional<double> timeUpTo(std::size_t last, const Pipeline &pipeline,
-                                   const ShouldContinue &shouldContinue);
+    std::optional<PhaseTimes> timeEachPhase(const Pipeline &pipeline, const ShouldContinue &shouldContinue);
+    /// Returns the time of the step up to and including phase `last`, in seconds per lane and output step.
+    std::optional<double> timeThroughPhase(std::size_t last, const Pipeline &pipeline,
+                                           const ShouldContinue &shouldContinue);
 
     TimerKind m_clocks;
-    Clock m_clock; ///< the one in use
+    Clock m_clock; ///< the clock in use
     double m_reading = 0.0;
-    bool m_isShort = false;
-    std::vector<State> m_starts;
+    bool m_isShort = false;      ///< whether the processor overlaps the phases of a step
+    std::vector<State> m_starts; ///< of the lanes
     std::vector<State> m_lanes;
-    int m_rows = 1;
+    int m_outputSteps = 1;
 };
 
 }

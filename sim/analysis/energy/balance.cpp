@@ -43,7 +43,7 @@ void Balance::append(const Balance &next)
         momentum[name.account] = momentum[name.account] + next.momentum[name.account];
     }
     after = next.after;
-    doubt += next.doubt;
+    errorEstimate += next.errorEstimate;
 }
 
 }

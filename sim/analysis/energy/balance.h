@@ -8,33 +8,33 @@
 
 namespace sim {
 
-/// Where energy and momentum come from and go to.
+/// The sources and sinks of energy and momentum.
 enum class Account {
-    hand,    ///< what a hand does
-    changes, ///< a parameter that takes a new value
+    hand,    ///< the learner's hand
+    changes, ///< parameters that take a new value
     motors,  ///< drivers: gait clocks, steering
     wind,    ///< wind
-    pulls,   ///< forces that have nothing stored: springs that pull one end only, motors to a target
-    gravity, ///< of momentum only: the earth's pull
-    anchors, ///< of momentum only: springs to places that stand fast
+    pulls,   ///< forces without potential energy: springs that act on one end only, motors with a target
+    gravity, ///< momentum only: weight
+    anchors, ///< momentum only: springs to fixed positions
     damping, ///< drags
-    impact,  ///< what bodies meet
+    impact,  ///< contacts
     sticks,  ///< constraints
-    drift,   ///< what remains: the method's error
+    drift,   ///< the remainder: the error of the method
 };
 constexpr std::size_t accountCount = 11;
 
-/// How an account is called.
+/// The id and the title of an account.
 struct AccountName
 {
     Account account;
     std::string id;    ///< lower case with underscores
     std::string title; ///< in English; see SIM_TEXT
 };
-/// Of every account, in order.
+/// Returns the names of all accounts, in the order of Account.
 const std::array<AccountName, accountCount> &accountNames();
 
-/// One entry each account.
+/// One amount per account.
 template <class Amount>
 class Accounts
 {
@@ -46,20 +46,21 @@ private:
     std::array<Amount, accountCount> m_amounts{};
 };
 
-/// Where the energy and the momentum of a stretch of time went: what there was, what each account brought (or, below
-/// 0, took), and what there is. Before plus all accounts is after, as drift is what remains.
+/// The energy and momentum of a time interval: the amounts before and after, and the gain (a loss if
+/// negative) in each account. The drift makes before plus all accounts equal after.
 struct Balance
 {
     StoredEnergy before;
     StoredEnergy after;
     Accounts<double> energy;
     Accounts<Vec2> momentum;
-    /// By how much the energy of all accounts but the drift, and so of that, may be off. 0 where each is exact.
-    double doubt = 0.0;
+    /// Estimated error of the accounts' total energy without drift, and therefore of the drift. 0 if all are
+    /// exact.
+    double errorEstimate = 0.0;
 
-    /// Sets the drift to what remains.
+    /// Sets the drift to the remainder.
     void close();
-    /// Puts the stretch after this one to it.
+    /// Appends the interval that follows.
     void append(const Balance &next);
 };
 

@@ -5,56 +5,58 @@
 
 namespace sim {
 
-/// Keeps the books of one segment of a run: what each phase of a row does to energy and momentum.
+/// Accounts for one composed interval of a run: how each phase changes energy and momentum.
 class EnergyAccounting
 {
 public:
-    /// The segment's scene must have energy: see Meter::whyNot(). `segment` must outlive this.
+    /// The scene of `interval` must have energy, see StoredEnergyReader::whyNot(). `interval` must outlive
+    /// this object.
     EnergyAccounting(const ComposedInterval &interval, DirectionRule directionRule);
 
-    const StoredEnergyReader &meter() const { return m_reader; }
-    /// Runs the phases of a row on `state`, which has taken the row's input already, and books what they do.
-    void row(State &state, Balance &into) const;
+    const StoredEnergyReader &reader() const { return m_reader; }
+    /// Runs the phases of an output step on `state`, whose input has been applied, and adds the changes to
+    /// `balance`.
+    void outputStep(State &state, Balance &balance) const;
 
 private:
-    /// What a force has gathered and no kick has spent.
-    struct Gathered
+    /// The acceleration by a force that no kick has consumed yet.
+    struct PendingForce
     {
         EffectPtr effect;
-        Eigen::ArrayX2d pull;
-        Eigen::ArrayXd turn;
-        Vec2 heldPush; ///< see heldPush()
+        Eigen::ArrayX2d acceleration;
+        Eigen::ArrayXd angularAcceleration;
+        Vec2 holdingForce; ///< see holdingForce()
     };
-    struct Gathering
+    struct PendingForces
     {
-        std::vector<Gathered> forces;
-        bool isSpent = false; ///< a kick has been: what comes next is gathered anew
+        std::vector<PendingForce> forces;
+        bool isConsumed = false; ///< whether a kick has used the forces: the next force starts a new sum
     };
 
-    /// A clock that ran on in a step.
-    struct Tick
+    /// The states before and after a clock advanced in a step.
+    struct ClockAdvance
     {
         State before;
         State after;
     };
-    /// What a step has done so far that cannot be booked yet.
-    struct Open
+    /// The part of a step that cannot be accounted for before the step ends.
+    struct OpenStep
     {
-        Gathering gathering;
-        std::vector<Tick> ticks;
+        PendingForces pending;
+        std::vector<ClockAdvance> clocks;
     };
 
-    void step(State &state, Balance &into) const;
-    void wholeStep(State &state, std::size_t first, std::size_t last, Balance &into) const;
-    void onePhase(const Phase &phase, State &state, Open &open, Balance &into) const;
-    void gather(const Phase &phase, const State &before, const State &after, Gathering &gathering,
-                Balance &into) const;
-    void kick(const Phase &phase, const State &before, const State &after, Gathering &gathering,
-              Balance &into) const;
-    /// What a clock that turns legs, say, adds to what is stored, where things stood when the step began and where they
-    /// stand at its end: half of each, as a clock runs while they move, whenever in the step the method looks at it.
-    void clock(const Tick &tick, const State &start, const State &end, Balance &into) const;
-    void change(Account account, const State &before, const State &after, Balance &into) const;
+    void step(State &state, Balance &balance) const;
+    void runWholeStep(State &state, std::size_t first, std::size_t last, Balance &balance) const;
+    void runPhase(const Phase &phase, State &state, OpenStep &openStep, Balance &balance) const;
+    void addForce(const Phase &phase, const State &before, const State &after, PendingForces &pending,
+                  Balance &balance) const;
+    void addKick(const Phase &phase, const State &before, const State &after, PendingForces &pending,
+                 Balance &balance) const;
+    /// Adds the stored energy that a clock, such as a gait clock, supplies. Takes the mean of its effect at
+    /// the positions before and after the step, because a clock runs while points move.
+    void addClock(const ClockAdvance &advance, const State &start, const State &end, Balance &balance) const;
+    void addChange(Account account, const State &before, const State &after, Balance &balance) const;
 
     const ComposedInterval &m_interval;
     DirectionRule m_directionRule;

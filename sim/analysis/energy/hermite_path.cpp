@@ -5,34 +5,36 @@
 namespace sim {
 
 HermitePath::HermitePath(const PathEnd &start, const PathEnd &end, double h)
-    : m_columns(Eigen::ArrayXXd::Zero(start.place.size(), 7)), m_h(h)
+    : m_coefficients(Eigen::ArrayXXd::Zero(start.positions.size(), 7)), m_h(h)
 {
-    for (Eigen::Index i = 0; i < m_columns.rows(); ++i) {
-        const Quintic all = Quintic::through(start.place[i], h * start.speed[i], h * h * start.slope[i],
-                                             end.place[i], h * end.speed[i], h * h * end.slope[i]);
+    for (Eigen::Index i = 0; i < m_coefficients.rows(); ++i) {
+        const Quintic quintic =
+            Quintic::through(start.positions[i], h * start.velocities[i], h * h * start.accelerations[i],
+                             end.positions[i], h * end.velocities[i], h * h * end.accelerations[i]);
         for (int j = 0; j < 6; ++j)
-            m_columns(i, j) = all.c[j];
+            m_coefficients(i, j) = quintic.c[j];
     }
 }
 
-void HermitePath::at(double time, Eigen::ArrayXd &place, Eigen::ArrayXd &speed) const
+void HermitePath::evaluate(double time, Eigen::ArrayXd &positions, Eigen::ArrayXd &velocities) const
 {
-    const Eigen::Index rows = m_columns.rows();
-    place.resize(rows);
-    speed.resize(rows);
+    const Eigen::Index rows = m_coefficients.rows();
+    positions.resize(rows);
+    velocities.resize(rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
-        const NewtonPolynomial at =
-            NewtonPolynomial::at<7>(m_columns.data() + i, static_cast<int>(rows), time / m_h);
-        place[i] = at.value;
-        speed[i] = at.derivative / m_h;
+        const NewtonPolynomial polynomial =
+            NewtonPolynomial::at<7>(m_coefficients.data() + i, static_cast<int>(rows), time / m_h);
+        positions[i] = polynomial.value;
+        velocities[i] = polynomial.derivative / m_h;
     }
 }
 
-void HermitePath::bend(const Eigen::ArrayXd &slope)
+void HermitePath::setMiddleAcceleration(const Eigen::ArrayXd &accelerations)
 {
-    const auto rows = static_cast<int>(m_columns.rows());
+    const auto rows = static_cast<int>(m_coefficients.rows());
     for (int i = 0; i < rows; ++i)
-        m_columns(i, 6) = NewtonPolynomial::seventh(m_columns.data() + i, rows, m_h * m_h * slope[i]);
+        m_coefficients(i, 6) =
+            NewtonPolynomial::seventh(m_coefficients.data() + i, rows, m_h * m_h * accelerations[i]);
 }
 
 const std::array<GaussNode, 5> &gaussNodes()

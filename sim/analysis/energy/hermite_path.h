@@ -6,36 +6,39 @@
 
 namespace sim {
 
-/// Places and velocities (in the order of Flow) at one end of a step, with the accelerations there.
+/// Positions, velocities and accelerations at one end of a step, in the order of OdeSystem.
 struct PathEnd
 {
-    Eigen::ArrayXd place;
-    Eigen::ArrayXd speed;
-    Eigen::ArrayXd slope;
+    Eigen::ArrayXd positions;
+    Eigen::ArrayXd velocities;
+    Eigen::ArrayXd accelerations;
 };
 
-/// A motion through the places, velocities and accelerations of both ends of a step of `h` frames; see Quintic.
+/// A motion through the positions, velocities and accelerations at both ends of a step of `h` frames; see
+/// Quintic.
 class HermitePath
 {
 public:
     HermitePath(const PathEnd &start, const PathEnd &end, double h);
 
-    void at(double time, Eigen::ArrayXd &place, Eigen::ArrayXd &speed) const;
-    /// Gives the motion the acceleration `slope` in the middle of the step. Both ends stay as they are.
-    void bend(const Eigen::ArrayXd &slope);
+    /// Computes positions and velocities `time` frames after the start of the step.
+    void evaluate(double time, Eigen::ArrayXd &positions, Eigen::ArrayXd &velocities) const;
+    /// Changes the motion to have these accelerations in the middle of the step. Both ends stay the same.
+    void setMiddleAcceleration(const Eigen::ArrayXd &accelerations);
 
 private:
-    Eigen::ArrayXXd m_columns; ///< the coefficients of each number of the motion, see Newton::at()
+    Eigen::ArrayXXd m_coefficients; ///< one row per coordinate, see NewtonPolynomial::at()
     double m_h;
 };
 
-/// Gauss's five nodes on 0 to 1 with their weights: exact for polynomials up to degree 9.
+/// A node of the five-point Gauss rule on 0 to 1, which is exact for polynomials up to degree 9.
 /// Source: Abramowitz and Stegun, "Handbook of mathematical functions", table 25.4.
 struct GaussNode
 {
-    double share;
+    double position;
     double weight;
 };
+/// Returns the five nodes in ascending order.
 const std::array<GaussNode, 5> &gaussNodes();
 
 }

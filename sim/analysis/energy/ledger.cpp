@@ -10,7 +10,7 @@ namespace sim {
 
 namespace {
 
-constexpr std::size_t mostKept = 4;
+constexpr std::size_t maxKept = 4;
 
 }
 
@@ -26,11 +26,12 @@ Ledger::accountingOf(const std::shared_ptr<const ComposedInterval> &interval, Di
                                     [&](const Kept &kept) { return kept.interval == interval; });
     if (found != m_kept.end())
         return found->accounting;
-    const bool none = StoredEnergyReader::whyNot(interval->scene).has_value();
-    if (m_kept.size() == mostKept)
+    const bool hasNoEnergy = StoredEnergyReader::whyNot(interval->scene).has_value();
+    if (m_kept.size() == maxKept)
         m_kept.erase(m_kept.begin());
-    m_kept.push_back(
-        {interval, none ? nullptr : std::make_shared<const EnergyAccounting>(*interval, directionRule)});
+    m_kept.push_back({interval, hasNoEnergy
+                                    ? nullptr
+                                    : std::make_shared<const EnergyAccounting>(*interval, directionRule)});
     return m_kept.back().accounting;
 }
 
@@ -38,25 +39,28 @@ std::optional<Balance> Ledger::row(const Track &track, std::int64_t frame)
 {
     const std::int64_t start = frame - track.framesPerOutput();
     const DirectionRule directionRule = track.script().method->directionRule();
-    const std::shared_ptr<const ComposedInterval> was = track.intervalAt(start), is = track.intervalAt(frame);
-    const std::shared_ptr<const EnergyAccounting> before = accountingOf(was, directionRule),
-                                                  accounting = accountingOf(is, directionRule);
-    if (!before || !accounting)
+    const std::shared_ptr<const ComposedInterval> intervalBefore = track.intervalAt(start),
+                                                  interval = track.intervalAt(frame);
+    const std::shared_ptr<const EnergyAccounting> accountingBefore =
+                                                      accountingOf(intervalBefore, directionRule),
+                                                  accounting = accountingOf(interval, directionRule);
+    if (!accountingBefore || !accounting)
         return {};
     Balance balance;
-    const State end = track.stateAt(start);
-    balance.before = balance.after = before->meter().read(end);
-    const auto book = [&](Account account, const StoredEnergy &now) {
+    const State stateBefore = track.stateAt(start);
+    balance.before = balance.after = accountingBefore->reader().read(stateBefore);
+    const auto add = [&](Account account, const StoredEnergy &now) {
         balance.energy[account] += now.total() - balance.after.total();
         balance.momentum[account] = balance.momentum[account] + now.momentum - balance.after.momentum;
         balance.after = now;
     };
-    if (was != is)
-        book(Account::changes, accounting->meter().read(transferState(end, was->scene, is->scene)));
-    State state = track.stateAfterInput(end, start);
-    book(Account::hand, accounting->meter().read(state));
-    accounting->row(state, balance);
-    balance.after = accounting->meter().read(state);
+    if (intervalBefore != interval)
+        add(Account::changes,
+            accounting->reader().read(transferState(stateBefore, intervalBefore->scene, interval->scene)));
+    State state = track.stateAfterInput(stateBefore, start);
+    add(Account::hand, accounting->reader().read(state));
+    accounting->outputStep(state, balance);
+    balance.after = accounting->reader().read(state);
     balance.close();
     return balance;
 }

@@ -7,13 +7,14 @@ namespace sim {
 
 class EnergyAccounting;
 
-/// Where energy and momentum go in a run, row after row, by what its phases do:
-/// - what a drag, a contact, a constraint, a driver or the hand changes is its own, exactly;
-/// - a kick changes the kinetic energy by m h a (v + v')/2, which splits over the forces, exactly. What a force without
-///   potential brings so is its work. What one with a potential brings must come out of what it has stored;
-/// - a phase that is a whole step by itself is accounted for by integrals along its way: see Integrals;
-/// - what then remains of the change of kinetic and stored energy is the method's error: the drift.
-/// Reads the run, and changes nothing in it.
+/// Accounts for the energy and momentum of a run, one output step at a time:
+/// - The change by a drag, contact, constraint, driver or the hand is the exact difference of the states
+///   before and after it.
+/// - A kick changes the kinetic energy by m h a (v + v')/2, which splits exactly over the forces. This is the
+///   work of a force without potential. A force with a potential takes it from its stored energy.
+/// - A phase that is a whole step is accounted for by integrals along its path, see PowerIntegrals.
+/// - The remaining change of kinetic and stored energy is the drift, the error of the method.
+/// The ledger only reads the run.
 class Ledger
 {
 public:
@@ -22,8 +23,8 @@ public:
     Ledger(Ledger &&) noexcept;
     Ledger &operator=(Ledger &&) noexcept;
 
-    /// Of the row of `track` that ends at `frame`, which was computed before; empty where its scene has no energy:
-    /// see Meter::whyNot().
+    /// Returns the balance of the output step of `track` that ends at `frame` and has been computed. Empty if
+    /// its scene has no energy, see StoredEnergyReader::whyNot().
     std::optional<Balance> row(const Track &track, std::int64_t frame);
 
 private:
@@ -34,7 +35,7 @@ private:
         std::shared_ptr<const ComposedInterval> interval;
         std::shared_ptr<const EnergyAccounting> accounting; ///< null where the scene has no energy
     };
-    std::vector<Kept> m_kept; ///< those last asked for
+    std::vector<Kept> m_kept; ///< the last used
 };
 
 }

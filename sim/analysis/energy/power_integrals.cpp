@@ -7,8 +7,8 @@ namespace sim {
 
 namespace {
 
-/// Puts a number a point under x and under y, or where things turn under the angles.
-Eigen::ArrayXd rowsOf(const OdeSystem &system, const StoredEnergyReader &reader)
+/// Returns the mass of each row: of x and y of each point, or of each angle.
+Eigen::ArrayXd rowMasses(const OdeSystem &system, const StoredEnergyReader &reader)
 {
     const Eigen::Index points = system.points();
     Eigen::ArrayXd mass(points), rows = Eigen::ArrayXd::Zero(system.size());
@@ -24,7 +24,7 @@ Eigen::ArrayXd rowsOf(const OdeSystem &system, const StoredEnergyReader &reader)
     return rows;
 }
 
-bool holds(const OdeSystem &system, int point)
+bool contains(const OdeSystem &system, int point)
 {
     return std::any_of(system.ranges().begin(), system.ranges().end(),
                        [point](PointRange range) { return range.contains(point); });
@@ -60,56 +60,57 @@ Account accountOf(const Effect &effect, const StoredEnergyReader &reader)
 PowerIntegrals::PowerIntegrals(const Scene &scene, const StoredEnergyReader &reader,
                                DirectionRule directionRule)
     : m_reader(reader), m_system(scene, directionRule), m_directionRule(directionRule),
-      m_effects(m_system.effects()), m_all(islandOf(m_system, reader)), m_ticks(runsClock(m_system)),
-      m_drives(isDriven(m_system))
+      m_effects(m_system.effects()), m_wholeScene(islandOf(m_system, reader)),
+      m_hasClocks(runsClock(m_system)), m_hasDrivers(isDriven(m_system))
 {
 }
 
 PowerIntegrals::Island PowerIntegrals::islandOf(const OdeSystem &system, const StoredEnergyReader &reader)
 {
-    Island island{system, rowsOf(system, reader), Eigen::ArrayXd(system.size())};
-    for (const OdeSystem::RateRange &stretch : system.rateRanges())
-        island.rates.segment(stretch.first, stretch.count) = stretch.rate;
+    Island island{system, rowMasses(system, reader), Eigen::ArrayXd(system.size())};
+    for (const OdeSystem::RateRange &range : system.rateRanges())
+        island.rates.segment(range.first, range.count) = range.rate;
     return island;
 }
 
-PowerIntegrals::Begun::Begun(const State &state) : m_first(state)
+PowerIntegrals::PhaseStart::PhaseStart(const State &state) : m_start(state)
 {
-    m_first.stages.resize(0, 0); // nobody asks for them
-    m_first.acceleration.setZero(state.pointCount(), 2);
-    m_first.angularAcceleration.setZero(state.spin.rows());
-    m_now = m_first;
+    m_start.stages.resize(0, 0); // not needed, and large
+    m_start.acceleration.setZero(state.pointCount(), 2);
+    m_start.angularAcceleration.setZero(state.spin.rows());
+    m_scratch = m_start;
 }
 
-State &PowerIntegrals::at(Begun &begun, const Island &island, double time, const Eigen::ArrayXd &place) const
+State &PowerIntegrals::stateAt(PhaseStart &phaseStart, const Island &island, double time,
+                               const Eigen::ArrayXd &positions) const
 {
-    if (m_drives)
-        begun.m_now = begun.m_first;
-    island.system.advanceDrivers(begun.m_now, time);
-    island.system.writePositions(place.data(), begun.m_now);
-    return begun.m_now;
+    if (m_hasDrivers)
+        phaseStart.m_scratch = phaseStart.m_start;
+    island.system.advanceDrivers(phaseStart.m_scratch, time);
+    island.system.writePositions(positions.data(), phaseStart.m_scratch);
+    return phaseStart.m_scratch;
 }
 
-Eigen::ArrayXd PowerIntegrals::accelerations(State &state, const Eigen::ArrayXd &speed) const
+Eigen::ArrayXd PowerIntegrals::accelerations(State &state, const Eigen::ArrayXd &velocities) const
 {
     Eigen::ArrayXd a(m_system.size());
     m_system.accelerations(state, a.data());
-    const Eigen::ArrayXd &rates = m_all.rates;
-    return rates.isInf().select(0.0, a - rates.isInf().select(0.0, rates) * speed);
+    const Eigen::ArrayXd &rates = m_wholeScene.rates;
+    return rates.isInf().select(0.0, a - rates.isInf().select(0.0, rates) * velocities);
 }
 
-/// What damping stops at once stays where it is.
-void PowerIntegrals::stop(PathEnd &end) const
+/// Sets the velocities of rows with infinite damping to 0.
+void PowerIntegrals::stopDampedRows(PathEnd &end) const
 {
-    end.speed = m_all.rates.isInf().select(0.0, end.speed);
+    end.velocities = m_wholeScene.rates.isInf().select(0.0, end.velocities);
 }
 
-double PowerIntegrals::kinetic(const Island &island, const Eigen::ArrayXd &speed)
+double PowerIntegrals::kinetic(const Island &island, const Eigen::ArrayXd &velocities)
 {
-    return 0.5 * (island.rowMass * speed.square()).sum();
+    return 0.5 * (island.rowMass * velocities.square()).sum();
 }
 
-Vec2 PowerIntegrals::pushOf(const Island &island, const Eigen::ArrayXd &rate) const
+Vec2 PowerIntegrals::massWeightedSum(const Island &island, const Eigen::ArrayXd &rate) const
 {
     if (m_reader.turns())
         return {};
@@ -118,137 +119,149 @@ Vec2 PowerIntegrals::pushOf(const Island &island, const Eigen::ArrayXd &rate) co
     return {push.head(points).sum(), push.tail(points).sum()};
 }
 
-Vec2 heldPush(const Force &force, const State &state, PointRange movers, const StoredEnergyReader &reader,
-              DirectionRule directionRule)
+Vec2 holdingForce(const Force &force, const State &state, PointRange movers, const StoredEnergyReader &reader,
+                  DirectionRule directionRule)
 {
     const int held = state.hold.point;
     if (held < 0 || reader.mass()[held] == 0.0)
         return {};
-    Eigen::ArrayX2d pull = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
-    force.add(reader.freed(state), movers, 1.0, directionRule, pull);
-    return {-reader.mass()[held] * pull(held, 0), -reader.mass()[held] * pull(held, 1)};
+    Eigen::ArrayX2d acceleration = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
+    force.add(reader.freed(state), movers, 1.0, directionRule, acceleration);
+    return {-reader.mass()[held] * acceleration(held, 0), -reader.mass()[held] * acceleration(held, 1)};
 }
 
-void PowerIntegrals::addForce(const Force &force, State &state, const Island &island, const Moment &now,
+void PowerIntegrals::addForce(const Force &force, State &state, const Island &island, const Moment &moment,
                               Sums &sums) const
 {
     if (m_reader.conservesMomentum(force)) {
-        if (!holds(island.system, state.hold.point))
+        if (!contains(island.system, state.hold.point))
             return;
         Vec2 &hand = sums.momentum[Account::hand];
-        hand = hand + now.weight * heldPush(force, state, {0, state.pointCount()}, m_reader, m_directionRule);
+        hand = hand +
+               moment.weight * holdingForce(force, state, {0, state.pointCount()}, m_reader, m_directionRule);
         return;
     }
     Eigen::ArrayXd rows(island.system.size());
     island.system.forceAccelerations(force, state, rows.data());
     const Account account = accountOf(force, m_reader);
-    sums.momentum[account] = sums.momentum[account] + now.weight * pushOf(island, rows);
+    sums.momentum[account] = sums.momentum[account] + moment.weight * massWeightedSum(island, rows);
     if (!m_reader.isStored(force))
-        sums.energy[account] += now.weight * (island.rowMass * rows * now.speed).sum();
+        sums.energy[account] += moment.weight * (island.rowMass * rows * moment.velocities).sum();
 }
 
-void PowerIntegrals::addTorque(const Torque &torque, const State &state, const Moment &now, Sums &sums) const
+void PowerIntegrals::addTorque(const Torque &torque, const State &state, const Moment &moment,
+                               Sums &sums) const
 {
     if (m_reader.isStored(torque))
         return;
     Eigen::ArrayXd pull = Eigen::ArrayXd::Zero(state.pointCount());
     torque.add(state, {0, state.pointCount()}, 1.0, pull);
     sums.energy[accountOf(torque, m_reader)] +=
-        now.weight * (m_reader.mass() * pull * now.speed.tail(state.pointCount())).sum();
+        moment.weight * (m_reader.mass() * pull * moment.velocities.tail(state.pointCount())).sum();
 }
 
-/// How fast clocks lift what is stored while nothing moves. By differences of order 4: Abramowitz and Stegun, 25.3.6.
+/// Returns the stored energy per frame that clocks supply while no point moves. Uses central differences of
+/// order 4: Abramowitz and Stegun, 25.3.6.
 double PowerIntegrals::clockPower(const State &state) const
 {
-    constexpr double apart = 1e-2; // frames
+    constexpr double delta = 1e-2; // frames
     const auto storedAt = [&](double time) {
         State then = state;
         m_system.advanceDrivers(then, time);
         return m_reader.stored(then);
     };
-    const double near = storedAt(apart) - storedAt(-apart);
-    const double far = storedAt(2.0 * apart) - storedAt(-2.0 * apart);
-    return (8.0 * near - far) / (12.0 * apart);
+    const double near = storedAt(delta) - storedAt(-delta);
+    const double far = storedAt(2.0 * delta) - storedAt(-2.0 * delta);
+    return (8.0 * near - far) / (12.0 * delta);
 }
 
-void PowerIntegrals::addPowers(State &state, const Island &island, const Moment &now, Sums &sums) const
+void PowerIntegrals::addPowers(State &state, const Island &island, const Moment &moment, Sums &sums) const
 {
     for (const EffectPtr &effect : m_effects) {
         if (const auto *force = as<Force>(effect); force && !m_reader.turns())
-            addForce(*force, state, island, now, sums);
+            addForce(*force, state, island, moment, sums);
         else if (const auto *torque = as<Torque>(effect))
-            addTorque(*torque, state, now, sums);
+            addTorque(*torque, state, moment, sums);
     }
-    if (m_ticks)
-        sums.energy[Account::motors] += now.weight * clockPower(state);
-    const Eigen::ArrayXd slowed = island.rates.isInf().select(0.0, -island.rates * now.speed);
-    sums.energy[Account::damping] += now.weight * (island.rowMass * slowed * now.speed).sum();
-    sums.momentum[Account::damping] = sums.momentum[Account::damping] + now.weight * pushOf(island, slowed);
+    if (m_hasClocks)
+        sums.energy[Account::motors] += moment.weight * clockPower(state);
+    const Eigen::ArrayXd slowed = island.rates.isInf().select(0.0, -island.rates * moment.velocities);
+    sums.energy[Account::damping] += moment.weight * (island.rowMass * slowed * moment.velocities).sum();
+    sums.momentum[Account::damping] =
+        sums.momentum[Account::damping] + moment.weight * massWeightedSum(island, slowed);
 }
 
-PowerIntegrals::Sums PowerIntegrals::along(Begun &begun, const Island &island, double start, double end,
-                                           const Way &setup) const
+PowerIntegrals::Sums PowerIntegrals::integrate(PhaseStart &phaseStart, const Island &island, double start,
+                                               double end, const Path &path) const
 {
     Sums sums;
-    Eigen::ArrayXd place;
-    Moment now;
+    Eigen::ArrayXd positions;
+    Moment moment;
     for (const GaussNode &node : gaussNodes()) {
-        const double time = start + node.share * (end - start);
-        setup(time, place, now.speed);
-        now.weight = node.weight * (end - start);
-        addPowers(at(begun, island, time, place), island, now, sums);
+        const double time = start + node.position * (end - start);
+        path(time, positions, moment.velocities);
+        moment.weight = node.weight * (end - start);
+        addPowers(stateAt(phaseStart, island, time, positions), island, moment, sums);
     }
     return sums;
 }
 
-void PowerIntegrals::book(const Sums &sums, Balance &into) const
+void PowerIntegrals::add(const Sums &sums, Balance &balance) const
 {
     for (const AccountName &name : accountNames()) {
-        into.energy[name.account] += sums.energy[name.account];
-        into.momentum[name.account] = into.momentum[name.account] + sums.momentum[name.account];
+        balance.energy[name.account] += sums.energy[name.account];
+        balance.momentum[name.account] = balance.momentum[name.account] + sums.momentum[name.account];
     }
 }
 
-void PowerIntegrals::step(const State &before, const State &after, double h, Balance &into) const
+void PowerIntegrals::step(const State &before, const State &after, double h, Balance &balance) const
 {
-    Begun begun(before);
+    PhaseStart phaseStart(before);
     const auto endAt = [&](const State &state, double time) {
         PathEnd end{Eigen::ArrayXd(m_system.size()), Eigen::ArrayXd(m_system.size()), {}};
-        m_system.readState(state, end.place.data(), end.speed.data());
-        stop(end);
-        end.slope = accelerations(at(begun, m_all, time, end.place), end.speed);
+        m_system.readState(state, end.positions.data(), end.velocities.data());
+        stopDampedRows(end);
+        end.accelerations =
+            accelerations(stateAt(phaseStart, m_wholeScene, time, end.positions), end.velocities);
         return end;
     };
     const PathEnd start = endAt(before, 0.0);
-    Eigen::ArrayXd place(m_system.size()), speed(m_system.size());
-    m_system.readState(before, place.data(), speed.data());
-    into.energy[Account::damping] += kinetic(m_all, start.speed) - kinetic(m_all, speed);
-    into.momentum[Account::damping] =
-        into.momentum[Account::damping] + pushOf(m_all, start.speed) - pushOf(m_all, speed);
+    Eigen::ArrayXd positions(m_system.size()), velocities(m_system.size());
+    m_system.readState(before, positions.data(), velocities.data());
+    balance.energy[Account::damping] +=
+        kinetic(m_wholeScene, start.velocities) - kinetic(m_wholeScene, velocities);
+    balance.momentum[Account::damping] = balance.momentum[Account::damping] +
+                                         massWeightedSum(m_wholeScene, start.velocities) -
+                                         massWeightedSum(m_wholeScene, velocities);
     HermitePath path(start, endAt(after, h), h);
-    const auto way = [&path](double time, Eigen::ArrayXd &x, Eigen::ArrayXd &v) { path.at(time, x, v); };
-    const Sums sums = along(begun, m_all, 0.0, h, way);
-    book(sums, into);
-    path.at(0.5 * h, place, speed);
-    path.bend(accelerations(at(begun, m_all, 0.5 * h, place), speed));
-    const Sums bent = along(begun, m_all, 0.0, h, way);
+    const auto evaluate = [&path](double time, Eigen::ArrayXd &x, Eigen::ArrayXd &v) {
+        path.evaluate(time, x, v);
+    };
+    const Sums sums = integrate(phaseStart, m_wholeScene, 0.0, h, evaluate);
+    add(sums, balance);
+    path.evaluate(0.5 * h, positions, velocities);
+    path.setMiddleAcceleration(
+        accelerations(stateAt(phaseStart, m_wholeScene, 0.5 * h, positions), velocities));
+    const Sums corrected = integrate(phaseStart, m_wholeScene, 0.0, h, evaluate);
     for (const AccountName &name : accountNames())
-        into.doubt += std::abs(sums.energy[name.account] - bent.energy[name.account]);
+        balance.errorEstimate += std::abs(sums.energy[name.account] - corrected.energy[name.account]);
 }
 
-double PowerIntegrals::lifted(Begun &begun, const Island &island, double time, const Eigen::ArrayXd &from,
-                              const Eigen::ArrayXd &to) const
+double PowerIntegrals::storedEnergyChange(PhaseStart &phaseStart, const Island &island, double time,
+                                          const Eigen::ArrayXd &from, const Eigen::ArrayXd &to) const
 {
     if ((from == to).all())
         return 0.0;
     constexpr double rounding = 1e-9; // px
-    const bool isPart = island.system.points() < begun.m_now.pointCount() && !m_reader.turns();
-    if (!isPart || (to - from).abs().maxCoeff() > rounding) {
-        const double held = m_reader.stored(at(begun, island, time, from));
-        return m_reader.stored(at(begun, island, time, to)) - held;
+    const bool isOneIslandOfMany =
+        island.system.points() < phaseStart.m_scratch.pointCount() && !m_reader.turns();
+    if (!isOneIslandOfMany || (to - from).abs().maxCoeff() > rounding) {
+        const double storedBefore = m_reader.stored(stateAt(phaseStart, island, time, from));
+        return m_reader.stored(stateAt(phaseStart, island, time, to)) - storedBefore;
     }
-    // So little that pulls are the same all along. What the whole scene holds would cost each part the time of all.
-    State &middle = at(begun, island, time, 0.5 * (from + to));
+    // The island moves so little that forces are constant. Reading the stored energy of the whole scene for
+    // each island would be slow.
+    State &middle = stateAt(phaseStart, island, time, 0.5 * (from + to));
     Eigen::ArrayXd rows(island.system.size());
     double gained = 0.0;
     for (const EffectPtr &effect : m_effects) {
@@ -261,17 +274,19 @@ double PowerIntegrals::lifted(Begun &begun, const Island &island, double time, c
     return gained;
 }
 
-void PowerIntegrals::addSegment(Begun &begun, const DenseSegment &segment, Balance &into) const
+void PowerIntegrals::addSegment(PhaseStart &phaseStart, const DenseSegment &segment, Balance &balance) const
 {
     const Island island = islandOf(*segment.system, m_reader);
     if (segment.end > segment.start)
-        book(along(begun, island, segment.start, segment.end, segment.evaluate), into);
-    Eigen::ArrayXd place, speed;
-    segment.evaluate(segment.end, place, speed);
-    const double stored = lifted(begun, island, segment.end, place, segment.positionAfter);
-    into.energy[Account::impact] += stored + kinetic(island, segment.velocityAfter) - kinetic(island, speed);
-    Vec2 &push = into.momentum[Account::impact];
-    push = push + pushOf(island, segment.velocityAfter) - pushOf(island, speed);
+        add(integrate(phaseStart, island, segment.start, segment.end, segment.evaluate), balance);
+    Eigen::ArrayXd positions, velocities;
+    segment.evaluate(segment.end, positions, velocities);
+    const double stored =
+        storedEnergyChange(phaseStart, island, segment.end, positions, segment.positionAfter);
+    balance.energy[Account::impact] +=
+        stored + kinetic(island, segment.velocityAfter) - kinetic(island, velocities);
+    Vec2 &push = balance.momentum[Account::impact];
+    push = push + massWeightedSum(island, segment.velocityAfter) - massWeightedSum(island, velocities);
 }
 
 }

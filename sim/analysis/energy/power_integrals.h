@@ -6,41 +6,42 @@
 
 namespace sim {
 
-/// Energy and momentum of the phases that are whole steps by themselves, in which forces and damping act all along: the
-/// physical accounts are integrals along the way that the step took.
+/// Computes energy and momentum of phases that are whole steps, in which forces and damping act continuously.
+/// The work in each account is an integral along the path of the step.
 class PowerIntegrals
 {
 public:
-    /// `meter` must outlive this.
+    /// `reader` must outlive this object.
     PowerIntegrals(const Scene &scene, const StoredEnergyReader &reader, DirectionRule directionRule);
-    PowerIntegrals(const PowerIntegrals &) = delete; // parts of it refer to each other
+    PowerIntegrals(const PowerIntegrals &) = delete; // m_wholeScene refers to m_system
     PowerIntegrals &operator=(const PowerIntegrals &) = delete;
 
-    /// A step of `h` frames from `before` to `after`, which tells its two ends only: along the polynomial of degree 5
-    /// through them. How far that may be off the way is measured by the acceleration in its middle, against the one
-    /// that forces and damping ask for there.
-    void step(const State &before, const State &after, double h, Balance &into) const;
-    /// A phase that tells its way itself: the state that it began in, and one to put islands of it anywhere.
-    class Begun
+    /// Adds a step of `h` frames from `before` to `after`, when only its two ends are known. The path is the
+    /// quintic polynomial through both ends. Its error is estimated with a second path that also has the
+    /// acceleration by forces and damping at the middle of the step. The difference is added to
+    /// Balance::doubt.
+    void step(const State &before, const State &after, double h, Balance &balance) const;
+    /// The state at the start of a phase that provides dense output, and a scratch state.
+    class PhaseStart
     {
     public:
-        explicit Begun(const State &state);
+        explicit PhaseStart(const State &state);
 
     private:
         friend class PowerIntegrals;
-        State m_first;
-        State m_now;
+        State m_start;
+        State m_scratch;
     };
-    /// A lap of such a phase.
-    void addSegment(Begun &begun, const DenseSegment &segment, Balance &into) const;
+    /// Adds a dense segment of such a phase.
+    void addSegment(PhaseStart &phaseStart, const DenseSegment &segment, Balance &balance) const;
 
 private:
-    /// An island: its numbers are those of a Flow.
+    /// An island, with its rows in the order of OdeSystem.
     struct Island
     {
         const OdeSystem &system;
-        Eigen::ArrayXd rowMass; ///< of each number
-        Eigen::ArrayXd rates;   ///< of damping, likewise: 1/frame
+        Eigen::ArrayXd rowMass; ///< of each row
+        Eigen::ArrayXd rates;   ///< 1/frame, damping rate of each row
     };
     static Island islandOf(const OdeSystem &system, const StoredEnergyReader &reader);
 
@@ -49,48 +50,52 @@ private:
         Accounts<double> energy;
         Accounts<Vec2> momentum;
     };
-    /// Velocities at a moment, and how many frames it counts for.
+    /// Velocities at one node of the integral, and the weight of the node in frames.
     struct Moment
     {
-        Eigen::ArrayXd speed;
+        Eigen::ArrayXd velocities;
         double weight = 0.0;
     };
-    using Way = std::function<void(double time, Eigen::ArrayXd &place, Eigen::ArrayXd &speed)>;
+    using Path = std::function<void(double time, Eigen::ArrayXd &positions, Eigen::ArrayXd &velocities)>;
 
-    /// The state at another time of a phase, with the points of an island at other places. It holds until the next call.
-    State &at(Begun &begun, const Island &island, double time, const Eigen::ArrayXd &place) const;
-    Sums along(Begun &begun, const Island &island, double start, double end, const Way &setup) const;
-    void addPowers(State &state, const Island &island, const Moment &now, Sums &sums) const;
-    void addForce(const Force &force, State &state, const Island &island, const Moment &now,
+    /// Returns the scratch state, `time` frames into the phase, with the points of `island` at `positions`.
+    /// It is valid until the next call.
+    State &stateAt(PhaseStart &phaseStart, const Island &island, double time,
+                   const Eigen::ArrayXd &positions) const;
+    Sums integrate(PhaseStart &phaseStart, const Island &island, double start, double end,
+                   const Path &path) const;
+    void addPowers(State &state, const Island &island, const Moment &moment, Sums &sums) const;
+    void addForce(const Force &force, State &state, const Island &island, const Moment &moment,
                   Sums &sums) const;
-    void addTorque(const Torque &torque, const State &state, const Moment &now, Sums &sums) const;
+    void addTorque(const Torque &torque, const State &state, const Moment &moment, Sums &sums) const;
     double clockPower(const State &state) const;
-    Eigen::ArrayXd accelerations(State &state, const Eigen::ArrayXd &speed) const;
-    void stop(PathEnd &end) const;
-    /// What more is stored where an island jumps.
-    double lifted(Begun &begun, const Island &island, double time, const Eigen::ArrayXd &from,
-                  const Eigen::ArrayXd &to) const;
-    static double kinetic(const Island &island, const Eigen::ArrayXd &speed);
-    /// The sum of what each point is pushed with, from accelerations (or velocities).
-    Vec2 pushOf(const Island &island, const Eigen::ArrayXd &rate) const;
-    void book(const Sums &sums, Balance &into) const;
+    Eigen::ArrayXd accelerations(State &state, const Eigen::ArrayXd &velocities) const;
+    void stopDampedRows(PathEnd &end) const;
+    /// Returns the change of stored energy when the island moves from `from` to `to`.
+    double storedEnergyChange(PhaseStart &phaseStart, const Island &island, double time,
+                              const Eigen::ArrayXd &from, const Eigen::ArrayXd &to) const;
+    static double kinetic(const Island &island, const Eigen::ArrayXd &velocities);
+    /// Returns mass times `rate`, summed over the points: the total force from accelerations, the momentum
+    /// from velocities.
+    Vec2 massWeightedSum(const Island &island, const Eigen::ArrayXd &rate) const;
+    void add(const Sums &sums, Balance &balance) const;
 
     const StoredEnergyReader &m_reader;
     OdeSystem m_system;
     DirectionRule m_directionRule;
-    std::vector<EffectPtr> m_effects; ///< with which the flow goes
-    Island m_all;                     ///< the whole scene
-    bool m_ticks = false;             ///< whether clocks run
-    bool m_drives = false;            ///< whether anything is placed by drivers, or by clocks
+    std::vector<EffectPtr> m_effects; ///< effects of the differential equation
+    Island m_wholeScene;
+    bool m_hasClocks = false;
+    bool m_hasDrivers = false; ///< whether drivers or clocks place points
 };
 
-/// The account of what a force does: of its energy, if it has nothing stored, and of its momentum, if it does not
-/// balance.
+/// Returns the account of the work and the momentum by a force. The work counts only if the force stores no
+/// energy, the momentum only if the force does not conserve it.
 Account accountOf(const Effect &effect, const StoredEnergyReader &reader);
 
-/// What the hand pushes with (mass px/frame^2) so that what it holds stays, against what a force that balances gives it
-/// when it is the turn of `movers`.
-Vec2 heldPush(const Force &force, const State &state, PointRange movers, const StoredEnergyReader &reader,
-              DirectionRule directionRule);
+/// Returns the force (mass px/frame^2) by which the hand holds its point against `force`, a force that
+/// conserves momentum, computed for `movers`.
+Vec2 holdingForce(const Force &force, const State &state, PointRange movers, const StoredEnergyReader &reader,
+                  DirectionRule directionRule);
 
 }

@@ -6,7 +6,7 @@ namespace sim {
 
 namespace {
 
-/// 1/mass of every point that can go on by itself, 0 of the others.
+/// Returns 1/mass of every point that moves by its velocity, 0 of the others.
 Eigen::ArrayXd inverseMassOf(const Scene &scene)
 {
     Eigen::ArrayXd inverse = scene.start.inverseMass;
@@ -22,7 +22,8 @@ bool isTurning(const Scene &scene)
     return scene.start.spin.rows() > 0;
 }
 
-/// What the scene's torques divide by, 0 for what never turns; empty where none tells.
+/// Returns the inertia that a torque of the scene states, 0 for angles that are not dynamic. Empty if no
+/// torque states it.
 Eigen::ArrayXd inertiaOf(const Scene &scene)
 {
     for (const EffectPtr &effect : scene.effects) {
@@ -127,7 +128,7 @@ bool StoredEnergyReader::isStored(const Effect &effect) const
 bool StoredEnergyReader::conservesMomentum(const Effect &effect) const
 {
     const Store *store = find(effect);
-    return store && store->balances;
+    return store && store->conservesMomentum;
 }
 
 }

@@ -7,43 +7,44 @@ namespace sim {
 
 namespace {
 
-constexpr double shortest = 1e-5; ///< rad of the fastest swing
-constexpr double usual = 0.01;    ///< rad: few limits are below
-constexpr double longest = 30.0;  ///< rad: what has not grown by then will not
-constexpr double exact = 1e-4;    ///< of the step
-/// Growth that is none within rounding may be growth that shrinks with the step. So a little past a limit it must be
-/// well above rounding.
-constexpr double little = 1.2;
-constexpr double wellAbove = 100.0;
+constexpr double minPhase = 1e-5;       ///< rad of the fastest mode
+constexpr double startPhase = 0.01;     ///< rad, few limits are below
+constexpr double maxPhase = 30.0;       ///< rad, no longer steps are searched
+constexpr double limitTolerance = 1e-4; ///< relative to the step
+/// At very short steps growth can vanish in rounding although every step is unstable. So growth must be well
+/// above rounding a little past a real limit.
+constexpr double factorPastLimit = 1.2;
+constexpr double minGrowthPastLimit = 100.0; ///< times rounding
 
 }
 
-double findLimit(const std::function<double(double h)> &growth, double fastest, double rounding, double fine)
+double findLimit(const std::function<double(double h)> &growth, double fastest, double rounding,
+                 double searchRatio)
 {
-    const auto holds = [&](double h) { return growth(h) <= rounding; };
-    double held = usual / fastest, grown = 0.0;
-    if (holds(held)) {
-        const double end = longest / fastest;
-        double h = held;
-        while (grown == 0.0 && h < end) {
-            h *= fine;
-            (holds(h) ? held : grown) = h;
+    const auto isStable = [&](double h) { return growth(h) <= rounding; };
+    double stable = startPhase / fastest, unstable = 0.0;
+    if (isStable(stable)) {
+        const double longest = maxPhase / fastest;
+        double h = stable;
+        while (unstable == 0.0 && h < longest) {
+            h *= searchRatio;
+            (isStable(h) ? stable : unstable) = h;
         }
-        if (grown == 0.0)
+        if (unstable == 0.0)
             return std::numeric_limits<double>::infinity();
     } else {
-        grown = held;
+        unstable = stable;
         do {
-            held = grown / 4.0;
-            if (held < shortest / fastest)
+            stable = unstable / 4.0;
+            if (stable < minPhase / fastest)
                 return 0.0;
-        } while (!holds(held) && (grown = held, true));
+        } while (!isStable(stable) && (unstable = stable, true));
     }
-    while (grown - held > exact * grown) {
-        const double middle = std::sqrt(held * grown);
-        (holds(middle) ? held : grown) = middle;
+    while (unstable - stable > limitTolerance * unstable) {
+        const double middle = std::sqrt(stable * unstable);
+        (isStable(middle) ? stable : unstable) = middle;
     }
-    return growth(little * grown) > wellAbove * rounding ? held : 0.0;
+    return growth(factorPastLimit * unstable) > minGrowthPastLimit * rounding ? stable : 0.0;
 }
 
 }

@@ -10,8 +10,7 @@ namespace sim {
 
 namespace {
 
-constexpr double littlePast =
-    1.02; ///< times the limit: where what grows first can be told from what does not
+constexpr double factorPastLimit = 1.02; ///< the first growing mode is distinct from others here
 
 Bound boundOf(const Method &method)
 {
@@ -26,27 +25,27 @@ Bound boundOf(const Method &method)
     return Bound::stiffness;
 }
 
-/// From a logarithm a step to a factor a frame. What rounding may have done is no growth.
-double aFrame(double growth, double rounding, double h)
+/// Returns the factor per frame for a logarithm per step. Growth within rounding counts as none.
+double factorPerFrame(double growth, double rounding, double h)
 {
     const double factor = std::exp(growth / h);
     return growth <= rounding ? std::min(1.0, factor) : factor;
 }
 
-/// What a pattern does from step to step: its factor's direction in the plane tells.
-GrowthKind mannerOf(std::complex<double> factor)
+/// Returns how a mode changes from step to step, by the direction of its factor in the complex plane.
+GrowthKind growthKindOf(std::complex<double> factor)
 {
     if (std::abs(factor.imag()) > 1e-6 * std::abs(factor))
         return GrowthKind::oscillating;
     return factor.real() < 0.0 ? GrowthKind::alternating : GrowthKind::monotonic;
 }
 
-/// A step at which what decides can be seen: the one in use if it grows there, else one just past the limit.
-double tellingStep(const Stability &found)
+/// Returns a step at which the dominant mode grows: the step in use, or one just past the limit.
+double stepShowingMode(const Stability &found)
 {
     if (found.growth > 1.0 || !std::isfinite(found.limit) || found.limit <= 0.0)
         return found.h;
-    return littlePast * found.limit;
+    return factorPastLimit * found.limit;
 }
 
 }
@@ -79,11 +78,11 @@ Stability stabilityOf(const Scene &scene, const State &state, const Method &meth
         found.bound = Bound::noSprings;
         return found;
     }
-    found.growth = aFrame(analysis->growth(h), analysis->rounding(), h);
+    found.growth = factorPerFrame(analysis->growth(h), analysis->rounding(), h);
     found.limit = analysis->limit();
-    const Mode mode = analysis->dominantMode(tellingStep(found));
+    const Mode mode = analysis->dominantMode(stepShowingMode(found));
     if (mode.rows.size() > 0) {
-        found.growthKind = mannerOf(mode.factor);
+        found.growthKind = growthKindOf(mode.factor);
         found.dominant = dominantEffectOf(linearised, mode.rows);
         found.points = largestMovers(linearised, mode.rows);
     }
@@ -96,7 +95,7 @@ double growthOf(const Scene &scene, const State &state, const Method &method, do
     const std::unique_ptr<StepAnalysis> analysis = stepAnalysisOf(linearised, method);
     if (!linearised.finite || analysis->stiffest() == 0.0)
         return 1.0;
-    return aFrame(analysis->growth(h), analysis->rounding(), h);
+    return factorPerFrame(analysis->growth(h), analysis->rounding(), h);
 }
 
 }

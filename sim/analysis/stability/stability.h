@@ -6,55 +6,58 @@
 
 namespace sim {
 
-/// What bounds the step of a run, in one state.
+/// The reason why the step of a run is limited, or not, in one state.
 enum class Bound {
-    stiffness, ///< the stiffest swing: see Stability::limit
-    none,      ///< nothing: the method has no such bound
-    tolerance, ///< the method keeps its own steps short enough
-    noSprings, ///< nothing here swings: what acts has no stiffness
-    unknown,   ///< pulls are not finite here
-    tooLarge,  ///< more points than maxAnalysedPoints: it would take too long to find out
+    stiffness, ///< the stiffest mode, see Stability::limit
+    none,      ///< nothing: the method has no stability limit
+    tolerance, ///< nothing: the method adapts its steps to a tolerance
+    noSprings, ///< nothing: no force here has stiffness
+    unknown,   ///< unknown, because forces are not finite
+    tooLarge,  ///< unknown, because more than maxAnalysedPoints points would take too long to analyse
 };
 
-/// The most points whose swings are looked for together.
+/// The largest number of points of a scene that is analysed.
 constexpr int maxAnalysedPoints = 20'000;
 
-/// What growth looks like, from one step to the next.
+/// How a growing disturbance changes from step to step.
 enum class GrowthKind {
-    alternating, ///< to the other side at each step, farther each time
-    monotonic,   ///< off in one direction, faster and faster
-    oscillating, ///< round and round, or to and fro, wider each time
+    alternating, ///< changes sign at each step, and grows
+    monotonic,   ///< grows in one direction
+    oscillating, ///< rotates or oscillates, and grows
 };
 
-/// How far a fixed step is from where a method begins to fail, in one state.
+/// The distance of a fixed step from the stability limit of a method, in one state.
 struct Stability
 {
     Bound bound = Bound::unknown;
-    double h = 0.0;      ///< frames
-    double limit = 0.0;  ///< frames; 0: it grows at any step; infinity: damping holds every step
-    double growth = 1.0; ///< a frame, beyond what the motion itself does; at most 1 where the step holds
-    GrowthKind growthKind = GrowthKind::alternating; ///< at the limit, or of what grows
-    DominantEffect dominant;
-    std::vector<int> points;        ///< that move most in that pattern: up to three
-    std::vector<EffectPtr> ignored; ///< that act here, and that this does not tell of
-    double stiffness = 0.0;         ///< 1/frame^2, of the stiffest swing
+    double h = 0.0;     ///< frames
+    double limit = 0.0; ///< frames; 0: unstable at any step; infinity: damping makes every step stable
+    /// Factor per frame, without that of the motion itself; at most 1 if the step is stable.
+    double growth = 1.0;
+    /// Of the growing mode, or of the mode that grows first past the limit.
+    GrowthKind growthKind = GrowthKind::alternating;
+    DominantEffect dominant;        ///< in that mode
+    std::vector<int> points;        ///< points that move most in that mode, up to three
+    std::vector<EffectPtr> ignored; ///< effects that act here and that the analysis leaves out
+    double stiffness = 0.0;         ///< 1/frame^2, of the stiffest mode
 
-    /// Of the limit: 1 is at it. Infinite where the limit is 0.
+    /// Returns the step divided by the limit. Infinite if the limit is 0.
     double share() const;
-    /// Whether small disturbances stay small.
+    /// Returns whether small disturbances stay small.
     bool holds() const { return bound != Bound::unknown && growth <= 1.0; }
 };
 
-/// Measures `method` at steps of `h` frames on `scene` near `state`, contacts, constraints and jumps left out: the
-/// pulls' slopes there are its springs. What must not grow is every disturbance that the motion itself lets rest or
-/// fade: an eigenvalue of the method's own step that leaves the unit circle, farther than that of the motion, is the
-/// step's doing. For a method that takes all points at once, under one drag, each swing of the scene is probed by
-/// itself; for all others, one step of the whole scene.
+/// Computes the stability of `method` at steps of `h` frames on `scene`, linearised at `state`. Contacts,
+/// constraints and jumps are left out. The step is unstable if it has an eigenvalue outside the unit circle,
+/// farther out than the motion itself accounts for.
+///
+/// The modes of the scene are analysed one by one if the method computes all points at once and all have the
+/// same damping rate. Otherwise one step of the whole scene is analysed.
 /// @throws Error when the method cannot compute such a scene
 Stability stabilityOf(const Scene &scene, const State &state, const Method &method, double h);
 
-/// Only how much faster than the motion itself disturbances grow, a frame: at most 1 where the step holds. For methods
-/// whose steps have a length; 1 where nothing swings.
+/// Returns Stability::growth alone: the factor per frame by which disturbances grow faster than the motion
+/// itself. At most 1 if the step is stable, and 1 if no force has stiffness. For methods with a fixed step.
 double growthOf(const Scene &scene, const State &state, const Method &method, double h);
 
 }

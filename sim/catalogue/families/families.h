@@ -2,22 +2,22 @@
 
 #include "sim/catalogue/hard_case.h"
 
-/// The catalogue, a family of cases at a time.
+/// The families of hard cases.
 namespace sim::hard {
 
 std::vector<HardCase> stiffSprings();
 std::vector<HardCase> manyFeet();
-std::vector<HardCase> crampedPlaces();
-std::vector<HardCase> roughHands();
+std::vector<HardCase> coincidentPoints();
+std::vector<HardCase> suddenDrags();
 std::vector<HardCase> wallsAndWalking();
 std::vector<HardCase> rigidSticks();
 std::vector<HardCase> swimmers();
 std::vector<HardCase> windyTrees();
-std::vector<HardCase> oddSteps();
+std::vector<HardCase> unusualSteps();
 std::vector<HardCase> longRuns();
-std::vector<HardCase> badInput();
+std::vector<HardCase> invalidInput();
 
-/// A case that runs `scene` with `values` for `frames` frames, by steps of one.
+/// Returns a case that runs `scene` with `values` for `frames` frames, in steps of one frame.
 HardCase caseOf(const char *id, const char *title, const char *story, Scene (*scene)(const Values &),
                 Values values, std::int64_t frames);
 

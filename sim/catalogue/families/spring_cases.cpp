@@ -5,60 +5,60 @@ namespace sim::hard {
 
 namespace {
 
-/// One foot on a spring; without damping it swings for ever, and with any it ends in the middle.
+/// Returns a case of one foot on a spring. It oscillates for ever without damping.
 HardCase oneSpring(const char *id, const char *title, const char *story, double k, double damp)
 {
-    HardCase one = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 2000);
-    one.brief.frames = 400;
-    one.requirements = {Requirement::oscillates};
-    one.stiffest = StiffestSpring{100.0, k, 1.0, 0.0, damp};
-    one.bound.reach = 150.0;
-    return one;
+    HardCase hardCase = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 2000);
+    hardCase.brief.frames = 400;
+    hardCase.requirements = {Requirement::oscillates};
+    hardCase.stiffest = StiffestSpring{100.0, k, 1.0, 0.0, damp};
+    hardCase.bound.reach = 150.0;
+    return hardCase;
 }
 
-HardCase comesToRest(HardCase one)
+HardCase comesToRest(HardCase hardCase)
 {
-    one.requirements.push_back(Requirement::comesToRest);
-    one.rest = Rest{400, {{"foot", middle, 1e-6}}, {}, 1e-6};
-    return one;
+    hardCase.requirements.push_back(Requirement::comesToRest);
+    hardCase.rest = Rest{400, {{"foot", middle, 1e-6}}, {}, 1e-6};
+    return hardCase;
 }
 
-/// What a step at the limit leaves of 100 px: methods that hold swing up to 2000 px far, as they may.
-HardCase nearLimit(HardCase one)
+/// Near the stability limit, an amplitude of 100 px may grow up to 2000 px in stable methods, too.
+HardCase nearLimit(HardCase hardCase)
 {
-    one.bound.reach = 2100.0;
-    return one;
+    hardCase.bound.reach = 2100.0;
+    return hardCase;
 }
 
-/// A light and a heavy body on a spring: the middle of their masses stays.
+/// Returns a case of a light and a heavy body on a spring. Their centre of mass stays in place.
 HardCase unequal(const char *id, const char *title, const char *story, double k)
 {
     const double ratio = 1e9, damp = 0.9;
-    HardCase one =
+    HardCase hardCase =
         caseOf(id, title, story, unequalPair, valuesOf({{"k", k}, {"damp", damp}, {"ratio", ratio}}), 1000);
-    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::centreStays};
-    one.stiffest = StiffestSpring{100.0, k, 1.0, 1.0 / ratio, damp};
-    one.bound.reach = 150.0;
-    one.bound.drift = 1e-6;
-    one.rest = Rest{1000, {{"heavy", middle, 1e-3}}, {{"light", "heavy", 0.0, 1e-3}}, 1e-3};
-    return one;
+    hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::centreStays};
+    hardCase.stiffest = StiffestSpring{100.0, k, 1.0, 1.0 / ratio, damp};
+    hardCase.bound.reach = 150.0;
+    hardCase.bound.drift = 1e-6;
+    hardCase.rest = Rest{1000, {{"heavy", middle, 1e-3}}, {{"light", "heavy", 0.0, 1e-3}}, 1e-3};
+    return hardCase;
 }
 
 HardCase suddenlyStiff()
 {
     const double feet = 3, k = 0.2, stiff = 1e6, damp = 0.85;
-    HardCase one =
+    HardCase hardCase =
         caseOf("stiffness_jumps", SIM_TEXT("suddenly stiff"),
                SIM_TEXT("In the middle of a run the stiffness goes from 0.2 to a million."), creature,
                valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 150}}), 400);
-    one.script.input = {{30, Set{"k", stiff}}};
-    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::parameterJumps};
-    one.stiffest = StiffestSpring{100.0, feet * stiff, 1.0 / feet, 1.0, damp};
-    one.bound.reach = 500.0;
-    one.rest = Rest{400, {}, {}, 1e-3};
+    hardCase.script.input = {{30, Set{"k", stiff}}};
+    hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::parameterJumps};
+    hardCase.stiffest = StiffestSpring{100.0, feet * stiff, 1.0 / feet, 1.0, damp};
+    hardCase.bound.reach = 500.0;
+    hardCase.rest = Rest{400, {}, {}, 1e-3};
     for (const char *foot : {"foot0", "foot1", "foot2"})
-        one.rest->distances.push_back({foot, "body", 50.0, 1e-3});
-    return one;
+        hardCase.rest->distances.push_back({foot, "body", 50.0, 1e-3});
+    return hardCase;
 }
 
 }
@@ -89,11 +89,11 @@ std::vector<HardCase> stiffSprings()
                   SIM_TEXT("The same without damping: it may swing for ever, but no farther than it began."),
                   1e9, 1.0),
         [] {
-            HardCase one =
+            HardCase hardCase =
                 oneSpring("damp_0", SIM_TEXT("damping that stops all"),
                           SIM_TEXT("With damping 0 no velocity is left: nothing may move."), 0.2, 0.0);
-            one.rest = Rest{1, {{"foot", middle + Vec2{100.0, 0.0}, 0.0}}, {}, 0.0};
-            return one;
+            hardCase.rest = Rest{1, {{"foot", middle + Vec2{100.0, 0.0}, 0.0}}, {}, 0.0};
+            return hardCase;
         }(),
         oneSpring("damp_1", SIM_TEXT("no damping"),
                   SIM_TEXT("With damping 1 nothing is lost: the foot swings for ever, and no farther."), 0.2,

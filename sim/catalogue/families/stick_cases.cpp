@@ -7,86 +7,95 @@ namespace sim::hard {
 
 namespace {
 
+/// Returns a case of sticks on which `body` hangs. It comes to rest at `rest`.
 HardCase hanging(const char *id, const char *title, const char *story, Scene (*scene)(const Values &),
                  const char *body, Vec2 rest)
 {
-    HardCase one = caseOf(id, title, story, scene, valuesOf({{"damp", 0.9}, {"gravity", 0.5}}), 600);
-    one.requirements = {Requirement::constraints, Requirement::comesToRest};
-    one.bound.reach = 200.0;
-    one.stickError = 0.5;
-    one.rest = Rest{600, {{body, rest, 0.5}}, {}, 0.01};
-    return one;
+    HardCase hardCase = caseOf(id, title, story, scene, valuesOf({{"damp", 0.9}, {"gravity", 0.5}}), 600);
+    hardCase.requirements = {Requirement::constraints, Requirement::comesToRest};
+    hardCase.bound.reach = 200.0;
+    hardCase.stickError = 0.5;
+    hardCase.rest = Rest{600, {{body, rest, 0.5}}, {}, 0.01};
+    return hardCase;
 }
 
+/// Returns a case of a chain that is too short by the factor `stretched`.
 HardCase chain(const char *id, const char *title, const char *story, double stretched)
 {
     const double links = 1000.0;
-    HardCase one = caseOf(
+    HardCase hardCase = caseOf(
         id, title, story, stretchedChain,
         valuesOf(
             {{"links", links}, {"stretched", stretched}, {"damp", 0.9}, {"gravity", 0.0}, {"passes", 20}}),
         300);
-    one.brief.frames = 100;
-    one.requirements = {Requirement::constraints, Requirement::manyPoints};
-    one.bound.reach = 230.0;
-    // What is missing in all, shared out evenly, and three times that for links next to where it is shared out.
-    const double missing = 440.0 * (1.0 - 1.0 / stretched) / links;
-    one.stickError = 4.0 * missing;
-    return one;
+    hardCase.brief.frames = 100;
+    hardCase.requirements = {Requirement::constraints, Requirement::manyPoints};
+    hardCase.bound.reach = 230.0;
+    // An even share of the missing length per link. Some links have up to four times as much.
+    const double shortage = 440.0 * (1.0 - 1.0 / stretched) / links;
+    hardCase.stickError = 4.0 * shortage;
+    return hardCase;
 }
 
-/// How wrong a link of a hanging chain can be, in px. In each step gravity moves each point by g h^2, and the sweeps
-/// must carry that to the nails: at rest a link whose error is e moves its ends by e / 2 in each of n sweeps, and that
-/// adds up to its tension T; so e = 2 T / n. T is what hangs below a link on one side, N g h^2 / 2 at most, and what
-/// stretches the chain across its span L: of a flat arc of depth s, N g h^2 L / 8 s, where the depth comes from the
-/// error itself, s = L sqrt(3 e / 8 l) at a link length l.
-double heavyError(double links, double each, double gravity, double h, double passes)
+/// Returns an upper bound (px) of the length error of a link in a hanging chain. In each step, gravity moves
+/// each of the N points by g h^2, and n iterations carry this to the handles. At rest, a link with the error
+/// e moves its ends by e / 2 in each iteration. The sum is its tension T, so e = 2 T / n. T has two parts.
+/// The vertical part is the weight that hangs below a link on one side, N g h^2 / 2 at most. The horizontal
+/// part is that of a flat arc with span L and depth s, N g h^2 L / (8 s). The depth follows from the error:
+/// s = L sqrt(3 e / (8 l)), where l is the length of a link.
+double heavyError(double links, double linkLength, double gravity, double h, double iterations)
 {
     const double weight = links * gravity * h * h;
-    const double hanging = weight / passes;
-    const double flat = each * std::pow(weight / (4.0 * std::sqrt(3.0 / 8.0) * passes * each), 2.0 / 3.0);
+    const double hanging = weight / iterations;
+    const double flat =
+        linkLength * std::pow(weight / (4.0 * std::sqrt(3.0 / 8.0) * iterations * linkLength), 2.0 / 3.0);
     return std::hypot(hanging, flat);
 }
 
-HardCase heavyChain(const char *id, const char *title, const char *story, double h, double passes)
+/// Returns a case of a chain under gravity, with steps of `h` frames and `iterations` over all sticks per
+/// step.
+HardCase heavyChain(const char *id, const char *title, const char *story, double h, double iterations)
 {
-    const double links = 1000.0, each = 440.0 / links, gravity = 0.5;
-    HardCase one = caseOf(
-        id, title, story, stretchedChain,
-        valuesOf(
-            {{"links", links}, {"stretched", 1.0}, {"damp", 0.9}, {"gravity", gravity}, {"passes", passes}}),
-        300);
-    one.brief.frames = 60;
-    one.brief.h = one.full.h = h;
-    one.requirements = {Requirement::constraints, Requirement::manyPoints};
-    one.stickError = heavyError(links, each, gravity, h, passes);
-    // No point is farther from the middle than half the chain is long.
-    one.bound.reach = 0.5 * links * (each + *one.stickError);
-    return one;
+    const double links = 1000.0, linkLength = 440.0 / links, gravity = 0.5;
+    HardCase hardCase = caseOf(id, title, story, stretchedChain,
+                               valuesOf({{"links", links},
+                                         {"stretched", 1.0},
+                                         {"damp", 0.9},
+                                         {"gravity", gravity},
+                                         {"passes", iterations}}),
+                               300);
+    hardCase.brief.frames = 60;
+    hardCase.brief.h = hardCase.full.h = h;
+    hardCase.requirements = {Requirement::constraints, Requirement::manyPoints};
+    hardCase.stickError = heavyError(links, linkLength, gravity, h, iterations);
+    // No point is farther from the centre than half the length of the chain.
+    hardCase.bound.reach = 0.5 * links * (linkLength + *hardCase.stickError);
+    return hardCase;
 }
 
 HardCase contradictorySticks()
 {
-    HardCase one = caseOf(
+    HardCase hardCase = caseOf(
         "contradictory_triangle", SIM_TEXT("sticks that contradict each other"),
         SIM_TEXT("Three sticks of lengths 1, 1 and 10 make no triangle: whatever moves, one is wrong."),
         contradiction, valuesOf({{"damp", 0.9}}), 600);
-    one.requirements = {Requirement::constraints, Requirement::noDirection};
-    one.bound.reach = 50.0;
-    one.stickError = 8.0; // all of what is missing
-    return one;
+    hardCase.requirements = {Requirement::constraints, Requirement::noDirection};
+    hardCase.bound.reach = 50.0;
+    hardCase.stickError = 8.0; // the complete shortage: 10 - 1 - 1
+    return hardCase;
 }
 
+/// Returns a case of a swimmer. The motor counts as its stiffest spring.
 HardCase swims(const char *id, const char *title, const char *story, Values values)
 {
-    HardCase one = caseOf(id, title, story, swimmer, std::move(values), 600);
-    one.requirements = {Requirement::constraints, Requirement::oscillates, Requirement::driven};
-    one.stiffest = StiffestSpring{100.0, 0.9 * 0.25 * 0.25, 1.0, 0.0, 0.7};
-    one.bound.reach = 300.0;
-    return one;
+    HardCase hardCase = caseOf(id, title, story, swimmer, std::move(values), 600);
+    hardCase.requirements = {Requirement::constraints, Requirement::oscillates, Requirement::driven};
+    hardCase.stiffest = StiffestSpring{100.0, 0.9 * 0.25 * 0.25, 1.0, 0.0, 0.7};
+    hardCase.bound.reach = 300.0;
+    return hardCase;
 }
 
-/// The lead comes to rest at the target, and the tail 40 px from it.
+/// Returns the rest with the lead at `target` and the tail 40 px away from it.
 Rest atTarget(Vec2 target, double within)
 {
     return {600, {{"lead", target, within}}, {{"lead", "tail", 40.0, within}}, within};
@@ -147,7 +156,7 @@ std::vector<HardCase> swimmers()
               SIM_TEXT("The target is a billion px away, and the motor pulls the harder the farther it is."),
               valuesOf({{"keep", 0.7}, {"target_x", 1e9}, {"target_y", -1e9}, {"behind", 40}, {"soft", 0}}));
     far.bound.reach = 3e9;
-    far.stickError = 1e-5; // places have seven digits after the point there
+    far.stickError = 1e-5; // at 1e9 px a double has seven decimal places
     far.rest = atTarget({1e9, -1e9}, 1e-2);
     far.requirements.push_back(Requirement::comesToRest);
     far.stiffest->stretch = 1.5e9;

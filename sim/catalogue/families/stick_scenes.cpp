@@ -16,13 +16,13 @@ Scene contradiction(const Values &values)
 
 Scene stretchedChain(const Values &values)
 {
-    constexpr double apart = 440.0;
+    constexpr double span = 440.0;
     const int links = values.integer("links");
-    const double each = apart / links;
+    const double spacing = span / links;
     scenes::StickFigure chain;
     for (int i = 0; i <= links; ++i)
-        chain.places.push_back({middle.x - apart / 2.0 + i * each, middle.y});
-    chain.sticks = scenes::chainOfSticks(links, each / values["stretched"]);
+        chain.places.push_back({middle.x - span / 2.0 + i * spacing, middle.y});
+    chain.sticks = scenes::chainOfSticks(links, spacing / values["stretched"]);
     chain.pinned = {0, links};
     chain.gravity = values["gravity"];
     chain.damp = values["damp"];

@@ -5,62 +5,62 @@ namespace sim::hard {
 
 namespace {
 
-/// One soft spring by steps of `full` frames; a short run takes `brief` instead.
+/// Returns a case of one soft spring with unusual steps.
 HardCase stepped(const char *id, const char *title, const char *story, RunSize brief, RunSize full)
 {
     const double k = 0.2, damp = 0.9;
-    HardCase one = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 0);
-    one.brief = brief;
-    one.full = full;
-    one.requirements = {Requirement::oscillates, Requirement::unusualStep};
-    one.stiffest = StiffestSpring{100.0, k, 1.0, 0.0, damp};
-    one.bound.reach = 150.0;
-    return one;
+    HardCase hardCase = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 0);
+    hardCase.brief = brief;
+    hardCase.full = full;
+    hardCase.requirements = {Requirement::oscillates, Requirement::unusualStep};
+    hardCase.stiffest = StiffestSpring{100.0, k, 1.0, 0.0, damp};
+    hardCase.bound.reach = 150.0;
+    return hardCase;
 }
 
-HardCase comesToRest(HardCase one)
+HardCase comesToRest(HardCase hardCase)
 {
-    one.requirements.push_back(Requirement::comesToRest);
-    one.rest = Rest{600, {{"foot", middle, 1e-6}}, {}, 1e-6};
-    return one;
+    hardCase.requirements.push_back(Requirement::comesToRest);
+    hardCase.rest = Rest{600, {{"foot", middle, 1e-6}}, {}, 1e-6};
+    return hardCase;
 }
 
 HardCase tenMillionFrames()
 {
-    HardCase one =
+    HardCase hardCase =
         caseOf("ten_million_frames", SIM_TEXT("ten million frames"),
                SIM_TEXT("A foot swings for nearly four days of playing, and nothing slows it: no error may "
                         "add up."),
                footOnSpring, valuesOf({{"k", 0.2}, {"damp", 1}}), 10'000'000);
-    one.brief.frames = 20'000;
-    one.requirements = {Requirement::oscillates, Requirement::longRun};
-    one.stiffest = StiffestSpring{100.0, 0.2, 1.0, 0.0, 1.0};
-    one.bound.reach = 120.0;
-    return one;
+    hardCase.brief.frames = 20'000;
+    hardCase.requirements = {Requirement::oscillates, Requirement::longRun};
+    hardCase.stiffest = StiffestSpring{100.0, 0.2, 1.0, 0.0, 1.0};
+    hardCase.bound.reach = 120.0;
+    return hardCase;
 }
 
 HardCase atRest()
 {
     const double feet = 2, k = 0.2, damp = 0.85;
-    HardCase one =
+    HardCase hardCase =
         caseOf("million_frames_at_rest", SIM_TEXT("a million frames at rest"),
                SIM_TEXT("What has come to rest keeps velocities that are nearly too small to write, "
                         "and must keep still."),
                creature, valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 100}}),
                1'000'000);
-    one.brief.frames = 10'000;
-    one.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::longRun};
-    one.stiffest = StiffestSpring{50.0, feet * k, 1.0 / feet, 1.0, damp};
-    one.bound.reach = 200.0;
-    one.rest = Rest{10'000, {}, {}, 1e-9};
+    hardCase.brief.frames = 10'000;
+    hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::longRun};
+    hardCase.stiffest = StiffestSpring{50.0, feet * k, 1.0 / feet, 1.0, damp};
+    hardCase.bound.reach = 200.0;
+    hardCase.rest = Rest{10'000, {}, {}, 1e-9};
     for (const char *foot : {"foot0", "foot1"})
-        one.rest->distances.push_back({foot, "body", 50.0, 1e-9});
-    return one;
+        hardCase.rest->distances.push_back({foot, "body", 50.0, 1e-9});
+    return hardCase;
 }
 
 }
 
-std::vector<HardCase> oddSteps()
+std::vector<HardCase> unusualSteps()
 {
     return {
         stepped("step_1e-6", SIM_TEXT("a million steps a frame"),

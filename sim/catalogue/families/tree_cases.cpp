@@ -8,15 +8,17 @@ namespace {
 constexpr Vec2 root = {275.0, 400.0};
 constexpr Vec2 trunkEnd = {275.0, 300.0};
 
+/// Returns a case of a tree in the wind from `pointer`.
 HardCase blown(const char *id, const char *title, const char *story, Values values, Vec2 pointer)
 {
-    HardCase one = caseOf(id, title, story, windyTree, std::move(values), 300);
-    one.script.input = {{1, Pointer{pointer, true}}};
-    one.requirements = {Requirement::driven, Requirement::noDirection};
-    one.bound = {1000.0, root, {}};
-    return one;
+    HardCase hardCase = caseOf(id, title, story, windyTree, std::move(values), 300);
+    hardCase.script.input = {{1, Pointer{pointer, true}}};
+    hardCase.requirements = {Requirement::driven, Requirement::noDirection};
+    hardCase.bound = {1000.0, root, {}};
+    return hardCase;
 }
 
+/// Returns the values of windyTree(); `by` and `formula` as there.
 Values windBy(double by, double formula)
 {
     return valuesOf({{"levels", 4},
@@ -31,60 +33,62 @@ Values windBy(double by, double formula)
 
 HardCase noDistancePublished()
 {
-    HardCase one = blown(
+    HardCase hardCase = blown(
         "wind_no_distance_published", SIM_TEXT("no distance to divide by"),
         SIM_TEXT("In the printed formula the pointer can be at distance 0: it divides by that, and the run "
                  "must end with a word about it."),
         windBy(1, 1), root);
-    // Where its printed sum of the pointer and the branch's end is 0, to the last digit.
-    one.script.input = {{1, Pointer{root - Vec2{100.0, 0.0}, true}}};
-    one.script.values.set("levels", 0);
-    one.script.values.set("turned", 90);
-    one.requirements = {Requirement::overflows};
-    return one;
+    // Here the published sum of the pointer and the branch's end is exactly 0.
+    hardCase.script.input = {{1, Pointer{root - Vec2{100.0, 0.0}, true}}};
+    hardCase.script.values.set("levels", 0);
+    hardCase.script.values.set("turned", 90);
+    hardCase.requirements = {Requirement::overflows};
+    return hardCase;
 }
 
 HardCase turned()
 {
-    HardCase one = caseOf("pointer_on_root", SIM_TEXT("the pointer on the root"),
-                          SIM_TEXT("The trunk turns to a pointer that is exactly where it begins."),
-                          turningTree, valuesOf({{"levels", 4}, {"slope", 0.8}, {"base_length", 100}}), 60);
-    one.script.input = {{1, Pointer{root, true}}};
-    one.requirements = {Requirement::driven, Requirement::noDirection};
-    one.bound = {600.0, root, {}};
-    return one;
+    HardCase hardCase =
+        caseOf("pointer_on_root", SIM_TEXT("the pointer on the root"),
+               SIM_TEXT("The trunk turns to a pointer that is exactly where it begins."), turningTree,
+               valuesOf({{"levels", 4}, {"slope", 0.8}, {"base_length", 100}}), 60);
+    hardCase.script.input = {{1, Pointer{root, true}}};
+    hardCase.requirements = {Requirement::driven, Requirement::noDirection};
+    hardCase.bound = {600.0, root, {}};
+    return hardCase;
 }
 
 HardCase deep()
 {
-    HardCase one = blown("branches_16_deep", SIM_TEXT("sixteen forks"),
-                         SIM_TEXT("Each branch forks into two as large as itself, sixteen times: 131,071 "
-                                  "branches in the wind."),
-                         windBy(2, 0), {100.0, 100.0});
-    one.script.values.set("levels", 16);
-    one.script.values.set("slope", 1);
-    one.script.values.set("base_length", 20);
-    one.requirements = {Requirement::driven, Requirement::manyPoints};
-    one.brief.frames = 1;
-    return one;
+    HardCase hardCase =
+        blown("branches_16_deep", SIM_TEXT("sixteen forks"),
+              SIM_TEXT("Each branch forks into two as large as itself, sixteen times: 131,071 "
+                       "branches in the wind."),
+              windBy(2, 0), {100.0, 100.0});
+    hardCase.script.values.set("levels", 16);
+    hardCase.script.values.set("slope", 1);
+    hardCase.script.values.set("base_length", 20);
+    hardCase.requirements = {Requirement::driven, Requirement::manyPoints};
+    hardCase.brief.frames = 1;
+    return hardCase;
 }
 
 HardCase endless()
 {
-    HardCase one =
+    HardCase hardCase =
         caseOf("tree_without_end", SIM_TEXT("a tree without an end"),
                SIM_TEXT("Branches that are as large as their parents never get small enough to stop "
                         "forking."),
                grownTree, valuesOf({{"slope", 1}, {"min_scale", 0.2}}), 60);
-    one.requirements = {Requirement::refused};
-    one.refusal = "tree-too-big";
-    return one;
+    hardCase.requirements = {Requirement::refused};
+    hardCase.refusal = "tree-too-big";
+    return hardCase;
 }
 
 HardCase stiffTree()
 {
     const double k = 1e6, damp = 0.8;
-    HardCase one = caseOf(
+    HardCase hardCase = caseOf(
         "tree_stiff", SIM_TEXT("a tree of glass"),
         SIM_TEXT("Joints a million times as stiff as wood, bent by ten degrees and let go."), springyTree,
         valuesOf({{"levels", 3},
@@ -95,12 +99,12 @@ HardCase stiffTree()
                   {"wind", 0},
                   {"bent", 10}}),
         100);
-    one.requirements = {Requirement::oscillates, Requirement::comesToRest};
-    // Gershgorin's circles bound the fastest swing: see Torsion::stiffnessBound().
-    one.stiffest = StiffestSpring{10.0, 10.0 * k, 1.0, 0.0, damp};
-    one.bound = {600.0, root, {}};
-    one.rest = Rest{100, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
-    return one;
+    hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest};
+    // Gershgorin's circle theorem bounds the fastest oscillation; see Torsion::stiffnessBound().
+    hardCase.stiffest = StiffestSpring{10.0, 10.0 * k, 1.0, 0.0, damp};
+    hardCase.bound = {600.0, root, {}};
+    hardCase.rest = Rest{100, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
+    return hardCase;
 }
 
 }

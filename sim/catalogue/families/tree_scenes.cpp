@@ -51,7 +51,7 @@ Scene springyTree(const Values &values)
 {
     const TreePtr tree = treeOf(values);
     Scene scene = scenes::standingTree(*tree, root, TreeFormula::corrected);
-    scenes::letSwing(scene);
+    scenes::enableSpins(scene);
     scene.start.angle += values["bent"];
     forEachFromTrunk(*tree, scene.start, degreesPerRadian, [](int) {});
     scenes::addSway(

@@ -4,7 +4,8 @@ namespace sim {
 
 namespace {
 
-int lastOf(const AngleLimit &limit)
+/// Returns the highest point index of `limit`.
+int highestPoint(const AngleLimit &limit)
 {
     return std::max({limit.a, limit.joint, limit.b});
 }
@@ -15,17 +16,18 @@ JointEnds endsOf(const AngleLimit &limit, const State &state)
                     limit.least, limit.most);
 }
 
-void put(State &state, const AngleLimit &limit, const JointEnds &ends)
+/// Moves the dynamic points of `limit` to `ends` if the limit was exceeded.
+void moveEnds(State &state, const AngleLimit &limit, const JointEnds &ends)
 {
     if (ends.past == 0.0)
         return;
-    const auto place = [&](int point, Vec2 x) {
+    const auto moveTo = [&](int point, Vec2 x) {
         if (state.isDynamic(point))
             state.place(point, x);
     };
-    place(limit.a, ends.a);
-    place(limit.joint, ends.joint);
-    place(limit.b, ends.b);
+    moveTo(limit.a, ends.a);
+    moveTo(limit.joint, ends.joint);
+    moveTo(limit.b, ends.b);
 }
 
 }
@@ -39,7 +41,7 @@ std::vector<Region> AngleLimits::regions(DirectionRule) const
 int AngleLimits::count(const State &, PointRange points) const
 {
     return static_cast<int>(std::count_if(m_limits.begin(), m_limits.end(), [&](const AngleLimit &limit) {
-        return points.contains(lastOf(limit));
+        return points.contains(highestPoint(limit));
     }));
 }
 
@@ -52,22 +54,22 @@ void AngleLimits::addCouplings(std::vector<Coupling> &into) const
 void AngleLimits::enforce(State &state, PointRange points, DirectionRule, double) const
 {
     for (const AngleLimit &limit : m_limits) {
-        if (points.contains(lastOf(limit)))
-            put(state, limit, endsOf(limit, state));
+        if (points.contains(highestPoint(limit)))
+            moveEnds(state, limit, endsOf(limit, state));
     }
 }
 
 std::vector<LiveValue> AngleLimits::explain(const State &before, const State &, int point) const
 {
     State state = before;
-    std::vector<LiveValue> live;
+    std::vector<LiveValue> values;
     for (const AngleLimit &limit : m_limits) {
         const JointEnds ends = endsOf(limit, state);
-        put(state, limit, ends);
+        moveEnds(state, limit, ends);
         if (limit.joint == point)
-            live = {{"angle", ends.angle}, {"past", ends.past}};
+            values = {{"angle", ends.angle}, {"past", ends.past}};
     }
-    return live;
+    return values;
 }
 
 namespace descriptions {

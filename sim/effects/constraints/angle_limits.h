@@ -8,18 +8,19 @@ namespace descriptions {
 extern const EffectDescription angle_limits;
 }
 
-/// How far a joint may bend: the angle at `joint` from the limb that ends at `a` to the limb that ends at `b`,
-/// clockwise as seen on the screen, from 0 to 360 degrees.
+/// The range in which a joint may bend. The angle at `joint` is measured from the limb that ends at `a` to
+/// the limb that ends at `b`, clockwise on the screen, from 0 to 360 degrees.
 struct AngleLimit
 {
     int a = 0;
     int joint = 0;
     int b = 0;
-    double least = 0.0;  ///< degrees
-    double most = 360.0; ///< degrees
+    double least = 0.0;  ///< degrees, minimum
+    double most = 360.0; ///< degrees, maximum
 };
 
-/// The angle from `a` to `b` round the origin, in degrees from 0 to 360; 0 when one of them is the origin itself.
+/// Returns the angle from `a` to `b` round the origin, in degrees from 0 to 360. It is 0 if `a` or `b` is the
+/// origin.
 // Shown lines are short.
 // clang-format off
 inline
@@ -35,7 +36,7 @@ double angleBetween(Vec2 a, Vec2 b)
 //! [angle_between]
 // clang-format on
 
-/// `limb` turned by `angle` degrees.
+/// Returns `limb` rotated by `angle` degrees, clockwise on the screen.
 // Shown lines are short.
 // clang-format off
 inline
@@ -50,7 +51,8 @@ Vec2 rotated(Vec2 limb, double angle)
 //! [turned]
 // clang-format on
 
-/// How far `angle` is past the nearer one of its limits, in degrees: above 0 past `most`, below 0 past `least`.
+/// Returns by how many degrees `angle` is past the nearer of its limits: positive past `most`, negative past
+/// `least`.
 // Shown lines are short.
 // clang-format off
 inline
@@ -62,25 +64,25 @@ double pastLimit(
         return 0;
     double over = angle - most;
     double under = least - angle;
-    if (over < 0) over += 360; // all round
+    if (over < 0) over += 360; // full turn
     if (under < 0) under += 360;
     return over < under ? over : -under;
 }
 //! [past_limit]
 // clang-format on
 
-/// Three points after a joint was bent back, and what that was found from.
+/// Three points after a joint was bent back, with the intermediate values.
 struct JointEnds
 {
     Vec2 a;
     Vec2 joint;
     Vec2 b;
-    double angle = 0.0; ///< degrees, before
+    double angle = 0.0; ///< degrees, before the correction
     double past = 0.0;  ///< degrees, see pastLimit()
 };
 
-/// Turns both limbs of a joint, each by half of what its angle is past a limit, and puts the three points' middle
-/// back to where it was: nothing is pushed, only turned.
+/// Rotates both limbs of a joint, each by half of the angle past the limit. The centroid of the three points
+/// stays where it is, so the correction turns the joint but does not push it.
 // Shown lines are short.
 // clang-format off
 inline
@@ -107,7 +109,7 @@ JointEnds bendBack(
 //! [angle_limit]
 // clang-format on
 
-/// Joints that bend only so far: conditions that act only when they are broken.
+/// Limits for the angles of joints. A limit acts only while it is exceeded.
 class AngleLimits : public DescribedEffect<Constraint, descriptions::angle_limits>
 {
 public:
@@ -117,8 +119,7 @@ public:
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::coupledPoints; }
     void addCouplings(std::vector<Coupling> &into) const override;
-    /// A limit has its turn with that of its points that has the highest number. Where one of them feels nothing,
-    /// only the others move.
+    /// Enforces each limit whose highest point index is in `points`. Moves only dynamic points.
     void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 

@@ -52,8 +52,8 @@ std::vector<LiveValue> AreaStick::explain(const State &before, const State &afte
 double areaOf(const State &state, const Quad &quad)
 {
     const Vec2 spine = state.positionOf(quad.front) - state.positionOf(quad.back);
-    const Vec2 wide = state.positionOf(quad.right) - state.positionOf(quad.left);
-    return 0.5 * (spine.x * wide.y - spine.y * wide.x);
+    const Vec2 width = state.positionOf(quad.right) - state.positionOf(quad.left);
+    return 0.5 * (spine.x * width.y - spine.y * width.x);
 }
 
 namespace descriptions {

@@ -11,7 +11,7 @@ namespace descriptions {
 extern const EffectDescription area_stick;
 }
 
-/// A four-sided figure: front, right, back, left are its corners in order, clockwise on the screen.
+/// The corners of a quadrilateral. Front, right, back, left are in clockwise order on the screen.
 struct Quad
 {
     int front = 0;
@@ -20,19 +20,20 @@ struct Quad
     int right = 0;
 };
 
-/// The two sides of a figure after they were put as far apart as its area needs, and what that was found from.
+/// The left and right corners of a quadrilateral after its width was corrected, with the intermediate values.
 struct Sides
 {
     Vec2 left;
     Vec2 right;
-    double width = 0.0;  ///< px, before
-    double wanted = 0.0; ///< px
-    double error = 0.0;  ///< px
+    double width = 0.0;  ///< px, before the correction
+    double wanted = 0.0; ///< px, width that gives the area
+    double error = 0.0;  ///< px, width minus wanted width
 };
 
-/// A rigid stick across the spine, whose length follows from the area: half of spine times width. `spine` leads from
-/// the back to the front; a spine shorter than `shortest` px counts as that long, so that the width has an end.
-/// `share`: the part of the error that the left side takes.
+/// Moves the left and right corners so that the quadrilateral has the given area (px^2), like a rigid stick
+/// across the spine. The area is half of spine length times width. `spine` leads from the back to the front.
+/// A spine shorter than `shortest` (px) is treated as that long, which limits the width. `share`: fraction of
+/// the error that moves the left corner.
 /// Source: the shoelace formula for a quadrilateral: half of the cross product of its diagonals.
 // Shown lines are short.
 // clang-format off
@@ -59,11 +60,11 @@ Sides keepArea(
 //! [area_stick]
 // clang-format on
 
-/// Keeps the area of a figure with four corners by moving its two sides.
+/// Keeps the area of a quadrilateral constant by moving its left and right corners.
 class AreaStick : public DescribedEffect<Constraint, descriptions::area_stick>
 {
 public:
-    /// `area` in px^2, `shortest` in px.
+    /// `area` in px^2; `shortest`: px, minimum length of the spine in the calculation.
     AreaStick(Quad quad, double area, double shortest) : m_quad(quad), m_area(area), m_shortest(shortest) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
@@ -81,7 +82,7 @@ private:
     double m_shortest;
 };
 
-/// The area of `quad`, in px^2: below 0 when its sides have changed places.
+/// Returns the area of `quad` in px^2. It is negative if left and right have swapped sides.
 double areaOf(const State &state, const Quad &quad);
 
 }

@@ -4,7 +4,8 @@ namespace sim {
 
 namespace {
 
-/// What goes of an error in h frames, of which the part `perFrame` goes in one: what is left is a product.
+/// Returns the fraction of an error that is removed in `h` frames if the fraction `perFrame` is removed per
+/// frame. The fractions that remain multiply.
 //! [part_in_step]
 double partIn(double h, double perFrame)
 {
@@ -16,11 +17,12 @@ double partIn(double h, double perFrame)
 Strengths strengthsIn(double h, Strengths perFrame)
 {
     if (h == 1.0)
-        return perFrame; // to the last digit
+        return perFrame; // exact: 1 - (1 - perFrame) would round
     return {partIn(h, perFrame.soft), partIn(h, perFrame.hard)};
 }
 
-Direction wayOf(const SoftStick &stick, const State &state)
+/// Returns the direction from the mover of `stick` to its anchor.
+Direction directionToAnchor(const SoftStick &stick, const State &state)
 {
     return direction(state.positionOf(stick.anchor) - state.positionOf(stick.mover), stick.mover,
                      stick.anchor);
@@ -53,8 +55,9 @@ void SoftSticks::enforce(State &state, PointRange points, DirectionRule, double 
     const Strengths strength = strengthsIn(h, m_perFrame);
     for (const SoftStick &stick : m_sticks) {
         if (points.contains(stick.mover) && state.isDynamic(stick.mover))
-            state.place(stick.mover,
-                        softStick(state.positionOf(stick.mover), wayOf(stick, state), stick, strength).x);
+            state.place(
+                stick.mover,
+                softStick(state.positionOf(stick.mover), directionToAnchor(stick, state), stick, strength).x);
     }
 }
 
@@ -67,7 +70,8 @@ std::vector<LiveValue> SoftSticks::explain(const State &before, const State &aft
         last = stick.mover == point ? &stick : last;
     if (!last)
         return {};
-    const SoftEnd end = softStick(before.positionOf(point), wayOf(*last, before), *last, m_perFrame);
+    const SoftStickEnd end =
+        softStick(before.positionOf(point), directionToAnchor(*last, before), *last, m_perFrame);
     return {{"length", end.length},
             {"error", end.error},
             {"x", after.positionOf(point), before.positionOf(point)}};
@@ -75,8 +79,8 @@ std::vector<LiveValue> SoftSticks::explain(const State &before, const State &aft
 
 void SoftSticks::addRestTargets(const State &state, std::vector<RestTarget> &into) const
 {
-    for (const SoftStick &one : m_sticks)
-        into.push_back(restTargetAt(state, one.mover, one.anchor, one.rest));
+    for (const SoftStick &stick : m_sticks)
+        into.push_back(restTargetAt(state, stick.mover, stick.anchor, stick.rest));
 }
 
 namespace descriptions {

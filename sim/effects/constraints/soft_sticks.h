@@ -12,40 +12,40 @@ namespace descriptions {
 extern const EffectDescription soft_sticks;
 }
 
-/// A stick that pulls one end only, and gives way: `mover` comes nearer to its place each frame, `anchor` feels
-/// nothing of it.
+/// A stick that moves only one end, and only by a fraction of the error per frame. The anchor feels nothing.
 struct SoftStick
 {
     int anchor = 0;
     int mover = 0;
-    double min = 0.0;  ///< px; nearer than this it pulls hard
-    double rest = 0.0; ///< px
-    double max = 0.0;  ///< px; farther than this it pulls hard
+    double min = 0.0;  ///< px; at shorter lengths the hard strength applies
+    double rest = 0.0; ///< px, rest length
+    double max = 0.0;  ///< px; at greater lengths the hard strength applies
 };
 
-/// What part of an error goes in a step.
+/// The fractions of an error that a step removes, from 0 to 1.
 struct Strengths
 {
-    double soft = 0.0; ///< between min and max, to rest
-    double hard = 0.0; ///< outside, to min or max
+    double soft = 0.0; ///< for lengths between min and max, where the error is measured from rest
+    double hard = 0.0; ///< for all other lengths, where the error is measured from min or max
 };
 
-/// Where a soft stick puts its mover, and what that was found from.
-struct SoftEnd
+/// The mover of a soft stick after a correction, with the intermediate values.
+struct SoftStickEnd
 {
-    Vec2 x;
-    double length = 0.0; ///< px, before
-    double error = 0.0;  ///< px
-    double part = 0.0;   ///< of the error, what goes
+    Vec2 x;              ///< px, position of the mover
+    double length = 0.0; ///< px, before the correction
+    double error = 0.0;  ///< px, positive: too long
+    double part = 0.0;   ///< fraction of the error that is removed
 };
 
-/// Three cases: pressed too far, pulled too far, and neither. `way` leads from `x` to the anchor.
+/// Moves the mover of a stick from `x` along `way`, which leads from `x` to the anchor. There are three
+/// cases: the stick is shorter than min, longer than max, or between the two.
 /// Published: Codeling, squash and stretch.
 // Shown lines are short.
 // clang-format off
 inline
 //! [soft_stick]
-SoftEnd softStick(
+SoftStickEnd softStick(
     Vec2 x, Direction way,
     const SoftStick &stick,
     Strengths strength)
@@ -66,11 +66,11 @@ SoftEnd softStick(
 //! [soft_stick]
 // clang-format on
 
-/// Soft sticks with one movable end, one after the other.
+/// Soft sticks, enforced one after the other.
 class SoftSticks : public DescribedEffect<Constraint, descriptions::soft_sticks>
 {
 public:
-    /// `perFrame`: what part of an error goes in a frame, 0 to 1 each.
+    /// `perFrame`: the fractions of an error that are removed per frame, from 0 to 1.
     SoftSticks(std::vector<SoftStick> sticks, Strengths perFrame)
         : m_sticks(std::move(sticks)), m_perFrame(perFrame)
     {
@@ -80,9 +80,9 @@ public:
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::coupledPoints; }
     void addCouplings(std::vector<Coupling> &into) const override;
-    /// A stick has its turn with its mover.
+    /// Enforces each stick whose mover is in `points`.
     void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override;
-    /// The last stick that moved `point`.
+    /// Returns the values of the last stick that moved `point`.
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
     void addRestTargets(const State &state, std::vector<RestTarget> &into) const override;
 

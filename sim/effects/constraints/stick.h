@@ -5,24 +5,25 @@
 
 namespace sim {
 
-/// Returns by how many px a stick from `a` to `b` is longer than the `length` that it should have; negative where it is
+/// Returns by how many px a stick from `a` to `b` is longer than `length`. The result is negative if it is
 /// shorter.
 inline double stickError(Vec2 a, Vec2 b, double length)
 {
     return sim::length(a - b) - length;
 }
 
-/// The two ends of a stick after it was enforced once, and what that was found from.
+/// The two ends of a stick after it was enforced once, with the intermediate values.
 struct StickEnds
 {
     Vec2 a;
     Vec2 b;
-    double distance = 0.0; ///< px, before
-    double error = 0.0;    ///< px: too long when above 0
+    double distance = 0.0; ///< px, before the correction
+    double error = 0.0;    ///< px, positive: too long
 };
 
-/// Makes the distance of `a` and `b` right at once: `a` takes `share` of the error, `b` the rest. Ends in one place
-/// part up and down, as atan2(0, 0) is 0. The sums are those of the printed code, in its order.
+/// Moves `a` and `b` to the distance `length` (px). `a` moves by `share` of the error, `b` by the rest.
+/// Coincident ends separate vertically, because atan2(0, 0) is 0. The additions have the order of the
+/// published code.
 /// Published: Ragdolls, constraints (the function with the error shared out).
 // Shown lines are short.
 // clang-format off
@@ -47,8 +48,9 @@ StickEnds publishedStick(
 //! [published_stick]
 // clang-format on
 
-/// The same without an angle. `out` is the direction from `b` to `a`, as direction() finds it.
-/// Source: Jakobsen, "Advanced character physics", 2001, section 3; with the two masses' shares in place of halves.
+/// Moves `a` and `b` like publishedStick(), but without an angle. `from_b`: length and direction of a - b.
+/// Source: Jakobsen, "Advanced character physics", 2001, section 3; with the two masses' shares in place of
+/// halves.
 // Shown lines are short.
 // clang-format off
 inline

@@ -7,7 +7,7 @@ namespace sim {
 
 namespace {
 
-/// What `stick` does to a state's points.
+/// Returns the ends of stick `one` after enforcing it once in `state`.
 StickEnds endsOf(const Stick &one, const State &state, DirectionRule directionRule)
 {
     const Vec2 a = state.positionOf(one.a), b = state.positionOf(one.b);
@@ -17,12 +17,13 @@ StickEnds endsOf(const Stick &one, const State &state, DirectionRule directionRu
     return stick(a, b, direction(a - b, one.b, one.a), one.length, share);
 }
 
-/// A stick from a point to itself is moved twice, one end after the other, as printed.
-void put(State &state, const Stick &one, const StickEnds &ends)
+/// Moves the ends of stick `one` to `ends`. A point at both ends of the same stick moves twice, as in the
+/// published code.
+void moveEnds(State &state, const Stick &one, const StickEnds &ends)
 {
-    const Vec2 way = ends.b - state.positionOf(one.b);
+    const Vec2 moveOfB = ends.b - state.positionOf(one.b);
     state.place(one.a, ends.a);
-    state.place(one.b, one.a == one.b ? ends.a + way : ends.b);
+    state.place(one.b, one.a == one.b ? ends.a + moveOfB : ends.b);
 }
 
 bool acts(const Stick &one, const State &state)
@@ -87,7 +88,7 @@ void Sticks::enforce(State &state, PointRange points, DirectionRule directionRul
 {
     forEach(points, [&](const Stick &one) {
         if (acts(one, state))
-            put(state, one, endsOf(one, state, directionRule));
+            moveEnds(state, one, endsOf(one, state, directionRule));
     });
 }
 
@@ -96,22 +97,22 @@ std::vector<LiveValue> Sticks::explain(const State &before, const State &after, 
     const PointRange all = {0, before.pointCount()};
     for (const DirectionRule directionRule : {DirectionRule::regularised, DirectionRule::published}) {
         State state = before;
-        std::vector<LiveValue> live;
+        std::vector<LiveValue> values;
         forEach(all, [&](const Stick &one) {
             if (!acts(one, state))
                 return;
             const StickEnds ends = endsOf(one, state, directionRule);
             const bool isA = one.a == point;
             if (isA || one.b == point)
-                live = {{"distance", ends.distance},
-                        {"error", ends.error},
-                        {isA ? "a" : "b", isA ? ends.a : ends.b, state.positionOf(point)}};
-            put(state, one, ends);
+                values = {{"distance", ends.distance},
+                          {"error", ends.error},
+                          {isA ? "a" : "b", isA ? ends.a : ends.b, state.positionOf(point)}};
+            moveEnds(state, one, ends);
         });
         if (state.positionOf(point) == after.positionOf(point))
-            return live;
+            return values;
     }
-    return {}; // it ran on a share of the points only
+    return {}; // `after` comes from a call for only some of the points
 }
 
 void Sticks::addRestTargets(const State &state, std::vector<RestTarget> &into) const
@@ -142,7 +143,7 @@ bool Sticks::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec sticksSettings[] = {{
+constexpr ParameterSpec sticksParameters[] = {{
     .id = "iterations",
     .name = SIM_TEXT("Iterations"),
     .unit = SIM_TEXT("passes"),
@@ -166,7 +167,7 @@ constinit const EffectDescription sticks = {
     .kind = EffectKind::stick,
     .purpose =
         SIM_TEXT("Give each pair of points its length back, by moving them: a stick does not stretch."),
-    .parameters = sticksSettings};
+    .parameters = sticksParameters};
 }
 
 }

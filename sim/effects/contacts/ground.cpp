@@ -24,9 +24,9 @@ std::vector<Region> Ground::regions(DirectionRule) const
     return {{"sim/effects/contacts/ground.h", "ground"}};
 }
 
-/// Calls `visit(foot)` for each foot among `points` that is not held.
+/// Calls `visit(foot)` for each dynamic foot among `points`.
 template <class Visit>
-void Ground::forEach(const State &state, PointRange points, Visit &&visit) const
+void Ground::forEachFoot(const State &state, PointRange points, Visit &&visit) const
 {
     auto foot = std::lower_bound(m_feet.begin(), m_feet.end(), points.first);
     for (; foot != m_feet.end() && *foot < points.end(); ++foot) {
@@ -38,7 +38,7 @@ void Ground::forEach(const State &state, PointRange points, Visit &&visit) const
 int Ground::count(const State &state, PointRange points) const
 {
     int total = 0;
-    forEach(state, points, [&](int) { ++total; });
+    forEachFoot(state, points, [&](int) { ++total; });
     return total;
 }
 
@@ -46,8 +46,7 @@ std::vector<Surface> Ground::surfaces(int point) const
 {
     if (!std::binary_search(m_feet.begin(), m_feet.end(), point))
         return {};
-    const Grip grip = m_plane.traction == Traction::full ? Grip::full : Grip::none;
-    return {{{0.0, -1.0}, -m_plane.ground, m_plane.bounce, grip}};
+    return {{{0.0, -1.0}, -m_plane.ground, m_plane.bounce, m_plane.traction}};
 }
 
 void Ground::resolve(State &state, PointRange points) const
@@ -71,7 +70,7 @@ bool Ground::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec groundSettings[] = {{
+constexpr ParameterSpec groundParameters[] = {{
     .id = "ground",
     .name = SIM_TEXT("Ground"),
     .unit = SIM_TEXT("px"),
@@ -84,11 +83,11 @@ constexpr ParameterSpec groundSettings[] = {{
     .decimals = 0,
 }};
 
-EffectPtr buildGround(const Blueprint &plan, const Values &values)
+EffectPtr makeGround(const Blueprint &blueprint, const Values &values)
 {
     GroundPlane plane;
     plane.ground = values["ground"];
-    return std::make_shared<Ground>(feetOf(plan), plane);
+    return std::make_shared<Ground>(feetOf(blueprint), plane);
 }
 
 }
@@ -99,8 +98,8 @@ constinit const EffectDescription ground = {
     .title = SIM_TEXT("ground"),
     .kind = EffectKind::contact,
     .purpose = SIM_TEXT("Keeps the feet from sinking in, and from slipping where it holds them."),
-    .parameters = groundSettings,
-    .make = buildGround};
+    .parameters = groundParameters,
+    .make = makeGround};
 }
 
 }

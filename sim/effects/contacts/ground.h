@@ -11,23 +11,17 @@ namespace descriptions {
 extern const EffectDescription ground;
 }
 
-/// What the ground does to the speed of a foot along it.
-enum class Traction {
-    full, ///< takes all of it
-    none, ///< takes nothing: ice
-};
-
-/// An endless level ground.
+/// A level ground without end.
 struct GroundPlane
 {
-    double ground = 0.0; ///< px, how far down it lies
-    double bounce = 0.0; ///< share of the speed into the ground that is kept, turned round
+    double ground = 0.0; ///< px, y of the ground
+    double bounce = 0.0; ///< restitution: fraction of the normal velocity that remains, reversed
     Traction traction = Traction::full;
 };
 
-/// Puts a foot that is below the ground back onto it. A place is the lowest point of a foot, so no width counts.
-/// Without bounce nothing is left of the speed into the ground: 0, and not −0, so `bounce` takes away
-/// instead of turning round. Published with bounce 0 and full traction: Creatures II, step 11.
+/// Returns the motion of a foot after it met the ground. A foot below the ground moves up to it. A foot has
+/// no width: its position is its lowest point. The formula subtracts from the velocity instead of negating
+/// it, so that bounce 0 gives 0 and not −0. Published with bounce 0 and full traction: Creatures II, step 11.
 // Shown lines are short.
 // clang-format off
 inline
@@ -46,10 +40,11 @@ PointMotion ground(
 //! [ground]
 // clang-format on
 
-/// Ground for some points: the feet. Nothing else meets it.
+/// The ground, for the feet only. Other points pass through it.
 class Ground : public DescribedEffect<Contact, descriptions::ground>
 {
 public:
+    /// `feet`: indices of the points that meet the ground, in any order.
     Ground(std::vector<int> feet, GroundPlane plane);
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
@@ -64,10 +59,10 @@ public:
 
 private:
     template <class Visit>
-    void forEach(const State &state, PointRange points, Visit &&visit) const;
+    void forEachFoot(const State &state, PointRange points, Visit &&visit) const;
 
-    std::vector<int> m_feet;          ///< in order
-    std::vector<PointRange> m_ranges; ///< the same feet
+    std::vector<int> m_feet;          ///< in ascending order
+    std::vector<PointRange> m_ranges; ///< the same feet as ranges
     GroundPlane m_plane;
 };
 

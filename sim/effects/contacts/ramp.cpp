@@ -11,8 +11,8 @@ namespace sim {
 
 Incline inclineOf(Vec2 through, double angle, double bounce)
 {
-    const double rad = angle / 180.0 * std::numbers::pi;
-    return {through, {-std::sin(rad), -std::cos(rad)}, bounce};
+    const double radians = angle / 180.0 * std::numbers::pi;
+    return {through, {-std::sin(radians), -std::cos(radians)}, bounce};
 }
 
 std::vector<Region> Ramp::regions(DirectionRule) const
@@ -27,13 +27,14 @@ int Ramp::count(const State &state, PointRange points) const
 
 std::vector<Surface> Ramp::surfaces(int point) const
 {
-    return {{m_edge.normal, dot(m_edge.through, m_edge.normal) + m_half[point], m_edge.bounce, Grip::none}};
+    return {{m_edge.normal, dot(m_edge.through, m_edge.normal) + m_halfWidth[point], m_edge.bounce,
+             Traction::none}};
 }
 
 void Ramp::resolve(State &state, PointRange points) const
 {
     const XyColumns x(state.position), v(state.velocity);
-    updateDynamicMotion(state, points, [=, half = m_half.data(), edge = m_edge](int i) {
+    updateDynamicMotion(state, points, [=, half = m_halfWidth.data(), edge = m_edge](int i) {
         return ramp(x.at(i), v.at(i), half[i], edge);
     });
 }
@@ -50,7 +51,7 @@ bool Ramp::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec rampSettings[] = {
+constexpr ParameterSpec rampParameters[] = {
     settings::bounce,
     {
         .id = "ramp",
@@ -90,10 +91,11 @@ constexpr ParameterSpec rampSettings[] = {
         .decimals = 0,
     }};
 
-EffectPtr buildRamp(const Blueprint &plan, const Values &values)
+EffectPtr makeRamp(const Blueprint &blueprint, const Values &values)
 {
     const Vec2 through{values["ramp_x"], values["ramp_y"]};
-    return std::make_shared<Ramp>(inclineOf(through, values["ramp"], values["bounce"]), halfWidths(plan));
+    return std::make_shared<Ramp>(inclineOf(through, values["ramp"], values["bounce"]),
+                                  halfWidths(blueprint));
 }
 
 }
@@ -104,8 +106,8 @@ constinit const EffectDescription ramp = {
     .title = SIM_TEXT("ramp"),
     .kind = EffectKind::contact,
     .purpose = SIM_TEXT("Keeps everything on one side of a straight line, which leans as you like."),
-    .parameters = rampSettings,
-    .make = buildRamp};
+    .parameters = rampParameters,
+    .make = makeRamp};
 }
 
 }

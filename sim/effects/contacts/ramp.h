@@ -9,20 +9,21 @@ namespace descriptions {
 extern const EffectDescription ramp;
 }
 
-/// A straight edge without an end, which leans as it likes.
+/// A straight edge without end, at any angle.
 struct Incline
 {
-    Vec2 through;        ///< px, a place that it goes through
-    Vec2 normal;         ///< of length 1, to the side where bodies are
-    double bounce = 0.0; ///< share of the speed into it that is kept, turned round
+    Vec2 through;        ///< px, a point on the edge
+    Vec2 normal;         ///< of length 1, towards the side where bodies are
+    double bounce = 0.0; ///< restitution: fraction of the normal velocity that remains, reversed
 };
 
-/// `angle` in degrees: 0 is level, with bodies above it; 45 rises to the right; 90 is a wall on the right, and 180 a
+/// Returns the edge through `through` (px) that makes `angle` (degrees) with the x axis. An edge at 0 is
+/// level with bodies above it, at 45 it rises to the right, at 90 it is a wall on the right, at 180 a
 /// ceiling.
 Incline inclineOf(Vec2 through, double angle, double bounce);
 
-/// Puts a body that is past the edge back to where it touches it, and turns the part of its velocity round that goes into
-/// it. `half` is half the body's width.
+/// Returns the motion of a body after it met the edge. A body past the edge moves back until it touches the
+/// edge. The part of its velocity that points into the edge is reversed. `half`: px, half the body's width.
 // Shown lines are short.
 // clang-format off
 inline
@@ -43,12 +44,12 @@ PointMotion ramp(
 //! [ramp]
 // clang-format on
 
-/// A slanted wall without friction, which bodies slide along.
+/// An inclined wall without friction. Bodies slide along it.
 class Ramp : public DescribedEffect<Contact, descriptions::ramp>
 {
 public:
-    /// `half`: half of each point's width in px, one row per point.
-    Ramp(Incline edge, Eigen::ArrayXd half) : m_edge(edge), m_half(std::move(half)) {}
+    /// `halfWidth`: px, half the width of each point.
+    Ramp(Incline edge, Eigen::ArrayXd halfWidth) : m_edge(edge), m_halfWidth(std::move(halfWidth)) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
@@ -61,7 +62,7 @@ public:
 
 private:
     Incline m_edge;
-    Eigen::ArrayXd m_half;
+    Eigen::ArrayXd m_halfWidth;
 };
 
 }

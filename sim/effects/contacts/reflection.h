@@ -4,9 +4,9 @@
 
 namespace sim {
 
-/// Returns the velocity after a bounce off a plane: the part of `v` that goes into it is turned round, and `bounce` of it
-/// is kept. `n`: the plane's normal, of length 1. px/frame.
-/// walls() and ground() keep the published form of this for level and upright planes: its zeros have other signs.
+/// Returns the velocity (px/frame) after a bounce off a plane. The normal component of `v` is reversed and
+/// multiplied by `bounce`. `n`: the normal of the plane, of length 1. walls() and ground() use the published
+/// form for level and upright planes instead, because its zeros have other signs.
 /// Source: Moore and Wilhelms, "Collision detection and response for computer animation", 1988.
 // Shown lines are short.
 // clang-format off

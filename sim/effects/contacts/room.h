@@ -4,15 +4,15 @@
 
 namespace sim {
 
-/// Where a room ends, and how much of its speed a body keeps when it bounces there.
+/// Two side walls and a floor.
 struct Room
 {
-    double left = 0.0;   ///< px
-    double right = 0.0;  ///< px
-    double floor = 0.0;  ///< px
-    double bounce = 1.0; ///< share of the speed across the wall that is kept, turned round
+    double left = 0.0;   ///< px, x of the left wall
+    double right = 0.0;  ///< px, x of the right wall
+    double floor = 0.0;  ///< px, y of the floor
+    double bounce = 1.0; ///< restitution: fraction of the normal velocity that remains, reversed
 
-    /// Whether neither side wall can ever be reached.
+    /// Returns whether both side walls are infinitely far away.
     bool sidesAreFar() const { return std::isinf(left) && left < 0.0 && std::isinf(right) && right > 0.0; }
 };
 

@@ -18,13 +18,13 @@ int RoomLimits::count(const State &state, PointRange points) const
 
 void RoomLimits::enforce(State &state, PointRange points, DirectionRule, double) const
 {
-    const bool remembers = state.previous.rows() == state.pointCount();
+    const bool hasPrevious = state.previous.rows() == state.pointCount();
     for (int i = points.first; i < points.end(); ++i) {
         if (!state.isDynamic(i))
             continue;
         const Vec2 x = state.positionOf(i);
-        const Vec2 before = remembers ? Vec2{state.previous(i, 0), state.previous(i, 1)} : x;
-        state.place(i, keepInside(x, before, m_half[i], m_room, m_friction));
+        const Vec2 before = hasPrevious ? Vec2{state.previous(i, 0), state.previous(i, 1)} : x;
+        state.place(i, keepInside(x, before, m_halfWidth[i], m_room, m_friction));
     }
 }
 
@@ -45,7 +45,7 @@ bool RoomLimits::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec roomSettings[] = {
+constexpr ParameterSpec roomParameters[] = {
     settings::left,
     settings::right,
     settings::floor,
@@ -60,9 +60,9 @@ constexpr ParameterSpec roomSettings[] = {
         .sliderMax = 2.0,
     }};
 
-EffectPtr buildRoom(const Blueprint &plan, const Values &values)
+EffectPtr makeRoom(const Blueprint &blueprint, const Values &values)
 {
-    return std::make_shared<RoomLimits>(roomOf(values), halfWidths(plan), values["friction"]);
+    return std::make_shared<RoomLimits>(roomOf(values), halfWidths(blueprint), values["friction"]);
 }
 
 }
@@ -74,8 +74,8 @@ constinit const EffectDescription room = {
     .kind = EffectKind::contact,
     .purpose =
         SIM_TEXT("Keeps everything between two walls and above a floor, with friction and without a bounce."),
-    .parameters = roomSettings,
-    .make = buildRoom};
+    .parameters = roomParameters,
+    .make = makeRoom};
 }
 
 }

@@ -11,10 +11,10 @@ namespace descriptions {
 extern const EffectDescription room;
 }
 
-/// A slide of `slide` px against a wall that a point was `deep` px inside: what friction leaves of it. The deeper,
-/// the harder it was pressed, and the more friction can hold back.
-/// Source: Macklin et al., "Unified particle physics for real-time applications", 2014, equation 24 (Coulomb's law
-/// for positions).
+/// Returns how far (px) a point slides along a wall after friction. Without friction it would slide `slide`
+/// px. It was `deep` px inside the wall: a deeper point was pressed harder, so friction can stop more.
+/// Source: Macklin et al., "Unified particle physics for real-time applications", 2014, equation 24
+/// (Coulomb's law for positions).
 // Shown lines are short.
 // clang-format off
 inline
@@ -30,8 +30,9 @@ double slideAfterFriction(double slide, double deep,
 //! [friction]
 // clang-format on
 
-/// Puts a point that is past a wall back to it, and holds back the way it slid there since `before`. `half` is half
-/// of the point's width. The room's bounce plays no part: the velocity is the way that it came.
+/// Returns the position of a point after the room's walls and friction acted on it. A point past a wall moves
+/// back to the wall, and friction shortens its slide along the wall since `before`. `half`: px, half the
+/// point's width. The room's bounce has no effect, because the velocity follows from the change of position.
 // Shown lines are short.
 // clang-format off
 inline
@@ -61,15 +62,13 @@ Vec2 keepInside(
 //! [room_limits]
 // clang-format on
 
-/// Two walls and a floor as conditions on places: x may not be past a wall. What meets one does not bounce, and rubs
-/// along it.
+/// Two walls and a floor as constraints on positions, with friction. Points do not bounce off them.
 class RoomLimits : public DescribedEffect<Constraint, descriptions::room>
 {
 public:
-    /// `half`: half of each point's width in px, one row per point. `friction`: how much of the push of a wall can
-    /// hold back a slide (Coulomb's coefficient), from 0.
-    RoomLimits(Room room, Eigen::ArrayXd half, double friction)
-        : m_room(room), m_half(std::move(half)), m_friction(friction)
+    /// `halfWidth`: px, half the width of each point. `friction`: Coulomb's coefficient, at least 0.
+    RoomLimits(Room room, Eigen::ArrayXd halfWidth, double friction)
+        : m_room(room), m_halfWidth(std::move(halfWidth)), m_friction(friction)
     {
     }
 
@@ -85,7 +84,7 @@ public:
 
 private:
     Room m_room;
-    Eigen::ArrayXd m_half;
+    Eigen::ArrayXd m_halfWidth;
     double m_friction;
 };
 

@@ -18,16 +18,16 @@ int Walls::count(const State &state, PointRange points) const
 
 std::vector<Surface> Walls::surfaces(int point) const
 {
-    const double half = m_half[point];
-    return {{{-1.0, 0.0}, half - m_room.right, m_room.bounce, Grip::none},
-            {{1.0, 0.0}, m_room.left + half, m_room.bounce, Grip::none},
-            {{0.0, -1.0}, half - m_room.floor, m_room.bounce, Grip::none}};
+    const double half = m_halfWidth[point];
+    return {{{-1.0, 0.0}, half - m_room.right, m_room.bounce, Traction::none},
+            {{1.0, 0.0}, m_room.left + half, m_room.bounce, Traction::none},
+            {{0.0, -1.0}, half - m_room.floor, m_room.bounce, Traction::none}};
 }
 
 void Walls::resolve(State &state, PointRange points) const
 {
     const XyColumns x(state.position), v(state.velocity);
-    updateDynamicMotion(state, points, [=, half = m_half.data(), room = m_room](int i) {
+    updateDynamicMotion(state, points, [=, half = m_halfWidth.data(), room = m_room](int i) {
         return walls(x.at(i), v.at(i), half[i], room);
     });
 }
@@ -47,12 +47,12 @@ bool Walls::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec wallsSettings[] = {settings::left, settings::right, settings::floor,
-                                           settings::bounce};
+constexpr ParameterSpec wallsParameters[] = {settings::left, settings::right, settings::floor,
+                                             settings::bounce};
 
-EffectPtr buildWalls(const Blueprint &plan, const Values &values)
+EffectPtr makeWalls(const Blueprint &blueprint, const Values &values)
 {
-    return std::make_shared<Walls>(roomOf(values), halfWidths(plan));
+    return std::make_shared<Walls>(roomOf(values), halfWidths(blueprint));
 }
 
 }
@@ -63,8 +63,8 @@ constinit const EffectDescription walls = {
     .title = SIM_TEXT("walls"),
     .kind = EffectKind::contact,
     .purpose = SIM_TEXT("Put back what has gone past a wall or the floor, and turn its velocity round."),
-    .parameters = wallsSettings,
-    .make = buildWalls};
+    .parameters = wallsParameters,
+    .make = makeWalls};
 }
 
 }

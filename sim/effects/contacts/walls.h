@@ -11,7 +11,7 @@ namespace descriptions {
 extern const EffectDescription walls;
 }
 
-// The settings of rooms, which several effects read.
+/// Parameters of rooms. Several effects share them.
 namespace settings {
 
 inline constexpr ParameterSpec left = {
@@ -60,18 +60,19 @@ inline constexpr ParameterSpec bounce = {
 
 }
 
-/// Returns the room that these settings give.
+/// Returns the room with the parameters `left`, `right`, `floor` and `bounce` of `values`.
 Room roomOf(const Values &values);
 
-/// A point's position and velocity.
+/// The position and velocity of a point.
 struct PointMotion
 {
     Vec2 x; ///< px
     Vec2 v; ///< px/frame
 };
 
-/// Puts a body that is past a wall back to where its edge touches it, and turns its velocity round. `half` is
-/// half the body's width. Published: Creatures I, steps 17 and 18, in that order: right, left, floor.
+/// Returns the motion of a body after it met the walls. A body past a wall moves back until its edge touches
+/// the wall, and its normal velocity is reversed. `half`: px, half the body's width.
+/// Published: Creatures I, steps 17 and 18, in the order right, left, floor.
 // Shown lines are short.
 // clang-format off
 inline
@@ -101,8 +102,8 @@ PointMotion walls(
 class Walls : public DescribedEffect<Contact, descriptions::walls>
 {
 public:
-    /// `half`: half of each point's width in px, one row per point.
-    Walls(Room room, Eigen::ArrayXd half) : m_room(room), m_half(std::move(half)) {}
+    /// `halfWidth`: px, half the width of each point.
+    Walls(Room room, Eigen::ArrayXd halfWidth) : m_room(room), m_halfWidth(std::move(halfWidth)) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
@@ -116,12 +117,10 @@ public:
     bool addToDraft(BlueprintDraft &draft) const override;
 
     const Room &room() const { return m_room; }
-    /// Half of each point's width in px.
-    const Eigen::ArrayXd &half() const { return m_half; }
 
 private:
     Room m_room;
-    Eigen::ArrayXd m_half;
+    Eigen::ArrayXd m_halfWidth;
 };
 
 }

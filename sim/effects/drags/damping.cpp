@@ -10,7 +10,7 @@ namespace sim {
 
 namespace {
 
-/// The factor that a velocity keeps over h frames.
+/// Returns the damping factor for `h` frames.
 //! [damping]
 double kept(double damp, double h)
 {
@@ -21,9 +21,12 @@ double kept(double damp, double h)
 
 }
 
-Damping::Damping(double damp) : m_damp(damp), m_keepInOne(kept(damp, 1.0)) {}
+Damping::Damping(double damp) : m_damp(damp), m_factorPerFrame(kept(damp, 1.0)) {}
 
-Damping::Damping(double damp, PointRange only) : m_damp(damp), m_keepInOne(kept(damp, 1.0)), m_only(only) {}
+Damping::Damping(double damp, PointRange range)
+    : m_damp(damp), m_factorPerFrame(kept(damp, 1.0)), m_range(range)
+{
+}
 
 std::vector<Region> Damping::regions(DirectionRule) const
 {
@@ -35,66 +38,66 @@ std::vector<Region> SpinDamping::regions(DirectionRule) const
     return {{"sim/effects/drags/damping.cpp", "damping"}, {"sim/effects/drags/damping.h", "damp_spin"}};
 }
 
-PointRange Damping::shareOf(PointRange points) const
+PointRange Damping::dampedPart(PointRange points) const
 {
-    const int first = std::max(points.first, m_only.first);
-    const int count = std::min(points.end(), m_only.end()) - first;
+    const int first = std::max(points.first, m_range.first);
+    const int count = std::min(points.end(), m_range.end()) - first;
     return count > 0 ? PointRange{first, count} : PointRange{points.first, 0};
 }
 
 int Damping::count(const State &state, PointRange points) const
 {
-    points = shareOf(points);
+    points = dampedPart(points);
     return static_cast<int>((state.inverseMass.segment(points.first, points.count) != 0.0).count());
 }
 
 void Damping::apply(State &state, PointRange points, double h) const
 {
-    const double share = velocityFactor(h);
-    points = shareOf(points);
+    const double factor = velocityFactor(h);
+    points = dampedPart(points);
     updateDynamic(state.inverseMass, points, state.velocity,
-                  [share, v = XyColumns(state.velocity)](int i) { return damp(v.at(i), share); });
+                  [factor, v = XyColumns(state.velocity)](int i) { return damp(v.at(i), factor); });
     if (state.spin.rows() > 0)
         updateDynamic(state.inverseMass, points, state.spin.data(),
-                      [share, spin = state.spin.data()](int i) { return dampSpin(spin[i], share); });
+                      [factor, spin = state.spin.data()](int i) { return dampSpin(spin[i], factor); });
 }
 
 std::optional<double> Damping::velocityFactor(PointRange points, double h) const
 {
-    if (shareOf(points).count < points.count)
+    if (dampedPart(points).count < points.count)
         return {};
     return velocityFactor(h);
 }
 
 std::optional<double> Damping::dampingRate(int point) const
 {
-    if (!m_only.contains(point) || m_damp == 1.0)
+    if (!m_range.contains(point) || m_damp == 1.0)
         return 0.0;
     return -std::log(m_damp);
 }
 
 std::vector<LiveValue> Damping::explain(const State &before, const State &after, int point, double h) const
 {
-    if (!m_only.contains(point))
+    if (!m_range.contains(point))
         return {};
-    std::vector<LiveValue> live = {{"keep", kept(m_damp, h), {}}};
+    std::vector<LiveValue> values = {{"keep", kept(m_damp, h), {}}};
     if (after.spin.rows() > 0)
-        live.push_back({"spin", after.spin[point], before.spin[point]});
+        values.push_back({"spin", after.spin[point], before.spin[point]});
     else
-        live.push_back({"v", after.velocityOf(point), before.velocityOf(point)});
-    return live;
+        values.push_back({"v", after.velocityOf(point), before.velocityOf(point)});
+    return values;
 }
 
 double Damping::velocityFactor(double h) const
 {
-    return h == 1.0 ? m_keepInOne : kept(m_damp, h);
+    return h == 1.0 ? m_factorPerFrame : kept(m_damp, h);
 }
 
 bool Damping::addToDraft(BlueprintDraft &draft) const
 {
     for (int i = 1; i < draft.state.pointCount(); ++i) {
         if (dampingRate(i) != dampingRate(0))
-            return false; // of some points only
+            return false; // it damps some points only, and a blueprint cannot express that
     }
     draft.addEffect("damping", {{"damp", velocityFactor(1.0)}});
     return true;
@@ -102,7 +105,7 @@ bool Damping::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec dampingSettings[] = {{
+constexpr ParameterSpec dampingParameters[] = {{
     .id = "damp",
     .name = SIM_TEXT("Damping"),
     .unit = SIM_TEXT("per frame"),
@@ -128,7 +131,7 @@ constinit const EffectDescription damping = {
     .title = SIM_TEXT("damping"),
     .kind = EffectKind::damping,
     .purpose = SIM_TEXT("Takes a share of every velocity each frame, so that things come to rest."),
-    .parameters = dampingSettings,
+    .parameters = dampingParameters,
     .make = buildDamping};
 }
 

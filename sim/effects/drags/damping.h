@@ -10,8 +10,8 @@ namespace descriptions {
 extern const EffectDescription damping;
 }
 
-/// What damping leaves of a velocity, and of a spin.
-// The marker leaves out what learners need not read.
+/// Return a velocity or a spin after damping. `keep`: the damping factor.
+// The marker leaves out `inline`, which learners need not read.
 // clang-format off
 inline
 //! [damp]
@@ -31,15 +31,15 @@ double dampSpin(double spin, double keep)
 //! [damp_spin]
 // clang-format on
 
-/// Drag that lets every velocity keep the share `damp` each frame: the continuous model v' = -c v with
-/// c = -ln(damp) per frame, taken exactly: over h frames a velocity keeps damp^h.
+/// A drag that multiplies every velocity and spin by `damp` per frame. It is the exact solution of v' = -c v
+/// with the damping rate c = -ln(damp) per frame, so the factor for h frames is damp^h.
 class Damping : public DescribedEffect<Drag, descriptions::damping>
 {
 public:
     /// `damp` from 0 (stops at once) to 1 (no drag), per frame.
     explicit Damping(double damp);
-    /// The same for some points only.
-    Damping(double damp, PointRange only);
+    /// Damps only the points of `range`.
+    Damping(double damp, PointRange range);
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
@@ -51,18 +51,20 @@ public:
     bool addToDraft(BlueprintDraft &draft) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point,
                                    double h) const override;
-    /// The factor that a velocity keeps over `h` frames.
+    /// Returns the damping factor for `h` frames.
     double velocityFactor(double h) const;
 
 private:
-    PointRange shareOf(PointRange points) const;
+    /// Returns the part of `points` that this drag damps.
+    PointRange dampedPart(PointRange points) const;
 
     double m_damp;
-    double m_keepInOne; ///< keep(1): most steps are one frame, and a power takes longer than all the rest
-    PointRange m_only = {0, std::numeric_limits<int>::max()};
+    /// The damping factor for one frame. Most steps last one frame, and std::pow would dominate their cost.
+    double m_factorPerFrame;
+    PointRange m_range = {0, std::numeric_limits<int>::max()};
 };
 
-/// The same for points that turn: what it shows is what it does to a spin.
+/// The same drag, for scenes whose points rotate. Its shown code damps a spin.
 class SpinDamping : public Damping
 {
 public:

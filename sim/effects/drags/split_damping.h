@@ -9,15 +9,16 @@ namespace descriptions {
 extern const EffectDescription split_damping;
 }
 
-/// What is left of a velocity, and its two parts before they were damped.
+/// A damped velocity, with its two components before damping. All in px/frame.
 struct SplitVelocity
 {
     Vec2 v;
-    Vec2 parallel;
-    Vec2 sideways;
+    Vec2 parallel; ///< along the direction
+    Vec2 sideways; ///< across the direction
 };
 
-/// Splits `v` along and across the direction `out`, and lets each part keep its own share.
+/// Splits `v` into components along and across the direction `out`, and multiplies them by the factors
+/// `along` and `across`.
 /// Published: Codeling, squash and stretch.
 // Shown lines are short.
 // clang-format off
@@ -36,11 +37,11 @@ SplitVelocity dampSplit(
 //! [split_damping]
 // clang-format on
 
-/// Drag on one point that differs along and across the line to another point.
+/// A drag on one point with different damping factors along and across the line to another point.
 class SplitDamping : public DescribedEffect<Drag, descriptions::split_damping>
 {
 public:
-    /// `along` and `across`: the share that each part of the velocity keeps each frame, from 0 to 1.
+    /// `along` and `across`: damping factors per frame, from 0 to 1.
     SplitDamping(int mover, int anchor, double along, double across)
         : m_mover(mover), m_anchor(anchor), m_along(along), m_across(across)
     {
@@ -55,6 +56,7 @@ public:
                                    double h) const override;
 
 private:
+    /// Returns the velocity of the mover after `h` frames of damping.
     SplitVelocity split(const State &state, double h) const;
 
     int m_mover;

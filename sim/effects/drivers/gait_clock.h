@@ -10,7 +10,8 @@ namespace descriptions {
 extern const EffectDescription gait_clock;
 }
 
-/// A gait clock after `h` frames: `gait` in rad, `speed` in rad/frame. Published: Creatures II, step 9.
+/// Returns the angle (rad) of a gait clock after `h` frames. `speed` in rad/frame.
+/// Published: Creatures II, step 9.
 // Shown lines are short.
 // clang-format off
 inline
@@ -24,11 +25,11 @@ double tick(
 //! [gait_clock]
 // clang-format on
 
-/// Turns every gait clock of the scene on, at the speed that State::gaitSpeed gives it.
+/// Advances all gait clocks of the scene by their speeds (State::gaitSpeed).
 class GaitClock : public DescribedEffect<Driver, descriptions::gait_clock>
 {
 public:
-    /// `clockOf`: which clock each point goes by, one a point; empty: all by clock 0.
+    /// `clockOf`: the index of each point's gait clock, for explain(). Empty: all points have clock 0.
     explicit GaitClock(std::vector<int> clockOf = {}) : m_clockOf(std::move(clockOf)) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
@@ -36,7 +37,7 @@ public:
     Dependence dependence() const override { return Dependence::scene; }
     void drive(State &state, double h) const override;
     DriverTiming timing() const override { return DriverTiming::continuous; }
-    bool addToDraft(BlueprintDraft &) const override { return true; } // it comes with the legs
+    bool addToDraft(BlueprintDraft &) const override { return true; } // implied by the legs
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
 private:

@@ -12,8 +12,8 @@ namespace descriptions {
 extern const EffectDescription gust;
 }
 
-/// One step of a gust: while the button is down its front runs outwards; when it is let go its end follows. A new
-/// press begins a new one. `speed` in px/frame, h in frames.
+/// Returns the extent of a gust after `h` frames. While the button is down, the front runs outwards at
+/// `speed` (px/frame). After the button is released, the tail follows. A new press starts a new gust.
 // Shown lines are short.
 // clang-format off
 inline
@@ -34,8 +34,9 @@ GustExtent advanceGust(
 //! [gust]
 // clang-format on
 
-/// How hard the wind blows `distance` px from the pointer, as a share of its strength: 0 where the front has not
-/// come to or the end is past; between them it swells and ebbs every 300 px, by the share `gusts`.
+/// Returns the strength of the wind `distance` px from the pointer, as a fraction of its full strength. It is
+/// 0 ahead of the front and behind the tail. Between them it is a sine wave around 1 with amplitude `gusts`
+/// and wavelength 300 px.
 // Shown lines are short.
 // clang-format off
 inline
@@ -56,7 +57,8 @@ double gustAt(
 //! [gust_at]
 // clang-format on
 
-/// How that share changes with the distance, 1/px; at the front and at the end, where it jumps, as inside.
+/// Returns the derivative of gustAt() by the distance, in 1/px. The jumps at the front and at the tail are
+/// ignored.
 inline double gustDerivative(double distance, GustExtent gust, double gusts)
 {
     if (distance > gust.front || distance < gust.tail)
@@ -65,7 +67,7 @@ inline double gustDerivative(double distance, GustExtent gust, double gusts)
     return -gusts * turn * std::cos(turn * (gust.front - distance));
 }
 
-/// Lets a gust run outwards from the pointer.
+/// Advances the gust that runs outwards from the pointer.
 class GustFront : public DescribedEffect<Driver, descriptions::gust>, public InputReader
 {
 public:
@@ -75,7 +77,7 @@ public:
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::scene; }
-    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
+    bool reads(InputKind kind) const override { return kind == InputKind::pointer; }
     void drive(State &state, double h) const override;
     DriverTiming timing() const override { return DriverTiming::continuous; }
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;

@@ -2,20 +2,20 @@
 
 namespace sim {
 
-/// A learner's input that reaches a scene, besides the hand that carries a body.
+/// A kind of learner's input that reaches a scene, besides dragging a body.
 enum class InputKind {
-    pointer, ///< its place and its button
+    pointer, ///< position and button
     target,
     keys,
 };
 
-/// An effect that reads a learner's input. Where no effect of a scene reads an input, it changes nothing there.
+/// An effect that reads a learner's input. Input that no effect of a scene reads changes nothing in it.
 class InputReader
 {
 public:
     virtual ~InputReader() = default;
-    /// Returns whether the effect reads this input.
-    virtual bool reads(InputKind signal) const = 0;
+    /// Returns whether the effect reads input of this kind.
+    virtual bool reads(InputKind kind) const = 0;
 
 protected:
     InputReader() = default;

@@ -1,6 +1,7 @@
 #include "sim/effects/drivers/motor.h"
 
 #include "sim/effects/pairs/pair_jacobian.h"
+
 namespace sim {
 
 std::vector<Region> Motor::regions(DirectionRule) const
@@ -36,8 +37,8 @@ std::vector<LiveValue> Motor::explain(const State &state, int mover, DirectionRu
 {
     if (count(state, {mover, 1}) == 0)
         return {};
-    const SpringPull s = motor(state.positionOf(mover), state.input.target, m_k, m_dt);
-    return {{"d", s.d}, {"pull", state.inverseMass[mover] * s.pull}};
+    const SpringPull spring = motor(state.positionOf(mover), state.input.target, m_k, m_dt);
+    return {{"d", spring.d}, {"pull", state.inverseMass[mover] * spring.pull}};
 }
 
 std::vector<Region> Anticipation::regions(DirectionRule) const
@@ -55,10 +56,10 @@ void Anticipation::drive(State &state, double) const
     for (const Vec2 target : state.input.newTargets) {
         if (!state.isDynamic(m_mover))
             break;
-        const Shifted to =
+        const Shifted shifted =
             anticipate(state.positionOf(m_mover), state.velocityOf(m_mover), target, m_anticipation);
-        state.place(m_mover, to.x);
-        state.setVelocity(m_mover, to.v);
+        state.place(m_mover, shifted.x);
+        state.setVelocity(m_mover, shifted.v);
     }
     state.input.newTargets.clear();
 }
@@ -75,9 +76,6 @@ std::vector<LiveValue> Anticipation::explain(const State &before, const State &a
 namespace descriptions {
 constinit const EffectDescription motor = {"motor", SIM_TEXT("motor"), EffectKind::spring,
                                            SIM_TEXT("Pulls the swimmer to its target, as a spring does.")};
-}
-
-namespace descriptions {
 constinit const EffectDescription anticipation = {
     "anticipation", SIM_TEXT("anticipation"), EffectKind::driver,
     SIM_TEXT("Shifts the swimmer back before it goes to a new target, as a cat draws back before it leaps.")};

@@ -11,8 +11,8 @@ extern const EffectDescription motor;
 extern const EffectDescription anticipation;
 }
 
-/// A spring from one point to the target. The tutorial counts time in units of its own: a frame is `dt` of them, so
-/// its k acts as k dt^2 each frame.
+/// Returns the pull of a spring from point `x` to the target. The tutorial has another unit of time: a frame
+/// is `dt` units, so its `k` is k dt^2 in 1/frame^2.
 /// Published: Codeling, driving the motion.
 // Shown lines are short.
 // clang-format off
@@ -28,16 +28,17 @@ SpringPull motor(
 //! [motor]
 // clang-format on
 
+/// The spring that pulls a swimmer to the target.
 class Motor : public DescribedEffect<Force, descriptions::motor>, public InputReader
 {
 public:
-    /// k in 1 over the tutorial's unit of time squared, dt in those units per frame.
+    /// `k` in 1/unit^2, `dt` in units per frame, where unit is the tutorial's unit of time.
     Motor(int mover, double k, double dt) : m_mover(mover), m_k(k), m_dt(dt) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::scene; }
-    bool reads(InputKind signal) const override { return signal == InputKind::target; }
+    bool reads(InputKind kind) const override { return kind == InputKind::target; }
     bool isIdle() const override { return m_k * m_dt * m_dt == 0.0; }
     void add(const State &state, PointRange movers, double scale, DirectionRule directionRule,
              Eigen::ArrayX2d &into) const override;
@@ -51,16 +52,17 @@ private:
     double m_dt;
 };
 
-/// Where a shift away from the target leaves a point: farther off, and already on its way there.
+/// The motion of a point after a shift away from the target.
 struct Shifted
 {
-    Vec2 x;
-    Vec2 v;
-    Vec2 shift;
+    Vec2 x;     ///< px
+    Vec2 v;     ///< px/frame
+    Vec2 shift; ///< px
 };
 
-/// As the way that it came is the velocity of a point that remembers its place before, a shift is both.
-/// Published: Codeling, anticipation.
+/// Returns the motion of a point after it shifted away from a new target by the fraction `anticipation` of
+/// its distance. The tutorial computes velocities from changes of position, so the shift changes the velocity
+/// too. Published: Codeling, anticipation.
 // Shown lines are short.
 // clang-format off
 inline
@@ -77,17 +79,18 @@ Shifted anticipate(
 //! [anticipation]
 // clang-format on
 
-/// Takes each new target in turn: before it goes there, `mover` is shifted the other way. List it first.
+/// Shifts a point away from each new target before it goes there. List it before all other effects, so that
+/// it runs at the start of a step.
 class Anticipation : public DescribedEffect<Driver, descriptions::anticipation>, public InputReader
 {
 public:
-    /// `anticipation`: the part of the way to the target that it is shifted.
+    /// `anticipation`: the shift of the point `mover` as a fraction of its distance to the target.
     Anticipation(int mover, double anticipation) : m_mover(mover), m_anticipation(anticipation) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::scene; }
-    bool reads(InputKind signal) const override { return signal == InputKind::target; }
+    bool reads(InputKind kind) const override { return kind == InputKind::target; }
     void drive(State &state, double h) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 

@@ -4,6 +4,7 @@ namespace sim {
 
 namespace {
 
+/// Returns the position of the dragged point (px): the pointer's position as soon as it is known.
 /// Published: Ragdolls, constraints (the first two lines of each frame).
 // Shown lines are short.
 // clang-format off

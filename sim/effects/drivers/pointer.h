@@ -9,8 +9,8 @@ namespace descriptions {
 extern const EffectDescription pointer;
 }
 
-/// Puts a point where the pointer is, from the first time that the pointer is known. List it first: the point then
-/// stands there before anything else looks.
+/// Moves a point to the pointer, as soon as the pointer's position is known. List it before all other
+/// effects, so that these read the new position.
 class CarriedByPointer : public DescribedEffect<Driver, descriptions::pointer>, public InputReader
 {
 public:
@@ -19,7 +19,7 @@ public:
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::scene; }
-    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
+    bool reads(InputKind kind) const override { return kind == InputKind::pointer; }
     void drive(State &state, double h) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 

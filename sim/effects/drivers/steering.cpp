@@ -10,12 +10,12 @@ std::vector<Region> Steering::regions(DirectionRule) const
 
 void Steering::drive(State &state, double h) const
 {
-    const InputState &outside = state.input;
+    const InputState &input = state.input;
     double &speed = state.gaitSpeed[m_clock];
-    if (outside.pointer && outside.pointerDown)
-        speed = steerByPointer(outside.pointer->x - state.positionOf(m_body).x, m_limits);
-    else if (outside.keys.right || outside.keys.left)
-        speed = steerByKeys(speed, outside.keys, m_limits, h);
+    if (input.pointer && input.pointerDown)
+        speed = steerByPointer(input.pointer->x - state.positionOf(m_body).x, m_limits);
+    else if (input.keys.right || input.keys.left)
+        speed = steerByKeys(speed, input.keys, m_limits, h);
 }
 
 std::vector<LiveValue> Steering::explain(const State &before, const State &after, int) const

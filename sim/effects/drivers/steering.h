@@ -14,14 +14,15 @@ extern const EffectDescription steering;
 /// How keys and pointer set the speed of a gait clock.
 struct SteeringLimits
 {
-    double top = 0.15;     ///< rad/frame, the fastest either way
-    double change = 0.004; ///< rad/frame^2, what a key that is down adds each frame
-    double reach = 200.0;  ///< px, how far off the pointer asks for the fastest
+    double top = 0.15;     ///< rad/frame, maximum speed in both directions
+    double change = 0.004; ///< rad/frame^2, acceleration while a key is down
+    double reach = 200.0;  ///< px, horizontal distance of the pointer that gives the maximum speed
 };
 
 using std::clamp;
 
-/// A speed (rad/frame) after the arrow keys were down for `h` frames: right adds, left takes away.
+/// Returns the speed (rad/frame) after the arrow keys were down for `h` frames. The right key increases it,
+/// the left key decreases it.
 // Shown lines are short.
 // clang-format off
 inline
@@ -40,7 +41,7 @@ double steerByKeys(
 //! [steer_by_keys]
 // clang-format on
 
-/// The speed (rad/frame) that a pointer `way` px to the right of the body asks for.
+/// Returns the speed (rad/frame) for a pointer that is `way` px to the right of the body.
 // Shown lines are short.
 // clang-format off
 inline
@@ -55,20 +56,20 @@ double steerByPointer(
 //! [steer_by_pointer]
 // clang-format on
 
-/// Sets the speed of a gait clock: by the pointer while its button is down, else by the keys that are down. With
-/// neither the clock keeps the speed that it has.
+/// Sets the speed of a gait clock: by the pointer while its button is down, else by the keys that are down.
+/// Otherwise the clock keeps its speed.
 class Steering : public DescribedEffect<Driver, descriptions::steering>, public InputReader
 {
 public:
-    /// The pointer's way is measured from point `body`.
+    /// `clock`: the index of the gait clock. `body`: the point from which the pointer's distance is measured.
     Steering(int clock, int body, SteeringLimits limits) : m_clock(clock), m_body(body), m_limits(limits) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &, PointRange points) const override { return points.contains(m_body) ? 1 : 0; }
     Dependence dependence() const override { return Dependence::scene; }
-    bool reads(InputKind signal) const override
+    bool reads(InputKind kind) const override
     {
-        return signal == InputKind::pointer || signal == InputKind::keys;
+        return kind == InputKind::pointer || kind == InputKind::keys;
     }
     void drive(State &state, double h) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;

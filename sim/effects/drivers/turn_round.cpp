@@ -22,13 +22,13 @@ void TurnRound::drive(State &state, double) const
             continue;
         const auto turn = [&](int clock) {
             double &speed = state.gaitSpeed[clock];
-            speed = turnRound(speed, state.positionOf(i).x, m_half[i], m_room);
+            speed = turnRound(speed, state.positionOf(i).x, m_halfWidth[i], m_room);
         };
         turn(clockOf(i));
-        if (m_mates.empty())
+        if (m_partnerClocks.empty())
             continue;
-        for (const int mate : m_mates.at(static_cast<std::size_t>(clockOf(i))))
-            turn(mate);
+        for (const int partner : m_partnerClocks.at(static_cast<std::size_t>(clockOf(i))))
+            turn(partner);
     }
 }
 
@@ -46,12 +46,12 @@ bool TurnRound::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec turnRoundSettings[] = {settings::left, settings::right, settings::floor};
+constexpr ParameterSpec turnRoundParameters[] = {settings::left, settings::right, settings::floor};
 
-EffectPtr buildTurnRound(const Blueprint &plan, const Values &values)
+EffectPtr makeTurnRound(const Blueprint &blueprint, const Values &values)
 {
-    return std::make_shared<TurnRound>(roomOf(values), halfWidths(plan), clockOf(plan),
-                                       partnerClocksOf(plan));
+    return std::make_shared<TurnRound>(roomOf(values), halfWidths(blueprint), clockOf(blueprint),
+                                       partnerClocksOf(blueprint));
 }
 
 }
@@ -62,8 +62,8 @@ constinit const EffectDescription turn_round = {
     .title = SIM_TEXT("turn round"),
     .kind = EffectKind::driver,
     .purpose = SIM_TEXT("Makes a creature that meets a wall walk the other way."),
-    .parameters = turnRoundSettings,
-    .make = buildTurnRound};
+    .parameters = turnRoundParameters,
+    .make = makeTurnRound};
 }
 
 }

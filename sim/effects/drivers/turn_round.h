@@ -13,8 +13,8 @@ extern const EffectDescription turn_round;
 
 using std::abs;
 
-/// A gait clock's speed (rad/frame) after a point with `half` its width at `x` (px) bumped into a wall, if it did:
-/// away from that wall.
+/// Returns the speed (rad/frame) of a gait clock. If the point at `x` touches a wall, the speed leads away
+/// from that wall. Otherwise it is unchanged. `half`: px, half the point's width.
 // Shown lines are short.
 // clang-format off
 inline
@@ -32,15 +32,17 @@ double turnRound(
 //! [turn_round]
 // clang-format on
 
-/// Turns round each creature that touches a side wall with any point: its gait clocks run the other way.
+/// Makes each creature turn round when any of its points touches a side wall: its gait clocks run backwards.
 class TurnRound : public DescribedEffect<Driver, descriptions::turn_round>
 {
 public:
-    /// `half`: half of each point's width in px; `clockOf`: which clock each point goes by; one row a point.
-    /// `mates`: for each clock the others of the same creature, which turn with it; empty: each creature has one.
-    TurnRound(Room room, Eigen::ArrayXd half, std::vector<int> clockOf,
-              std::vector<std::vector<int>> mates = {})
-        : m_room(room), m_half(std::move(half)), m_clockOf(std::move(clockOf)), m_mates(std::move(mates))
+    /// `halfWidth`: px, half the width of each point. `clockOf`: the index of each point's gait clock.
+    /// `partnerClocks`: for each clock, the other clocks of the same creature; they turn with it. Empty: each
+    /// creature has one clock.
+    TurnRound(Room room, Eigen::ArrayXd halfWidth, std::vector<int> clockOf,
+              std::vector<std::vector<int>> partnerClocks = {})
+        : m_room(room), m_halfWidth(std::move(halfWidth)), m_clockOf(std::move(clockOf)),
+          m_partnerClocks(std::move(partnerClocks))
     {
     }
 
@@ -58,9 +60,9 @@ private:
     int clockOf(int point) const { return m_clockOf.at(static_cast<std::size_t>(point)); }
 
     Room m_room;
-    Eigen::ArrayXd m_half;
+    Eigen::ArrayXd m_halfWidth;
     std::vector<int> m_clockOf;
-    std::vector<std::vector<int>> m_mates;
+    std::vector<std::vector<int>> m_partnerClocks;
 };
 
 }

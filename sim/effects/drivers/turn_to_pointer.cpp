@@ -6,8 +6,8 @@ namespace sim {
 
 namespace {
 
-/// The pointer has no number among the points.
-constexpr int pointerNumber = -1;
+/// Stands for the pointer in direction(), as the pointer is not one of the points.
+constexpr int pointerIndex = -1;
 
 }
 
@@ -44,7 +44,7 @@ void TurnToPointer::drive(State &state, double) const
         });
     } else {
         forEachFromTrunk(*m_tree, state, degrees, [&](int i) {
-            state.angle[i] = turnToPointer(direction(pointer - state.positionOf(i), i, pointerNumber).out);
+            state.angle[i] = turnToPointer(direction(pointer - state.positionOf(i), i, pointerIndex).out);
         });
     }
 }
@@ -58,10 +58,10 @@ std::vector<LiveValue> TurnToPointer::explain(const State &before, const State &
     if (m_formula == TreeFormula::published) {
         const Vec2 reach = branchReach(before.angle[point], m_tree->baseLength, degreesOf(m_formula));
         const double scale = m_tree->scale[static_cast<std::size_t>(point)];
-        const PointerOffset sight = pointerOffsetPublished(pointer, after.positionOf(point), reach, scale);
-        live = {{"reach", reach, {}}, {"mouse", sight.mouse, {}}, {"d", sight.d, {}}};
+        const PointerOffset offset = pointerOffsetPublished(pointer, after.positionOf(point), reach, scale);
+        live = {{"reach", reach, {}}, {"mouse", offset.mouse, {}}, {"d", offset.d, {}}};
     } else {
-        const Direction heading = direction(pointer - after.positionOf(point), point, pointerNumber);
+        const Direction heading = direction(pointer - after.positionOf(point), point, pointerIndex);
         live = {{"length", heading.length, {}}, {"out", heading.out, {}}};
     }
     live.push_back({"angle", after.angle[point], before.angle[point]});

@@ -12,9 +12,9 @@ extern const EffectDescription turn_to_pointer;
 
 namespace tree_formulas {
 
-/// The angle of a branch that points at the pointer, in degrees: along the line from its origin. Measured from its
-/// end, as the text of the tutorial has it, the branch would turn past the pointer and back, frame after frame, when
-/// the pointer is nearer than two of its lengths.
+/// Returns the angle (degrees) at which a branch points at the pointer. The direction is measured from the
+/// origin of the branch. The text of the tutorial measures it from the end: then the branch would overshoot
+/// and turn back in every frame when the pointer is nearer than two of its lengths.
 // Shown lines are short.
 // clang-format off
 inline
@@ -29,7 +29,7 @@ double turnToPointer(Vec2 out)
 //! [turn_to_pointer]
 // clang-format on
 
-/// The same as published. Published: swaying tree, the first bend().
+/// Returns the same angle by the published formula. Published: swaying tree, the first bend().
 // Shown lines are short.
 // clang-format off
 inline
@@ -48,7 +48,8 @@ double turnToPointerPublished(Vec2 d)
 using tree_formulas::turnToPointer;
 using tree_formulas::turnToPointerPublished;
 
-/// Turns every branch to the pointer at once while its button is down, from the trunk to the twigs.
+/// Turns every branch to the pointer, without delay, while the button is down. Branches turn in order from
+/// the trunk to the twigs.
 class TurnToPointer : public DescribedEffect<Driver, descriptions::turn_to_pointer>, public InputReader
 {
 public:
@@ -57,7 +58,7 @@ public:
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::scene; }
-    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
+    bool reads(InputKind kind) const override { return kind == InputKind::pointer; }
     void drive(State &state, double h) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 

@@ -20,10 +20,9 @@ int Breeze::count(const State &state, PointRange points) const
 void Breeze::add(const State &state, PointRange movers, double scale, DirectionRule,
                  Eigen::ArrayX2d &into) const
 {
-    double *sideways = into.data(); // the column of x
-    updateDynamic(state.inverseMass, movers, sideways, [&](int i) {
-        return sideways[i] + scale * (state.inverseMass[i] * pullOn(state, i).pull.x);
-    });
+    double *ax = into.data(); // the column of x
+    updateDynamic(state.inverseMass, movers, ax,
+                  [&](int i) { return ax[i] + scale * (state.inverseMass[i] * pullOn(state, i).pull.x); });
 }
 
 bool Breeze::addJacobian(const State &state, PointRange movers, double scale, DirectionRule,
@@ -32,9 +31,9 @@ bool Breeze::addJacobian(const State &state, PointRange movers, double scale, Di
     for (int i = movers.first; i < movers.end(); ++i) {
         if (!state.isDynamic(i))
             continue;
-        const double turns = std::cos(state.gait[m_clock] - state.positionOf(i).x / 100) / 100;
-        const double slope = -m_strength.wind * m_strength.gusts * turns * m_width[i] / 10;
-        addJacobianBlock(jacobian, i, i, {scale * state.inverseMass[i] * slope, 0.0, 0.0, 0.0});
+        const double swellDerivative = std::cos(state.gait[m_clock] - state.positionOf(i).x / 100) / 100;
+        const double derivative = -m_strength.wind * m_strength.gusts * swellDerivative * m_width[i] / 10;
+        addJacobianBlock(jacobian, i, i, {scale * state.inverseMass[i] * derivative, 0.0, 0.0, 0.0});
     }
     return true;
 }
@@ -55,7 +54,7 @@ bool Breeze::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec breezeSettings[] = {
+constexpr ParameterSpec breezeParameters[] = {
     {
         .id = "wind",
         .name = SIM_TEXT("Wind"),
@@ -76,10 +75,10 @@ constexpr ParameterSpec breezeSettings[] = {
         .max = 1.0,
     }};
 
-EffectPtr buildBreeze(const Blueprint &plan, const Values &values)
+EffectPtr buildBreeze(const Blueprint &blueprint, const Values &values)
 {
-    return std::make_shared<Breeze>(BreezeStrength{values["wind"], values["gusts"]}, widths(plan),
-                                    windClockOf(plan));
+    return std::make_shared<Breeze>(BreezeStrength{values["wind"], values["gusts"]}, widths(blueprint),
+                                    windClockOf(blueprint));
 }
 
 }
@@ -90,7 +89,7 @@ constinit const EffectDescription breeze = {
     .title = SIM_TEXT("wind"),
     .kind = EffectKind::wind,
     .purpose = SIM_TEXT("Blows everything sideways, wide bodies more, and swells and ebbs."),
-    .parameters = breezeSettings,
+    .parameters = breezeParameters,
     .make = buildBreeze};
 }
 

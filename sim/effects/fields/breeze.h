@@ -10,25 +10,26 @@ namespace descriptions {
 extern const EffectDescription breeze;
 }
 
-/// A wind that blows sideways, and swells and ebbs.
+/// The strength of a horizontal wind.
 struct BreezeStrength
 {
-    double wind =
-        0.0; ///< px/frame^2, what it does to a body of mass 1 that is 10 px wide; below 0: to the left
-    double gusts = 0.0; ///< from 0 to 1, the share by which it swells and ebbs
+    /// px/frame^2, mean acceleration of a body of mass 1 that is 10 px wide; positive: to the right.
+    double wind = 0.0;
+    double gusts = 0.0; ///< 0 to 1, amplitude of the gusts as a fraction of `wind`
 };
 
-/// What the wind does to a body, with what it was found from.
+/// The force of the wind on a body, with its intermediate values.
 struct BreezePull
 {
-    double swell = 0.0;
-    Vec2 pull; ///< px/frame^2, for mass 1
+    double swell = 0.0; ///< fraction by which the wind is now stronger than its mean
+    Vec2 pull;          ///< px/frame^2, for mass 1
 };
 
 using std::sin;
 
-/// The wind on a body that is `width` px wide, where the clock of the gusts stands at `gait` (rad). A gust travels over
-/// the scene: one crest follows the other in 2 pi 100 px.
+/// Computes the force of the wind on a body at `x` (px) that is `width` px wide. `gait`: rad, angle of the
+/// clock that drives the gusts. The gusts are a sine wave that travels to the right, with a wavelength of 200
+/// pi px.
 // Shown lines are short.
 // clang-format off
 inline
@@ -48,11 +49,12 @@ BreezePull breeze(
 //! [breeze]
 // clang-format on
 
-/// Wind over the whole scene: it pushes every body, the wide ones more. What it does is its work, and stored nowhere.
+/// A wind over the whole scene. Its force on a body is proportional to the width of the body. It has no
+/// potential.
 class Breeze : public DescribedEffect<Force, descriptions::breeze>
 {
 public:
-    /// `width`: of each point in px, one row a point; `clock`: the gait clock that the gusts go by.
+    /// `width`: px, width of each point. `clock`: index of the gait clock that drives the gusts.
     Breeze(BreezeStrength air, Eigen::ArrayXd width, int clock)
         : m_strength(air), m_width(std::move(width)), m_clock(clock)
     {

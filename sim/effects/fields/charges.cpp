@@ -9,7 +9,7 @@ template class PairForce<ChargeLaw>;
 
 namespace {
 
-/// Every two points that carry a charge.
+/// Returns all pairs of points whose charge is not 0.
 std::vector<PointPair> chargedPairs(const Eigen::ArrayXd &charge)
 {
     std::vector<PointPair> pairs;
@@ -38,48 +38,49 @@ Charges::Charges(Eigen::ArrayXd charge, double strength, double softening)
 {
 }
 
-Vec2 ChargeLaw::published(Vec2 one, Vec2 other, const Numbers &own) const
+Vec2 ChargeLaw::published(Vec2 one, Vec2 other, const Numbers &numbers) const
 {
-    const PairPull found = pull(one, other, own);
-    return found.length < coincidenceDistance ? pullWhenCoincident(publishedDirection({}).out, own)
+    const PairPull found = pull(one, other, numbers);
+    return found.length < coincidenceDistance ? pullWhenCoincident(publishedDirection({}).out, numbers)
                                               : found.pull;
 }
 
-PairJacobian ChargeLaw::jacobian(Vec2 one, Vec2 other, const Numbers &own) const
+PairJacobian ChargeLaw::jacobian(Vec2 one, Vec2 other, const Numbers &numbers) const
 {
-    const Direction way = direction(one - other);
-    if (way.length < coincidenceDistance)
-        return {}; // the force turns round there: it has no derivative
-    const double force = forceAt(way.length, own);
-    const double across = force / way.length;
-    const double along = -2.0 * force * way.length / (way.length * way.length + softening * softening);
-    const double xy = (along - across) * way.out.x * way.out.y;
-    return {across + (along - across) * way.out.x * way.out.x, xy, xy,
-            across + (along - across) * way.out.y * way.out.y};
+    const Direction heading = direction(one - other);
+    if (heading.length < coincidenceDistance)
+        return {}; // the force changes its sign there, so it has no derivative
+    const double force = forceAt(heading.length, numbers);
+    const double across = force / heading.length;
+    const double along =
+        -2.0 * force * heading.length / (heading.length * heading.length + softening * softening);
+    const double xy = (along - across) * heading.out.x * heading.out.y;
+    return {across + (along - across) * heading.out.x * heading.out.x, xy, xy,
+            across + (along - across) * heading.out.y * heading.out.y};
 }
 
-double ChargeLaw::energy(Vec2 one, Vec2 other, const Numbers &own) const
+double ChargeLaw::energy(Vec2 one, Vec2 other, const Numbers &numbers) const
 {
-    // The integral of K / (x^2 + s^2) from the distance to infinity.
-    return strength * own.q1 * own.q2 * std::atan2(softening, length(one - other)) / softening;
+    // The integral of strength q1 q2 / (x^2 + softening^2) over x, from the distance to infinity.
+    return strength * numbers.q1 * numbers.q2 * std::atan2(softening, length(one - other)) / softening;
 }
 
-std::vector<LiveValue> ChargeLaw::liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &own,
+std::vector<LiveValue> ChargeLaw::liveValues(Vec2 one, Vec2 other, Vec2 fallback, const Numbers &numbers,
                                              DirectionRule directionRule) const
 {
-    const PairPull found = pull(one, other, own);
-    const Vec2 felt = directionRule == DirectionRule::published ? published(one, other, own)
-                      : found.length < coincidenceDistance      ? pullWhenCoincident(parting, own)
-                                                                : found.pull;
+    const PairPull found = pull(one, other, numbers);
+    const Vec2 shownPull = directionRule == DirectionRule::published ? published(one, other, numbers)
+                           : found.length < coincidenceDistance      ? pullWhenCoincident(fallback, numbers)
+                                                                     : found.pull;
     return {{"from", one - other},
             {"length", found.length},
-            {"force", forceAt(found.length, own)},
-            {"pull", felt}};
+            {"force", forceAt(found.length, numbers)},
+            {"pull", shownPull}};
 }
 
 namespace {
 
-constexpr ParameterSpec chargeSettings[] = {
+constexpr ParameterSpec chargeParameters[] = {
     {
         .id = "charge_strength",
         .name = SIM_TEXT("Charge strength"),
@@ -105,7 +106,7 @@ constexpr ParameterSpec chargeSettings[] = {
         .sliderMax = 50.0,
         .decimals = 0,
     }};
-constexpr ParameterSpec ofPoints[] = {{
+constexpr ParameterSpec pointParameters[] = {{
     .id = "charge",
     .name = SIM_TEXT("Charge"),
     .symbol = "q",
@@ -124,9 +125,9 @@ constexpr CodeVariable variables[] = {
      SIM_TEXT("How hard they push each other apart, for a mass of 1. Below 0: they attract each other.")},
     {"pull", "px/frame²", SIM_TEXT("What all charges together add to the velocity each frame.")}};
 
-EffectPtr build(const Blueprint &plan, const Values &values)
+EffectPtr build(const Blueprint &blueprint, const Values &values)
 {
-    return std::make_shared<Charges>(valuesOf(plan, ofPoints[0]), values["charge_strength"],
+    return std::make_shared<Charges>(valuesOf(blueprint, pointParameters[0]), values["charge_strength"],
                                      values["softening"]);
 }
 
@@ -136,7 +137,7 @@ bool Charges::addToDraft(BlueprintDraft &draft) const
 {
     draft.addEffect("charges", {{"charge_strength", law().strength}, {"softening", law().softening}});
     for (int i = 0; i < draft.state.pointCount(); ++i)
-        setValue(draft.blueprint.points[static_cast<std::size_t>(i)], ofPoints[0], m_charge[i]);
+        setValue(draft.blueprint.points[static_cast<std::size_t>(i)], pointParameters[0], m_charge[i]);
     return true;
 }
 
@@ -147,8 +148,8 @@ constinit const EffectDescription charges = {
     .kind = EffectKind::spring,
     .purpose = SIM_TEXT("Push points with like charges apart, and pull unlike "
                         "ones together: the harder, the closer they are."),
-    .parameters = chargeSettings,
-    .pointProperties = ofPoints,
+    .parameters = chargeParameters,
+    .pointProperties = pointParameters,
     .variables = variables,
     .make = build};
 }

@@ -8,8 +8,9 @@ namespace descriptions {
 extern const EffectDescription charges;
 }
 
-/// The force between two charges: it repels like charges and attracts unlike ones. strength in px^3/frame^2, softening in
-/// px: its square, added to that of the distance, keeps the force finite where charges meet.
+/// Returns the force of the charge q2 at `other` on the charge q1 at `one`. Like charges repel and unlike
+/// charges attract each other. strength in px^3/frame^2, softening in px. The square of the softening is
+/// added to the square of the distance, which keeps the force finite where charges meet.
 /// Source: Coulomb's law; softened as in Aarseth, "Dynamical evolution of clusters of galaxies, I", 1963.
 // Shown lines are short.
 // clang-format off
@@ -48,37 +49,39 @@ struct ChargeLaw
     };
     static constexpr bool isSymmetric = true;
 
-    PairPull pull(Vec2 one, Vec2 other, const Numbers &own) const
+    PairPull pull(Vec2 one, Vec2 other, const Numbers &numbers) const
     {
-        return chargePull(one, other, strength, own.q1, own.q2, softening);
+        return chargePull(one, other, strength, numbers.q1, numbers.q2, softening);
     }
-    Vec2 pullWhenCoincident(Vec2 out, const Numbers &own) const { return forceAt(0.0, own) * out; }
-    Vec2 published(Vec2 one, Vec2 other, const Numbers &own) const;
-    PairJacobian jacobian(Vec2 one, Vec2 other, const Numbers &own) const;
-    /// Returns the work that brought the two here from infinitely far away.
-    double energy(Vec2 one, Vec2 other, const Numbers &own) const;
-    std::vector<LiveValue> liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &own,
+    Vec2 pullWhenCoincident(Vec2 out, const Numbers &numbers) const { return forceAt(0.0, numbers) * out; }
+    Vec2 published(Vec2 one, Vec2 other, const Numbers &numbers) const;
+    PairJacobian jacobian(Vec2 one, Vec2 other, const Numbers &numbers) const;
+    /// Returns the work that is needed to bring the two charges here from an infinite distance.
+    double energy(Vec2 one, Vec2 other, const Numbers &numbers) const;
+    std::vector<LiveValue> liveValues(Vec2 one, Vec2 other, Vec2 fallback, const Numbers &numbers,
                                       DirectionRule directionRule) const;
     static std::vector<Region> regions(DirectionRule)
     {
         return {{"sim/effects/fields/charges.h", "charges"}};
     }
-    bool isIdle(const Numbers &own) const { return forceAt(0.0, own) == 0.0; }
+    bool isIdle(const Numbers &numbers) const { return forceAt(0.0, numbers) == 0.0; }
 
 private:
-    double forceAt(double distance, const Numbers &own) const
+    /// Returns the force at `distance` px, in px/frame^2 for mass 1; positive: it repels.
+    double forceAt(double distance, const Numbers &numbers) const
     {
-        return strength * own.q1 * own.q2 / (distance * distance + softening * softening);
+        return strength * numbers.q1 * numbers.q2 / (distance * distance + softening * softening);
     }
 };
 
 extern template class PairForce<ChargeLaw>;
 
-/// Points that carry a charge repel or attract every other one that does.
+/// Repels or attracts each pair of charged points.
 class Charges : public DescribedEffect<PairForce<ChargeLaw>, descriptions::charges>
 {
 public:
-    /// `charge`: one a point; a point with charge 0 takes no part. strength in px^3/frame^2, softening in px, above 0.
+    /// `charge`: one entry per point; 0: the point has no charge. strength in px^3/frame^2; softening in px,
+    /// above 0.
     Charges(Eigen::ArrayXd charge, double strength, double softening);
 
     bool addToDraft(BlueprintDraft &draft) const override;

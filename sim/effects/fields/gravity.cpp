@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// Published: Creatures I, step 19.
+/// Returns the acceleration (px/frame^2) of a falling point. Published: Creatures I, step 19.
 //! [gravity]
 static Vec2 fall(double gravity)
 {
@@ -29,9 +29,9 @@ int Gravity::count(const State &state, PointRange points) const
 void Gravity::add(const State &state, PointRange movers, double scale, DirectionRule,
                   Eigen::ArrayX2d &into) const
 {
-    double *down = into.data() + into.rows(); // the column of y
-    updateDynamic(state.inverseMass, movers, down,
-                  [=, gravity = m_gravity](int i) { return down[i] + scale * sim::fall(gravity).y; });
+    double *ay = into.data() + into.rows(); // the column of y
+    updateDynamic(state.inverseMass, movers, ay,
+                  [=, gravity = m_gravity](int i) { return ay[i] + scale * sim::fall(gravity).y; });
 }
 
 std::optional<double> Gravity::uniformGravity() const
@@ -41,10 +41,10 @@ std::optional<double> Gravity::uniformGravity() const
 
 bool Gravity::addJacobian(const State &, PointRange, double, DirectionRule, Jacobian &) const
 {
-    return true; // the same everywhere
+    return true; // gravity does not depend on position, so its Jacobian is 0
 }
 
-/// Of what lies higher there is more: y points down, and y = 0 counts as 0.
+/// The potential energy is 0 at y = 0. Higher points have more, and y points down, hence the minus sign.
 std::optional<double> Gravity::potentialEnergy(const State &state) const
 {
     double sum = 0.0;
@@ -70,7 +70,7 @@ bool Gravity::addToDraft(BlueprintDraft &draft) const
 
 namespace {
 
-constexpr ParameterSpec gravitySettings[] = {{
+constexpr ParameterSpec gravityParameters[] = {{
     .id = "gravity",
     .name = SIM_TEXT("Gravity"),
     .symbol = "g",
@@ -96,7 +96,7 @@ constinit const EffectDescription gravity = {.id = "gravity",
                                              .kind = EffectKind::gravity,
                                              .purpose =
                                                  SIM_TEXT("Pulls everything down, and everything alike."),
-                                             .parameters = gravitySettings,
+                                             .parameters = gravityParameters,
                                              .make = buildGravity};
 }
 

@@ -8,7 +8,7 @@ namespace descriptions {
 extern const EffectDescription gravity;
 }
 
-/// The same pull straight down on every point, whatever its mass.
+/// The same downward acceleration for every dynamic point, whatever its mass.
 class Gravity : public DescribedEffect<Force, descriptions::gravity>
 {
 public:

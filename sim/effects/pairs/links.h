@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// One directed link: `mover` is pulled, `anchor` is what it is pulled to (or by).
+/// A directed link. The point `mover` is pulled towards the point `anchor`, or pushed away from it.
 struct Link
 {
     int mover = 0;
@@ -17,35 +17,37 @@ struct Link
     friend bool operator==(const Link &, const Link &) = default;
 };
 
-/// Two points of which the first, or both, feel a pull between them.
+/// Two points with a pull between them. The mover feels it, and the anchor too if the pair is reciprocal.
 struct PointPair
 {
     int mover = 0;
     int anchor = 0;
-    int index = 0;             ///< which numbers (stiffness, length, ...) are its own
-    bool isReciprocal = false; ///< whether the anchor feels the exact opposite in the same moment
+    int index = 0;             ///< index of the numbers of this pair (stiffness, length, ...)
+    bool isReciprocal = false; ///< whether the anchor feels the exactly opposite pull at the same time
 };
 
-/// Links that all have the same numbers, as pairs.
+/// Returns `links` as pairs that share the numbers with index 0.
 std::vector<PointPair> pairsOf(const std::vector<Link> &links);
 
-/// Neighbouring pairs of a PairList whose points follow each other in memory, so that a loop over them runs in vector
-/// registers.
+/// Neighbouring pairs of a PairList. In a row and in a fan the points are consecutive in memory, so the
+/// compiler can vectorise the loop over them.
 struct PairBatch
 {
     enum class Shape {
-        row,    ///< from pair to pair both the mover and the anchor are one farther
-        fan,    ///< one mover, and anchors one after the other
-        listed, ///< any points: they are read from the list
+        row,    ///< mover and anchor both increase by 1 from pair to pair
+        fan,    ///< all pairs have the same mover, and the anchor increases by 1
+        listed, ///< arbitrary points, read from PairList::pairs
     };
     Shape shape = Shape::listed;
-    int mover = 0;  ///< of the first pair
-    int anchor = 0; ///< of the first pair
-    int first = 0;  ///< the first pair's place in the list
+    int mover = 0;  ///< mover of the first pair
+    int anchor = 0; ///< anchor of the first pair
+    int first = 0;  ///< index of the first pair in PairList::pairs
     int count = 0;
-    bool isReciprocal = false; ///< of all of them, unless they are listed
+    /// Whether all pairs are reciprocal; for Shape::listed, whether the first one is.
+    bool isReciprocal = false;
 
-    /// Whether no point is both a mover and an anchor of this row: then the order of its sums does not matter.
+    /// Returns whether no point of this row is both a mover and an anchor. The order of additions does not
+    /// matter then.
     bool isDisjoint() const { return mover + count <= anchor || anchor + count <= mover; }
 };
 
@@ -53,41 +55,47 @@ struct PairBatch
 struct PairList
 {
     std::vector<PointPair> pairs;
-    std::vector<PairBatch> batches; ///< each pair is in one
-    std::vector<PointRange> ranges; ///< the points that the pairs pull, in ascending order
+    std::vector<PairBatch> batches; ///< each pair belongs to exactly one batch
+    std::vector<PointRange> ranges; ///< ranges that contain the points of all pairs, in ascending order
 };
 
-/// The links of a force. Links that lead to and fro between two points are one pair, computed once.
+/// The links of a force. Two opposite links between the same points can become one reciprocal pair, computed
+/// once.
 class Links
 {
 public:
-    /// `links` in the order in which each point's pulls are added up. `areMutual`: whether the link back from an anchor
-    /// to its mover has the exactly opposite pull, if it has the same numbers: `sameNumbers(a, b)` compares Pair::number.
+    /// Takes `links` in the order in which the pulls on each point are added. `isSymmetric`: whether two
+    /// opposite links with equal numbers have exactly opposite pulls. They become one reciprocal pair then.
+    /// `sameNumbers(a, b)` returns whether the numbers with the indices a and b are equal; see
+    /// PointPair::index.
     template <class SameNumbers>
-    Links(std::vector<PointPair> links, bool areMutual, SameNumbers &&sameNumbers)
-        : m_pairs(areMutual ? merged(links, sameNumbers) : links), m_links(std::move(links))
+    Links(std::vector<PointPair> links, bool isSymmetric, SameNumbers &&sameNumbers)
+        : m_pairs(isSymmetric ? merged(links, sameNumbers) : links), m_links(std::move(links))
     {
-        index();
+        buildIndex();
     }
 
-    /// The first link of `mover` or a higher one.
+    /// Returns the first link in links() whose mover is at least `mover`.
     std::vector<PointPair>::const_iterator firstOf(int mover) const;
-    /// One mover after the other, and of one mover in the order given.
+    /// Returns all links, sorted by mover. Links with the same mover keep their given order.
     const std::vector<PointPair> &links() const { return m_links; }
-    /// One more than the highest point.
+    /// Returns the highest point index of all links, plus 1.
     int points() const { return m_points; }
-    /// Each two points once, in the order in which pulls are computed.
+    /// Returns each pair once, in the order in which the pulls are computed.
     const std::vector<PointPair> &pairs() const { return m_pairs; }
 
-    /// The pairs between points of `runs`, which are in ascending order and hold all points that are tied to any of
-    /// theirs, in batches: the order of each point's pulls stays. `areMutual` as above: lets batches turn pairs round.
-    PairList batches(const std::vector<PointRange> &ranges, bool areMutual) const;
+    /// Returns the pairs between points of `ranges`, in batches that keep the order of the pulls on each
+    /// point. The ranges are in ascending order and hold complete islands. `isSymmetric`: as above. The
+    /// batches may then swap the mover and the anchor of reciprocal pairs.
+    PairList batches(const std::vector<PointRange> &ranges, bool isSymmetric) const;
 
 private:
+    /// Returns `links` with each two opposite links of equal numbers merged into one reciprocal pair.
     template <class SameNumbers>
     static std::vector<PointPair> merged(const std::vector<PointPair> &links, SameNumbers &&sameNumbers)
     {
-        std::vector<int> byEnds(links.size()); // sorted by mover, then anchor, then place
+        // Indices in `links`, sorted by mover, then by anchor, then by index.
+        std::vector<int> byEnds(links.size());
         for (std::size_t i = 0; i < links.size(); ++i)
             byEnds[i] = static_cast<int>(i);
         const auto at = [&](int i) -> const PointPair & { return links[static_cast<std::size_t>(i)]; };
@@ -95,22 +103,24 @@ private:
             return std::tuple(at(a).mover, at(a).anchor, a) < std::tuple(at(b).mover, at(b).anchor, b);
         });
         std::vector<PointPair> pairs;
-        std::vector<char> isTaken(links.size(), 0);
+        std::vector<char> isHandled(links.size(), 0);
         for (std::size_t i = 0; i < links.size(); ++i) {
-            if (isTaken[i] != 0)
+            if (isHandled[i] != 0)
                 continue;
-            isTaken[i] = 1;
+            isHandled[i] = 1;
             PointPair pair = links[i];
-            const std::pair back{pair.anchor, pair.mover};
-            auto other = std::lower_bound(byEnds.begin(), byEnds.end(), back, [&](int a, const auto &ends) {
-                return std::pair(at(a).mover, at(a).anchor) < ends;
-            });
+            const std::pair reverse{pair.anchor, pair.mover};
+            auto other =
+                std::lower_bound(byEnds.begin(), byEnds.end(), reverse, [&](int a, const auto &ends) {
+                    return std::pair(at(a).mover, at(a).anchor) < ends;
+                });
             for (; !pair.isReciprocal && pair.mover != pair.anchor && other != byEnds.end() &&
-                   std::pair(at(*other).mover, at(*other).anchor) == back;
+                   std::pair(at(*other).mover, at(*other).anchor) == reverse;
                  ++other) {
-                char &taken = isTaken[static_cast<std::size_t>(*other)];
-                if (taken == 0 && !at(*other).isReciprocal && sameNumbers(pair.index, at(*other).index)) {
-                    taken = 1;
+                char &isOtherHandled = isHandled[static_cast<std::size_t>(*other)];
+                if (isOtherHandled == 0 && !at(*other).isReciprocal &&
+                    sameNumbers(pair.index, at(*other).index)) {
+                    isOtherHandled = 1;
                     pair.isReciprocal = true;
                 }
             }
@@ -119,11 +129,11 @@ private:
         return pairs;
     }
 
-    void index();
+    void buildIndex();
 
     std::vector<PointPair> m_pairs;
     std::vector<PointPair> m_links; ///< sorted by mover
-    std::vector<int> m_byMover;     ///< places in m_pairs, sorted by mover
+    std::vector<int> m_byMover;     ///< indices in m_pairs, sorted by mover
     int m_points = 0;
 };
 

@@ -4,11 +4,11 @@
 
 namespace sim {
 
-/// How a pull changes with the place of the point that it pulls: 1/frame^2.
+/// The derivative of a pull by the position of a point, in 1/frame^2.
 struct PairJacobian
 {
     double xx = 0.0;
-    double xy = 0.0; ///< the pull along x, by y
+    double xy = 0.0; ///< derivative of the x component of the pull by y
     double yx = 0.0;
     double yy = 0.0;
     friend constexpr PairJacobian operator*(double s, PairJacobian a)
@@ -17,17 +17,19 @@ struct PairJacobian
     }
 };
 
-/// Of a spring to a place: the pull shrinks by k each pixel that the point comes nearer, whatever the direction.
+/// Returns the Jacobian of a spring of stiffness k (1/frame^2) and rest length 0. It is the same in all
+/// directions.
 constexpr PairJacobian pointSpringJacobian(double k)
 {
     return {-k, 0.0, 0.0, -k};
 }
 
-/// Of a spring that keeps a point at `distance` px from where `from` (px) points away from. Along the spring the
-/// pull changes by -k; across it, it turns with the spring: k (distance / length - 1). Points in one place have no
-/// across: there it is -k in all directions.
-/// Source: the derivative of k (distance from/|from| - from); Baraff and Witkin, "Large steps in cloth simulation",
-/// 1998, section 4.
+/// Returns the Jacobian of a spring with the rest length `distance` (px) and the stiffness k (1/frame^2).
+/// `from`: px, position of the mover seen from the anchor. The derivative is -k along the spring and k
+/// (distance / length - 1) across it, because the pull turns with the spring. For coincident points it is -k
+/// in all directions.
+/// Source: the derivative of k (distance from/|from| - from); Baraff and Witkin, "Large steps in cloth
+/// simulation", 1998, section 4.
 inline PairJacobian radialSpringJacobian(Vec2 from, double k, double distance)
 {
     const double far = length(from);
@@ -39,12 +41,14 @@ inline PairJacobian radialSpringJacobian(Vec2 from, double k, double distance)
     return {turns * out.y * out.y - k, xy, xy, turns * out.x * out.x - k};
 }
 
+/// Adds `block`, the derivative of the acceleration of `mover` by the position of `by`.
 inline void addJacobianBlock(Jacobian &jacobian, int mover, int by, PairJacobian block)
 {
     jacobian.add(mover, by, block.xx, block.xy, block.yx, block.yy);
 }
 
-/// Of a pull that depends on nothing but where `mover` is from `anchor`.
+/// Adds the Jacobian of an acceleration of `mover` that depends only on its position relative to `anchor`.
+/// `block`: the derivative by the position of `mover`.
 inline void addPairJacobian(Jacobian &jacobian, int mover, int anchor, PairJacobian block)
 {
     addJacobianBlock(jacobian, mover, mover, block);

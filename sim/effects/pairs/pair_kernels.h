@@ -1,6 +1,6 @@
 #pragma once
 
-// The definitions of PairForce's members: for the source files of laws only.
+// Defines the members of PairForce. Only the source files of laws include it.
 
 #include "sim/effects/pairs/pair_force.h"
 #include "sim/effects/pairs/reaction.h"
@@ -12,11 +12,12 @@
 
 namespace sim {
 
-/// The columns that a sum of pulls reads and writes, by point.
+/// The columns of the state that a sum of pulls reads, and the columns to which it adds. All are indexed by
+/// point.
 struct PullColumns
 {
     const double *x, *y;       ///< px
-    const double *inverseMass; ///< 0: feels nothing
+    const double *inverseMass; ///< 0: not dynamic
     double *ax, *ay;           ///< px/frame^2
 
     PullColumns(const State &state, Eigen::ArrayX2d &into)
@@ -26,17 +27,18 @@ struct PullColumns
     }
 };
 
-/// Adds the pulls of pairs, batch by batch: the one loop of every force between two points. `masses`: whether any point
-/// has a mass other than 1. `pullOf(mover, anchor, place)` is the pull of the pair in that place of the list, from where
-/// its two points are; `pullWhenCoincident(place)` that of two points in one place. Each pair is computed once for both of
-/// its ends, and the pulls of one point come in the order of the list.
-template <bool masses, class PullOf, class InOnePlace>
+/// Adds the pulls of a PairList, batch by batch. All pair forces use this loop. It computes each pair once
+/// for both ends and adds the pulls on a point in the order of the list. `masses`: whether any point has a
+/// mass other than 1. `pullOf(mover, anchor, index)` returns the pull of the pair with that index in the
+/// list, from the positions of its two points. `coincidentPullOf(index)` returns the pull if the two points
+/// coincide.
+template <bool masses, class PullOf, class CoincidentPullOf>
 class PairSum
 {
 public:
-    PairSum(const PairList &list, const PullColumns &sum, const PullOf &pullOf,
-            const InOnePlace &pullWhenCoincident)
-        : m_list(list), m_sum(sum), m_pullOf(pullOf), m_pullInOnePlace(pullWhenCoincident)
+    PairSum(const PairList &list, const PullColumns &columns, const PullOf &pullOf,
+            const CoincidentPullOf &coincidentPullOf)
+        : m_list(list), m_columns(columns), m_pullOf(pullOf), m_coincidentPullOf(coincidentPullOf)
     {
     }
 
@@ -47,8 +49,8 @@ public:
                 addDisjointRow(batch);
                 continue;
             }
-            for (int from = 0; from < batch.count; from += most) {
-                const int count = std::min(most, batch.count - from);
+            for (int from = 0; from < batch.count; from += chunkSize) {
+                const int count = std::min(chunkSize, batch.count - from);
                 if (batch.shape == PairBatch::Shape::row)
                     addRow(batch, from, count);
                 else if (batch.shape == PairBatch::Shape::fan)
@@ -60,34 +62,37 @@ public:
     }
 
 private:
-    static constexpr int most = 256; ///< pulls that fit the nearest cache
+    static constexpr int chunkSize = 256; ///< number of pulls that fit the L1 cache
 
-    /// No two of its pairs have a point in common, so nothing need be kept in between.
+    /// Adds the pulls of a row whose pairs have no point in common, without the buffers m_x and m_y.
     void addDisjointRow(const PairBatch &row)
     {
-        const double *mx = m_sum.x + row.mover, *my = m_sum.y + row.mover;
-        const double *nx = m_sum.x + row.anchor, *ny = m_sum.y + row.anchor;
-        const double *mw = m_sum.inverseMass + row.mover, *nw = m_sum.inverseMass + row.anchor;
-        double *px = m_sum.ax + row.mover, *py = m_sum.ay + row.mover;
-        double *qx = m_sum.ax + row.anchor, *qy = m_sum.ay + row.anchor;
-        const PullOf pullOf = m_pullOf; // numbers that no store can change
+        const double *moverX = m_columns.x + row.mover, *moverY = m_columns.y + row.mover;
+        const double *anchorX = m_columns.x + row.anchor, *anchorY = m_columns.y + row.anchor;
+        const double *moverInverseMass = m_columns.inverseMass + row.mover,
+                     *anchorInverseMass = m_columns.inverseMass + row.anchor;
+        double *moverAx = m_columns.ax + row.mover, *moverAy = m_columns.ay + row.mover;
+        double *anchorAx = m_columns.ax + row.anchor, *anchorAy = m_columns.ay + row.anchor;
+        const PullOf pullOf = m_pullOf; // a copy, which stores to the columns cannot change
         const int count = row.count, first = row.first;
-        std::int64_t close = 0;
-        SIM_TURNS_ARE_APART
+        std::int64_t anyCoincident = 0;
+        SIM_INDEPENDENT_ITERATIONS
         for (int i = 0; i < count; ++i) {
-            const PairPull one = pullOf(Vec2{mx[i], my[i]}, Vec2{nx[i], ny[i]}, first + i);
-            const bool inOne = one.length < coincidenceDistance;
-            close |= inOne ? std::int64_t{1} : std::int64_t{0};
-            const double x = inOne ? 0.0 : one.pull.x, y = inOne ? 0.0 : one.pull.y;
-            px[i] = sumOf(px[i], mw[i], x);
-            py[i] = sumOf(py[i], mw[i], y);
-            qx[i] = sumOf(qx[i], nw[i], -x);
-            qy[i] = sumOf(qy[i], nw[i], -y);
+            const PairPull found =
+                pullOf(Vec2{moverX[i], moverY[i]}, Vec2{anchorX[i], anchorY[i]}, first + i);
+            const bool isCoincident = found.length < coincidenceDistance;
+            anyCoincident |= isCoincident ? std::int64_t{1} : std::int64_t{0};
+            const double x = isCoincident ? 0.0 : found.pull.x, y = isCoincident ? 0.0 : found.pull.y;
+            moverAx[i] = plusPull(moverAx[i], moverInverseMass[i], x);
+            moverAy[i] = plusPull(moverAy[i], moverInverseMass[i], y);
+            anchorAx[i] = plusPull(anchorAx[i], anchorInverseMass[i], -x);
+            anchorAy[i] = plusPull(anchorAy[i], anchorInverseMass[i], -y);
         }
-        for (int i = 0; close != 0 && i < count; ++i) {
-            if (!(pullOf(Vec2{mx[i], my[i]}, Vec2{nx[i], ny[i]}, first + i).length < coincidenceDistance))
+        for (int i = 0; anyCoincident != 0 && i < count; ++i) {
+            if (!(pullOf(Vec2{moverX[i], moverY[i]}, Vec2{anchorX[i], anchorY[i]}, first + i).length <
+                  coincidenceDistance))
                 continue;
-            const Vec2 pull = m_pullInOnePlace(first + i);
+            const Vec2 pull = m_coincidentPullOf(first + i);
             addTo(row.mover + i, pull.x, pull.y);
             addTo(row.anchor + i, -pull.x, -pull.y);
         }
@@ -96,17 +101,18 @@ private:
     void addRow(const PairBatch &row, int from, int count)
     {
         const int mover = row.mover + from, anchor = row.anchor + from;
-        const double *mx = m_sum.x + mover, *my = m_sum.y + mover, *nx = m_sum.x + anchor,
-                     *ny = m_sum.y + anchor;
+        const double *moverX = m_columns.x + mover, *moverY = m_columns.y + mover,
+                     *anchorX = m_columns.x + anchor, *anchorY = m_columns.y + anchor;
         compute(
             row.first + from, count,
             [=](int i) {
-                return Vec2{mx[i], my[i]};
+                return Vec2{moverX[i], moverY[i]};
             },
             [=](int i) {
-                return Vec2{nx[i], ny[i]};
+                return Vec2{anchorX[i], anchorY[i]};
             });
-        // A point that is the anchor of one pair and the mover of another gets first what comes first in the list.
+        // If a point is the anchor of one pair and the mover of another, the earlier pair in the list is
+        // added first.
         if (row.isReciprocal && row.anchor > row.mover)
             addToRow(anchor, count, -1.0);
         addToRow(mover, count, 1.0);
@@ -117,29 +123,29 @@ private:
     void addFan(const PairBatch &fan, int from, int count)
     {
         const int mover = fan.mover, anchor = fan.anchor + from;
-        const Vec2 at = {m_sum.x[mover], m_sum.y[mover]};
-        const double *nx = m_sum.x + anchor, *ny = m_sum.y + anchor;
+        const Vec2 at = {m_columns.x[mover], m_columns.y[mover]};
+        const double *anchorX = m_columns.x + anchor, *anchorY = m_columns.y + anchor;
         compute(
             fan.first + from, count, [=](int) { return at; },
             [=](int i) {
-                return Vec2{nx[i], ny[i]};
+                return Vec2{anchorX[i], anchorY[i]};
             });
         if (fan.isReciprocal)
             addToRow(anchor, count, -1.0);
-        const double share = m_sum.inverseMass[mover];
-        double ax = m_sum.ax[mover], ay = m_sum.ay[mover];
+        const double inverseMass = m_columns.inverseMass[mover];
+        double ax = m_columns.ax[mover], ay = m_columns.ay[mover];
         for (int i = 0; i < count; ++i) {
-            ax = sumOf(ax, share, m_x[i]);
-            ay = sumOf(ay, share, m_y[i]);
+            ax = plusPull(ax, inverseMass, m_x[i]);
+            ay = plusPull(ay, inverseMass, m_y[i]);
         }
-        m_sum.ax[mover] = ax;
-        m_sum.ay[mover] = ay;
+        m_columns.ax[mover] = ax;
+        m_columns.ay[mover] = ay;
     }
 
     void addListed(int first, int count)
     {
         const PointPair *pairs = m_list.pairs.data() + first;
-        const double *x = m_sum.x, *y = m_sum.y;
+        const double *x = m_columns.x, *y = m_columns.y;
         compute(
             first, count,
             [=](int i) {
@@ -155,30 +161,30 @@ private:
         }
     }
 
-    /// The pulls of `count` pairs, from place `first` of the list on.
+    /// Computes the pulls of `count` pairs, from index `first` of the list on, into m_x and m_y.
     template <class MoverAt, class AnchorAt>
     void compute(int first, int count, const MoverAt &moverAt, const AnchorAt &anchorAt)
     {
-        const PullOf pullOf = m_pullOf; // numbers that no store can change
-        std::int64_t close = 0;
-        SIM_TURNS_ARE_APART
+        const PullOf pullOf = m_pullOf; // a copy, which stores to the columns cannot change
+        std::int64_t anyCoincident = 0;
+        SIM_INDEPENDENT_ITERATIONS
         for (int i = 0; i < count; ++i) {
-            const PairPull one = pullOf(moverAt(i), anchorAt(i), first + i);
-            m_x[i] = one.pull.x;
-            m_y[i] = one.pull.y;
-            close |= one.length < coincidenceDistance ? std::int64_t{1} : std::int64_t{0};
+            const PairPull found = pullOf(moverAt(i), anchorAt(i), first + i);
+            m_x[i] = found.pull.x;
+            m_y[i] = found.pull.y;
+            anyCoincident |= found.length < coincidenceDistance ? std::int64_t{1} : std::int64_t{0};
         }
-        for (int i = 0; close != 0 && i < count; ++i) {
+        for (int i = 0; anyCoincident != 0 && i < count; ++i) {
             if (!(pullOf(moverAt(i), anchorAt(i), first + i).length < coincidenceDistance))
                 continue;
-            const Vec2 pull = m_pullInOnePlace(first + i);
+            const Vec2 pull = m_coincidentPullOf(first + i);
             m_x[i] = pull.x;
             m_y[i] = pull.y;
         }
     }
 
-    /// `sum` and what a point of that inverse mass gets from `pull`.
-    static double sumOf(double sum, double inverseMass, double pull)
+    /// Returns `sum` plus the acceleration that `pull` gives a point with the inverse mass `inverseMass`.
+    static double plusPull(double sum, double inverseMass, double pull)
     {
         if constexpr (masses)
             return inverseMass != 0.0 ? sum + inverseMass * pull : sum;
@@ -188,31 +194,31 @@ private:
 
     void addTo(int point, double x, double y)
     {
-        m_sum.ax[point] = sumOf(m_sum.ax[point], m_sum.inverseMass[point], x);
-        m_sum.ay[point] = sumOf(m_sum.ay[point], m_sum.inverseMass[point], y);
+        m_columns.ax[point] = plusPull(m_columns.ax[point], m_columns.inverseMass[point], x);
+        m_columns.ay[point] = plusPull(m_columns.ay[point], m_columns.inverseMass[point], y);
     }
 
     void addToRow(int point, int count, double sign)
     {
-        const double *share = m_sum.inverseMass + point, *x = m_x, *y = m_y;
-        double *ax = m_sum.ax + point, *ay = m_sum.ay + point;
-        SIM_TURNS_ARE_APART
+        const double *inverseMass = m_columns.inverseMass + point, *x = m_x, *y = m_y;
+        double *ax = m_columns.ax + point, *ay = m_columns.ay + point;
+        SIM_INDEPENDENT_ITERATIONS
         for (int i = 0; i < count; ++i) {
-            ax[i] = sumOf(ax[i], share[i], sign * x[i]);
-            ay[i] = sumOf(ay[i], share[i], sign * y[i]);
+            ax[i] = plusPull(ax[i], inverseMass[i], sign * x[i]);
+            ay[i] = plusPull(ay[i], inverseMass[i], sign * y[i]);
         }
     }
 
     const PairList &m_list;
-    const PullColumns m_sum;
+    const PullColumns m_columns;
     const PullOf m_pullOf;
-    const InOnePlace &m_pullInOnePlace;
-    // These begin without values: what is read has been written before.
-    double m_x[most];
-    double m_y[most];
+    const CoincidentPullOf &m_coincidentPullOf;
+    // Not initialised, to save time: compute() writes every entry before it is read.
+    double m_x[chunkSize];
+    double m_y[chunkSize];
 };
 
-/// Whether no point that these pairs pull has a mass other than 1.
+/// Returns whether all points in the ranges of `list` have mass 1.
 inline bool areOfMassOne(const double *inverseMass, const PairList &list)
 {
     std::int64_t others = 0;
@@ -226,7 +232,8 @@ inline bool areOfMassOne(const double *inverseMass, const PairList &list)
 template <class Law>
 PairForce<Law>::PairForce(Law law, std::vector<PointPair> links, std::vector<Numbers> numbers)
     : m_law(std::move(law)), m_numbers(std::move(numbers)),
-      m_links(std::move(links), Law::isSymmetric, [this](int a, int b) { return of(a) == of(b); }),
+      m_links(std::move(links), Law::isSymmetric,
+              [this](int a, int b) { return storedNumbers(a) == storedNumbers(b); }),
       m_all(listOf({{0, m_links.points()}}))
 {
 }
@@ -243,13 +250,13 @@ template <class Law>
 bool PairForce<Law>::isIdle() const
 {
     return std::all_of(m_numbers.begin(), m_numbers.end(),
-                       [this](const Numbers &one) { return m_law.isIdle(one); });
+                       [this](const Numbers &numbers) { return m_law.isIdle(numbers); });
 }
 template <class Law>
 int PairForce<Law>::count(const State &state, PointRange points) const
 {
     int total = 0;
-    forEach(state, points, [&](const PointPair &) { ++total; });
+    forEachLink(state, points, [&](const PointPair &) { ++total; });
     return total;
 }
 template <class Law>
@@ -263,16 +270,16 @@ void PairForce<Law>::add(const State &state, PointRange movers, double scale, Di
                          Eigen::ArrayX2d &into) const
 {
     const auto addTo = [&](int point, Vec2 pull) {
-        const double share = state.inverseMass[point];
-        if (share == 0.0)
+        const double inverseMass = state.inverseMass[point];
+        if (inverseMass == 0.0)
             return;
-        into(point, 0) += scale * (share * pull.x);
-        into(point, 1) += scale * (share * pull.y);
+        into(point, 0) += scale * (inverseMass * pull.x);
+        into(point, 1) += scale * (inverseMass * pull.y);
     };
     if (directionRule == DirectionRule::published) {
-        forEach(state, movers, [&](const PointPair &link) {
+        forEachLink(state, movers, [&](const PointPair &link) {
             const Vec2 pull = m_law.published(state.positionOf(link.mover), state.positionOf(link.anchor),
-                                              now(state, link.index));
+                                              currentNumbers(state, link.index));
             addTo(link.mover, pull);
             if (link.isReciprocal)
                 addTo(link.anchor, -1.0 * pull);
@@ -284,14 +291,14 @@ void PairForce<Law>::add(const State &state, PointRange movers, double scale, Di
         return;
     }
     for (const PointPair &pair : m_all->pairs) {
-        const bool moves = movers.contains(pair.mover),
-                   answers = pair.isReciprocal && movers.contains(pair.anchor);
-        if (!moves && !answers)
+        const bool isMoverInside = movers.contains(pair.mover),
+                   isAnchorInside = pair.isReciprocal && movers.contains(pair.anchor);
+        if (!isMoverInside && !isAnchorInside)
             continue;
         const Vec2 pull = pullOf(state, pair);
-        if (moves)
+        if (isMoverInside)
             addTo(pair.mover, pull);
-        if (answers)
+        if (isAnchorInside)
             addTo(pair.anchor, -1.0 * pull);
     }
 }
@@ -314,14 +321,14 @@ bool PairForce<Law>::addJacobian(const State &state, PointRange movers, double s
         if (!ofMover && !ofAnchor)
             return;
         const PairJacobian block = m_law.jacobian(state.positionOf(pair.mover), state.positionOf(pair.anchor),
-                                                  now(state, pair.index));
+                                                  currentNumbers(state, pair.index));
         if (ofMover)
             addEnd(pair.mover, pair.anchor, block);
         if (ofAnchor)
             addEnd(pair.anchor, pair.mover, block);
     };
     if (directionRule == DirectionRule::published) {
-        forEach(state, movers, [&](const PointPair &link) { addPair(link, true, link.isReciprocal); });
+        forEachLink(state, movers, [&](const PointPair &link) { addPair(link, true, link.isReciprocal); });
         return true;
     }
     for (const PointPair &pair : m_links.pairs())
@@ -339,7 +346,7 @@ std::optional<double> PairForce<Law>::potentialEnergy(const State &state) const
             return {};
         if (mover || (anchor && pair.isReciprocal))
             sum += m_law.energy(state.positionOf(pair.mover), state.positionOf(pair.anchor),
-                                now(state, pair.index));
+                                currentNumbers(state, pair.index));
     }
     return sum;
 }
@@ -354,52 +361,53 @@ template <class Law>
 std::vector<LiveValue> PairForce<Law>::explain(const State &state, int mover,
                                                DirectionRule directionRule) const
 {
-    std::vector<LiveValue> last;
+    std::vector<LiveValue> liveValues;
     Vec2 sum;
-    int felt = 0;
-    const auto take = [&](const PointPair &link, int end, double sign) {
-        last = m_law.liveValues(state.positionOf(link.mover), state.positionOf(link.anchor),
-                                fallbackDirection(link.anchor, link.mover), now(state, link.index),
-                                directionRule);
-        Vec2 &pull = std::get<Vec2>(last.back().value);
+    int count = 0;
+    const auto addLink = [&](const PointPair &link, int end, double sign) {
+        liveValues = m_law.liveValues(state.positionOf(link.mover), state.positionOf(link.anchor),
+                                      fallbackDirection(link.anchor, link.mover),
+                                      currentNumbers(state, link.index), directionRule);
+        Vec2 &pull = std::get<Vec2>(liveValues.back().value);
         pull = (sign * state.inverseMass[end]) * pull;
         sum = sum + pull;
-        ++felt;
+        ++count;
     };
     for (const PointPair &link : m_links.links()) {
         if (link.mover == mover && state.isDynamic(mover))
-            take(link, mover, 1.0);
+            addLink(link, mover, 1.0);
         else if (link.anchor == mover && link.isReciprocal && state.isDynamic(mover))
-            take(link, mover, -1.0);
+            addLink(link, mover, -1.0);
     }
-    if (felt > 1)
+    if (count > 1)
         return {{"pull", sum}};
-    return last;
+    return liveValues;
 }
 template <class Law>
 void PairForce<Law>::addRestTargets(const State &state, std::vector<RestTarget> &into) const
 {
-    if constexpr (requires(const PointPair &link) { m_law.rest(state, link, of(0)); }) {
+    if constexpr (requires(const PointPair &link) { m_law.restTarget(state, link, storedNumbers(0)); }) {
         for (const PointPair &link : links())
-            into.push_back(m_law.rest(state, link, now(state, link.index)));
+            into.push_back(m_law.restTarget(state, link, currentNumbers(state, link.index)));
     }
 }
 template <class Law>
 bool PairForce<Law>::addToDraft(BlueprintDraft &draft) const
 {
-    if constexpr (requires { m_law.restLength(of(0)); }) {
+    if constexpr (requires { m_law.restLength(storedNumbers(0)); }) {
         for (const PointPair &pair : m_links.pairs()) {
-            const Numbers &own = of(pair.index);
-            draft.addSpring({pair.mover, pair.anchor, own.k, m_law.restLength(own)}, pair.isReciprocal);
+            const Numbers &numbers = storedNumbers(pair.index);
+            draft.addSpring({pair.mover, pair.anchor, numbers.k, m_law.restLength(numbers)},
+                            pair.isReciprocal);
         }
         return true;
     }
     return false;
 }
-/// Calls `visit(link)` for each link whose mover is among `movers` and whose pull something feels.
+/// Calls `visit(link)` for each link whose mover is in `movers` and whose pull acts on a dynamic point.
 template <class Law>
 template <class Visit>
-void PairForce<Law>::forEach(const State &state, PointRange movers, Visit &&visit) const
+void PairForce<Law>::forEachLink(const State &state, PointRange movers, Visit &&visit) const
 {
     for (auto link = m_links.firstOf(movers.first);
          link != m_links.links().end() && link->mover < movers.end(); ++link) {
@@ -410,11 +418,11 @@ void PairForce<Law>::forEach(const State &state, PointRange movers, Visit &&visi
 template <class Law>
 Vec2 PairForce<Law>::pullOf(const State &state, const PointPair &pair) const
 {
-    const Numbers numbers = now(state, pair.index);
-    const PairPull one = m_law.pull(state.positionOf(pair.mover), state.positionOf(pair.anchor), numbers);
-    return one.length < coincidenceDistance
+    const Numbers numbers = currentNumbers(state, pair.index);
+    const PairPull found = m_law.pull(state.positionOf(pair.mover), state.positionOf(pair.anchor), numbers);
+    return found.length < coincidenceDistance
                ? m_law.pullWhenCoincident(fallbackDirection(pair.anchor, pair.mover), numbers)
-               : one.pull;
+               : found.pull;
 }
 template <class Law>
 auto PairForce<Law>::listOf(const std::vector<PointRange> &ranges) const
@@ -422,12 +430,12 @@ auto PairForce<Law>::listOf(const std::vector<PointRange> &ranges) const
 {
     NumberedList list{{m_links.batches(ranges, Law::isSymmetric)}, {}};
     const auto isFirst = [&](const PointPair &pair) {
-        return of(pair.index) == of(list.pairs.front().index);
+        return storedNumbers(pair.index) == storedNumbers(list.pairs.front().index);
     };
     const bool areEqual = std::all_of(list.pairs.begin(), list.pairs.end(), isFirst);
     for (std::size_t i = 0; i < (areEqual ? std::min<std::size_t>(1, list.pairs.size()) : list.pairs.size());
          ++i)
-        list.numbers.push_back(of(list.pairs[i].index));
+        list.numbers.push_back(storedNumbers(list.pairs[i].index));
     return std::make_shared<const NumberedList>(std::move(list));
 }
 template <class Law>
@@ -435,31 +443,33 @@ void PairForce<Law>::addList(const NumberedList &list, const State &state, Eigen
 {
     if (list.pairs.empty())
         return;
-    const PullColumns sum(state, into);
-    const auto inOnePlaceOf = [&](int place) {
-        const PointPair &pair = list.pairs[static_cast<std::size_t>(place)];
-        return m_law.pullWhenCoincident(fallbackDirection(pair.anchor, pair.mover), now(state, pair.index));
+    const PullColumns columns(state, into);
+    const auto coincidentPullOf = [&](int index) {
+        const PointPair &pair = list.pairs[static_cast<std::size_t>(index)];
+        return m_law.pullWhenCoincident(fallbackDirection(pair.anchor, pair.mover),
+                                        currentNumbers(state, pair.index));
     };
     const auto addAll = [&]<class PullOf>(const PullOf &pullOf) {
-        using InOnePlace = decltype(inOnePlaceOf);
+        using CoincidentPullOf = decltype(coincidentPullOf);
         dispatch([&] {
             if (areOfMassOne(state.inverseMass.data(), list))
-                PairSum<false, PullOf, InOnePlace>(list, sum, pullOf, inOnePlaceOf).addAll();
+                PairSum<false, PullOf, CoincidentPullOf>(list, columns, pullOf, coincidentPullOf).addAll();
             else
-                PairSum<true, PullOf, InOnePlace>(list, sum, pullOf, inOnePlaceOf).addAll();
+                PairSum<true, PullOf, CoincidentPullOf>(list, columns, pullOf, coincidentPullOf).addAll();
         });
     };
-    if constexpr (requires { m_law.now(state, of(0)); }) {
-        addAll([&](Vec2 mover, Vec2 anchor, int place) {
-            return m_law.pull(mover, anchor, now(state, list.pairs[static_cast<std::size_t>(place)].index));
+    if constexpr (requires { m_law.currentNumbers(state, storedNumbers(0)); }) {
+        addAll([&](Vec2 mover, Vec2 anchor, int index) {
+            return m_law.pull(mover, anchor,
+                              currentNumbers(state, list.pairs[static_cast<std::size_t>(index)].index));
         });
     } else if (list.numbers.size() == 1) {
-        addAll([law = m_law, same = list.numbers.front()](Vec2 mover, Vec2 anchor, int) {
-            return law.pull(mover, anchor, same);
+        addAll([law = m_law, shared = list.numbers.front()](Vec2 mover, Vec2 anchor, int) {
+            return law.pull(mover, anchor, shared);
         });
     } else {
-        addAll([law = m_law, numbers = list.numbers.data()](Vec2 mover, Vec2 anchor, int place) {
-            return law.pull(mover, anchor, numbers[place]);
+        addAll([law = m_law, numbers = list.numbers.data()](Vec2 mover, Vec2 anchor, int index) {
+            return law.pull(mover, anchor, numbers[index]);
         });
     }
 }

@@ -4,27 +4,27 @@
 
 namespace sim {
 
-/// Whether what pulls a point feels that pull itself, turned round.
+/// Whether the point that pulls another one feels the opposite pull.
 enum class Reaction {
-    none,  ///< it feels nothing
-    equal, ///< it feels the opposite, in the same moment
+    none,  ///< it does not
+    equal, ///< it feels exactly the opposite pull at the same time
 };
 
-/// Newton's third law: the opposite of a pull. Published: Creatures II, step 10.
-// The marker leaves out what learners need not read.
+/// Returns the opposite of `pull` (px/frame^2): Newton's third law. Published: Creatures II, step 10.
+// The marker leaves out `inline`, which learners need not read.
 // clang-format off
 inline
 //! [reaction]
 Vec2 reaction(Vec2 pull)
 {
-    // what pulls is pulled back
+    // the other end is pulled back
     Vec2 back = -1 * pull;
     return back;
 }
 //! [reaction]
 // clang-format on
 
-/// Where its source stands.
+/// Returns the region with the source code of reaction().
 inline Region reactionRegion()
 {
     return {"sim/effects/pairs/reaction.h", "reaction"};

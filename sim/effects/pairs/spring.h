@@ -4,14 +4,15 @@
 
 namespace sim {
 
-/// A spring's pull, with the distance it comes from.
+/// The pull of a spring, with the vector from which it was computed.
 struct SpringPull
 {
-    Vec2 d;    ///< px
+    Vec2 d;    ///< px, from the mover to the target
     Vec2 pull; ///< px/frame^2
 };
 
-/// Hooke's law: the pull on `mover` is k times its distance to `target`. k in 1/frame^2.
+/// Returns the pull of a spring with the stiffness k (1/frame^2) and rest length 0 on `mover`, towards
+/// `target`: Hooke's law.
 /// Published: Creatures I, step 4.
 // Shown lines are short.
 // clang-format off
@@ -27,10 +28,11 @@ SpringPull spring(
 //! [spring]
 // clang-format on
 
-/// What a spring has stored that is `stretch` px longer (or shorter) than at rest. Minus its gradient is the pull.
-constexpr double springEnergy(double stretch, double k)
+/// Returns the stored energy (px^2/frame^2, for mass 1) of a spring with the stiffness k that is `extension`
+/// px longer than at rest (negative: shorter). The pull is its negative gradient.
+constexpr double springEnergy(double extension, double k)
 {
-    return 0.5 * k * stretch * stretch;
+    return 0.5 * k * extension * extension;
 }
 
 }

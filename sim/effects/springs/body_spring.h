@@ -9,7 +9,7 @@ namespace descriptions {
 extern const EffectDescription body_spring;
 }
 
-/// Springs from points to other points, wherever those are.
+/// Springs of rest length 0 from points to other points.
 struct BodyLaw
 {
     struct Numbers
@@ -19,26 +19,30 @@ struct BodyLaw
     };
     static constexpr bool isSymmetric = true;
 
-    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        return {published(mover, anchor, one)};
+        return {published(mover, anchor, numbers)};
     }
     static Vec2 pullWhenCoincident(Vec2, const Numbers &) { return {}; }
-    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        return spring(mover, anchor, one.k).pull;
+        return spring(mover, anchor, numbers.k).pull;
     }
     static std::vector<Region> regions(DirectionRule) { return {{"sim/effects/pairs/spring.h", "spring"}}; }
-    static bool isIdle(const Numbers &one) { return one.k == 0.0; }
+    static bool isIdle(const Numbers &numbers) { return numbers.k == 0.0; }
     static double restLength(const Numbers &) { return 0.0; }
-    static PairJacobian jacobian(Vec2, Vec2, const Numbers &one) { return pointSpringJacobian(one.k); }
-    static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static PairJacobian jacobian(Vec2, Vec2, const Numbers &numbers)
     {
-        return springEnergy(length(anchor - mover), one.k);
+        return pointSpringJacobian(numbers.k);
     }
-    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2, const Numbers &one, DirectionRule)
+    static double energy(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        const SpringPull s = spring(mover, anchor, one.k);
+        return springEnergy(length(anchor - mover), numbers.k);
+    }
+    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2, const Numbers &numbers,
+                                             DirectionRule)
+    {
+        const SpringPull s = spring(mover, anchor, numbers.k);
         return {{"d", s.d}, {"pull", s.pull}};
     }
 };

@@ -14,10 +14,10 @@ template class PairForce<LegLaw>;
 
 namespace {
 
-const char *const here = "sim/effects/springs/leg_spring.h";
+const char *const sourceFile = "sim/effects/springs/leg_spring.h";
 
-/// Ordered by foot, and of one foot by the higher point.
-std::vector<Leg> inOrder(std::vector<Leg> legs)
+/// Returns `legs` sorted by foot, and legs of the same foot by their highest point.
+std::vector<Leg> sortedByFoot(std::vector<Leg> legs)
 {
     std::stable_sort(legs.begin(), legs.end(), [](const Leg &a, const Leg &b) {
         return std::pair(a.foot, std::max(a.foot, a.body)) < std::pair(b.foot, std::max(b.foot, b.body));
@@ -44,7 +44,7 @@ std::vector<LegLaw::Numbers> numbersOf(const std::vector<Leg> &legs)
 }
 
 LegSpring::LegSpring(const std::vector<Leg> &legs, LegRule rule)
-    : DescribedEffect({rule}, pairsOf(inOrder(legs), rule.reaction), numbersOf(inOrder(legs)))
+    : DescribedEffect({rule}, pairsOf(sortedByFoot(legs), rule.reaction), numbersOf(sortedByFoot(legs)))
 {
 }
 
@@ -52,54 +52,55 @@ std::vector<Region> LegLaw::regions(DirectionRule) const
 {
     std::vector<Region> all;
     if (aim == Aim::swing)
-        all.push_back({here, "gait_angle"});
-    all.push_back({here, "bone_target"});
+        all.push_back({sourceFile, "gait_angle"});
+    all.push_back({sourceFile, "bone_target"});
     if (aim != Aim::bone)
-        all.push_back({here, "below_target"});
+        all.push_back({sourceFile, "below_target"});
     all.push_back({"sim/effects/pairs/spring.h", "spring"});
     return all;
 }
 
-Vec2 LegSpring::target(const State &state, int number) const
+Vec2 LegSpring::target(const State &state, int index) const
 {
-    const PointPair &leg = links().at(static_cast<std::size_t>(number));
-    return law().target(state.positionOf(leg.anchor), now(state, leg.index));
+    const PointPair &leg = links().at(static_cast<std::size_t>(index));
+    return law().target(state.positionOf(leg.anchor), currentNumbers(state, leg.index));
 }
 
 std::vector<Leg> LegSpring::legs() const
 {
     std::vector<Leg> all;
     for (const PointPair &leg : links()) {
-        const LegLaw::Numbers &own = numbers()[static_cast<std::size_t>(leg.index)];
-        all.push_back({leg.mover, leg.anchor, own.angle, own.clock});
+        const LegLaw::Numbers &legNumbers = numbers()[static_cast<std::size_t>(leg.index)];
+        all.push_back({leg.mover, leg.anchor, legNumbers.angle, legNumbers.clock});
     }
     return all;
 }
 
-std::vector<LiveValue> LegLaw::liveValues(Vec2 foot, Vec2 body, Vec2, const Numbers &one, DirectionRule) const
+std::vector<LiveValue> LegLaw::liveValues(Vec2 foot, Vec2 body, Vec2, const Numbers &numbers,
+                                          DirectionRule) const
 {
     std::vector<LiveValue> all;
     if (aim == Aim::swing)
-        all.push_back({"turned", one.angle});
-    const Vec2 to = target(body, one);
-    const SpringPull s = spring(foot, to, k);
-    all.insert(all.end(), {{"target", to}, {"d", s.d}, {"pull", s.pull}});
+        all.push_back({"turned", numbers.angle});
+    const Vec2 aimedAt = target(body, numbers);
+    const SpringPull s = spring(foot, aimedAt, k);
+    all.insert(all.end(), {{"target", aimedAt}, {"d", s.d}, {"pull", s.pull}});
     return all;
 }
 
 namespace {
 
-/// The group of legs that go by the clock numbered `clock`, as it stands in `now`.
-BlueprintGait gaitOf(const LegRule &rule, int clock, const State &now)
+/// Returns the gait of the legs that gait clock `clock` turns, as the clock is in `state`.
+BlueprintGait gaitOf(const LegRule &rule, int clock, const State &state)
 {
     BlueprintGait gait;
     gait.k = rule.k;
     gait.leg = rule.leg;
     gait.drop = rule.aim == Aim::bone ? 0.0 : rule.drop;
     gait.pullsBody = rule.reaction == Reaction::equal;
-    if (rule.aim == Aim::swing && clock < now.gait.rows()) {
-        gait.start = now.gait[clock];
-        gait.speed = now.gaitSpeed[clock];
+    if (rule.aim == Aim::swing && clock < state.gait.rows()) {
+        gait.start = state.gait[clock];
+        gait.speed = state.gaitSpeed[clock];
     }
     return gait;
 }
@@ -108,8 +109,8 @@ BlueprintGait gaitOf(const LegRule &rule, int clock, const State &now)
 
 bool LegSpring::addToDraft(BlueprintDraft &draft) const
 {
-    const std::vector<int> before = feetOf(draft.blueprint);
-    std::set<int> feet(before.begin(), before.end());
+    const std::vector<int> existingFeet = feetOf(draft.blueprint);
+    std::set<int> feet(existingFeet.begin(), existingFeet.end());
     std::vector<BlueprintGait> &gaits = draft.blueprint.gaits;
     std::map<int, int> groups; // by clock
     for (const Leg &leg : legs()) {

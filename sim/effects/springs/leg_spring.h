@@ -13,33 +13,33 @@ namespace descriptions {
 extern const EffectDescription leg_spring;
 }
 
-/// A leg that knows where its foot belongs: at an angle of its own, seen from the body.
+/// A leg. It holds its foot at an angle, seen from the body.
 struct Leg
 {
     int foot = 0;
     int body = 0;
-    double angle = 0.0; ///< rad; 0 is straight left of the body, a quarter turn straight above it
-    int clock = 0;      ///< which gait clock turns it
+    double angle = 0.0; ///< rad; at 0 the foot is to the left of the body, at pi / 2 above it
+    int clock = 0;      ///< index of the gait clock that turns it
 };
 
-/// What a foot's own place takes into account.
+/// What determines the target position of a foot.
 enum class Aim {
-    bone,  ///< the leg's angle and length
-    below, ///< and how far below the body the legs end
-    swing, ///< and how far the gait clock has turned
+    bone,  ///< angle and length of the leg
+    below, ///< also LegRule::drop
+    swing, ///< also LegRule::drop and the angle of the gait clock
 };
 
-/// What all legs of a creature have in common.
+/// The numbers that all legs of a creature share.
 struct LegRule
 {
     double k = 0.0;    ///< 1/frame^2
-    double leg = 0.0;  ///< px, from the middle of all places of a foot to each
-    double drop = 0.0; ///< px, how far that middle lies below the body; not for Aim::bone
+    double leg = 0.0;  ///< px, length: distance from the centre of the circle of target positions to the foot
+    double drop = 0.0; ///< px, how far that centre is below the body; 0 for Aim::bone, which ignores it
     Aim aim = Aim::bone;
-    Reaction reaction = Reaction::none; ///< what the body feels
+    Reaction reaction = Reaction::none; ///< whether the body feels the opposite pull
 };
 
-/// Where a foot belongs: `leg` px from the body, against the direction `angle` (rad).
+/// Returns the target position of a foot: `leg` px from the body, against the direction `angle` (rad).
 /// Published: Creatures II, step 4.
 // Shown lines are short.
 // clang-format off
@@ -56,7 +56,7 @@ Vec2 boneTarget(
 //! [bone_target]
 // clang-format on
 
-/// The same, `drop` px farther down. Published: Creatures II, step 6.
+/// Returns the target position `drop` px farther down than boneTarget(). Published: Creatures II, step 6.
 // Shown lines are short.
 // clang-format off
 inline
@@ -73,7 +73,8 @@ Vec2 belowTarget(
 //! [below_target]
 // clang-format on
 
-/// A leg's angle when the gait clock stands at `gait` (rad). Published: Creatures II, step 8.
+/// Returns the angle (rad) of a leg after the gait clock has turned it by `gait` (rad). Published: Creatures
+/// II, step 8.
 //! [gait_angle]
 inline double gaitAngle(double angle, double gait)
 {
@@ -82,7 +83,7 @@ inline double gaitAngle(double angle, double gait)
 }
 //! [gait_angle]
 
-/// Springs that pull each foot to its own place, wherever it is. A foot is the mover, its body the anchor.
+/// Springs that pull each foot to its target position. The foot is the mover, the body the anchor.
 struct LegLaw : LegRule
 {
     struct Numbers
@@ -93,34 +94,39 @@ struct LegLaw : LegRule
     };
     static constexpr bool isSymmetric = false;
 
-    /// With the angle to which the gait clock has turned the leg.
-    Numbers now(const State &state, const Numbers &one) const
+    /// Returns `numbers` with the angle to which the gait clock has turned the leg.
+    Numbers currentNumbers(const State &state, const Numbers &numbers) const
     {
-        return {aim == Aim::swing ? gaitAngle(one.angle, state.gait[one.clock]) : one.angle, one.clock};
+        return {aim == Aim::swing ? gaitAngle(numbers.angle, state.gait[numbers.clock]) : numbers.angle,
+                numbers.clock};
     }
-    Vec2 target(Vec2 body, const Numbers &one) const
+    Vec2 target(Vec2 body, const Numbers &numbers) const
     {
-        return aim == Aim::bone ? boneTarget(body, one.angle, leg) : belowTarget(body, one.angle, leg, drop);
+        return aim == Aim::bone ? boneTarget(body, numbers.angle, leg)
+                                : belowTarget(body, numbers.angle, leg, drop);
     }
-    PairPull pull(Vec2 foot, Vec2 body, const Numbers &one) const { return {published(foot, body, one)}; }
+    PairPull pull(Vec2 foot, Vec2 body, const Numbers &numbers) const
+    {
+        return {published(foot, body, numbers)};
+    }
     static Vec2 pullWhenCoincident(Vec2, const Numbers &) { return {}; }
-    Vec2 published(Vec2 foot, Vec2 body, const Numbers &one) const
+    Vec2 published(Vec2 foot, Vec2 body, const Numbers &numbers) const
     {
-        return spring(foot, target(body, one), k).pull;
+        return spring(foot, target(body, numbers), k).pull;
     }
     PairJacobian jacobian(Vec2, Vec2, const Numbers &) const { return pointSpringJacobian(k); }
-    /// Where the clock turns a leg it lifts what the leg has stored, too: that is the clock's work.
-    double energy(Vec2 foot, Vec2 body, const Numbers &one) const
+    /// When the gait clock turns a leg, it changes the stored energy. That change is work done by the clock.
+    double energy(Vec2 foot, Vec2 body, const Numbers &numbers) const
     {
-        return springEnergy(length(target(body, one) - foot), k);
+        return springEnergy(length(target(body, numbers) - foot), k);
     }
     std::vector<Region> regions(DirectionRule directionRule) const;
     bool isIdle(const Numbers &) const { return k == 0.0; }
-    std::vector<LiveValue> liveValues(Vec2 foot, Vec2 body, Vec2 parting, const Numbers &one,
+    std::vector<LiveValue> liveValues(Vec2 foot, Vec2 body, Vec2 fallback, const Numbers &numbers,
                                       DirectionRule directionRule) const;
-    RestTarget rest(const State &state, const PointPair &legPair, const Numbers &one) const
+    RestTarget restTarget(const State &state, const PointPair &legPair, const Numbers &numbers) const
     {
-        return {legPair.mover, legPair.anchor, target(state.positionOf(legPair.anchor), one), false};
+        return {legPair.mover, legPair.anchor, target(state.positionOf(legPair.anchor), numbers), false};
     }
 };
 
@@ -137,9 +143,9 @@ public:
     }
     bool addToDraft(BlueprintDraft &draft) const override;
 
-    /// Where the foot of the leg numbered `number` belongs, px.
-    Vec2 target(const State &state, int number) const;
-    /// Ordered by foot.
+    /// Returns the target position (px) of the foot of leg `index` in legs().
+    Vec2 target(const State &state, int index) const;
+    /// Returns the legs, sorted by foot.
     std::vector<Leg> legs() const;
     const LegRule &rule() const { return law(); }
 };

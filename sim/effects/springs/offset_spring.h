@@ -9,7 +9,7 @@ namespace descriptions {
 extern const EffectDescription offset_spring;
 }
 
-/// A place beside a point. Published: Creatures I, step 6.
+/// Returns the position `offset` px to the right of `anchor`. Published: Creatures I, step 6.
 // Shown lines are short.
 // clang-format off
 inline
@@ -23,8 +23,8 @@ Vec2 offsetTarget(Vec2 anchor, double offset)
 //! [offset_target]
 // clang-format on
 
-/// Springs from points to places that lie `offset` pixels to the right of other points. To and fro between two points
-/// both are pulled to the right: so each link is computed by itself.
+/// Springs from points to positions `offset` px to the right of other points. Opposite links between two
+/// points pull both to the right, so the law is not symmetric.
 struct OffsetLaw
 {
     struct Numbers
@@ -35,35 +35,39 @@ struct OffsetLaw
     };
     static constexpr bool isSymmetric = false;
 
-    static Vec2 target(Vec2 anchor, const Numbers &one) { return offsetTarget(anchor, one.offset); }
-    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static Vec2 target(Vec2 anchor, const Numbers &numbers) { return offsetTarget(anchor, numbers.offset); }
+    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        return {published(mover, anchor, one)};
+        return {published(mover, anchor, numbers)};
     }
     static Vec2 pullWhenCoincident(Vec2, const Numbers &) { return {}; }
-    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        return spring(mover, target(anchor, one), one.k).pull;
+        return spring(mover, target(anchor, numbers), numbers.k).pull;
     }
     static std::vector<Region> regions(DirectionRule)
     {
         return {{"sim/effects/springs/offset_spring.h", "offset_target"},
                 {"sim/effects/pairs/spring.h", "spring"}};
     }
-    static bool isIdle(const Numbers &one) { return one.k == 0.0; }
-    static PairJacobian jacobian(Vec2, Vec2, const Numbers &one) { return pointSpringJacobian(one.k); }
-    static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static bool isIdle(const Numbers &numbers) { return numbers.k == 0.0; }
+    static PairJacobian jacobian(Vec2, Vec2, const Numbers &numbers)
     {
-        return springEnergy(length(target(anchor, one) - mover), one.k);
+        return pointSpringJacobian(numbers.k);
     }
-    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2, const Numbers &one, DirectionRule)
+    static double energy(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        const SpringPull s = spring(mover, target(anchor, one), one.k);
-        return {{"target", target(anchor, one)}, {"d", s.d}, {"pull", s.pull}};
+        return springEnergy(length(target(anchor, numbers) - mover), numbers.k);
     }
-    static RestTarget rest(const State &state, const PointPair &link, const Numbers &one)
+    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2, const Numbers &numbers,
+                                             DirectionRule)
     {
-        return {link.mover, link.anchor, target(state.positionOf(link.anchor), one), false};
+        const SpringPull s = spring(mover, target(anchor, numbers), numbers.k);
+        return {{"target", target(anchor, numbers)}, {"d", s.d}, {"pull", s.pull}};
+    }
+    static RestTarget restTarget(const State &state, const PointPair &link, const Numbers &numbers)
+    {
+        return {link.mover, link.anchor, target(state.positionOf(link.anchor), numbers), false};
     }
 };
 

@@ -8,7 +8,7 @@ namespace descriptions {
 extern const EffectDescription point_spring;
 }
 
-/// A spring from one point to a fixed place.
+/// A spring from one point to a fixed position.
 class PointSpring : public DescribedEffect<Force, descriptions::point_spring>
 {
 public:

@@ -12,8 +12,8 @@ template class PairForce<PushLaw>;
 
 namespace {
 
-/// Every two of `points`, the one with the lower number as the mover.
-std::vector<PointPair> everyTwo(std::vector<int> points, Reaction reaction)
+/// Returns all pairs of `points`. The point with the lower index is the mover.
+std::vector<PointPair> allPairs(std::vector<int> points, Reaction reaction)
 {
     std::sort(points.begin(), points.end());
     std::vector<PointPair> pairs;
@@ -27,7 +27,7 @@ std::vector<PointPair> everyTwo(std::vector<int> points, Reaction reaction)
 }
 
 Push::Push(const std::vector<int> &points, double k, double distance, Reaction reaction)
-    : DescribedEffect({k, distance}, everyTwo(points, reaction), {{}})
+    : DescribedEffect({k, distance}, allPairs(points, reaction), {{}})
 {
 }
 
@@ -35,7 +35,7 @@ bool Push::addToDraft(BlueprintDraft &draft) const
 {
     const auto points = static_cast<std::size_t>(draft.state.pointCount());
     if (2 * links().size() != points * (points - 1))
-        return false; // of some points only
+        return false; // it acts on some points only, and a blueprint cannot express that
     draft.addEffect("push", {{"push", law().k}, {"distance", law().distance}});
     return true;
 }
@@ -47,21 +47,21 @@ std::vector<Region> PushLaw::regions(DirectionRule directionRule)
              directionRule == DirectionRule::published ? "published_direction" : "direction"}};
 }
 
-std::vector<LiveValue> PushLaw::liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &,
+std::vector<LiveValue> PushLaw::liveValues(Vec2 one, Vec2 other, Vec2 fallback, const Numbers &,
                                            DirectionRule directionRule) const
 {
     const PushPull found = push(one, other, k, distance, [&](Vec2 d) {
         if (directionRule == DirectionRule::published)
             return publishedHeading(d);
         const Direction heading = direction(d);
-        return heading.length < coincidenceDistance ? Direction{heading.length, parting} : heading;
+        return heading.length < coincidenceDistance ? Direction{heading.length, fallback} : heading;
     });
     return {{"from", found.from}, {"missing", found.missing}, {"pull", found.pull}};
 }
 
 namespace {
 
-constexpr ParameterSpec pushSettings[] = {
+constexpr ParameterSpec pushParameters[] = {
     {
         .id = "push",
         .name = SIM_TEXT("Push"),
@@ -85,9 +85,9 @@ constexpr ParameterSpec pushSettings[] = {
         .decimals = 0,
     }};
 
-EffectPtr buildPush(const Blueprint &plan, const Values &values)
+EffectPtr buildPush(const Blueprint &blueprint, const Values &values)
 {
-    std::vector<int> all(plan.points.size());
+    std::vector<int> all(blueprint.points.size());
     std::iota(all.begin(), all.end(), 0);
     return std::make_shared<Push>(all, values["push"], values["distance"], Reaction::equal);
 }
@@ -101,7 +101,7 @@ constinit const EffectDescription push = {
     .kind = EffectKind::spring,
     .purpose =
         SIM_TEXT("Pushes apart what comes too close, so that creatures do not walk through each other."),
-    .parameters = pushSettings,
+    .parameters = pushParameters,
     .make = buildPush};
 }
 

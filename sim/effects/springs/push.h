@@ -12,17 +12,18 @@ namespace descriptions {
 extern const EffectDescription push;
 }
 
-/// A push between two points, with what it was found from.
+/// The push between two points, with its intermediate values.
 struct PushPull
 {
-    Vec2 from;            ///< px, the one as seen from the other
-    double missing = 0.0; ///< px, how much closer than `distance` they are; 0 or less: they don't touch
-    Vec2 pull;            ///< px/frame^2, what the one feels
+    Vec2 from;            ///< px, position of `one` seen from `other`
+    double missing = 0.0; ///< px, how much closer they are than `distance`; 0 or less: no push
+    Vec2 pull;            ///< px/frame^2, on `one`, for mass 1
 };
 
-/// A spring that only pushes: on `one`, away from `other`, while they are closer than `distance` px.
-/// `direction(d)` gives the length and the direction of a distance. k in 1/frame^2.
-/// Source: the penalty method; Moore and Wilhelms, "Collision detection and response for computer animation", 1988.
+/// Computes a spring that only pushes. It pushes `one` away from `other` while they are closer than
+/// `distance` px. `direction(d)` returns the length and the direction of the vector `d`. k in 1/frame^2.
+/// Source: the penalty method; Moore and Wilhelms, "Collision detection and response for computer animation",
+/// 1988.
 // Shown lines are short.
 // clang-format off
 template <class HeadingOf>
@@ -42,7 +43,7 @@ PushPull push(
 //! [push]
 // clang-format on
 
-/// Pushes apart every two points that come closer than `distance`.
+/// Pushes between points that are closer than `distance`.
 struct PushLaw
 {
     double k = 0.0;        ///< 1/frame^2
@@ -56,9 +57,9 @@ struct PushLaw
 
     PairPull pull(Vec2 one, Vec2 other, const Numbers &) const
     {
-        Direction way;
-        const Vec2 pull = push(one, other, k, distance, [&](Vec2 d) { return way = direction(d); }).pull;
-        return {pull, way.length};
+        Direction heading;
+        const Vec2 pull = push(one, other, k, distance, [&](Vec2 d) { return heading = direction(d); }).pull;
+        return {pull, heading.length};
     }
     Vec2 pullWhenCoincident(Vec2 out, const Numbers &) const { return k * distance * out; }
     Vec2 published(Vec2 one, Vec2 other, const Numbers &) const
@@ -76,18 +77,20 @@ struct PushLaw
     }
     static std::vector<Region> regions(DirectionRule directionRule);
     bool isIdle(const Numbers &) const { return k == 0.0 || distance <= 0.0; }
+    /// Returns the direction by the published rule, with the length of `d`.
     static Direction publishedHeading(Vec2 d) { return {length(d), publishedDirection(d).out}; }
-    std::vector<LiveValue> liveValues(Vec2 one, Vec2 other, Vec2 parting, const Numbers &,
+    std::vector<LiveValue> liveValues(Vec2 one, Vec2 other, Vec2 fallback, const Numbers &,
                                       DirectionRule directionRule) const;
 };
 
 extern template class PairForce<PushLaw>;
 
-/// Pushes apart every two of some points that come too close to each other.
+/// Pushes any two of some points apart while they are too close to each other.
 class Push : public DescribedEffect<PairForce<PushLaw>, descriptions::push>
 {
 public:
-    /// k in 1/frame^2, distance in px. With Reaction::none only the one with the lower number is pushed.
+    /// k in 1/frame^2, distance in px. With Reaction::none, only the point with the lower index of each pair
+    /// is pushed.
     Push(const std::vector<int> &points, double k, double distance, Reaction reaction);
 
     bool addToDraft(BlueprintDraft &draft) const override;

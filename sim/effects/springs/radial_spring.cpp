@@ -15,23 +15,24 @@ std::vector<Region> RadialLaw::regions(DirectionRule directionRule)
     return {{"sim/effects/springs/radial_spring.h", "spring_pull"}};
 }
 
-std::vector<LiveValue> RadialLaw::liveValues(Vec2 mover, Vec2 anchor, Vec2 parting, const Numbers &one,
+std::vector<LiveValue> RadialLaw::liveValues(Vec2 mover, Vec2 anchor, Vec2 fallback, const Numbers &numbers,
                                              DirectionRule directionRule)
 {
     if (directionRule == DirectionRule::published) {
         const PublishedDirection heading = publishedDirection(mover - anchor);
         const RadialPull s =
-            radialSpring(mover, anchor, one.k, one.radius, [&](Vec2) { return heading.out; });
+            radialSpring(mover, anchor, numbers.k, numbers.radius, [&](Vec2) { return heading.out; });
         return {{"from", s.from},     {"angle", heading.angle}, {"out", heading.out},
                 {"target", s.target}, {"d", s.end.d},           {"pull", s.end.pull}};
     }
-    const PairPull found = pull(mover, anchor, one);
+    const PairPull found = pull(mover, anchor, numbers);
     if (found.length < coincidenceDistance)
-        return {
-            {"from", mover - anchor}, {"length", found.length}, {"pull", pullWhenCoincident(parting, one)}};
+        return {{"from", mover - anchor},
+                {"length", found.length},
+                {"pull", pullWhenCoincident(fallback, numbers)}};
     return {{"from", mover - anchor},
             {"length", found.length},
-            {"share", one.radius / found.length - 1.0},
+            {"share", numbers.radius / found.length - 1.0},
             {"pull", found.pull}};
 }
 

@@ -11,16 +11,16 @@ namespace descriptions {
 extern const EffectDescription radial_spring;
 }
 
-/// A radial spring's pull as published, with what it was found from.
+/// The published pull of a radial spring, with its intermediate values.
 struct RadialPull
 {
-    Vec2 from;      ///< px, the anchor seen from which the mover lies along `heading`
-    Vec2 target;    ///< px
-    SpringPull end; ///< the plain spring to that target
+    Vec2 from;      ///< px, position of the mover seen from the anchor
+    Vec2 target;    ///< px, position at rest length from the anchor
+    SpringPull end; ///< spring of rest length 0 to that target
 };
 
-/// A spring to the nearest place that is `radius` pixels away from `anchor`, in the direction in which `mover`
-/// already is. `direction(d)` gives it. k in 1/frame^2.
+/// Computes a spring from `mover` to the nearest position that is `radius` px away from `anchor`.
+/// `direction(d)` returns the direction of the vector `d`. k in 1/frame^2.
 /// Published: Creatures I, step 7.
 // Shown lines are short.
 // clang-format off
@@ -40,8 +40,9 @@ RadialPull radialSpring(
 //! [radial_spring]
 // clang-format on
 
-/// The same pull with one root and one division, and with the exact opposite for the other end. k in 1/frame^2, radius in
-/// px. Points in one place have no direction: see fallbackDirection().
+/// Returns the same pull as radialSpring(), computed with one square root and one division. The pull on
+/// the other end is exactly the opposite. k in 1/frame^2, radius in px. Not for coincident points; see
+/// RadialLaw::pullWhenCoincident().
 /// Source: k (radius out - from) with out = from / length; Published: Creatures I, step 7.
 // Shown lines are short.
 // clang-format off
@@ -63,50 +64,53 @@ PairPull springPull(
 //! [spring_pull]
 // clang-format on
 
-/// Springs that keep points at a distance from other points, in whatever direction they are.
+/// Springs that keep points at a distance from other points, in any direction.
 struct RadialLaw
 {
     struct Numbers
     {
         double k = 0.0;      ///< 1/frame^2
-        double radius = 0.0; ///< px, the length at which it neither pulls nor pushes
+        double radius = 0.0; ///< px, rest length
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
     static constexpr bool isSymmetric = true;
 
-    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static PairPull pull(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        return springPull(mover, anchor, one.k, one.radius);
+        return springPull(mover, anchor, numbers.k, numbers.radius);
     }
-    static Vec2 pullWhenCoincident(Vec2 out, const Numbers &one) { return one.k * one.radius * out; }
-    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static Vec2 pullWhenCoincident(Vec2 out, const Numbers &numbers)
     {
-        return radialSpring(mover, anchor, one.k, one.radius,
+        return numbers.k * numbers.radius * out;
+    }
+    static Vec2 published(Vec2 mover, Vec2 anchor, const Numbers &numbers)
+    {
+        return radialSpring(mover, anchor, numbers.k, numbers.radius,
                             [](Vec2 d) { return publishedDirection(d).out; })
             .end.pull;
     }
-    static PairJacobian jacobian(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static PairJacobian jacobian(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        return radialSpringJacobian(mover - anchor, one.k, one.radius);
+        return radialSpringJacobian(mover - anchor, numbers.k, numbers.radius);
     }
-    static double energy(Vec2 mover, Vec2 anchor, const Numbers &one)
+    static double energy(Vec2 mover, Vec2 anchor, const Numbers &numbers)
     {
-        return springEnergy(length(mover - anchor) - one.radius, one.k);
+        return springEnergy(length(mover - anchor) - numbers.radius, numbers.k);
     }
-    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2 parting, const Numbers &one,
+    static std::vector<LiveValue> liveValues(Vec2 mover, Vec2 anchor, Vec2 fallback, const Numbers &numbers,
                                              DirectionRule directionRule);
-    static RestTarget rest(const State &state, const PointPair &link, const Numbers &one)
+    static RestTarget restTarget(const State &state, const PointPair &link, const Numbers &numbers)
     {
-        return restTargetAt(state, link.mover, link.anchor, one.radius);
+        return restTargetAt(state, link.mover, link.anchor, numbers.radius);
     }
     static std::vector<Region> regions(DirectionRule directionRule);
-    static bool isIdle(const Numbers &one) { return one.k == 0.0; }
-    static double restLength(const Numbers &one) { return one.radius; }
+    static bool isIdle(const Numbers &numbers) { return numbers.k == 0.0; }
+    static double restLength(const Numbers &numbers) { return numbers.radius; }
 };
 
 extern template class PairForce<RadialLaw>;
 
-/// Radial springs that are all alike.
+/// Radial springs with equal numbers.
 class RadialSpring : public DescribedEffect<PairForce<RadialLaw>, descriptions::radial_spring>
 {
 public:

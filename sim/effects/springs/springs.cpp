@@ -6,36 +6,36 @@ namespace sim {
 
 namespace {
 
-/// Each spring as both of its ends see it.
-std::vector<PointPair> endsOf(const std::vector<Spring> &springs, int points)
+/// Returns two opposite links per spring, because both ends feel it.
+std::vector<PointPair> linksOf(const std::vector<Spring> &springs, int points)
 {
-    std::vector<PointPair> ends;
+    std::vector<PointPair> links;
     for (std::size_t i = 0; i < springs.size(); ++i) {
-        const Spring &one = springs[i];
-        for (const int end : {one.a, one.b}) {
+        const Spring &spring = springs[i];
+        for (const int end : {spring.a, spring.b}) {
             if (end < 0 || end >= points)
                 throw Error("spring-without-end", {{"spring", std::to_string(i)},
                                                    {"end", std::to_string(end)},
                                                    {"points", std::to_string(points)}});
         }
-        ends.push_back({one.a, one.b, static_cast<int>(i)});
-        ends.push_back({one.b, one.a, static_cast<int>(i)});
+        links.push_back({spring.a, spring.b, static_cast<int>(i)});
+        links.push_back({spring.b, spring.a, static_cast<int>(i)});
     }
-    return ends;
+    return links;
 }
 
 std::vector<RadialLaw::Numbers> numbersOf(const std::vector<Spring> &springs)
 {
     std::vector<RadialLaw::Numbers> numbers;
-    for (const Spring &one : springs)
-        numbers.push_back({one.k, one.length});
+    for (const Spring &spring : springs)
+        numbers.push_back({spring.k, spring.length});
     return numbers;
 }
 
 }
 
 Springs::Springs(const std::vector<Spring> &springs, int points)
-    : DescribedEffect({}, endsOf(springs, points), numbersOf(springs))
+    : DescribedEffect({}, linksOf(springs, points), numbersOf(springs))
 {
 }
 

@@ -8,21 +8,22 @@ namespace descriptions {
 extern const EffectDescription springs;
 }
 
-/// A spring between two points, with its own stiffness and length. Both points feel it.
+/// A spring between two points. Both points feel it.
 struct Spring
 {
     int a = 0;
     int b = 0;
     double k = 0.0;      ///< mass/frame^2
-    double length = 0.0; ///< px, at which it neither pulls nor pushes
+    double length = 0.0; ///< px, rest length
     friend bool operator==(const Spring &, const Spring &) = default;
 };
 
-/// Springs of which each has its own stiffness and its own length: radial springs that pull both ends.
+/// Springs with individual stiffnesses and lengths: radial springs that pull both ends.
 class Springs : public DescribedEffect<PairForce<RadialLaw>, descriptions::springs>
 {
 public:
-    /// @throws Error "spring-without-end" (spring, end, points) when a spring ends at a point that is not there
+    /// @throws Error "spring-without-end" (spring, end, points) if a spring ends at a point that does not
+    /// exist
     Springs(const std::vector<Spring> &springs, int points);
 };
 

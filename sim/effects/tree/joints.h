@@ -13,14 +13,14 @@ extern const EffectDescription joints;
 class Joints : public DescribedEffect<Driver, descriptions::joints>
 {
 public:
-    /// `degrees`: how many of them are a radian.
+    /// `degrees`: number of degrees per radian, see degreesOf().
     Joints(TreePtr tree, double degrees) : m_tree(std::move(tree)), m_degrees(degrees) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::coupledPoints; }
-    void addCouplings(std::vector<Coupling> &into) const override { m_tree->addCouplings(into); }
-    /// A branch that feels nothing does not turn on either: it loses its spin.
+    void addCouplings(std::vector<Coupling> &couplings) const override { m_tree->addCouplings(couplings); }
+    /// Also sets the spin of branches that are not dynamic to 0.
     void drive(State &state, double h) const override;
     DriverTiming timing() const override { return DriverTiming::dependent; }
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;

@@ -11,8 +11,8 @@ namespace descriptions {
 extern const EffectDescription return_to_rest;
 }
 
-/// Turns a branch a share of the way back to the angle at which it grew, if more than one degree is missing:
-/// `angle' = (rest - angle) / ease`, h in frames, taken as one step of explicit Euler; angles in degrees.
+/// Returns the angle (degrees) of a branch after it turned back towards its rest angle for `h` frames, in one
+/// explicit Euler step of `angle' = (rest - angle) / ease`. A branch within 1 degree of `rest` does not turn.
 /// Published: swaying tree, returnToRest().
 // Shown lines are short.
 // clang-format off
@@ -31,11 +31,11 @@ double returnToRest(
 //! [return_to_rest]
 // clang-format on
 
-/// Lets every branch return to where it grew.
+/// Turns every branch back towards its rest angle.
 class ReturnToRest : public DescribedEffect<Driver, descriptions::return_to_rest>
 {
 public:
-    /// `ease` in frames.
+    /// `ease`: frames, the time constant.
     ReturnToRest(TreePtr tree, double ease) : m_tree(std::move(tree)), m_ease(ease) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;

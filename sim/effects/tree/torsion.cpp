@@ -4,7 +4,7 @@ namespace sim {
 
 namespace {
 
-const char *const here = "sim/effects/tree/torsion.h";
+const char *const header = "sim/effects/tree/torsion.h";
 
 }
 
@@ -12,21 +12,22 @@ BranchMechanics branchMechanicsOf(const Tree &tree, double k)
 {
     const int branches = tree.branchCount();
     std::vector<double> carried(static_cast<std::size_t>(branches), 0.0);
-    BranchMechanics limbs{Eigen::ArrayXd(branches), Eigen::ArrayXd(branches)};
-    for (int i = branches - 1; i >= 0; --i) { // children come after their parents
-        const auto row = static_cast<std::size_t>(i);
-        const double scale = tree.scale[row];
-        if (tree.parent[row] >= 0)
-            carried[static_cast<std::size_t>(tree.parent[row])] += carried[row] + scale * scale * scale;
-        limbs.inertia[i] = branchInertia(scale, carried[row]);
-        limbs.stiffness[i] = branchStiffness(k, limbs.inertia[i], scale);
+    BranchMechanics mechanics{Eigen::ArrayXd(branches), Eigen::ArrayXd(branches)};
+    for (int i = branches - 1; i >= 0; --i) { // children have larger indices than their parents
+        const auto index = static_cast<std::size_t>(i);
+        const double scale = tree.scale[index];
+        if (tree.parent[index] >= 0)
+            carried[static_cast<std::size_t>(tree.parent[index])] += carried[index] + scale * scale * scale;
+        mechanics.inertia[i] = branchInertia(scale, carried[index]);
+        mechanics.stiffness[i] = branchStiffness(k, mechanics.inertia[i], scale);
     }
-    return limbs;
+    return mechanics;
 }
 
 std::vector<Region> Torsion::regions(DirectionRule) const
 {
-    return {{here, "torsion"}, {here, "turned_by"}, {here, "branch_inertia"}, {here, "branch_stiffness"}};
+    return {
+        {header, "torsion"}, {header, "turned_by"}, {header, "branch_inertia"}, {header, "branch_stiffness"}};
 }
 
 int Torsion::count(const State &, PointRange points) const
@@ -43,7 +44,7 @@ double Torsion::torqueOn(const State &state, int branch) const
 {
     const int parent = m_tree->parent[static_cast<std::size_t>(branch)];
     const double parentBend = parent < 0 ? 0.0 : bend(state, parent); // the ground does not bend
-    return torsion(bend(state, branch), parentBend, m_limbs.stiffness[branch]);
+    return torsion(bend(state, branch), parentBend, m_mechanics.stiffness[branch]);
 }
 
 double Torsion::reactionOn(const State &state, int branch) const
@@ -59,7 +60,7 @@ void Torsion::add(const State &state, PointRange movers, double scale, Eigen::Ar
 {
     for (int i = movers.first; i < movers.end(); ++i) {
         if (state.isDynamic(i))
-            into[i] += scale * turnedBy(torqueOn(state, i), reactionOn(state, i), m_limbs.inertia[i]);
+            into[i] += scale * turnedBy(torqueOn(state, i), reactionOn(state, i), m_mechanics.inertia[i]);
     }
 }
 
@@ -68,17 +69,17 @@ bool Torsion::addJacobian(const State &state, PointRange movers, double scale, J
     for (int i = movers.first; i < movers.end(); ++i) {
         if (!state.isDynamic(i))
             continue;
-        const auto row = static_cast<std::size_t>(i);
-        const double share = scale / m_limbs.inertia[i];
-        double stiffness = m_limbs.stiffness[i];
-        if (m_tree->parent[row] >= 0)
-            jacobian.addAngular(i, m_tree->parent[row], share * stiffness);
-        const int first = m_tree->firstChild[row];
-        for (int child = first; child < first + m_tree->children[row]; ++child) {
-            jacobian.addAngular(i, child, share * m_limbs.stiffness[child]);
-            stiffness += m_limbs.stiffness[child];
+        const auto index = static_cast<std::size_t>(i);
+        const double factor = scale / m_mechanics.inertia[i];
+        double stiffness = m_mechanics.stiffness[i];
+        if (m_tree->parent[index] >= 0)
+            jacobian.addAngular(i, m_tree->parent[index], factor * stiffness);
+        const int first = m_tree->firstChild[index];
+        for (int child = first; child < first + m_tree->children[index]; ++child) {
+            jacobian.addAngular(i, child, factor * m_mechanics.stiffness[child]);
+            stiffness += m_mechanics.stiffness[child];
         }
-        jacobian.addAngular(i, i, -share * stiffness);
+        jacobian.addAngular(i, i, -factor * stiffness);
     }
     return true;
 }
@@ -89,16 +90,16 @@ std::vector<LiveValue> Torsion::explain(const State &state, int mover) const
         return {};
     const double torque = torqueOn(state, mover), reaction = reactionOn(state, mover);
     return {{"bend", bend(state, mover), {}},
-            {"stiffness", m_limbs.stiffness[mover], {}},
-            {"inertia", m_limbs.inertia[mover], {}},
+            {"stiffness", m_mechanics.stiffness[mover], {}},
+            {"inertia", m_mechanics.inertia[mover], {}},
             {"torque", torque, {}},
             {"reaction", reaction, {}},
-            {"pull", turnedBy(torque, reaction, m_limbs.inertia[mover]), {}}};
+            {"pull", turnedBy(torque, reaction, m_mechanics.inertia[mover]), {}}};
 }
 
 double Torsion::kineticEnergy(const State &state) const
 {
-    return 0.5 * (m_limbs.inertia * state.spin.square()).sum();
+    return 0.5 * (m_mechanics.inertia * state.spin.square()).sum();
 }
 
 double Torsion::springEnergy(const State &state) const
@@ -106,25 +107,25 @@ double Torsion::springEnergy(const State &state) const
     double sum = 0.0;
     for (int i = 0; i < m_tree->branchCount(); ++i) {
         const double torque = torqueOn(state, i);
-        if (torque != 0.0) // a joint without stiffness has no energy
-            sum += 0.5 * torque * torque / m_limbs.stiffness[i];
+        if (torque != 0.0) // the stiffness may be 0
+            sum += 0.5 * torque * torque / m_mechanics.stiffness[i];
     }
     return sum;
 }
 
 double Torsion::stiffnessBound() const
 {
-    double most = 0.0;
+    double bound = 0.0;
     for (int i = 0; i < m_tree->branchCount(); ++i) {
-        const auto row = static_cast<std::size_t>(i);
-        const bool onGround = m_tree->parent[row] < 0;
-        double circle = (onGround ? 1.0 : 2.0) * m_limbs.stiffness[i];
-        for (int child = m_tree->firstChild[row]; child < m_tree->firstChild[row] + m_tree->children[row];
-             ++child)
-            circle += 2.0 * m_limbs.stiffness[child];
-        most = std::max(most, circle / m_limbs.inertia[i]);
+        const auto index = static_cast<std::size_t>(i);
+        const bool onGround = m_tree->parent[index] < 0;
+        double rowSum = (onGround ? 1.0 : 2.0) * m_mechanics.stiffness[i];
+        for (int child = m_tree->firstChild[index];
+             child < m_tree->firstChild[index] + m_tree->children[index]; ++child)
+            rowSum += 2.0 * m_mechanics.stiffness[child];
+        bound = std::max(bound, rowSum / m_mechanics.inertia[i]);
     }
-    return most;
+    return bound;
 }
 
 namespace descriptions {

@@ -9,18 +9,19 @@ namespace descriptions {
 extern const EffectDescription torsion;
 }
 
-/// What each branch of a tree has to be turned by, and how stiff its joint is. One entry a branch.
+/// The moment of inertia and the joint stiffness of each branch of a tree.
 struct BranchMechanics
 {
-    Eigen::ArrayXd inertia;   ///< rotary, of the branch and what it carries; a lone trunk has 1
-    Eigen::ArrayXd stiffness; ///< of the joint at its origin: inertia/frame^2
+    Eigen::ArrayXd inertia;   ///< of the branch and all branches it carries; 1 for a trunk alone
+    Eigen::ArrayXd stiffness; ///< inertia/frame^2, torsional stiffness of the joint at its origin
 };
 
-/// The rotary inertia of a branch round its origin, in units of a lone trunk's. Length and thickness go with its
-/// scale, so its mass goes with the cube, and a rod's inertia, m L^2 / 3, with the fifth power. What it carries,
-/// with masses in units of the trunk's, sits at its end, a length away: m L^2, three times as much.
-/// Source: these are the diagonal entries of the mass matrix of a chain of rods in absolute angles (Goldstein,
-/// "Classical mechanics", section 1.6); the others are left out, so that the inertia stays what it is at rest.
+/// Returns the moment of inertia of a branch about its origin. The unit is the inertia of the trunk alone.
+/// Length and thickness are proportional to `scale`, so the mass is proportional to scale^3 and the inertia
+/// of the rod, m L^2 / 3, to scale^5. The branches that it carries have the mass `carried`, in masses of the
+/// trunk. They count as a point mass at the end of the branch: m L^2, three times the inertia of a rod.
+/// Source: the diagonal of the mass matrix of a chain of rods in absolute angles (Goldstein, "Classical
+/// mechanics", section 1.6). The other entries are ignored, so the inertia does not depend on the angles.
 // Shown lines are short.
 // clang-format off
 inline
@@ -37,8 +38,9 @@ double branchInertia(
 //! [branch_inertia]
 // clang-format on
 
-/// The stiffness of a branch's joint. A branch grows as strong as what it carries needs; and the thinner it is,
-/// the faster it swings: by itself with the square of its angular frequency k / scale. k in 1/frame^2.
+/// Returns the torsional stiffness of a branch's joint. It grows with the inertia that the joint has to turn.
+/// A thinner branch swings faster: if nothing else moves, the square of its angular frequency is k / scale.
+/// `k` in 1/frame^2.
 // Shown lines are short.
 // clang-format off
 inline
@@ -54,11 +56,11 @@ double branchStiffness(
 //! [branch_stiffness]
 // clang-format on
 
-/// Inertia and stiffness of each branch of `tree`.
+/// Returns the inertia and the stiffness of each branch of `tree`. `k`: see branchStiffness().
 BranchMechanics branchMechanicsOf(const Tree &tree, double k);
 
-/// Hooke's law for a joint: the torque on the branch, in inertia * degrees/frame^2. A bend is how far a branch is
-/// turned from its angle of rest, in degrees. The parent feels the opposite.
+/// Returns the torque of a joint on its branch by Hooke's law, in inertia * degrees/frame^2. A bend is the
+/// angle by which a branch is turned from its rest angle, in degrees. The parent feels the opposite torque.
 // Shown lines are short.
 // clang-format off
 inline
@@ -74,7 +76,8 @@ double torsion(
 //! [torsion]
 // clang-format on
 
-/// The angular acceleration of a branch: the torque at its origin, less those at its end, where its children bend.
+/// Returns the angular acceleration of a branch (degrees/frame^2). `torque` acts at its origin. `reaction` is
+/// the sum of the torques on its children; their reactions act at its end.
 // Shown lines are short.
 // clang-format off
 inline
@@ -91,40 +94,48 @@ double turnedBy(
 //! [turned_by]
 // clang-format on
 
-/// Springs that turn: one in the joint of each branch with its parent, and of the trunk with the ground.
-/// With the angle and spin of each branch as coordinates the energy is a sum of one part of the spins and one of
-/// the angles, so semi-implicit Euler keeps it bounded as long as h < 2 / sqrt(the largest eigenvalue of
-/// stiffness/inertia); stiffnessBound() bounds that eigenvalue.
+/// Torsion springs: one in the joint between each branch and its parent, and one between trunk and ground.
+/// The energy is the sum of a function of the spins and a function of the angles. So with semi-implicit Euler
+/// it stays bounded as long as h < 2 / sqrt(e), where e is the largest eigenvalue of stiffness/inertia.
+/// stiffnessBound() is an upper bound of e.
 class Torsion : public DescribedEffect<Torque, descriptions::torsion>
 {
 public:
-    Torsion(TreePtr tree, BranchMechanics limbs) : m_tree(std::move(tree)), m_limbs(std::move(limbs)) {}
+    Torsion(TreePtr tree, BranchMechanics mechanics)
+        : m_tree(std::move(tree)), m_mechanics(std::move(mechanics))
+    {
+    }
 
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return Dependence::coupledPoints; }
-    void addCouplings(std::vector<Coupling> &into) const override { m_tree->addCouplings(into); }
-    bool isIdle() const override { return (m_limbs.stiffness == 0.0).all(); }
+    void addCouplings(std::vector<Coupling> &couplings) const override { m_tree->addCouplings(couplings); }
+    bool isIdle() const override { return (m_mechanics.stiffness == 0.0).all(); }
     void add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const override;
     bool addJacobian(const State &state, PointRange movers, double scale, Jacobian &jacobian) const override;
     std::optional<double> potentialEnergy(const State &state) const override { return springEnergy(state); }
-    Eigen::ArrayXd inertia() const override { return m_limbs.inertia; }
+    Eigen::ArrayXd inertia() const override { return m_mechanics.inertia; }
     std::vector<LiveValue> explain(const State &state, int mover) const override;
 
-    const BranchMechanics &mechanics() const { return m_limbs; }
-    /// Of the spins, and of the bent joints: inertia * (degrees/frame)^2, where a lone trunk's inertia is 1.
+    const BranchMechanics &mechanics() const { return m_mechanics; }
+    /// Returns the kinetic energy of the spins, in inertia * (degrees/frame)^2.
     double kineticEnergy(const State &state) const;
+    /// Returns the potential energy of the bent joints, in the same unit.
     double springEnergy(const State &state) const;
-    /// An upper bound of the largest eigenvalue, 1/frame^2: by Gershgorin's circles.
+    /// Returns an upper bound of the largest eigenvalue of stiffness/inertia, in 1/frame^2.
+    /// Source: Gershgorin's circle theorem.
     double stiffnessBound() const;
 
 private:
+    /// Returns the angle (degrees) by which `branch` is turned from its rest angle.
     double bend(const State &state, int branch) const;
+    /// Returns the torque of the joint at the origin of `branch`.
     double torqueOn(const State &state, int branch) const;
+    /// Returns the sum of the torques on the children of `branch`.
     double reactionOn(const State &state, int branch) const;
 
     TreePtr m_tree;
-    BranchMechanics m_limbs;
+    BranchMechanics m_mechanics;
 };
 
 }

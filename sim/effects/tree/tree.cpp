@@ -27,7 +27,7 @@ Tree Tree::ofTrunk(double baseLength)
 
 void Tree::addBranch(int from, double angle, double branchScale)
 {
-    const int number = branchCount();
+    const int branch = branchCount();
     parent.push_back(from);
     firstChild.push_back(-1);
     children.push_back(0);
@@ -35,18 +35,18 @@ void Tree::addBranch(int from, double angle, double branchScale)
     scale.push_back(branchScale);
     if (from < 0)
         return;
-    const auto row = static_cast<std::size_t>(from);
-    if (firstChild[row] < 0)
-        firstChild[row] = number;
-    ++children[row];
+    const auto index = static_cast<std::size_t>(from);
+    if (firstChild[index] < 0)
+        firstChild[index] = branch;
+    ++children[index];
     firstTwig = from + 1;
 }
 
-void Tree::addCouplings(std::vector<std::pair<int, int>> &into) const
+void Tree::addCouplings(std::vector<std::pair<int, int>> &couplings) const
 {
     for (int i = 0; i < branchCount(); ++i) {
         if (const int from = parent[static_cast<std::size_t>(i)]; from >= 0)
-            into.emplace_back(i, from);
+            couplings.emplace_back(i, from);
     }
 }
 

@@ -10,61 +10,65 @@
 
 namespace sim {
 
-/// A tree of straight branches, breadth first: the trunk is number 0, parents come before their children, and the
-/// children of one branch follow each other. One entry a branch.
+/// A tree of straight branches in breadth-first order. The trunk is branch 0, parents come before their
+/// children, and siblings are neighbours. A twig is a branch without children. One entry per branch.
 struct Tree
 {
-    std::vector<int> parent;     ///< -1 for the trunk
-    std::vector<int> firstChild; ///< -1 for a twig, which has none
-    std::vector<int> children;   ///< how many
-    std::vector<double> rest;    ///< degrees, clockwise from the x axis; -90 is straight up
-    std::vector<double> scale;   ///< length and thickness as a share of the trunk's
-    int firstTwig = 0;           ///< all branches from this one on are twigs
-    double baseLength = 100.0;   ///< px, of a branch of scale 1
+    std::vector<int> parent;     ///< index of the parent; -1 for the trunk
+    std::vector<int> firstChild; ///< index of the first child; -1 for a twig
+    std::vector<int> children;   ///< number of children
+    std::vector<double> rest;    ///< degrees, rest angle, clockwise from the x axis; -90 is straight up
+    std::vector<double> scale;   ///< length and thickness as a fraction of the trunk's
+    int firstTwig = 0;           ///< index from which on all branches are twigs
+    double baseLength = 100.0;   ///< px, length of a branch of scale 1
 
-    /// A trunk that stands straight up, of scale 1.
+    /// Returns a tree that consists of an upright trunk of scale 1. `baseLength` in px.
     static Tree ofTrunk(double baseLength);
-    /// Adds a branch at the end of branch `from`. All children of a branch are added before those of the next.
+    /// Adds a branch at the end of branch `from`, at the rest angle `angle` (degrees). All children of a
+    /// branch have to be added before those of the next branch.
     void addBranch(int from, double angle, double branchScale);
     int branchCount() const { return static_cast<int>(parent.size()); }
-    /// Each branch with the one that it grows from.
-    void addCouplings(std::vector<std::pair<int, int>> &into) const;
+    /// Adds the pairs (branch, parent).
+    void addCouplings(std::vector<std::pair<int, int>> &couplings) const;
 };
 
 using TreePtr = std::shared_ptr<const Tree>;
 
-/// No tree that grows by numbers which a learner sets has more branches than this: 2^17 - 1, which is 17 levels that
-/// double. It bounds time and memory; a tree that is built in code can be as large as these allow.
+/// The largest tree that a learner's parameters can grow: 2^17 - 1 branches, which is 17 levels that double.
+/// It limits time and memory. Trees that are built in code have no such limit.
 constexpr int maxBranches = 131'071;
 
-/// Refuses a tree in which each branch has two children, `slope` times as large, as long as they are larger than
-/// `minScale`, before it is grown.
-/// @throws Error "tree-too-big" (most, slope, min_scale) when it has more than maxBranches, or no end
+/// Checks the size of a tree before it is grown. Each branch has two children that are `slope` times as
+/// large, as long as these are larger than `minScale`.
+/// @throws Error "tree-too-big" (most, slope, min_scale) if the tree has more than maxBranches branches or
+/// grows without end
 void checkGrowth(double slope, double minScale);
 
-/// Degrees to the radian, and the number that the tutorial uses for it.
+/// Number of degrees per radian.
 constexpr double degreesPerRadian = 180.0 / std::numbers::pi;
+/// The rounded number that the tutorial uses instead.
 constexpr double publishedDegrees = 57.3;
 
-/// Which formulas bend a tree.
+/// Which formulas move a tree.
 enum class TreeFormula {
-    corrected, ///< what the tutorial's text means
-    published, ///< what its code prints: 57.3 degrees to the radian, the end point added, 360 for 180
+    corrected, ///< what the tutorial's text describes
+    published, ///< the tutorial's code: 57.3 degrees per radian, the end point added, 360 instead of 180
 };
 
+/// Returns the number of degrees per radian that `formula` uses.
 constexpr double degreesOf(TreeFormula formula)
 {
     return formula == TreeFormula::published ? publishedDegrees : degreesPerRadian;
 }
 
-/// Formulas of trees, with the functions of alike.h.
+/// Formulas of trees. They use portable mathematics, so all machines compute the same bits.
 namespace tree_formulas {
 
 using portable::atan2;
 using portable::remainder;
 
-/// The way from a branch's origin to its end before the branch is scaled: px. Angle in degrees; `degrees` are how
-/// many of them are a radian. Published: swaying tree, getEndPoint().
+/// Returns the vector (px) from the origin of a branch to its end, for a branch of scale 1. `angle`:
+/// degrees. `degrees`: number of degrees per radian. Published: swaying tree, getEndPoint().
 // Shown lines are short.
 // clang-format off
 template <class Cos, class Sin>
@@ -83,8 +87,9 @@ Vec2 branchReach(
 
 }
 
-/// Calls `work` with a function that computes the reach of a branch from its angle and length, for so many `degrees` to
-/// the radian. The published number goes with alike::cos() and alike::sin(), which published runs have their bits from.
+/// Calls `work` with a function that returns the reach of a branch for an angle (degrees) and a length (px).
+/// `degrees`: number of degrees per radian. For the published number, the function uses portable::cos() and
+/// portable::sin() instead of the fast ones, because they determine the bits of published runs.
 template <class Work>
 auto withReach(double degrees, const Work &work)
 {
@@ -97,12 +102,14 @@ auto withReach(double degrees, const Work &work)
     });
 }
 
+/// Returns the reach of a branch; see tree_formulas::branchReach().
 inline Vec2 branchReach(double angle, double length, double degrees)
 {
     return withReach(degrees, [&](const auto &reachOf) { return reachOf(angle, length); });
 }
 
-/// Where a branch ends, px: there its children begin. Published: swaying tree, localToGlobal(endPoint).
+/// Returns the position of the end of a branch, in px. Its children begin there.
+/// Published: swaying tree, localToGlobal(endPoint).
 // Shown lines are short.
 // clang-format off
 inline
@@ -117,15 +124,15 @@ Vec2 branchEnd(
 //! [end]
 // clang-format on
 
-/// What a branch sees of the pointer.
+/// The pointer as a branch sees it.
 struct PointerOffset
 {
-    Vec2 mouse; ///< the pointer in the branch's frame, in px of a branch of scale 1
-    Vec2 d;     ///< to the pointer, as the formula has it; likewise
+    Vec2 mouse; ///< position of the pointer in the branch's frame, in px of a branch of scale 1
+    Vec2 d;     ///< vector to the pointer by the published formula, in the same unit
 };
 
-/// The pointer as the published code has it: in the frame of the branch, which is scaled but not turned. The end
-/// point is added where the text means the distance between the two.
+/// Returns the pointer in the frame of a branch, by the published formula. The frame is scaled but not
+/// rotated. The code adds the end point, although the text describes the difference of the two points.
 /// Published: swaying tree, mouseX + endPoint.x.
 // Shown lines are short.
 // clang-format off
@@ -146,16 +153,16 @@ PointerOffset pointerOffsetPublished(
 //! [sight_published]
 // clang-format on
 
-/// Where branch `i` ends in `state`.
+/// Returns the position (px) of the end of branch `i` in `state`.
 inline Vec2 endOf(const Tree &tree, const State &state, int i, double degrees)
 {
     const Vec2 reach = branchReach(state.angle[i], tree.baseLength, degrees);
     return branchEnd(state.positionOf(i), reach, tree.scale[static_cast<std::size_t>(i)]);
 }
 
-/// Goes through the tree from the trunk to the twigs: calls `turn(i)` for each branch that feels anything, when it
-/// stands where it belongs, then moves its children to its end. A branch in a hand stays where the hand is.
-/// TreeWalk does it for many.
+/// Visits the branches from the trunk to the twigs. For each dynamic branch calls `turn(i)`, after the branch
+/// was moved to the end of its parent. Then moves its children to its end. A dragged branch stays at the
+/// hand. TreeWalk does the same for many branches at once.
 template <class Turn>
 void forEachFromTrunk(const Tree &tree, State &state, double degrees, Turn &&turn)
 {

@@ -8,26 +8,27 @@
 
 namespace sim {
 
-/// So many branches are computed in one go. With 128 a tree that fits no cache took a tenth to a third longer.
+/// Maximum number of branches in a batch. With 128, a tree too large for the cache took a tenth to a third
+/// longer.
 constexpr int maxBatch = 48;
 
-/// One number for each branch of a run.
+/// One number for each branch of a batch.
 using BranchBuffer = std::array<double, maxBatch>;
 
-/// Goes through a tree from the trunk to the twigs, several branches at once. The order of loops is that of
-/// forEachFromTrunk(); each loop is short, so that a processor can begin with the next branches before it is done.
+/// Visits the branches of a tree from the trunk to the twigs in batches, with the same result as
+/// forEachFromTrunk(). The loops are short, so the processor can start the next batch before one is complete.
 class TreeWalk
 {
 public:
-    /// `degrees`: how many of them are a radian.
+    /// `degrees`: number of degrees per radian.
     TreeWalk(const Tree &tree, State &state, double degrees)
         : m_tree(tree), m_state(state), m_degrees(degrees)
     {
     }
 
-    /// The branches after `run` that are computed together: none of them carries another. Empty at the end.
+    /// Returns the batch of branches after `range`: no branch is the parent of another one. Empty at the end.
     PointRange next(PointRange range) const;
-    /// Calls `use(branch, reach)` for each branch of `run`, several at once, with its reach at its angle in the state.
+    /// Calls `use(branch, reach)` for each branch of `range`, in a vectorised loop; see branchReach().
     template <class Use>
     void forEachReach(PointRange range, const Use &use) const
     {
@@ -36,13 +37,13 @@ public:
                 const double *angle = m_state.angle.data();
                 const double length = m_tree.baseLength;
                 const int end = range.end();
-                SIM_TURNS_ARE_APART
+                SIM_INDEPENDENT_ITERATIONS
                 for (int i = range.first; i < end; ++i)
                     use(i, reachOf(angle[i], length));
             });
         });
     }
-    /// Moves the children of `run` to where it ends. What a hand holds stays there.
+    /// Moves the dynamic children of the branches of `range` to the ends of their parents.
     void moveChildren(PointRange range);
 
 private:

@@ -8,12 +8,13 @@ namespace sim {
 
 namespace {
 
-const char *const here = "sim/effects/tree/tree_wind.h";
-const char *const tree = "sim/effects/tree/tree.h";
+const char *const windHeader = "sim/effects/tree/tree_wind.h";
+const char *const treeHeader = "sim/effects/tree/tree.h";
 
-/// Calls `visit` with what says how a branch resists: `strength(resistance, distance, scale)`.
+/// Calls `visit` with the resistance formula: `strength(resistance, distance, scale)`. So the choice of the
+/// formula stays outside the loop over branches.
 template <class Visit>
-auto resisted(Resistance::By by, const Visit &visit)
+auto withStrengthFormula(Resistance::By by, const Visit &visit)
 {
     switch (by) {
     case Resistance::By::distance:
@@ -28,12 +29,12 @@ auto resisted(Resistance::By by, const Visit &visit)
     return visit([](const Resistance &resistance, double, double) { return resistance.amount; });
 }
 
-/// The formulas without the rule for an end that the pointer is on.
+/// The corrected formulas, for ends that do not coincide with the pointer.
 struct Corrected
 {
     Vec2 pointer;
 
-    BranchWind breeze(Vec2 origin, Vec2 reach, double scale) const
+    BranchWind windOn(Vec2 origin, Vec2 reach, double scale) const
     {
         return windAt(branchEnd(origin, reach, scale), pointer);
     }
@@ -43,12 +44,12 @@ struct Corrected
     }
 };
 
-/// As printed, which has no such rule.
-struct AsPrinted
+/// The published formulas.
+struct Published
 {
     Vec2 pointer;
 
-    BranchWind breeze(Vec2 origin, Vec2 reach, double scale) const
+    BranchWind windOn(Vec2 origin, Vec2 reach, double scale) const
     {
         return windPublished(pointerOffsetPublished(pointer, origin, reach, scale).d);
     }
@@ -58,33 +59,33 @@ struct AsPrinted
     }
 };
 
-/// The wind at each branch of a run, in the order of the run.
-struct Breezes
+/// The reach of each branch of a batch, and the wind at it.
+struct BatchWind
 {
-    // These begin without values: each number is written before it is read.
+    // Uninitialised: each number is written before it is read.
     BranchBuffer reachX, reachY, wind, distance;
 };
 
-/// Computes the wind at each branch of `run`, as if the pointer were on no branch's end.
-template <class Bend>
-void findBreezes(const TreeWalk &walk, State &state, const double *scale, PointRange range,
-                 const Bend &bendBy, Breezes &into)
+/// Computes the wind at each branch of `range`, as if no branch's end coincided with the pointer.
+template <class Formula>
+void computeBatchWind(const TreeWalk &walk, State &state, const double *scale, PointRange range,
+                      const Formula &formula, BatchWind &result)
 {
-    double *reachX = into.reachX.data(), *reachY = into.reachY.data();
+    double *reachX = result.reachX.data(), *reachY = result.reachY.data();
     walk.forEachReach(range, [=, first = range.first](int i, Vec2 reach) {
         reachX[i - first] = reach.x;
         reachY[i - first] = reach.y;
     });
-    // Two short loops: in a long one a processor could not begin with the next branches early enough.
-    dispatch([=, &into, at = XyColumns(state.position)] {
-        double *wind = into.wind.data(), *distance = into.distance.data();
+    // A second short loop: after one long loop the processor could not start the next batch early enough.
+    dispatch([=, &result, position = XyColumns(state.position)] {
+        double *wind = result.wind.data(), *distance = result.distance.data();
         const int first = range.first, count = range.count;
-        SIM_TURNS_ARE_APART
+        SIM_INDEPENDENT_ITERATIONS
         for (int i = 0; i < count; ++i) {
-            const BranchWind breeze =
-                bendBy.breeze(at.at(first + i), {reachX[i], reachY[i]}, scale[first + i]);
-            wind[i] = breeze.wind;
-            distance[i] = breeze.distance;
+            const BranchWind branchWind =
+                formula.windOn(position.at(first + i), {reachX[i], reachY[i]}, scale[first + i]);
+            wind[i] = branchWind.wind;
+            distance[i] = branchWind.distance;
         }
     });
 }
@@ -93,21 +94,21 @@ void findBreezes(const TreeWalk &walk, State &state, const double *scale, PointR
 
 std::vector<Region> TreeWind::regions(DirectionRule) const
 {
-    const bool asPrinted = m_formula == TreeFormula::published;
-    std::vector<Region> shown = {{tree, "reach"}};
-    if (asPrinted)
-        shown.insert(shown.end(), {{tree, "sight_published"}, {here, "wind_published"}});
+    const bool isPublished = m_formula == TreeFormula::published;
+    std::vector<Region> shown = {{treeHeader, "reach"}};
+    if (isPublished)
+        shown.insert(shown.end(), {{treeHeader, "sight_published"}, {windHeader, "wind_published"}});
     else
-        shown.insert(shown.end(), {{tree, "end"}, {here, "wind"}});
+        shown.insert(shown.end(), {{treeHeader, "end"}, {windHeader, "wind"}});
     if (m_turbulence)
-        shown.insert(shown.end(), {{here, "turbulence"}, {here, "gusty"}});
+        shown.insert(shown.end(), {{windHeader, "turbulence"}, {windHeader, "gusty"}});
     if (m_resistance.by == Resistance::By::distance)
-        shown.push_back({here, "by_distance"});
+        shown.push_back({windHeader, "by_distance"});
     if (m_resistance.by == Resistance::By::thickness)
-        shown.push_back({here, "by_thickness"});
-    shown.push_back({here, asPrinted ? "bend_published" : "bend"});
-    if (asPrinted)
-        shown.push_back({tree, "end"});
+        shown.push_back({windHeader, "by_thickness"});
+    shown.push_back({windHeader, isPublished ? "bend_published" : "bend"});
+    if (isPublished)
+        shown.push_back({treeHeader, "end"});
     return shown;
 }
 
@@ -116,7 +117,7 @@ int TreeWind::count(const State &, PointRange points) const
     return points.count;
 }
 
-BranchWind TreeWind::breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const
+BranchWind TreeWind::windOn(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const
 {
     const double scale = m_tree->scale[static_cast<std::size_t>(point)];
     const Vec2 reach = branchReach(angle, m_tree->baseLength, degreesOf(formula));
@@ -138,32 +139,34 @@ double TreeWind::gustNow(const State &state) const
 double TreeWind::strength(double distance, int point) const
 {
     const double scale = m_tree->scale[static_cast<std::size_t>(point)];
-    return resisted(m_resistance.by, [&](auto strength) { return strength(m_resistance, distance, scale); });
+    return withStrengthFormula(m_resistance.by, [&](auto strengthFormula) {
+        return strengthFormula(m_resistance, distance, scale);
+    });
 }
 
-template <class Bend>
-void TreeWind::bendAll(State &state, double h, const Bend &bendBy) const
+template <class Formula>
+void TreeWind::bendTree(State &state, double h, const Formula &formula) const
 {
     const double gust = gustNow(state), *scale = m_tree->scale.data();
     double *angle = state.angle.data();
     TreeWalk walk(*m_tree, state, degreesOf(m_formula));
-    Breezes breezes;
+    BatchWind batchWind;
     for (PointRange range = walk.next({}); range.count > 0; range = walk.next(range)) {
-        findBreezes(walk, state, scale, range, bendBy, breezes);
+        computeBatchWind(walk, state, scale, range, formula, batchWind);
         const int first = range.first;
-        double *wind = breezes.wind.data(), *distance = breezes.distance.data();
+        double *wind = batchWind.wind.data(), *distance = batchWind.distance.data();
         for (int i = 0; i < range.count; ++i) {
             const int branch = first + i;
             if (distance[i] < coincidenceDistance)
                 wind[i] =
-                    breezeAt(m_formula, branch, state.positionOf(branch), angle[branch], *state.input.pointer)
+                    windOn(m_formula, branch, state.positionOf(branch), angle[branch], *state.input.pointer)
                         .wind;
         }
-        resisted(m_resistance.by, [&](auto strengthOf) {
+        withStrengthFormula(m_resistance.by, [&](auto strengthFormula) {
             updateDynamic(state.inverseMass, range, angle, [=, resistance = m_resistance](int branch) {
                 const int i = branch - first;
-                const double strength = strengthOf(resistance, distance[i], scale[branch]);
-                return bendBy.turn(angle[branch], gusty(wind[i], gust), strength, h);
+                const double strength = strengthFormula(resistance, distance[i], scale[branch]);
+                return formula.turn(angle[branch], gusty(wind[i], gust), strength, h);
             });
         });
         walk.moveChildren(range);
@@ -175,24 +178,24 @@ void TreeWind::drive(State &state, double h) const
     if (!blows(state))
         return;
     if (m_formula == TreeFormula::published)
-        bendAll(state, h, AsPrinted{*state.input.pointer});
+        bendTree(state, h, Published{*state.input.pointer});
     else
-        bendAll(state, h, Corrected{*state.input.pointer});
+        bendTree(state, h, Corrected{*state.input.pointer});
 }
 
 std::vector<LiveValue> TreeWind::explain(const State &before, const State &after, int point) const
 {
     if (!blows(after) || !after.isDynamic(point))
         return {};
-    // In this phase the branch was moved first and turned then.
-    const BranchWind breeze =
-        breezeAt(m_formula, point, after.positionOf(point), before.angle[point], *after.input.pointer);
+    // In this phase the branch was moved before it was turned.
+    const BranchWind branchWind =
+        windOn(m_formula, point, after.positionOf(point), before.angle[point], *after.input.pointer);
     const double gust = gustNow(after);
-    std::vector<LiveValue> live = {{"d", breeze.d, {}}, {"distance", breeze.distance, {}}};
+    std::vector<LiveValue> live = {{"d", branchWind.d, {}}, {"distance", branchWind.distance, {}}};
     if (m_turbulence)
         live.push_back({"gust", gust, {}});
-    live.push_back({"wind", gusty(breeze.wind, gust), {}});
-    live.push_back({"strength", strength(breeze.distance, point), {}});
+    live.push_back({"wind", gusty(branchWind.wind, gust), {}});
+    live.push_back({"strength", strength(branchWind.distance, point), {}});
     live.push_back({"angle", after.angle[point], before.angle[point]});
     return live;
 }

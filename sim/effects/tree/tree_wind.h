@@ -16,20 +16,21 @@ namespace descriptions {
 extern const EffectDescription wind;
 }
 
-/// How wind comes to a branch.
+/// The wind at a branch.
 struct BranchWind
 {
-    Vec2 d;                ///< between the pointer and the branch's end, as the formula has it
-    double distance = 0.0; ///< its length
-    double wind = 0.0;     ///< degrees: where it blows to
+    Vec2 d; ///< vector between the pointer and the branch's end; its sign and unit depend on the formula
+    double distance = 0.0; ///< length of `d`
+    double wind = 0.0;     ///< degrees, angle towards which the wind blows
 };
 
 namespace tree_formulas::fast {
 
 using portable::fast::atan2;
 
-/// The wind at a branch's end, away from the pointer; px and degrees. The first function is all of it where the pointer
-/// is not on the very end.
+/// Returns the wind at the end of a branch. It blows away from the pointer. Positions in px. The first
+/// function is for ends that do not coincide with the pointer; it has no branch instruction, so the compiler
+/// can vectorise loops that call it. The second one handles all ends.
 // Shown lines are short.
 // clang-format off
 inline
@@ -65,8 +66,8 @@ inline BranchWind windAt(
 
 namespace tree_formulas {
 
-/// The same as published: what the branch sees of the pointer is `d`, in its own frame, and half a turn is taken
-/// off its angle. Published: swaying tree, bend().
+/// Returns the wind at a branch by the published formula. `d`: see pointerOffsetPublished(). The formula
+/// subtracts 180 degrees from the angle of `d`. Published: swaying tree, bend().
 // Shown lines are short.
 // clang-format off
 inline
@@ -86,7 +87,8 @@ BranchWind windPublished(Vec2 d)
 using tree_formulas::windPublished;
 using tree_formulas::fast::windAt;
 
-/// What resists the wind: the larger, the slower a branch turns; in frames.
+/// Returns the resistance to the wind by the distance (px) from the pointer. It is the time constant (frames)
+/// of bend(): a branch with a larger resistance turns more slowly.
 /// Published: swaying tree, the first `strength`.
 // Shown lines are short.
 // clang-format off
@@ -100,7 +102,8 @@ double byDistance(double distance)
 //! [by_distance]
 // clang-format on
 
-/// The same with thick branches stiffer. Published: swaying tree, the second `strength`.
+/// Returns the resistance by distance and thickness: thick branches are stiffer. `wind`: strength of the
+/// wind. Published: swaying tree, the second `strength`.
 // Shown lines are short.
 // clang-format off
 inline
@@ -116,9 +119,9 @@ double byThickness(
 //! [by_thickness]
 // clang-format on
 
-/// What turbulence adds to the wind's angle, degrees. `random` from 0 to 1.
+/// Returns the angle (degrees) that turbulence adds to the wind's angle. `random` is from 0 to 1.
 /// Published: swaying tree, generateWind().
-// The marker leaves out what learners need not read.
+// The markers leave out `inline`.
 // clang-format off
 inline
 //! [turbulence]
@@ -143,9 +146,9 @@ double gusty(double wind, double gust)
 
 namespace tree_formulas {
 
-/// Turns a branch towards the wind's angle the short way round, if more than one degree is missing:
-/// `angle' = way / strength`, as one step of explicit Euler that never goes past the wind. Degrees; strength and h
-/// in frames.
+/// Returns the angle of a branch after it turned towards the wind for `h` frames, in one explicit Euler step
+/// of `angle' = way / strength`. It turns in the shorter direction and never past the wind. A branch within 1
+/// degree of the wind does not turn. Angles in degrees, `strength` in frames.
 // Shown lines are short.
 // clang-format off
 inline
@@ -171,8 +174,9 @@ double bend(
 
 using tree_formulas::bend;
 
-/// The same as published: its second test has 360 where the short way round needs 180. Published: swaying tree,
-/// bend().
+/// Returns the same by the published formula. Its second comparison has 360, but the shorter direction needs
+/// 180.
+/// Published: swaying tree, bend().
 // Shown lines are short.
 // clang-format off
 inline
@@ -193,26 +197,27 @@ double bendPublished(
 //! [bend_published]
 // clang-format on
 
-/// What resists the wind in a tree.
+/// How the branches of a tree resist the wind. See byDistance().
 struct Resistance
 {
     enum class By {
-        ease,      ///< all branches alike; `amount` in frames
-        distance,  ///< the way from the pointer, px
-        thickness, ///< the way times the square of the scale, divided by `amount`
+        ease,      ///< all branches have the resistance `amount`, in frames
+        distance,  ///< see byDistance()
+        thickness, ///< see byThickness(); `amount` is the strength of the wind
     };
     By by = By::ease;
     double amount = 8.0;
 };
 
-/// Turbulence that is drawn anew each frame, unless the state has a gust from outside.
+/// Random changes of the wind's angle, one per frame. InputState::gust replaces them.
 struct Turbulence
 {
-    double degrees = 20.0; ///< the most, to either side
+    double degrees = 20.0; ///< maximum to either side
     std::uint64_t seed = 1;
 };
 
-/// Wind that blows from the pointer while its button is down, and turns each branch, from the trunk to the twigs.
+/// Wind that blows away from the pointer while its button is down, and turns the branches from the trunk to
+/// the twigs.
 class TreeWind : public DescribedEffect<Driver, descriptions::wind>, public InputReader
 {
 public:
@@ -225,23 +230,25 @@ public:
     std::vector<Region> regions(DirectionRule directionRule) const override;
     int count(const State &state, PointRange points) const override;
     Dependence dependence() const override { return m_turbulence ? Dependence::time : Dependence::scene; }
-    bool reads(InputKind signal) const override { return signal == InputKind::pointer; }
-    /// Only while it blows is turbulence drawn.
+    bool reads(InputKind kind) const override { return kind == InputKind::pointer; }
+    /// Turbulence depends on the frame number, but only while the wind blows.
     bool isTimeIndependent(const State &state) const override { return !m_turbulence || !blows(state); }
     void drive(State &state, double h) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
-    /// How the wind from `pointer` comes to branch `point`, which stands at `origin` at `angle` degrees, by either
-    /// formula, without turbulence.
-    BranchWind breezeAt(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const;
+    /// Returns the wind from `pointer` at branch `point` with the given origin (px) and angle (degrees),
+    /// without turbulence.
+    BranchWind windOn(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const;
 
 private:
     static bool blows(const State &state) { return state.input.pointerDown && state.input.pointer; }
+    /// Returns the turbulence of the current frame, in degrees.
     double gustNow(const State &state) const;
+    /// Returns the resistance of branch `point`, see Resistance.
     double strength(double distance, int point) const;
-    /// Turns all branches, by a formula for how the wind comes to a branch and how that turns.
-    template <class Bend>
-    void bendAll(State &state, double h, const Bend &bendBy) const;
+    /// Turns all branches. `formula` computes the wind at a branch, and the angle after the wind turned it.
+    template <class Formula>
+    void bendTree(State &state, double h, const Formula &formula) const;
 
     TreePtr m_tree;
     TreeFormula m_formula;

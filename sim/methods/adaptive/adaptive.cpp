@@ -7,6 +7,7 @@ namespace sim {
 
 namespace {
 
+/// Returns the id of the first drag in `scene`.
 std::string firstDrag(const Scene &scene)
 {
     for (const EffectPtr &effect : scene.effects) {
@@ -16,8 +17,8 @@ std::string firstDrag(const Scene &scene)
     return {};
 }
 
-/// What the equations have in them, and contacts.
-std::vector<EffectPtr> effectsWithin(const OdeSystem &system, const Scene &scene)
+/// Returns the effects of the equations, and contacts.
+std::vector<EffectPtr> innerEffectsOf(const OdeSystem &system, const Scene &scene)
 {
     std::vector<EffectPtr> all = system.effects();
     for (const EffectPtr &effect : scene.effects) {
@@ -52,14 +53,14 @@ void Adaptive::prepareState(State &state) const
 
 std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
 {
-    if (const EffectPtr jump = OdeSystem::firstDiscontinuity(scene, OdeSystem::Contacts::allowed))
-        throw Error("method-does-not-fit", {{"method", id()}, {"effect", jump->id()}});
+    if (const EffectPtr discontinuity = OdeSystem::firstDiscontinuity(scene, OdeSystem::Contacts::allowed))
+        throw Error("method-does-not-fit", {{"method", id()}, {"effect", discontinuity->id()}});
     for (const Group &group : scene.groups) {
         if (group.motion == Motion::prescribed)
             throw Error("needs-inertia", {{"method", id()}, {"group", group.title}});
     }
-    const OdeSystem whole(scene, directionRule());
-    if (!m_rule.fits(whole))
+    const OdeSystem system(scene, directionRule());
+    if (!m_rule.fits(system))
         throw Error("method-does-not-fit", {{"method", id()}, {"effect", firstDrag(scene)}});
     Phase phase;
     phase.id = "integrate";
@@ -67,7 +68,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.points = {0, scene.start.pointCount()};
     phase.consumesAcceleration = true;
     phase.integrates = true;
-    phase.innerEffects = effectsWithin(whole, scene);
+    phase.innerEffects = innerEffectsOf(system, scene);
     phase.regions = {{"sim/methods/adaptive/adaptive_stepper.cpp", "try_step"},
                      {"sim/methods/adaptive/adaptive_stepper.cpp", "next_step"},
                      {"sim/methods/adaptive/adaptive_stepper.cpp", "read_off"}};
@@ -83,7 +84,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     phase.runInterruptible = [integrators](State &state, const ShouldContinue &shouldContinue) {
         return integrators->toNextFrame(state, shouldContinue);
     };
-    phase.runBySegments = [integrators](State &state, const SegmentVisitor &visit) {
+    phase.runWithDenseOutput = [integrators](State &state, const SegmentVisitor &visit) {
         integrators->toNextFrame(
             state, [] { return true; }, visit);
     };

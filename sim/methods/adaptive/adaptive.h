@@ -6,9 +6,10 @@ namespace sim {
 
 class StepRule;
 
-/// A method that chooses its steps so that each makes at most a given error. Its steps end where they like, also
-/// past a frame: whole frames are read off the polynomial between a step's ends. A step ends early where a point
-/// touches a surface or leaves one, so the jumps of a motion do not cost it its order.
+/// A method with adaptive steps: it chooses their length so that each makes at most a given error. A step may
+/// end after the next frame. Whole frames are interpolated within a step (dense output). A step ends early at
+/// a contact event, where a point touches a surface or leaves it, so jumps of the motion do not reduce the
+/// order.
 class Adaptive : public Method
 {
 public:
@@ -23,7 +24,7 @@ public:
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 
 protected:
-    /// `shown`: the source of a step, and of its numbers.
+    /// `shown`: the source regions of a step and its coefficients.
     Adaptive(const StepRule &rule, std::vector<Region> shown) : m_rule(rule), m_shown(std::move(shown)) {}
 
 private:

@@ -12,12 +12,12 @@ namespace sim {
 namespace {
 
 constexpr double maxStep = 10.0; ///< frames
-/// What damping leaves in one step is at least e^-2: past that, the polynomial through a step would have to follow
-/// e^(c t), which the error at its end does not show.
-constexpr double mostDamping = 2.0;
+/// The maximum of damping rate times step length. Beyond it the dense output would have to follow e^(c t),
+/// and the error at the end of the step does not measure that.
+constexpr double maxDamping = 2.0;
 
-/// Numbers that live for one frame only. Kept by the thread, so that a frame allocates nothing; nothing is read
-/// from them that the same frame has not written, but for weights, which know what they are for.
+/// Scratch memory of one thread, so that a frame allocates nothing. A frame reads only numbers that it has
+/// written itself, except the weights, which remember their arguments.
 struct Scratch
 {
     std::vector<double> numbers;
@@ -25,18 +25,18 @@ struct Scratch
     NystromWeights nystrom;
 };
 
-Scratch &scratch(std::size_t numbers, std::size_t stretches)
+Scratch &scratch(std::size_t numbers, std::size_t rateRanges)
 {
     thread_local Scratch kept;
     if (kept.numbers.size() < numbers)
         kept.numbers.resize(numbers);
-    if (kept.weights.size() < stretches)
-        kept.weights.resize(stretches);
+    if (kept.weights.size() < rateRanges)
+        kept.weights.resize(rateRanges);
     return kept;
 }
 
-/// How long the next step should be: the error of a method of order p grows with the power p + 1 of a step, and
-/// one power is left as a margin. `error`: of this step, as a share of the tolerance.
+/// Returns the length of the next step, in frames. The error of a method of order p is proportional to h^(p +
+/// 1). The formula uses h^p as a margin. `error`: of this step, as a share of the tolerance.
 /// Source: Hairer, Norsett and Wanner, "Solving ordinary differential equations I", section II.4.
 // Shown lines are short.
 // clang-format off
@@ -56,13 +56,14 @@ double nextStep(
 
 }
 
-IslandIntegrator::IslandIntegrator(const Scene &scene, OdeSystem island, const StepRule &how, double within)
-    : system(std::move(island)), rule(how), tolerance(within), longestStep(maxStep),
+IslandIntegrator::IslandIntegrator(const Scene &scene, OdeSystem island, const StepRule &stepRule,
+                                   double stepTolerance)
+    : system(std::move(island)), rule(stepRule), tolerance(stepTolerance), longestStep(maxStep),
       contacts(scene, system.ranges())
 {
     for (const OdeSystem::RateRange &rows : system.rateRanges()) {
         if (rows.rate > 0.0 && std::isfinite(rows.rate))
-            longestStep = std::min(longestStep, mostDamping / rows.rate);
+            longestStep = std::min(longestStep, maxDamping / rows.rate);
     }
 }
 
@@ -129,17 +130,17 @@ void AdaptiveStepper::begin()
     m_lastStep.start = m_lastStep.end = 0.0;
     for (const PointRange &range : m_integrator.system.ranges())
         m_state.restingContacts.segment(range.first, range.count).setZero();
-    const Eigen::ArrayXd place = Eigen::Map<Eigen::ArrayXd>(endPlace(), m_visit ? m_size : 0);
-    const Eigen::ArrayXd speed = Eigen::Map<Eigen::ArrayXd>(endSpeed(), m_visit ? m_size : 0);
+    const Eigen::ArrayXd position = Eigen::Map<Eigen::ArrayXd>(endPlace(), m_visitor ? m_size : 0);
+    const Eigen::ArrayXd velocity = Eigen::Map<Eigen::ArrayXd>(endSpeed(), m_visitor ? m_size : 0);
     bounce();
     settle();
-    if (m_visit)
-        reportFromStart(place, speed);
+    if (m_visitor)
+        reportFromStart(position, velocity);
     if (m_lastStep.nextLength > 0.0)
         return;
-    // A guess; the first error estimate puts it right.
-    const double pull = maxAbs(endSlope(), m_size) + 1e-10;
-    const double share = std::pow(m_integrator.tolerance / (pull + m_integrator.tolerance),
+    // A guess, which the first error estimate corrects.
+    const double acceleration = maxAbs(endSlope(), m_size) + 1e-10;
+    const double share = std::pow(m_integrator.tolerance / (acceleration + m_integrator.tolerance),
                                   1.0 / m_integrator.rule.errorOrder());
     m_lastStep.nextLength = std::min(m_integrator.longestStep, std::clamp(0.5 * share, 1e-6, 1.0));
 }
@@ -157,7 +158,7 @@ void AdaptiveStepper::tryStep()
     StepAttempt step = attemptOf(start, h);
     const StepRule &rule = m_integrator.rule;
     double off = rule.attempt(step);
-    double share = off / exactness();
+    double share = off / maxError();
     if (share <= 1) // exact enough
         accept(step);
     else // again, with a shorter step
@@ -167,20 +168,21 @@ void AdaptiveStepper::tryStep()
     m_lastStep.nextLength =
         std::min(next, m_integrator.longestStep);
     if (m_lastStep.end == start)
-        shorten(h); // it led nowhere
+        shorten(h); // no progress
 }
 //! [try_step]
 // clang-format on
 
 void AdaptiveStepper::shorten(double h)
 {
-    // Besides rejected steps: a contact at the very start that left all as it was. The polynomial is too rough there.
+    // After a rejected step, or a contact event at the very start that changed nothing because the dense
+    // output is not accurate enough there.
     m_lastStep.nextLength = std::min(m_lastStep.nextLength, 0.5 * h);
 }
 
-double AdaptiveStepper::exactness() const
+double AdaptiveStepper::maxError() const
 {
-    // Nothing is more exact than the digits of a place allow.
+    // The digits of a position limit the accuracy.
     const double digits = 8.0 * std::numeric_limits<double>::epsilon() * maxAbs(m_place, m_size);
     return std::max(m_integrator.tolerance, digits);
 }
@@ -194,25 +196,25 @@ void AdaptiveStepper::accept(const StepAttempt &step)
     std::copy_n(step.endPlace, m_size, endPlace());
     std::copy_n(step.endSpeed, m_size, endSpeed());
     std::copy_n(step.endSlope, m_size, endSlope());
-    const bool readsFrame = step.start < 1.0 && lastStep.end > 1.0;
-    const bool meets = mayMeet();
-    if (readsFrame || meets || m_visit)
+    const bool containsFrame = step.start < 1.0 && lastStep.end > 1.0;
+    const bool mayMeet = mayHaveContactEvent();
+    if (containsFrame || mayMeet || m_visitor)
         m_integrator.rule.makeDense(step);
-    if (meets)
-        end(step.start, step.h);
-    if (m_visit)
+    if (mayMeet)
+        endAtContactEvent(step.start, step.h);
+    if (m_visitor)
         reportStep(step.start);
 }
 
 AdaptiveStepper::PointAt AdaptiveStepper::dense(int row, double h, double theta) const
 {
     PointAt at;
-    const auto find = [&](int i, double &place, double &speed) {
+    const auto find = [&](int i, double &position, double &velocity) {
         for (const OdeSystem::RateRange &rows : m_integrator.system.rateRanges()) {
             if (i < rows.first || i >= rows.end())
                 continue;
             m_integrator.rule.dense(denseColumns(), m_size, i, i + 1,
-                                    m_integrator.rule.instant(rows.rate, h, theta), &place, &speed);
+                                    m_integrator.rule.instant(rows.rate, h, theta), &position, &velocity);
         }
     };
     find(row, at.x.x, at.v.x);
@@ -264,12 +266,12 @@ void AdaptiveStepper::giveUp()
 
 namespace {
 
-constexpr double touching = 1e-10; ///< px, closer counts as in touch
-constexpr double none = 2.0;       ///< past the end of the step
+constexpr double contactDistance = 1e-10; ///< px, a point closer to a surface touches it
+constexpr double noEvent = 2.0;           ///< a time after the end of the step
 
 }
 
-void AdaptiveStepper::end(double start, double h)
+void AdaptiveStepper::endAtContactEvent(double start, double h)
 {
     const double touchAt = firstTouch(h);
     const double liftAt = firstLift(start, h);
@@ -281,64 +283,68 @@ void AdaptiveStepper::end(double start, double h)
     if (liftAt > first) {
         m_lifted = -1;
     } else {
-        for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
-            if (isResting(place) && m_lifted == place.point)
-                m_state.restingContacts[place.point] &= ~place.bit;
+        for (const ContactCandidates::Candidate &candidate : m_integrator.contacts.all()) {
+            if (isResting(candidate) && m_lifted == candidate.point)
+                m_state.restingContacts[candidate.point] &= ~candidate.bit;
         }
     }
     bounce();
     settle();
 }
 
-bool AdaptiveStepper::mayTouch(const ContactCandidates::Candidate &place) const
+bool AdaptiveStepper::mayTouch(const ContactCandidates::Candidate &candidate) const
 {
-    const Surface &surface = place.surface;
-    if (gap(surface, at(endPlace(), place.row)) < 0.0)
+    const Surface &surface = candidate.surface;
+    if (gap(surface, at(endPlace(), candidate.row)) < 0.0)
         return true;
-    return normalVelocity(surface, at(m_speed, place.row)) <= 0.0 &&
-           normalVelocity(surface, at(endSpeed(), place.row)) > 0.0;
+    return normalVelocity(surface, at(m_speed, candidate.row)) <= 0.0 &&
+           normalVelocity(surface, at(endSpeed(), candidate.row)) > 0.0;
 }
 
-bool AdaptiveStepper::mayMeet() const
+bool AdaptiveStepper::mayHaveContactEvent() const
 {
-    const std::vector<ContactCandidates::Candidate> &places = m_integrator.contacts.all();
-    return std::any_of(places.begin(), places.end(), [&](const ContactCandidates::Candidate &place) {
-        return isResting(place) || mayTouch(place);
-    });
+    const std::vector<ContactCandidates::Candidate> &candidates = m_integrator.contacts.all();
+    return std::any_of(candidates.begin(), candidates.end(),
+                       [&](const ContactCandidates::Candidate &candidate) {
+                           return isResting(candidate) || mayTouch(candidate);
+                       });
 }
 
 double AdaptiveStepper::firstTouch(double h) const
 {
-    double first = none;
-    for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
-        if (!free(place) || !mayTouch(place))
+    double first = noEvent;
+    for (const ContactCandidates::Candidate &candidate : m_integrator.contacts.all()) {
+        if (!canHit(candidate) || !mayTouch(candidate))
             continue;
-        // One look spares the search for what is still in the air when another has touched.
-        const bool late = first <= 1.0 && gap(place.surface, dense(place.row, h, first).x) > 0.0;
+        // A single evaluation avoids the search for a point that is still in the air at the first touch so
+        // far.
+        const bool late = first <= 1.0 && gap(candidate.surface, dense(candidate.row, h, first).x) > 0.0;
         if (!late)
-            first = std::min(first, touch(place, h));
+            first = std::min(first, touch(candidate, h));
     }
     return first;
 }
 
-double AdaptiveStepper::touch(const ContactCandidates::Candidate &place, double h) const
+double AdaptiveStepper::touch(const ContactCandidates::Candidate &candidate, double h) const
 {
-    const Surface &surface = place.surface;
-    const auto gapAt = [&](double theta) { return gap(surface, dense(place.row, h, theta).x); };
-    const auto speedAt = [&](double theta) { return normalVelocity(surface, dense(place.row, h, theta).v); };
-    if (gap(surface, at(endPlace(), place.row)) < 0.0) {
-        // What has just bounced stands on the surface: it can only come back after its highest point.
-        const bool leaves = normalVelocity(surface, at(m_speed, place.row)) > 0.0;
-        const bool returns = normalVelocity(surface, at(endSpeed(), place.row)) > 0.0;
+    const Surface &surface = candidate.surface;
+    const auto gapAt = [&](double theta) { return gap(surface, dense(candidate.row, h, theta).x); };
+    const auto speedAt = [&](double theta) {
+        return normalVelocity(surface, dense(candidate.row, h, theta).v);
+    };
+    if (gap(surface, at(endPlace(), candidate.row)) < 0.0) {
+        // A point that has just bounced is on the surface. It can only return after its highest point.
+        const bool leaves = normalVelocity(surface, at(m_speed, candidate.row)) > 0.0;
+        const bool returns = normalVelocity(surface, at(endSpeed(), candidate.row)) > 0.0;
         const double highest = leaves && !returns ? firstRoot(speedAt, 0.0, 1.0) : 0.0;
         if (gapAt(highest) <= 0.0)
             return highest;
         return firstRoot(gapAt, highest, 1.0);
     }
-    // It may have been past the surface in between.
+    // It may have been behind the surface in between.
     const double lowest = firstRoot([&](double theta) { return -speedAt(theta); }, 0.0, 1.0);
     if (gapAt(lowest) >= 0.0 || gapAt(0.0) < 0.0)
-        return none;
+        return noEvent;
     return firstRoot(gapAt, 0.0, lowest);
 }
 
@@ -346,41 +352,42 @@ double AdaptiveStepper::firstLift(double start, double h)
 {
     m_lifted = -1;
     double *x = m_trial, *a = m_trial + m_size;
-    const auto pullAt = [&](double theta) {
+    const auto computeAccelerations = [&](double theta) {
         denseAll(h, theta, x, a);
         m_accelerations.unconstrained(x, start + theta * h, a);
     };
-    // The pull of a place's surface less what it takes up: below 0 it lifts.
-    const auto press = [&](const ContactCandidates::Candidate &place) {
-        return -normalVelocity(place.surface, at(a, place.row));
+    // The acceleration that presses a point against its surface. Below 0 the point lifts.
+    const auto press = [&](const ContactCandidates::Candidate &candidate) {
+        return -normalVelocity(candidate.surface, at(a, candidate.row));
     };
-    std::vector<const ContactCandidates::Candidate *> lifting; // the last is looked at first
+    std::vector<const ContactCandidates::Candidate *> lifting; // the last is searched first
     const auto keepLifting = [&](double theta) {
-        pullAt(theta);
-        std::erase_if(lifting,
-                      [&](const ContactCandidates::Candidate *place) { return press(*place) >= 0.0; });
+        computeAccelerations(theta);
+        std::erase_if(
+            lifting, [&](const ContactCandidates::Candidate *candidate) { return press(*candidate) >= 0.0; });
     };
-    const std::vector<ContactCandidates::Candidate> &places = m_integrator.contacts.all();
-    for (auto place = places.rbegin(); place != places.rend(); ++place) {
-        if (isResting(*place))
-            lifting.push_back(&*place);
+    const std::vector<ContactCandidates::Candidate> &candidates = m_integrator.contacts.all();
+    for (auto candidate = candidates.rbegin(); candidate != candidates.rend(); ++candidate) {
+        if (isResting(*candidate))
+            lifting.push_back(&*candidate);
     }
     if (lifting.empty())
-        return none;
+        return noEvent;
     keepLifting(1.0);
-    double first = none;
-    // Each search takes all forces many times: what still rests when another has lifted is not searched for.
+    double first = noEvent;
+    // Each search computes all forces many times, so points that still rest at the first lift so far are
+    // skipped.
     while (!lifting.empty()) {
-        const ContactCandidates::Candidate &place = *lifting.back();
+        const ContactCandidates::Candidate &candidate = *lifting.back();
         lifting.pop_back();
         const auto pressAt = [&](double theta) {
-            pullAt(theta);
-            return press(place);
+            computeAccelerations(theta);
+            return press(candidate);
         };
         const double lift = firstRoot(pressAt, 0.0, 1.0);
         if (lift < first) {
             first = lift;
-            m_lifted = place.point;
+            m_lifted = candidate.point;
         }
         if (!lifting.empty())
             keepLifting(first);
@@ -390,45 +397,45 @@ double AdaptiveStepper::firstLift(double start, double h)
 
 void AdaptiveStepper::bounce()
 {
-    for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
-        if (!free(place))
+    for (const ContactCandidates::Candidate &candidate : m_integrator.contacts.all()) {
+        if (!canHit(candidate))
             continue;
-        const Surface &surface = place.surface;
-        const Vec2 x = at(endPlace(), place.row), v = at(endSpeed(), place.row);
+        const Surface &surface = candidate.surface;
+        const Vec2 x = at(endPlace(), candidate.row), v = at(endSpeed(), candidate.row);
         const double distance = gap(surface, x);
         if (distance < 0.0)
-            put(endPlace(), place.row, x - distance * surface.normal);
-        if (distance <= touching && normalVelocity(surface, v) < 0.0)
-            put(endSpeed(), place.row, bounced(surface, v));
+            put(endPlace(), candidate.row, x - distance * surface.normal);
+        if (distance <= contactDistance && normalVelocity(surface, v) < 0.0)
+            put(endSpeed(), candidate.row, bounced(surface, v));
     }
 }
 
 void AdaptiveStepper::settle()
 {
     m_accelerations.unconstrained(endPlace(), m_lastStep.end, endSlope());
-    for (const ContactCandidates::Candidate &place : m_integrator.contacts.all()) {
-        if (!m_state.isDynamic(place.point))
+    for (const ContactCandidates::Candidate &candidate : m_integrator.contacts.all()) {
+        if (!m_state.isDynamic(candidate.point))
             continue;
-        const Surface &surface = place.surface;
-        const double pull = normalVelocity(surface, at(endSlope(), place.row));
-        const Vec2 x = at(endPlace(), place.row), v = at(endSpeed(), place.row);
-        const double into = std::max(0.0, -pull);
+        const Surface &surface = candidate.surface;
+        const double pull = normalVelocity(surface, at(endSlope(), candidate.row));
+        const Vec2 x = at(endPlace(), candidate.row), v = at(endSpeed(), candidate.row);
+        const double pressing = std::max(0.0, -pull);
         const bool slow =
-            std::abs(normalVelocity(surface, v)) <= restingSpeed(into, m_integrator.tolerance) &&
-            gap(surface, x) <= touching;
-        if (isResting(place) && pull > 0.0)
-            m_state.restingContacts[place.point] &= ~place.bit;
-        else if (!isResting(place) && slow && pull <= 0.0 && place.point != m_lifted)
-            m_state.restingContacts[place.point] |= place.bit;
-        if (isResting(place))
-            put(endSpeed(), place.row, restingAcceleration(surface, v));
+            std::abs(normalVelocity(surface, v)) <= restingSpeed(pressing, m_integrator.tolerance) &&
+            gap(surface, x) <= contactDistance;
+        if (isResting(candidate) && pull > 0.0)
+            m_state.restingContacts[candidate.point] &= ~candidate.bit;
+        else if (!isResting(candidate) && slow && pull <= 0.0 && candidate.point != m_lifted)
+            m_state.restingContacts[candidate.point] |= candidate.bit;
+        if (isResting(candidate))
+            put(endSpeed(), candidate.row, restingAcceleration(surface, v));
     }
     m_accelerations.removeConstrained(endSlope());
 }
 
 bool AdaptiveStepper::toNextFrame(StepBudget &budget, const SegmentVisitor &visit)
 {
-    m_visit = &visit;
+    m_visitor = &visit;
     if (m_lastStep.end > 0.0)
         reportStep(0.0);
     return toNextFrame(budget);
@@ -441,11 +448,11 @@ void AdaptiveStepper::reportStep(double start) const
     segment.system = &m_integrator.system;
     segment.start = start;
     segment.end = std::min(lastStep.end, 1.0);
-    segment.evaluate = [this, from = lastStep.start, h = lastStep.length](double time, Eigen::ArrayXd &place,
-                                                                          Eigen::ArrayXd &speed) {
-        place.resize(m_size);
-        speed.resize(m_size);
-        denseAll(h, (time - from) / h, place.data(), speed.data());
+    segment.evaluate = [this, stepStart = lastStep.start, h = lastStep.length](
+                           double time, Eigen::ArrayXd &position, Eigen::ArrayXd &velocity) {
+        position.resize(m_size);
+        velocity.resize(m_size);
+        denseAll(h, (time - stepStart) / h, position.data(), velocity.data());
     };
     if (lastStep.end > 1.0) {
         segment.evaluate(1.0, segment.positionAfter, segment.velocityAfter);
@@ -453,20 +460,20 @@ void AdaptiveStepper::reportStep(double start) const
         segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
         segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
     }
-    (*m_visit)(segment);
+    (*m_visitor)(segment);
 }
 
-void AdaptiveStepper::reportFromStart(const Eigen::ArrayXd &place, const Eigen::ArrayXd &speed) const
+void AdaptiveStepper::reportFromStart(const Eigen::ArrayXd &position, const Eigen::ArrayXd &velocity) const
 {
-    DenseSegment segment; // of no length: what stood past a surface is put onto it
+    DenseSegment segment; // of length 0: points behind a surface jump onto it
     segment.system = &m_integrator.system;
     segment.evaluate = [&](double, Eigen::ArrayXd &x, Eigen::ArrayXd &v) {
-        x = place;
-        v = speed;
+        x = position;
+        v = velocity;
     };
     segment.positionAfter = Eigen::Map<const Eigen::ArrayXd>(endPlace(), m_size);
     segment.velocityAfter = Eigen::Map<const Eigen::ArrayXd>(endSpeed(), m_size);
-    (*m_visit)(segment);
+    (*m_visitor)(segment);
 }
 
 }

@@ -7,42 +7,42 @@ namespace sim {
 
 void ContactAccelerations::advanceDriversTo(double time)
 {
-    if (time == m_clock)
+    if (time == m_driverTime)
         return;
-    m_system.advanceDrivers(m_state, time - m_clock);
-    m_clock = time;
+    m_system.advanceDrivers(m_state, time - m_driverTime);
+    m_driverTime = time;
 }
 
-void ContactAccelerations::unconstrained(const double *place, double time, double *into)
+void ContactAccelerations::unconstrained(const double *position, double time, double *accelerations)
 {
     advanceDriversTo(time);
-    m_system.writePositions(place, m_state);
-    m_system.accelerations(m_state, into);
+    m_system.writePositions(position, m_state);
+    m_system.accelerations(m_state, accelerations);
     m_state.pointEvaluations += m_system.points();
 }
 
-void ContactAccelerations::at(const double *place, double time, double *into)
+void ContactAccelerations::at(const double *position, double time, double *accelerations)
 {
-    unconstrained(place, time, into);
-    removeConstrained(into);
+    unconstrained(position, time, accelerations);
+    removeConstrained(accelerations);
 }
 
-void ContactAccelerations::removeConstrained(double *numbers) const
+void ContactAccelerations::removeConstrained(double *accelerations) const
 {
-    for (const OdeSystem::RateRange &rows : m_system.rateRanges()) {
-        if (std::isinf(rows.rate))
-            std::fill(numbers + rows.first, numbers + rows.end(), 0.0);
+    for (const OdeSystem::RateRange &range : m_system.rateRanges()) {
+        if (std::isinf(range.rate))
+            std::fill(accelerations + range.first, accelerations + range.end(), 0.0);
     }
     if (!m_contacts.any())
         return;
     const int points = m_system.points();
-    for (const ContactCandidates::Candidate &place : m_contacts.all()) {
-        if (!isResting(place))
+    for (const ContactCandidates::Candidate &candidate : m_contacts.all()) {
+        if (!isResting(candidate))
             continue;
-        const Vec2 left =
-            restingAcceleration(place.surface, {numbers[place.row], numbers[points + place.row]});
-        numbers[place.row] = left.x;
-        numbers[points + place.row] = left.y;
+        const Vec2 remaining = restingAcceleration(
+            candidate.surface, {accelerations[candidate.row], accelerations[points + candidate.row]});
+        accelerations[candidate.row] = remaining.x;
+        accelerations[points + candidate.row] = remaining.y;
     }
 }
 

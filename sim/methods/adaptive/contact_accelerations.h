@@ -5,35 +5,37 @@
 
 namespace sim {
 
-/// The accelerations along a step: of the equations, less what surfaces take up of points that rest on them.
+/// The accelerations within a step: those of the equations, minus the parts that surfaces balance at resting
+/// points.
 class ContactAccelerations
 {
 public:
-    /// Between two frames: `state` stands at a whole one.
+    /// `state` must be at a whole frame, from which times count.
     ContactAccelerations(const OdeSystem &system, const ContactCandidates &contacts, State &state)
         : m_system(system), m_contacts(contacts), m_state(state)
     {
     }
 
-    /// a(q, t) at the place `place`, `time` frames after the last whole one, of what rests without what its surface takes
-    /// up. Flow::size() numbers each.
-    void at(const double *place, double time, double *into);
-    /// The same with what surfaces take up.
-    void unconstrained(const double *place, double time, double *into);
-    /// Takes the drivers to `time`.
+    /// Computes the accelerations at `position` and `time` (frames), without the parts that surfaces balance.
+    /// Each array has OdeSystem::size() numbers.
+    void at(const double *position, double time, double *accelerations);
+    /// Computes the accelerations of the equations alone.
+    void unconstrained(const double *position, double time, double *accelerations);
+    /// Runs the continuous drivers to `time` (frames).
     void advanceDriversTo(double time);
-    /// Takes out what surfaces take up, and what damping stops at once.
-    void removeConstrained(double *numbers) const;
-    bool isResting(const ContactCandidates::Candidate &place) const
+    /// Removes the parts that surfaces balance, and sets points that damping stops at once to 0.
+    void removeConstrained(double *accelerations) const;
+    /// Returns whether the point of `candidate` rests on its surface.
+    bool isResting(const ContactCandidates::Candidate &candidate) const
     {
-        return (m_state.restingContacts[place.point] & place.bit) != 0;
+        return (m_state.restingContacts[candidate.point] & candidate.bit) != 0;
     }
 
 private:
     const OdeSystem &m_system;
     const ContactCandidates &m_contacts;
     State &m_state;
-    double m_clock = 0.0; ///< frames since the last whole one, to which the drivers have been taken
+    double m_driverTime = 0.0; ///< frames, time that the drivers have reached
 };
 
 }

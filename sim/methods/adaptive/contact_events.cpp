@@ -17,32 +17,32 @@ ContactCandidates::ContactCandidates(const Scene &scene, const std::vector<Point
     int row = 0;
     for (const PointRange &range : ranges) {
         for (int point = range.first; point < range.end(); ++point, ++row) {
-            int number = 0;
+            int index = 0;
             for (const Contact *contact : contacts) {
                 if (!scene.movesByVelocity(point))
                     continue;
                 for (const Surface &surface : contact->surfaces(point))
-                    m_places.push_back({point, row, 1 << number++, surface});
+                    m_candidates.push_back({point, row, 1 << index++, surface});
             }
         }
     }
 }
 
-double restingSpeed(double pull, double tolerance)
+double restingSpeed(double acceleration, double tolerance)
 {
-    return std::max(1e-3, std::sqrt(2.0 * pull * 0.1 * tolerance));
+    return std::max(1e-3, std::sqrt(2.0 * acceleration * 0.1 * tolerance));
 }
 
 Vec2 bounced(const Surface &surface, Vec2 v)
 {
-    if (surface.grip == Grip::full)
+    if (surface.traction == Traction::full)
         v = normalVelocity(surface, v) * surface.normal;
     return reflected(v, surface.normal, surface.bounce);
 }
 
 Vec2 restingAcceleration(const Surface &surface, Vec2 a)
 {
-    if (surface.grip == Grip::full)
+    if (surface.traction == Traction::full)
         return {0.0, 0.0};
     return a - normalVelocity(surface, a) * surface.normal;
 }

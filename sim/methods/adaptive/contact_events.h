@@ -6,54 +6,57 @@
 
 namespace sim {
 
-/// Points that come slower than this (px/frame) onto a surface against which `pull` (px/frame^2) presses them stay on
-/// it: so bounces that pile up come to an end. A bounce of that speed would rise a tenth of `tolerance` (px); but
-/// 0.001 px/frame is always slow enough: under a pull of 0.5 that is a rise of a millionth of a pixel.
-double restingSpeed(double pull, double tolerance);
+/// Returns the speed (px/frame) below which a point that hits a surface rests on it instead of bouncing.
+/// Otherwise bounces would follow each other faster and faster without end. `acceleration` (px/frame^2)
+/// presses the point against the surface. A bounce at this speed rises a tenth of `tolerance` (px). The
+/// result is at least 0.001 px/frame: at an acceleration of 0.5, that is a rise of a millionth of a pixel.
+double restingSpeed(double acceleration, double tolerance);
 
-/// The surfaces that the points of an island meet.
+/// The surfaces that the points of an island can touch.
 class ContactCandidates
 {
 public:
-    /// `runs`: as those of the island's Flow.
+    /// `ranges`: the points of the island, as OdeSystem::ranges().
     ContactCandidates(const Scene &scene, const std::vector<PointRange> &ranges);
 
+    /// A surface that a point can touch.
     struct Candidate
     {
         int point = 0;
-        int row = 0; ///< of the point among the numbers of the island's Flow
-        int bit = 0; ///< of State::resting
+        int row = 0; ///< row of the point in the OdeSystem of the island
+        int bit = 0; ///< bit of the surface in State::restingContacts
         Surface surface;
     };
-    const std::vector<Candidate> &all() const { return m_places; }
-    bool any() const { return !m_places.empty(); }
+    const std::vector<Candidate> &all() const { return m_candidates; }
+    bool any() const { return !m_candidates.empty(); }
 
 private:
-    std::vector<Candidate> m_places;
+    std::vector<Candidate> m_candidates;
 };
 
-/// How far `x` is from a surface: px, negative past it.
+/// Returns the distance of `x` from a surface in px, negative behind it.
 inline double gap(const Surface &surface, Vec2 x)
 {
     return dot(surface.normal, x) - surface.offset;
 }
 
-/// The part of `v` along a surface's normal: positive away from it.
+/// Returns the component of `v` along the normal of a surface, positive away from it.
 inline double normalVelocity(const Surface &surface, Vec2 v)
 {
     return dot(surface.normal, v);
 }
 
-/// The velocity of a point that touches a surface with velocity `v`.
+/// Returns the velocity after a point hits a surface with velocity `v`.
 Vec2 bounced(const Surface &surface, Vec2 v);
-/// What is left of an acceleration (or a velocity) of a point that rests on a surface.
+/// Returns the part of an acceleration (or velocity) that a surface does not balance for a point that rests
+/// on it.
 Vec2 restingAcceleration(const Surface &surface, Vec2 a);
 
-/// Where `f` goes through 0 between `low`, where it is not negative, and `high`, where it is; to 1e-15.
+/// Returns the root of `f` between `low`, with f >= 0, and `high`, with f < 0, to 1e-15.
 template <class Function>
 double firstRoot(Function &&f, double low, double high)
 {
-    // The Illinois form of false position: Dowell and Jarratt, 1971.
+    // The Illinois variant of false position. Source: Dowell and Jarratt, 1971.
     double atLow = f(low), atHigh = f(high);
     int side = 0;
     for (int i = 0; i < 80 && high - low > 1e-15; ++i) {

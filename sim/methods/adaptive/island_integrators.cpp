@@ -8,8 +8,9 @@ namespace sim {
 
 namespace {
 
-/// Drivers run one clock for all, and place things after everything else. Where things turn, drivers do that.
-bool isOneIsland(const Scene &scene)
+/// Returns whether the whole scene needs common steps: with drivers, which have one clock for all points, or
+/// with spins, because a driver computes the positions of points that turn.
+bool needsCommonSteps(const Scene &scene)
 {
     const auto drives = [&](const EffectPtr &effect) {
         return as<Driver>(effect) && effect->count(scene.start, {0, scene.start.pointCount()}) > 0;
@@ -17,14 +18,15 @@ bool isOneIsland(const Scene &scene)
     return scene.start.spin.rows() > 0 || std::any_of(scene.effects.begin(), scene.effects.end(), drives);
 }
 
-std::vector<std::vector<PointRange>> partsOf(const Scene &scene)
+/// Returns the points that one integrator advances together.
+std::vector<std::vector<PointRange>> integratedIslands(const Scene &scene)
 {
-    if (isOneIsland(scene))
+    if (needsCommonSteps(scene))
         return {{{0, scene.start.pointCount()}}};
     return islandsOf(scene);
 }
 
-/// Whether any of its points can move, held or not.
+/// Returns whether any of the points can move when it is not dragged.
 bool canMove(const Scene &scene, const std::vector<PointRange> &ranges)
 {
     for (const PointRange &range : ranges) {
@@ -42,7 +44,7 @@ IslandIntegrators::IslandIntegrators(const Scene &scene, const StepRule &rule, D
                                      double tolerance)
 {
     Eigen::Index column = 0;
-    for (std::vector<PointRange> &ranges : partsOf(scene)) {
+    for (std::vector<PointRange> &ranges : integratedIslands(scene)) {
         if (!canMove(scene, ranges))
             continue;
         IslandIntegrator &integrator = m_integrators.emplace_back(
@@ -53,8 +55,8 @@ IslandIntegrators::IslandIntegrators(const Scene &scene, const StepRule &rule, D
     }
 }
 
-template <class One>
-bool IslandIntegrators::each(State &state, One &&advance) const
+template <class Advance>
+bool IslandIntegrators::forEachIsland(State &state, Advance &&advance) const
 {
     state.adaptiveSteps.resize(m_integrators.size());
     for (const IslandIntegrator &integrator : m_integrators) {
@@ -69,7 +71,7 @@ bool IslandIntegrators::each(State &state, One &&advance) const
 bool IslandIntegrators::toNextFrame(State &state, const ShouldContinue &shouldContinue) const
 {
     StepBudget budget(shouldContinue, state.pointCount());
-    return each(state, [&](const IslandIntegrator &integrator) {
+    return forEachIsland(state, [&](const IslandIntegrator &integrator) {
         return AdaptiveStepper(integrator, state).toNextFrame(budget);
     });
 }
@@ -78,7 +80,7 @@ bool IslandIntegrators::toNextFrame(State &state, const ShouldContinue &shouldCo
                                     const SegmentVisitor &visit) const
 {
     StepBudget budget(shouldContinue, state.pointCount());
-    return each(state, [&](const IslandIntegrator &integrator) {
+    return forEachIsland(state, [&](const IslandIntegrator &integrator) {
         return AdaptiveStepper(integrator, state).toNextFrame(budget, visit);
     });
 }

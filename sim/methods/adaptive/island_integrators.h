@@ -6,28 +6,29 @@
 
 namespace sim {
 
-/// The courses of a scene's islands. Nothing ties them, so each goes on by steps of its own: a touch in one ends no step
-/// of the others. What no course is for stands still.
+/// The integrators of all islands of a scene. No coupling joins islands, so each has its own steps. A contact
+/// event in one does not end the steps of the others. Points without an integrator stand still.
 class IslandIntegrators
 {
 public:
-    /// `tolerance`: as Course has it.
+    /// `tolerance`: see IslandIntegrator.
     IslandIntegrators(const Scene &scene, const StepRule &rule, DirectionRule directionRule,
                       double tolerance);
 
-    /// Takes `state` on to the next frame. Returns whether all have got there, or one has given up; if not, `goesOn` said
-    /// no on the way, and the state is good for nothing.
+    /// Advances `state` to the next frame. Returns true if all islands reached it or one got stuck (see
+    /// AdaptiveStep::stuckPoint). Returns false if `shouldContinue` was false. The state is unusable then.
     bool toNextFrame(State &state, const ShouldContinue &shouldContinue) const;
-    /// The same; tells each step of each island as it is done, up to the frame.
+    /// Does the same, and calls `visit` for the part of each finished step up to the next frame.
     bool toNextFrame(State &state, const ShouldContinue &shouldContinue, const SegmentVisitor &visit) const;
 
-    /// That of the island that `point` is in; null where it cannot move.
+    /// Returns the integrator of the island of `point`, or null if the island cannot move.
     const IslandIntegrator *of(int point) const;
 
 private:
-    /// `advance` takes one island on, and returns what toNextFrame() does.
-    template <class One>
-    bool each(State &state, One &&advance) const;
+    /// Calls `advance` for each island until it returns false or an island gets stuck. Returns as
+    /// toNextFrame().
+    template <class Advance>
+    bool forEachIsland(State &state, Advance &&advance) const;
 
     std::vector<IslandIntegrator> m_integrators;
 };

@@ -4,8 +4,8 @@
 
 namespace sim {
 
-/// Explicit (forward) Euler: x += h v; v += h a(x), both from where the step began. Order 1; an undamped spring gains
-/// energy at every step. Damping enters as the factor damp^h.
+/// The explicit (forward) Euler method: x += h v, v += h a(x), both from the values at the start of the step.
+/// Order 1. An undamped spring gains energy in every step. Damping multiplies the velocity by damp^h.
 /// Source: Hairer, Lubich and Wanner, "Geometric numerical integration", section I.1.2.
 class ExplicitEuler : public Method
 {

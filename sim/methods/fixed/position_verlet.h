@@ -4,8 +4,8 @@
 
 namespace sim {
 
-/// Position Verlet: half a move, a whole kick, half a move. Order 2; symplectic without damping, and the same
-/// backwards. Damping enters exactly, by half a step's factor on either side of the kick (Strang splitting).
+/// The position Verlet method: half a move, a kick, half a move. Order 2, symplectic and time-reversible
+/// without damping. Damping is exact: the factor of half a step before and after the kick (Strang splitting).
 /// Source: Tuckerman, Berne and Martyna, "Reversible multiple time scale molecular dynamics", 1992.
 class PositionVerlet : public Method
 {

@@ -6,8 +6,7 @@ namespace sim {
 
 namespace {
 
-/// How the published code adds up forces: each pull goes onto the velocity at once. The order of these sums is
-/// part of what it computes.
+/// Adds each force to the velocity at once, as the tutorials do. The order of these sums affects the result.
 // Shown lines are short.
 // clang-format off
 //! [published_forces]
@@ -23,7 +22,7 @@ void pullAtOnce(
 //! [published_forces]
 // clang-format on
 
-/// The same for what turns.
+/// Adds each torque to the spin at once.
 // Shown lines are short.
 // clang-format off
 //! [published_torques]
@@ -59,7 +58,7 @@ std::vector<Phase> Published::phases(const Scene &scene, StepSize size) const
     // each group sees what has already moved
     for (const PhasePoints &group : step.groups()) {
         // forces and damping
-        step.inSceneOrder(group, pull);
+        step.effectsInSceneOrder(group, pull);
         step.move(group);
         step.constraints(group);
         step.contacts(group);

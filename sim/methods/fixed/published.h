@@ -4,8 +4,9 @@
 
 namespace sim {
 
-/// The published rule, v = (v + a) damp; x += v, at any step h; group after group, each seeing what already
-/// moved. Order 1. Not symmetric in action and reaction: it can make momentum from nothing.
+/// The method of the tutorials, generalised to any step h: v = (v + a) damp, x += v. Groups move one after
+/// another, and each sees the new positions of the earlier ones. Order 1. Action and reaction differ, so
+/// momentum is not conserved.
 class Published : public Method
 {
 public:

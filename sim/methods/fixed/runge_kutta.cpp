@@ -7,7 +7,7 @@ namespace sim {
 
 namespace {
 
-const char *const here = "sim/methods/fixed/runge_kutta.cpp";
+const char *const sourceFile = "sim/methods/fixed/runge_kutta.cpp";
 
 Tableau midpoint()
 {
@@ -35,8 +35,8 @@ Tableau classical()
     return t;
 }
 
-/// The columns of State::stages: the places and velocities that the step began with, then the velocity of each stage,
-/// then its acceleration.
+/// The columns of State::stages: positions and velocities at the start of the step, then the velocities of
+/// each stage, then the accelerations of each stage, then one for the next position.
 struct Columns
 {
     int stages = 0;
@@ -44,12 +44,12 @@ struct Columns
     int startSpeed() const { return 1; }
     int speed(int stage) const { return 2 + stage; }
     int slope(int stage) const { return 2 + stages + stage; }
-    /// Where the next place is put together.
+    /// The column in which the next position is computed.
     int place() const { return 2 + 2 * stages; }
     int count() const { return 3 + 2 * stages; }
 };
 
-/// A scene's equations and the tableau's weights for them, as all phases of a step share them.
+/// The equations of a scene and the stage weights for them, which all phases of a step share.
 struct Plan
 {
     Plan(const Scene &scene, const Tableau &tableau, DirectionRule directionRule, double step)
@@ -61,15 +61,16 @@ struct Plan
 
     OdeSystem system;
     Tableau::Row c;
-    std::vector<StageWeights> weights; ///< one a stretch of the flow
+    std::vector<StageWeights> weights; ///< one per rate range of the system
     Columns columns;
     double h;
 
+    /// Returns the time of a stage, or of the end of the step, in frames after its start.
     double timeOf(int stage) const
     {
         return stage < columns.stages ? h * c[static_cast<std::size_t>(stage)] : h;
     }
-    /// Takes time on from the stage before.
+    /// Runs the continuous drivers from the stage before to `stage`.
     void tickTo(State &state, int stage) const
     {
         system.advanceDrivers(state, timeOf(stage) - timeOf(stage - 1));
@@ -81,7 +82,7 @@ double *column(State &state, int number)
     return state.stages.data() + number * state.stages.rows();
 }
 
-/// The place of a stage (or of the step's end), from the velocities of the stages before it.
+/// Computes the positions of a stage, or of the end of the step, from the velocities of the stages before it.
 double *placeOf(State &state, const Plan &plan, int stage)
 {
     const Columns &at = plan.columns;
@@ -94,7 +95,8 @@ double *placeOf(State &state, const Plan &plan, int stage)
     return column(state, at.place());
 }
 
-/// The velocity of a stage (or of the step's end), from the pulls at the stages before it, in column `out`.
+/// Computes the velocities of a stage, or of the end of the step, in column `out` from the accelerations of
+/// the stages before it.
 double *velocityOf(State &state, const Plan &plan, int stage, int out)
 {
     const Columns &at = plan.columns;
@@ -108,8 +110,8 @@ double *velocityOf(State &state, const Plan &plan, int stage, int out)
     return column(state, out);
 }
 
-/// Keeps what the forces have gathered as the slope of `stage`, with the velocity that belongs to it.
-void keepSlope(State &state, const Plan &plan, int stage)
+/// Stores the accumulated accelerations of `stage` and computes its velocities.
+void storeStage(State &state, const Plan &plan, int stage)
 {
     const Columns &at = plan.columns;
     if (stage == 0)
@@ -120,7 +122,7 @@ void keepSlope(State &state, const Plan &plan, int stage)
 
 // Shown lines are short.
 // clang-format off
-/// Goes to the place of `stage`, or of the step's end.
+/// Moves the state to the positions of `stage`, or of the end of the step.
 //! [trial_place]
 void goTo(State &state,
     const Plan &plan, int stage)
@@ -133,7 +135,7 @@ void goTo(State &state,
 }
 //! [trial_place]
 
-/// The end of the step: its place, and its velocity.
+/// Moves the state to the end of the step: positions and velocities.
 //! [step_end]
 void finish(State &state,
     const Plan &plan)
@@ -155,8 +157,10 @@ Phase stagePhase(const char *id, const char *title, const Scene &scene, const ch
     phase.id = id;
     phase.title = title;
     phase.points = {0, scene.start.pointCount()};
-    phase.regions = {
-        {here, "trial_place"}, {here, "step_end"}, {here, tableau}, {"sim/methods/fixed/tableau.h", "blend"}};
+    phase.regions = {{sourceFile, "trial_place"},
+                     {sourceFile, "step_end"},
+                     {sourceFile, tableau},
+                     {"sim/methods/fixed/tableau.h", "blend"}};
     phase.consumesAcceleration = true;
     phase.integrates = true;
     phase.explain = [](const State &before, const State &after, int point) {
@@ -165,8 +169,8 @@ Phase stagePhase(const char *id, const char *title, const Scene &scene, const ch
     return phase;
 }
 
-/// What else the equations have besides forces: the phase computes it on its way.
-void nameOthers(Phase &phase, const Plan &plan, DirectionRule directionRule)
+/// Adds the effects of the equations that are neither forces nor torques, which `phase` computes itself.
+void addInnerEffects(Phase &phase, const Plan &plan, DirectionRule directionRule)
 {
     for (const EffectPtr &effect : plan.system.effects()) {
         if (as<Force>(effect) || as<Torque>(effect))
@@ -197,17 +201,17 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
     const auto trial = [&](int stage) {
         Phase phase = stagePhase("trial", SIM_TEXT("try a place"), scene, m_shown);
         phase.kernels = {{[plan, stage](State &state) {
-                              keepSlope(state, *plan, stage - 1);
+                              storeStage(state, *plan, stage - 1);
                               goTo(state, *plan, stage);
                           },
                           {}}};
-        nameOthers(phase, *plan, directionRule());
+        addInnerEffects(phase, *plan, directionRule());
         return phase;
     };
     const auto move = [&] {
         Phase phase = stagePhase("step", SIM_TEXT("move"), scene, m_shown);
         phase.kernels = {{[plan](State &state) {
-                              keepSlope(state, *plan, plan->columns.stages - 1);
+                              storeStage(state, *plan, plan->columns.stages - 1);
                               finish(state, *plan);
                           },
                           {}}};

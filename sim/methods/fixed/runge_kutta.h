@@ -5,8 +5,9 @@
 
 namespace sim {
 
-/// A method of fixed step that takes a step through the stages of a tableau: forces at the first place, a trial
-/// place, forces there, and so on, then the step itself. Damping is exact: see StageWeights.
+/// An explicit Runge-Kutta method with fixed steps. It computes the forces at the start, goes to a trial
+/// position, computes the forces there, and so on, and then makes the step from all of them. Damping is exact
+/// (see StageWeights).
 class RungeKutta : public Method
 {
 public:
@@ -19,7 +20,7 @@ public:
     std::vector<Phase> phases(const Scene &scene, StepSize size) const override;
 
 protected:
-    /// `shown`: the marker of the tableau's source.
+    /// `shown`: the source marker of the tableau.
     RungeKutta(const Tableau &tableau, int order, const char *shown)
         : m_tableau(tableau), m_order(order), m_shown(shown)
     {
@@ -31,7 +32,8 @@ private:
     const char *m_shown;
 };
 
-/// The explicit midpoint rule: the slope at the middle of a step, which an Euler step finds, is taken for all of it.
+/// The explicit midpoint rule. An Euler step finds the middle of the step, and the derivatives there are used
+/// for the whole step.
 /// Source: Butcher, "Numerical methods for ordinary differential equations", section 232.
 class Midpoint : public RungeKutta
 {

@@ -4,8 +4,8 @@
 
 namespace sim {
 
-/// Semi-implicit (symplectic) Euler: v += h a(x); x += h v, all points at once. Order 1; symplectic without
-/// damping. Damping enters exactly, as the factor damp^h between the two.
+/// The semi-implicit (symplectic) Euler method: v += h a(x), then x += h v, for all points at once. Order 1,
+/// symplectic without damping. Damping is exact: the factor damp^h on v between the two.
 /// Source: Hairer, Lubich and Wanner, "Geometric numerical integration", section I.1.2.
 class SemiImplicitEuler : public Method
 {

@@ -6,7 +6,7 @@ namespace sim {
 
 namespace {
 
-/// What of a velocity is left after `time` frames; a negative time undoes it.
+/// Returns the damping factor of a velocity after `time` frames, which may be negative.
 double decay(double rate, double time)
 {
     return rate == 0.0 ? 1.0 : std::exp(-rate * time);
@@ -14,12 +14,12 @@ double decay(double rate, double time)
 
 }
 
-void StageWeights::set(const Tableau &of, double c, double step, int count)
+void StageWeights::set(const Tableau &coefficients, double c, double step, int count)
 {
-    if (&of == tableau && c == rate && step == h && count == rows)
+    if (&coefficients == tableau && c == rate && step == h && count == rows)
         return;
     *this = {};
-    tableau = &of;
+    tableau = &coefficients;
     rate = c;
     h = step;
     rows = count;
@@ -27,13 +27,13 @@ void StageWeights::set(const Tableau &of, double c, double step, int count)
         return;
     const auto last = static_cast<std::size_t>(rows);
     for (std::size_t i = 0; i < last; ++i)
-        keep[i] = decay(rate, of.c[i] * h);
+        keep[i] = decay(rate, coefficients.c[i] * h);
     keep[last] = decay(rate, h);
-    // Quotients save most of the exponentials, as long as they are numbers.
+    // Quotients save most of the exponentials. Beyond this limit they could be 0 / 0.
     const bool quotients = rate * h < 300.0;
     for (std::size_t i = 0; i <= last; ++i) {
-        const Tableau::Row &a = i == last ? of.b : of.a[i];
-        const double time = i == last ? 1.0 : of.c[i];
+        const Tableau::Row &a = i == last ? coefficients.b : coefficients.a[i];
+        const double time = i == last ? 1.0 : coefficients.c[i];
         for (std::size_t j = 0; j < i; ++j) {
             if (a[j] == 0.0)
                 continue;
@@ -41,8 +41,8 @@ void StageWeights::set(const Tableau &of, double c, double step, int count)
             if (rate == 0.0)
                 speed[i][j] = place[i][j];
             else
-                speed[i][j] =
-                    place[i][j] * (quotients ? keep[i] / keep[j] : decay(rate, (time - of.c[j]) * h));
+                speed[i][j] = place[i][j] *
+                              (quotients ? keep[i] / keep[j] : decay(rate, (time - coefficients.c[j]) * h));
         }
     }
 }

@@ -4,42 +4,44 @@
 
 namespace sim {
 
-/// The numbers of an explicit Runge-Kutta method: stage i is taken at the time c[i] of a step, at the place that
-/// the slopes of the stages before it lead to, with weights a[i]; the step itself has weights b.
+/// The coefficients of an explicit Runge-Kutta method (Butcher tableau). The derivatives at the earlier
+/// stages give the position of stage i, with weights a[i].
 /// Source: Butcher, "Numerical methods for ordinary differential equations", section 232.
 struct Tableau
 {
-    static constexpr int most = 16;
-    using Row = std::array<double, most>;
+    static constexpr int maxStages = 16;
+    using Row = std::array<double, maxStages>;
 
     int stages = 0;
-    Row c{};
-    std::array<Row, most> a{};
-    Row b{};
+    Row c{};                        ///< time of each stage, as a share of the step
+    std::array<Row, maxStages> a{}; ///< weights of the earlier stages, per stage
+    Row b{};                        ///< weights of all stages for the step
 };
 
-/// What a step of h frames does with the slopes of its stages, for velocities that damping slows at a rate of c per
-/// frame. That damping is exact: v = e^(-c t) u, and the method takes u, which nothing slows, through its stages.
-/// Then stage i has the velocity keep[i] v0 + sum of speed[i][j] a_j.
-/// Source: Lawson, "Generalized Runge-Kutta processes for stable systems with large Lipschitz constants", 1967.
+/// The weights of the stages in a step of h frames, for a damping rate of c per frame. Damping is exact,
+/// because the method integrates the undamped velocity u = e^(c t) v. So stage i has the velocity keep[i] v0
+/// + sum of speed[i][j] a_j, and the position x0 + sum of place[i][j] v_j.
+/// Source: Lawson, "Generalized Runge-Kutta processes for stable systems with large Lipschitz constants",
+/// 1967.
 struct StageWeights
 {
-    std::array<Tableau::Row, Tableau::most + 1> place{};
-    std::array<Tableau::Row, Tableau::most + 1> speed{};
-    std::array<double, Tableau::most + 1> keep{};
+    std::array<Tableau::Row, Tableau::maxStages + 1> place{}; ///< frames
+    std::array<Tableau::Row, Tableau::maxStages + 1> speed{}; ///< frames
+    std::array<double, Tableau::maxStages + 1> keep{};        ///< damping factor e^(-c t) at each stage
 
-    /// What the weights are for: asked for the same again, set() leaves them.
+    /// The arguments of the last set().
     const Tableau *tableau = nullptr;
     double rate = 0.0;
     double h = 0.0;
     int rows = 0;
 
-    /// Of the first `count` rows of the tableau's a, and as one more of the step itself, which has weights b. An infinite
-    /// rate c stops everything: all weights are 0.
-    void set(const Tableau &of, double c, double step, int count);
+    /// Computes the weights of the first `count` stages, and in one more row those of the step itself. If c
+    /// is infinite, all weights are 0. Does nothing if the arguments are the same as last time.
+    void set(const Tableau &coefficients, double c, double step, int count);
 };
 
-/// sum = share * base + sum of weights[j] * columns[j], for `lanes` numbers: few enough to stay in registers.
+/// Computes out = share * base + sum of weights[j] * columns[j] for `lanes` numbers, few enough to stay in
+/// registers.
 /// @param columns one after the other, `size` numbers each
 // Shown lines are short.
 // clang-format off
@@ -69,7 +71,7 @@ void blend(
 //! [blend]
 // clang-format on
 
-/// The same for the rows from `first` to before `end`.
+/// Does the same for the rows from `first` to `end` - 1.
 inline void blendRows(double *out, const double *base, double share, const double *columns,
                       const double *weights, int count, int first, int end, int size)
 {

@@ -4,9 +4,10 @@
 
 namespace sim {
 
-/// Velocity Verlet: half a kick, a whole move, half a kick. Order 2; symplectic without damping, and the same
-/// backwards. Damping enters exactly, by half a step's factor on either side of the move (Strang splitting). Forces
-/// are computed before and after the move: something else may have moved what the step before left.
+/// The velocity Verlet method: half a kick, a move, half a kick. Order 2, symplectic and time-reversible
+/// without damping. Damping is exact: the factor of half a step before and after the move (Strang splitting).
+/// Forces are computed before and after the move, because input or contacts may have moved points since the
+/// last step.
 /// Source: Swope, Andersen, Berens and Wilson, 1982; Hairer, Lubich and Wanner, section I.1.4.
 class VelocityVerlet : public Method
 {

@@ -12,7 +12,7 @@ void backwardEuler(
 {
     auto &[x, v] = step.motion;
     step.tick(h);
-    // pulled from where it comes to:
+    // with the pull at the new x:
     // v = keep (v + h a(x + h v))
     Numbers keep = step.kept(h);
     v = step.solve(
@@ -24,7 +24,7 @@ void backwardEuler(
 
 }
 
-BackwardEuler::Take BackwardEuler::taking() const
+BackwardEuler::StepFunction BackwardEuler::stepFunction() const
 {
     return backwardEuler;
 }

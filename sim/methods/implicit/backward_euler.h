@@ -4,10 +4,11 @@
 
 namespace sim {
 
-/// Backward (implicit) Euler: v = damp^h (v + h a(x)); x += h v, with the pulls from where x comes to. Order 1. Stays
-/// bounded at any step and stiffness, and damps what swings faster than the step follows, stiff or not.
-/// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.3; in animation: Baraff and
-/// Witkin, "Large steps in cloth simulation", 1998.
+/// The backward (implicit) Euler method: v = damp^h (v + h a(x)), x += h v, with the accelerations at the new
+/// x. Order 1. It stays bounded at any step and stiffness. It damps every oscillation that is too fast for
+/// the step.
+/// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.3; in animation:
+/// Baraff and Witkin, "Large steps in cloth simulation", 1998.
 class BackwardEuler : public ImplicitMethod
 {
 public:
@@ -16,8 +17,11 @@ public:
     int order() const override { return 1; }
 
 protected:
-    Take taking() const override;
-    Region shown() const override { return {"sim/methods/implicit/backward_euler.cpp", "backward_euler"}; }
+    StepFunction stepFunction() const override;
+    Region stepRegion() const override
+    {
+        return {"sim/methods/implicit/backward_euler.cpp", "backward_euler"};
+    }
 };
 
 }

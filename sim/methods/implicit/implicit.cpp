@@ -13,14 +13,15 @@ PointRange everything(const Scene &scene)
     return {0, scene.start.pointCount()};
 }
 
-/// Whether what a driver does is a phase of its own: the others go with time, and that is in the equations.
-bool jumps(const Effect &effect)
+/// Returns whether `effect` is a driver that needs a separate phase. The equations include all other drivers.
+bool isImpulsiveDriver(const Effect &effect)
 {
     const auto *driver = as<Driver>(effect);
     return driver && driver->timing() == DriverTiming::impulsive;
 }
 
-/// Whether `effect` can be computed by a method that needs slopes.
+/// Returns whether an implicit method can compute `effect`: a force or torque needs a Jacobian, a drag a
+/// rate.
 bool fits(const Effect &effect, const State &state)
 {
     const PointRange all = {0, state.pointCount()};
@@ -51,7 +52,7 @@ Phase phaseOf(const EffectPtr &effect, const Scene &scene)
     return phase;
 }
 
-Phase driving(const std::shared_ptr<const Driver> &driver, const Scene &scene, double h)
+Phase driverPhase(const std::shared_ptr<const Driver> &driver, const Scene &scene, double h)
 {
     Phase phase = phaseOf(driver, scene);
     phase.kernels = {{[driver, h](State &state) { driver->drive(state, h); }, {}}};
@@ -61,7 +62,7 @@ Phase driving(const std::shared_ptr<const Driver> &driver, const Scene &scene, d
     return phase;
 }
 
-Phase touching(const std::shared_ptr<const Contact> &contact, const Scene &scene)
+Phase contactPhase(const std::shared_ptr<const Contact> &contact, const Scene &scene)
 {
     Phase phase = phaseOf(contact, scene);
     phase.kernels = {
@@ -70,7 +71,8 @@ Phase touching(const std::shared_ptr<const Contact> &contact, const Scene &scene
     return phase;
 }
 
-/// Where a point (or a branch) went, by the names of the shown code.
+/// Explains the motion of a point, or of a branch if points have spins, with the variable names of the shown
+/// code.
 std::vector<LiveValue> explainSolved(const State &before, const State &after, int point)
 {
     if (!after.isDynamic(point))
@@ -101,7 +103,7 @@ void ImplicitMethod::checkFit(const Scene &scene) const
     }
 }
 
-Phase ImplicitMethod::solving(const Scene &scene, double h) const
+Phase ImplicitMethod::solvePhase(const Scene &scene, double h) const
 {
     Phase phase;
     phase.id = "solve";
@@ -109,20 +111,20 @@ Phase ImplicitMethod::solving(const Scene &scene, double h) const
     phase.points = everything(scene);
     phase.consumesAcceleration = true;
     phase.integrates = true;
-    phase.regions = {shown(), {"sim/methods/implicit/newton.cpp", "newton"}};
+    phase.regions = {stepRegion(), {"sim/methods/implicit/newton.cpp", "newton"}};
     const auto equations = std::make_shared<const Equations>(scene, directionRule());
-    for (const EffectPtr &effect : equations->flow().effects()) {
+    for (const EffectPtr &effect : equations->system().effects()) {
         if (effect->count(scene.start, everything(scene)) == 0)
             continue;
         phase.innerEffects.push_back(effect);
-        for (const Region &shown : effect->regions(directionRule())) {
-            if (std::find(phase.regions.begin(), phase.regions.end(), shown) == phase.regions.end())
-                phase.regions.push_back(shown);
+        for (const Region &region : effect->regions(directionRule())) {
+            if (std::find(phase.regions.begin(), phase.regions.end(), region) == phase.regions.end())
+                phase.regions.push_back(region);
         }
     }
-    phase.kernels = {{[take = taking(), equations, h](State &state) {
+    phase.kernels = {{[advance = stepFunction(), equations, h](State &state) {
                           ImplicitStep step(*equations, state);
-                          take(step, h);
+                          advance(step, h);
                           step.finish();
                       },
                       {}}};
@@ -140,17 +142,17 @@ std::vector<Phase> ImplicitMethod::phases(const Scene &scene, StepSize size) con
         leading = leading && driver;
         if (effect->count(scene.start, everything(scene)) == 0)
             continue;
-        if (driver && jumps(*driver))
-            (leading ? driversFirst : driversLast).push_back(driving(driver, scene, size.h));
+        if (driver && isImpulsiveDriver(*driver))
+            (leading ? driversFirst : driversLast).push_back(driverPhase(driver, scene, size.h));
         else if (const auto contact = sharedAs<Contact>(effect))
-            contacts.push_back(touching(contact, scene));
+            contacts.push_back(contactPhase(contact, scene));
     }
-    Phase whole = solving(scene, size.h);
-    bool anyFree = false;
+    Phase solvePhase = this->solvePhase(scene, size.h);
+    bool anyMoves = false;
     for (int i = 0; i < scene.start.pointCount(); ++i)
-        anyFree = anyFree || (scene.start.isDynamic(i) && scene.movesByVelocity(i));
-    if (anyFree || !whole.innerEffects.empty())
-        solve.push_back(std::move(whole));
+        anyMoves = anyMoves || (scene.start.isDynamic(i) && scene.movesByVelocity(i));
+    if (anyMoves || !solvePhase.innerEffects.empty())
+        solve.push_back(std::move(solvePhase));
     std::vector<Phase> phases;
     const auto add = [&phases](const std::vector<Phase> &more) {
         phases.insert(phases.end(), more.begin(), more.end());

@@ -27,7 +27,7 @@ void implicitMidpoint(
 
 }
 
-ImplicitMidpoint::Take ImplicitMidpoint::taking() const
+ImplicitMidpoint::StepFunction ImplicitMidpoint::stepFunction() const
 {
     return implicitMidpoint;
 }

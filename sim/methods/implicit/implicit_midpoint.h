@@ -4,10 +4,10 @@
 
 namespace sim {
 
-/// The implicit midpoint rule: x += h m; v += h a, with the velocity m and the pulls a half way between before and
-/// after. Order 2; symplectic and the same forwards and backwards where nothing damps: it keeps the energy of a linear
-/// spring to rounding at any step. What is stiff it does not damp. Damping enters exactly, half before and half after
-/// (Strang's splitting), which keeps the order.
+/// The implicit midpoint rule: x += h m, v += h a, with the velocity m and the accelerations a at the middle
+/// of the step. Order 2, symplectic and time-reversible without damping. It conserves the energy of a linear
+/// spring up to rounding at any step. It does not damp stiff oscillations. Damping is exact: half before and
+/// half after (Strang splitting), which keeps the order.
 /// Source: Hairer, Lubich and Wanner, "Geometric numerical integration", sections II.1.3 and IV.2.1.
 class ImplicitMidpoint : public ImplicitMethod
 {
@@ -18,8 +18,8 @@ public:
     Symplectic symplectic() const override { return Symplectic::yes; }
 
 protected:
-    Take taking() const override;
-    Region shown() const override
+    StepFunction stepFunction() const override;
+    Region stepRegion() const override
     {
         return {"sim/methods/implicit/implicit_midpoint.cpp", "implicit_midpoint"};
     }

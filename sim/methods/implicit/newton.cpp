@@ -11,28 +11,28 @@ namespace sim {
 
 namespace {
 
-constexpr int mostHalvings = 6;
+constexpr int maxHalvings = 6;
 
-/// Whether a change of velocities changes the places that they lead to by no more than this share of them.
+/// Returns whether a change of velocities changes the positions by at most `share` of their size (plus 1).
 bool isWithin(double share, const Numbers &change, double reach, const Numbers &place)
 {
     return (reach * change.abs() <= share * (1.0 + place.abs())).all();
 }
 
-/// Whether a correction is so small that the next one is lost in rounding.
+/// Returns whether a correction is so small that the next one would be lost in rounding.
 bool isTiny(const Numbers &step, double reach, const Numbers &place)
 {
     return isWithin(1e-12, step, reach, place);
 }
 
-/// Whether a correction is far below what can be seen, though it is not lost in rounding.
+/// Returns whether a correction is far below what is visible, though not lost in rounding.
 bool isClose(const Numbers &step, double reach, const Numbers &place)
 {
     return isWithin(1e-9, step, reach, place);
 }
 
-/// Whether corrections are so small that pulls are straight lines along them, and shrink no more: then they correct
-/// how a stiff spring's pull is rounded.
+/// Returns whether corrections no longer shrink although forces are linear over such small distances. Then
+/// they only follow the rounding errors of stiff springs.
 bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbers &place)
 {
     return next.abs().maxCoeff() >= step.abs().maxCoeff() && isWithin(1e-6, next, reach, place);
@@ -43,7 +43,7 @@ bool isNoise(const Numbers &next, const Numbers &step, double reach, const Numbe
 Equations::Equations(const Scene &scene, DirectionRule directionRule)
     : m_system(scene, directionRule), m_points(scene.start.pointCount())
 {
-    const bool turns = scene.start.spin.rows() > 0; // then places follow from angles
+    const bool turns = scene.start.spin.rows() > 0; // then positions follow from angles
     for (const OdeSystem::RateRange &range : m_system.rateRanges()) {
         for (int row = range.first; row < range.end(); ++row)
             m_movable.push_back(std::isfinite(range.rate) && scene.movesByVelocity(row % m_points) &&
@@ -71,7 +71,7 @@ std::vector<int> Equations::unknowns(const State &state) const
     return numbers;
 }
 
-/// What solve() wants: u = drift + share a(from + reach u).
+/// The equation that solve() solves: u = drift + share a(from + reach u).
 struct ImplicitStep::Wanted
 {
     const Numbers &from;
@@ -80,11 +80,11 @@ struct ImplicitStep::Wanted
     const Numbers &share;
 };
 
-ImplicitStep::ImplicitStep(const Equations &equations, State &state, JacobianKind effort)
-    : motion{Numbers(equations.flow().size()), Numbers(equations.flow().size())}, m_equations(equations),
-      m_state(state), m_effort(effort), m_unknowns(equations.unknowns(state))
+ImplicitStep::ImplicitStep(const Equations &equations, State &state, CorrectionLimits limits)
+    : motion{Numbers(equations.system().size()), Numbers(equations.system().size())}, m_equations(equations),
+      m_state(state), m_limits(limits), m_unknowns(equations.unknowns(state))
 {
-    equations.flow().readState(state, motion.x.data(), motion.v.data());
+    equations.system().readState(state, motion.x.data(), motion.v.data());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] < 0)
             motion.v[static_cast<Eigen::Index>(row)] = 0.0;
@@ -96,8 +96,8 @@ ImplicitStep::ImplicitStep(const Equations &equations, State &state, JacobianKin
 Numbers ImplicitStep::pulls(const Numbers &place)
 {
     Numbers a(place.size());
-    m_equations.flow().writePositions(place.data(), m_state);
-    m_equations.flow().accelerations(m_state, a.data());
+    m_equations.system().writePositions(place.data(), m_state);
+    m_equations.system().accelerations(m_state, a.data());
     m_state.pointEvaluations += m_state.pointCount();
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] < 0)
@@ -106,11 +106,11 @@ Numbers ImplicitStep::pulls(const Numbers &place)
     return a;
 }
 
-/// The velocity that leads to where the state is.
-Numbers ImplicitStep::standing(const Wanted &wanted) const
+/// Returns the velocity that leads from `wanted.from` to the positions of the state.
+Numbers ImplicitStep::initialVelocity(const Wanted &wanted) const
 {
     UnknownMotion now = motion;
-    m_equations.flow().readState(m_state, now.x.data(), now.v.data());
+    m_equations.system().readState(m_state, now.x.data(), now.v.data());
     Numbers u = Numbers::Zero(now.x.size());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         const auto i = static_cast<Eigen::Index>(row);
@@ -120,24 +120,26 @@ Numbers ImplicitStep::standing(const Wanted &wanted) const
     return u;
 }
 
-/// By how much `u` misses what is wanted.
-Numbers ImplicitStep::misses(const Wanted &wanted, const Numbers &u)
+/// Returns the residual of `u`. Moves the state to the positions that belong to `u`.
+Numbers ImplicitStep::residualOf(const Wanted &wanted, const Numbers &u)
 {
     return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u);
 }
 
-/// How fast what u misses changes with u, where the state is: with 1 on the diagonal, the entries of that matrix.
-std::vector<Jacobian::Entry> ImplicitStep::changes(const Wanted &wanted, Kept kept) const
+/// Returns the derivatives of the residual by u at the positions of the state, without the 1 on the diagonal.
+std::vector<Jacobian::Entry> ImplicitStep::residualDerivatives(const Wanted &wanted,
+                                                               Projection projection) const
 {
     Jacobian jacobian(m_state.pointCount());
-    m_equations.flow().jacobian(m_state, jacobian);
-    const std::vector<Jacobian::Entry> calm =
-        kept == Kept::calm ? nearestNegativeSemidefiniteBlocks(jacobian, m_state.pointCount())
-                           : std::vector<Jacobian::Entry>();
-    const std::vector<Jacobian::Entry> &given = kept == Kept::calm ? calm : jacobian.entries();
+    m_equations.system().jacobian(m_state, jacobian);
+    const bool isProjected = projection == Projection::semidefinite;
+    const std::vector<Jacobian::Entry> projected =
+        isProjected ? nearestNegativeSemidefiniteBlocks(jacobian, m_state.pointCount())
+                    : std::vector<Jacobian::Entry>();
+    const std::vector<Jacobian::Entry> &used = isProjected ? projected : jacobian.entries();
     std::vector<Jacobian::Entry> entries;
-    entries.reserve(given.size());
-    for (const Jacobian::Entry &entry : given) {
+    entries.reserve(used.size());
+    for (const Jacobian::Entry &entry : used) {
         const int row = m_unknowns[static_cast<std::size_t>(entry.row)];
         const int column = m_unknowns[static_cast<std::size_t>(entry.column)];
         if (row >= 0 && column >= 0)
@@ -146,9 +148,9 @@ std::vector<Jacobian::Entry> ImplicitStep::changes(const Wanted &wanted, Kept ke
     return entries;
 }
 
-/// What to take off u for what it misses, if that changes by `entries`.
-Numbers ImplicitStep::stepFor(const Numbers &wrong, const Numbers &share,
-                              const std::vector<Jacobian::Entry> &entries) const
+/// Returns the change to subtract from u for a residual with the derivatives `entries`.
+Numbers ImplicitStep::correctionOf(const Numbers &residual, const Numbers &share,
+                                   const std::vector<Jacobian::Entry> &entries) const
 {
     const int points = m_state.pointCount();
     Eigen::VectorXd right(m_count), weights(m_count);
@@ -156,11 +158,11 @@ Numbers ImplicitStep::stepFor(const Numbers &wrong, const Numbers &share,
         const auto i = static_cast<Eigen::Index>(row);
         if (m_unknowns[row] < 0)
             continue;
-        right[m_unknowns[row]] = wrong[i];
+        right[m_unknowns[row]] = residual[i];
         weights[m_unknowns[row]] = 1.0 / (share[i] * m_state.inverseMass[i % points]);
     }
     const Eigen::VectorXd found = solved(entries, right, weights);
-    Numbers step = Numbers::Zero(wrong.size());
+    Numbers step = Numbers::Zero(residual.size());
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
         if (m_unknowns[row] >= 0)
             step[static_cast<Eigen::Index>(row)] = found[m_unknowns[row]];
@@ -168,66 +170,69 @@ Numbers ImplicitStep::stepFor(const Numbers &wrong, const Numbers &share,
     return step;
 }
 
-/// What to take off u to make good what it misses, if pulls change with places by their slopes at u.
+/// Returns the change that Newton's method subtracts from `u`, with the Jacobian at `u`.
 Numbers ImplicitStep::correction(const Wanted &wanted, const Numbers &u)
 {
-    const Numbers wrong = misses(wanted, u);
-    if (isWithin(1e-15, wrong, wanted.reach, wanted.from))
-        return Numbers::Zero(u.size()); // rounding: not worth a matrix
-    return stepFor(wrong, wanted.share, changes(wanted, Kept::all));
+    const Numbers residual = residualOf(wanted, u);
+    if (isWithin(1e-15, residual, wanted.reach, wanted.from))
+        return Numbers::Zero(u.size()); // only rounding: not worth a matrix
+    return correctionOf(residual, wanted.share, residualDerivatives(wanted, Projection::none));
 }
 
-/// Where Newton's method has found nothing, or jumps about: the same without the slopes that push (see
-/// nearestNegativeSemidefiniteBlocks()), so that no step leads away. It takes more steps, as what turns then comes round a part of the way at a time. Returns
-/// what misses least of all this and `plain`; see lost() where every way from the start leads out of the finite numbers.
-Numbers ImplicitStep::calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain)
+/// Continues with the projected Jacobian (see nearestNegativeSemidefiniteBlocks()) after Newton's method did
+/// not converge. These corrections do not diverge, but rotations take more of them. Returns the candidate
+/// with the smallest residual, including `plain`, the result of Newton's method. If no candidate is usable,
+/// returns failedSolution().
+Numbers ImplicitStep::solveProjected(const Wanted &wanted, const Numbers &start, const Numbers &plain)
 {
     Numbers best = plain, u = start;
-    double least = misses(wanted, plain).abs().maxCoeff();
-    Numbers last = Numbers::Constant(u.size(), std::numeric_limits<double>::infinity());
-    bool metNoNumber = false;
-    for (int i = 0; i < m_effort.projected; ++i) {
-        const Numbers wrong = misses(wanted, u);
-        const double most = wrong.abs().maxCoeff();
-        if (std::isfinite(most) && !(most >= least)) { // also where nothing was finite so far
-            least = most;
+    double smallest = residualOf(wanted, plain).abs().maxCoeff();
+    Numbers previousStep = Numbers::Constant(u.size(), std::numeric_limits<double>::infinity());
+    bool metNonFinite = false;
+    for (int i = 0; i < m_limits.projected; ++i) {
+        const Numbers residual = residualOf(wanted, u);
+        const double largest = residual.abs().maxCoeff();
+        if (std::isfinite(largest) && !(largest >= smallest)) { // true also if `smallest` is NaN
+            smallest = largest;
             best = u;
         }
-        const Numbers step = stepFor(wrong, wanted.share, changes(wanted, Kept::calm));
-        metNoNumber = metNoNumber || !std::isfinite(most) || !step.isFinite().all();
+        const Numbers step =
+            correctionOf(residual, wanted.share, residualDerivatives(wanted, Projection::semidefinite));
+        metNonFinite = metNonFinite || !std::isfinite(largest) || !step.isFinite().all();
         if (!step.isFinite().all() || isTiny(step, wanted.reach, wanted.from) ||
-            isNoise(step, last, wanted.reach, wanted.from))
+            isNoise(step, previousStep, wanted.reach, wanted.from))
             break;
         u = u - step;
-        last = step;
+        previousStep = step;
     }
-    const bool standsStill = (best == start).all();
-    return !std::isfinite(least) || (standsStill && metNoNumber) ? lost(wanted, start) : best;
+    const bool isStart = (best == start).all();
+    return !std::isfinite(smallest) || (isStart && metNonFinite) ? failedSolution(wanted, start) : best;
 }
 
-/// Says that nothing is found, in place of letting all stand still: `start` without the numbers whose pulls are not
-/// finite there, or without any, where all are.
-Numbers ImplicitStep::lost(const Wanted &wanted, const Numbers &start)
+/// Returns the result of a failed solution: `start`, with NaN for the numbers whose residual is not finite
+/// there, or for all numbers if every residual is finite. Without NaN, the scene would silently stand still.
+Numbers ImplicitStep::failedSolution(const Wanted &wanted, const Numbers &start)
 {
-    constexpr double none = std::numeric_limits<double>::quiet_NaN();
-    const Eigen::Array<bool, Eigen::Dynamic, 1> found = misses(wanted, start).isFinite();
-    if (found.all())
-        return Numbers::Constant(start.size(), none);
-    return found.select(start, none);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const Eigen::Array<bool, Eigen::Dynamic, 1> areFinite = residualOf(wanted, start).isFinite();
+    if (areFinite.all())
+        return Numbers::Constant(start.size(), nan);
+    return areFinite.select(start, nan);
 }
 
-/// Takes `step` off u; or a half, a quarter... of it, if the whole leads to where nothing is finite. Returns the next
-/// correction; NaN, and u as it was, if there is no way from here. That the next one is smaller is not asked for: to turn with a stiff
-/// spring, Newton's method first leaves it by a hair's breadth, which looks far worse than it is, and then comes back;
-/// steps that never may get worse creep along it instead.
+/// Subtracts `step` from `u`, or a half, a quarter and so on of it if the next correction is not finite.
+/// Returns the next correction, or NaN with `u` unchanged if no part works. The next correction may be
+/// larger. To turn a stiff spring, Newton's method first stretches it slightly, which gives a large residual,
+/// and then corrects that. If the residual had to decrease in every step, the turn would take many tiny
+/// steps.
 Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &step)
 {
-    double part = 1.0;
-    for (int halvings = 0; halvings <= mostHalvings; ++halvings, part *= 0.5) {
-        const Numbers to = u - part * step;
-        Numbers next = correction(wanted, to);
+    double fraction = 1.0;
+    for (int halvings = 0; halvings <= maxHalvings; ++halvings, fraction *= 0.5) {
+        const Numbers candidate = u - fraction * step;
+        Numbers next = correction(wanted, candidate);
         if (next.isFinite().all()) {
-            u = to;
+            u = candidate;
             return next;
         }
     }
@@ -237,15 +242,15 @@ Numbers ImplicitStep::advance(const Wanted &wanted, Numbers &u, const Numbers &s
 Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share)
 {
     const Wanted wanted{from, drift, reach, share};
-    const int plain = m_effort.exact;
+    const int plain = m_limits.exact;
     // Shown lines are short.
     // clang-format off
     //! [newton]
     // wanted: u = drift + share a(...)
     // at first, as if nothing moved
-    const Numbers start = standing(wanted);
+    const Numbers start = initialVelocity(wanted);
     Numbers u = start;
-    // as if pulls grew evenly from here
+    // as if pulls were linear here
     Numbers step = correction(wanted, u);
     for (int i = 0; i < plain; ++i) {
         if (isTiny(step, reach, from))
@@ -253,23 +258,23 @@ Numbers ImplicitStep::solve(const Numbers &from, const Numbers &drift, double re
         Numbers next =
             advance(wanted, u, step);
         if (!next.isFinite().all())
-            break; // no way on from here
+            break; // no finite step
         if (isNoise(next, step, reach, from))
             return u;
         step = next;
     }
     if (isClose(step, reach, from))
         return u;
-    // it jumps about, or is lost: calmer
-    return calmly(wanted, start, u);
+    // not converged: safer steps
+    return solveProjected(wanted, start, u);
     //! [newton]
     // clang-format on
 }
 
 void ImplicitStep::finish()
 {
-    m_equations.flow().writePositions(motion.x.data(), m_state);
-    m_equations.flow().writeVelocities(motion.v.data(), m_state);
+    m_equations.system().writePositions(motion.x.data(), m_state);
+    m_equations.system().writeVelocities(motion.v.data(), m_state);
 }
 
 }

@@ -8,87 +8,92 @@ namespace sim {
 
 using Numbers = Eigen::ArrayXd;
 
-/// A scene's equations q'' = a(q, t) - c q', and which of their numbers an implicit method solves for: those of
-/// what goes on by itself and is not stopped at once (c infinite).
+/// The equations q'' = a(q, t) - c q' of a scene, and the numbers of q that an implicit method solves for
+/// (the unknowns). A point is unknown if it moves by its velocity and damping does not stop it at once (c is
+/// finite).
 class Equations
 {
 public:
     Equations(const Scene &scene, DirectionRule directionRule);
 
-    const OdeSystem &flow() const { return m_system; }
-    /// What damping leaves of each velocity over `h` frames: e^(-c h), 0 where it stops at once.
+    const OdeSystem &system() const { return m_system; }
+    /// Returns the damping factor of each number of q over `h` frames: e^(-c h), or 0 if c is infinite.
     Numbers kept(double h) const;
-    /// For each number of q its number among the unknowns, or -1.
+    /// Returns the index among the unknowns of each number of q, or -1.
     std::vector<int> unknowns(const State &state) const;
 
 private:
     OdeSystem m_system;
     int m_points;
-    std::vector<char> m_movable; ///< a number of q each
+    std::vector<char> m_movable; ///< per number of q, whether it is unknown unless its point is dragged
 };
 
-/// Places (px, degrees) and velocities, in the order of Flow.
+/// Positions (px, degrees) and velocities (per frame), in the order of OdeSystem.
 struct UnknownMotion
 {
     Numbers x;
     Numbers v;
 };
 
-/// How often a step is corrected before it is given up: bounds, as nothing else bounds them.
-struct JacobianKind
+/// The maximum numbers of corrections of a step before it fails.
+struct CorrectionLimits
 {
-    int exact = 20;     ///< corrections by Newton's method
-    int projected = 60; ///< then, if those lead nowhere, corrections that leave out what pushes
+    int exact = 20; ///< corrections by Newton's method
+    /// Further corrections with the projected Jacobian if Newton's method does not converge, see
+    /// nearestNegativeSemidefiniteBlocks().
+    int projected = 60;
 };
 
-/// One step of an implicit method under way.
+/// One step of an implicit method.
 class ImplicitStep
 {
 public:
-    ImplicitStep(const Equations &equations, State &state, JacobianKind effort = {});
+    ImplicitStep(const Equations &equations, State &state, CorrectionLimits limits = {});
 
-    UnknownMotion motion;
+    UnknownMotion motion; ///< the current values, which the method advances
 
-    /// Takes time on by `h` frames.
-    void tick(double h) { m_equations.flow().advanceDrivers(m_state, h); }
-    /// What damping leaves of each velocity over `h` frames.
+    /// Runs the continuous drivers for `h` frames.
+    void tick(double h) { m_equations.system().advanceDrivers(m_state, h); }
+    /// Returns the damping factor of each number over `h` frames.
     Numbers kept(double h) const { return m_equations.kept(h); }
-    /// All pulls where things are at `place`: px/frame^2, degrees/frame^2.
+    /// Returns the accelerations at the positions `place`, in px/frame^2 or degrees/frame^2; 0 for numbers
+    /// that are not unknown.
     Numbers pulls(const Numbers &place);
-    /// The velocity u that agrees with the pulls where it leads to, by Newton's method:
-    /// u = drift + share a(from + reach u). Reach and share in frames. Starts from where the state is, as the nearest
-    /// solution is the right one: beyond it are those in which springs swing through between two places. Stops when
-    /// corrections are below 1e-12 of the places or lost in rounding. Where Newton's method finds none (as where a
-    /// crowd bursts out of one place, and pulls turn round), it is looked for more calmly. NaN where nothing finite is
-    /// found that way either: then the run ends there, and says so.
+    /// Returns the velocity u with u = drift + share a(from + reach u), by Newton's method. `reach` and
+    /// `share` are in frames. The iteration starts at the positions of the state, because the nearest
+    /// solution is the right one: in the others, springs have turned over within the step. It stops when
+    /// corrections are below 1e-12 of the positions or lost in rounding. If it does not converge (for
+    /// example, when a crowd bursts from one point and forces reverse), corrections with the projected
+    /// Jacobian follow. Returns NaN if these find nothing finite, so the run ends here.
     /// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.8.
     Numbers solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share);
+    /// Does the same with `share` = `reach`.
     Numbers solve(const Numbers &from, const Numbers &drift, double reach)
     {
         return solve(from, drift, reach, Numbers::Constant(from.size(), reach));
     }
-    /// Puts the motion into the state.
+    /// Writes `motion` to the state.
     void finish();
 
 private:
     struct Wanted;
-    Numbers standing(const Wanted &wanted) const;
-    Numbers misses(const Wanted &wanted, const Numbers &u);
+    Numbers initialVelocity(const Wanted &wanted) const;
+    Numbers residualOf(const Wanted &wanted, const Numbers &u);
     Numbers correction(const Wanted &wanted, const Numbers &u);
-    enum class Kept {
-        all,  ///< slopes as they are
-        calm, ///< those that push left out
+    enum class Projection {
+        none,         ///< the exact Jacobian
+        semidefinite, ///< see nearestNegativeSemidefiniteBlocks()
     };
-    std::vector<Jacobian::Entry> changes(const Wanted &wanted, Kept kept) const;
-    Numbers stepFor(const Numbers &wrong, const Numbers &share,
-                    const std::vector<Jacobian::Entry> &entries) const;
-    Numbers calmly(const Wanted &wanted, const Numbers &start, const Numbers &plain);
-    Numbers lost(const Wanted &wanted, const Numbers &start);
+    std::vector<Jacobian::Entry> residualDerivatives(const Wanted &wanted, Projection projection) const;
+    Numbers correctionOf(const Numbers &residual, const Numbers &share,
+                         const std::vector<Jacobian::Entry> &entries) const;
+    Numbers solveProjected(const Wanted &wanted, const Numbers &start, const Numbers &plain);
+    Numbers failedSolution(const Wanted &wanted, const Numbers &start);
     Numbers advance(const Wanted &wanted, Numbers &u, const Numbers &step);
 
     const Equations &m_equations;
     State &m_state;
-    JacobianKind m_effort;
+    CorrectionLimits m_limits;
     std::vector<int> m_unknowns;
     int m_count = 0;
 };

@@ -37,7 +37,7 @@ void trBdf2(ImplicitStep &step, double h)
 
 }
 
-TrBdf2::Take TrBdf2::taking() const
+TrBdf2::StepFunction TrBdf2::stepFunction() const
 {
     return trBdf2;
 }

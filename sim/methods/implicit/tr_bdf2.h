@@ -4,11 +4,12 @@
 
 namespace sim {
 
-/// TR-BDF2: the trapezoid rule over the first 0.586 of a step, then the backward differentiation formula of order 2
-/// over those two places. Order 2 and L-stable: what is far too stiff for the step is damped at once, what the step
-/// can follow hardly at all. Damping enters exactly, half before and half after (Strang's splitting).
-/// Source: Bank et al., "Transient simulation of silicon devices and circuits", 1985; Hosea and Shampine, "Analysis and
-/// implementation of TR-BDF2", 1996.
+/// The TR-BDF2 method: the trapezoidal rule over the first 0.586 of a step, then the backward differentiation
+/// formula of order 2 from both positions. Order 2 and L-stable: it damps oscillations that are far too fast
+/// for the step at once, and slow ones hardly at all. Damping by drags is exact: half before and half after
+/// (Strang splitting).
+/// Source: Bank et al., "Transient simulation of silicon devices and circuits", 1985; Hosea and Shampine,
+/// "Analysis and implementation of TR-BDF2", 1996.
 class TrBdf2 : public ImplicitMethod
 {
 public:
@@ -17,8 +18,8 @@ public:
     int order() const override { return 2; }
 
 protected:
-    Take taking() const override;
-    Region shown() const override { return {"sim/methods/implicit/tr_bdf2.cpp", "tr_bdf2"}; }
+    StepFunction stepFunction() const override;
+    Region stepRegion() const override { return {"sim/methods/implicit/tr_bdf2.cpp", "tr_bdf2"}; }
 };
 
 }

@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// A stretch of a run in which no parameter changes: the scene, composed.
+/// A part of a run in which no parameter changes, with its composed scene.
 struct ComposedInterval
 {
     Values values;

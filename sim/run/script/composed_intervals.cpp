@@ -11,13 +11,14 @@ namespace sim {
 
 namespace {
 
-/// Whether a scene made from `a` has the bits of one made from `b`: 0 and -0 are equal, and may lead to other bits.
-bool makeTheSame(const Values &a, const Values &b)
+/// Returns whether scenes built from `a` and `b` have the same bits. 0 and -0 are equal but can give
+/// different bits.
+bool haveSameBits(const Values &a, const Values &b)
 {
-    return a == b && std::equal(a.all().begin(), a.all().end(), b.all().begin(),
-                                [](const auto &one, const auto &other) {
-                                    return std::signbit(one.second) == std::signbit(other.second);
-                                });
+    return a == b &&
+           std::equal(a.all().begin(), a.all().end(), b.all().begin(), [](const auto &x, const auto &y) {
+               return std::signbit(x.second) == std::signbit(y.second);
+           });
 }
 
 }
@@ -38,48 +39,48 @@ ComposedIntervals::ComposedIntervals(const Script &script) : m_changes{{0, 0}}
 void ComposedIntervals::replace(const Script &script)
 {
     m_changes = ComposedIntervals(script).m_changes;
-    m_isBegun = false;
-    for (Composed &one : m_composed) {
-        const Change &change = changeBefore(std::max<std::int64_t>(0, one.from));
-        const bool stays = one.interval && change.frame == one.from &&
-                           makeTheSame(valuesAt(script, change), one.interval->values);
-        if (!stays)
-            one = {};
+    m_hasValues = false;
+    for (Composed &entry : m_cache) {
+        const Change &change = changeAtOrBefore(std::max<std::int64_t>(0, entry.from));
+        const bool isUnchanged = entry.interval && change.frame == entry.from &&
+                                 haveSameBits(valuesAt(script, change), entry.interval->values);
+        if (!isUnchanged)
+            entry = {};
     }
 }
 
 void ComposedIntervals::check(const Script &script, std::int64_t frame) const
 {
-    std::set<std::vector<double>> checked;
+    std::set<std::vector<double>> checkedValues;
     for (const Change &change : m_changes) {
         if (change.frame < frame)
             continue;
-        std::vector<double> numbers; // nothing else changes on the way
+        std::vector<double> numbers; // the set of parameters is the same for all changes
         for (const auto &[id, number] : valuesAt(script, change).all())
             numbers.push_back(number);
-        if (checked.insert(std::move(numbers)).second || change.frame == m_changes.back().frame)
+        if (checkedValues.insert(std::move(numbers)).second || change.frame == m_changes.back().frame)
             at(script, change.frame);
     }
 }
 
-const ComposedIntervals::Change &ComposedIntervals::changeBefore(std::int64_t outputEnd) const
+const ComposedIntervals::Change &ComposedIntervals::changeAtOrBefore(std::int64_t outputEnd) const
 {
-    const auto past = std::upper_bound(m_changes.begin(), m_changes.end(), outputEnd,
+    const auto next = std::upper_bound(m_changes.begin(), m_changes.end(), outputEnd,
                                        [](std::int64_t frame, const Change &c) { return frame < c.frame; });
-    return *std::prev(past);
+    return *std::prev(next);
 }
 
-bool ComposedIntervals::areInSameInterval(std::int64_t one, std::int64_t other) const
+bool ComposedIntervals::areInSameInterval(std::int64_t firstEnd, std::int64_t secondEnd) const
 {
-    return changeBefore(one).frame == changeBefore(other).frame;
+    return changeAtOrBefore(firstEnd).frame == changeAtOrBefore(secondEnd).frame;
 }
 
 const Values &ComposedIntervals::valuesAt(const Script &script, const Change &change) const
 {
-    if (!m_isBegun || change.end < m_end) {
+    if (!m_hasValues || change.end < m_end) {
         m_values = script.values;
         m_end = 0;
-        m_isBegun = true;
+        m_hasValues = true;
     }
     for (; m_end < change.end; ++m_end) {
         if (const Set *set = std::get_if<Set>(&script.input[m_end].what))
@@ -91,23 +92,23 @@ const Values &ComposedIntervals::valuesAt(const Script &script, const Change &ch
 std::shared_ptr<const ComposedInterval> ComposedIntervals::at(const Script &script,
                                                               std::int64_t outputEnd) const
 {
-    const Change &change = changeBefore(outputEnd);
-    if (m_composed[0].from == change.frame)
-        return m_composed[0].interval;
-    std::swap(m_composed[0], m_composed[1]);
-    if (m_composed[0].from == change.frame)
-        return m_composed[0].interval;
+    const Change &change = changeAtOrBefore(outputEnd);
+    if (m_cache[0].from == change.frame)
+        return m_cache[0].interval;
+    std::swap(m_cache[0], m_cache[1]);
+    if (m_cache[0].from == change.frame)
+        return m_cache[0].interval;
     const Values &values = valuesAt(script, change);
-    for (const Composed &one : m_composed) {
-        if (one.interval && makeTheSame(one.interval->values, values)) {
-            m_composed[0] = {change.frame, one.interval};
-            return m_composed[0].interval;
+    for (const Composed &entry : m_cache) {
+        if (entry.interval && haveSameBits(entry.interval->values, values)) {
+            m_cache[0] = {change.frame, entry.interval};
+            return m_cache[0].interval;
         }
     }
     ComposedInterval interval{values, sceneOf(script, values), {}};
     interval.pipeline = compose(interval.scene, *script.method, script.step);
-    m_composed[0] = {change.frame, std::make_shared<const ComposedInterval>(std::move(interval))};
-    return m_composed[0].interval;
+    m_cache[0] = {change.frame, std::make_shared<const ComposedInterval>(std::move(interval))};
+    return m_cache[0].interval;
 }
 
 }

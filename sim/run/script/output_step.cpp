@@ -9,28 +9,28 @@ namespace sim {
 
 namespace {
 
-/// What a method has computed ahead holds as long as nothing comes in from outside.
-void forgetAhead(State &state)
+/// Discards the time that an adaptive method has computed ahead, because it does not include the new input.
+void discardStepsAhead(State &state)
 {
     for (AdaptiveStep &lastStep : state.adaptiveSteps)
         lastStep.start = lastStep.end = 0.0;
     state.restingContacts.setZero();
 }
 
-void letGo(State &state, const Scene &scene)
+void release(State &state, const Scene &scene)
 {
-    const int held = state.hold.point;
-    if (held < 0)
+    const int draggedPoint = state.hold.point;
+    if (draggedPoint < 0)
         return;
-    state.place(held, state.hold.hand);
-    state.inverseMass[held] = scene.start.inverseMass[held];
+    state.place(draggedPoint, state.hold.hand);
+    state.inverseMass[draggedPoint] = scene.start.inverseMass[draggedPoint];
     state.hold = {};
 }
 
-void applyHand(State &state, const Scene &scene, const Event &event)
+void applyDrag(State &state, const Scene &scene, const Event &event)
 {
     if (const Grab *grab = std::get_if<Grab>(&event.what)) {
-        letGo(state, scene);
+        release(state, scene);
         const int point = scene.find(grab->body);
         if (point < 0)
             return;
@@ -40,7 +40,7 @@ void applyHand(State &state, const Scene &scene, const Event &event)
         if (state.hold.point >= 0)
             state.hold.hand = move->to;
     } else if (std::holds_alternative<Release>(event.what)) {
-        letGo(state, scene);
+        release(state, scene);
     }
 }
 
@@ -57,11 +57,12 @@ void apply(State &state, const Scene &scene, const Event &event)
     } else if (const auto *key = std::get_if<Key>(&event.what)) {
         state.input.keys.*key->key = key->down;
     } else {
-        applyHand(state, scene, event);
+        applyDrag(state, scene, event);
     }
 }
 
-/// The first event that comes after the row that ends at `frame`: what a script has at frame 0 comes with the first row.
+/// Returns the first event after the output step that ends at `frame`. Events at frame 0 belong to the first
+/// output step.
 auto firstAfter(const Script &script, std::int64_t frame)
 {
     return std::upper_bound(script.input.begin(), script.input.end(), frame == 0 ? -1 : frame,
@@ -85,25 +86,27 @@ void beginOutputStep(State &state, const Script &script,
                      const std::shared_ptr<const ComposedInterval> &now, std::int64_t outputEnd)
 {
     const int framesPerOutput = script.step.framesPerOutput;
-    if (before != now ||
-        setsParameters(script, outputEnd)) // to the values that it has: they start anew all the same
+    // Setting a parameter to its current value also transfers the state, although the interval may be the
+    // same object.
+    if (before != now || setsParameters(script, outputEnd))
         state = transferState(state, before->scene, now->scene);
     if (state.hold.point >= 0)
-        forgetAhead(state);
+        discardStepsAhead(state);
     state.frame = outputEnd;
     state.input.gust.reset();
     state.input.newTargets.clear();
     for (auto event = firstAfter(script, outputEnd - framesPerOutput);
          event != script.input.end() && event->frame <= outputEnd; ++event) {
         apply(state, now->scene, *event);
-        forgetAhead(state);
+        discardStepsAhead(state);
     }
-    const int held = state.hold.point;
-    if (held < 0)
+    const int draggedPoint = state.hold.point;
+    if (draggedPoint < 0)
         return;
-    if (now->scene.start.isDynamic(held) && now->scene.movesByVelocity(held))
-        state.setVelocity(held, (1.0 / framesPerOutput) * (state.hold.hand - state.positionOf(held)));
-    state.place(held, state.hold.hand);
+    if (now->scene.start.isDynamic(draggedPoint) && now->scene.movesByVelocity(draggedPoint))
+        state.setVelocity(draggedPoint,
+                          (1.0 / framesPerOutput) * (state.hold.hand - state.positionOf(draggedPoint)));
+    state.place(draggedPoint, state.hold.hand);
 }
 
 std::vector<int> grabbedPoints(const Script &script, const Scene &scene, std::int64_t outputEnd)

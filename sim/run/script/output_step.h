@@ -4,19 +4,22 @@
 
 namespace sim {
 
-/// Takes `state`, at the end of a row of `before`, into the row of `now` that ends at `rowEnd`: carries it over where a
-/// parameter changes, applies the row's input, and moves what a hand holds.
+/// Prepares `state`, the end of an output step in interval `before`, for the output step in interval `now`
+/// that ends at `outputEnd`. Transfers it to the new scene if a parameter is set, applies the input of the
+/// output step, and moves the dragged point.
 void beginOutputStep(State &state, const Script &script,
                      const std::shared_ptr<const ComposedInterval> &before,
                      const std::shared_ptr<const ComposedInterval> &now, std::int64_t outputEnd);
 
-/// Whether a parameter is set, to whatever value, at the start of the row that ends at `rowEnd`.
+/// Returns whether the input of the output step that ends at `outputEnd` sets a parameter, even to its
+/// current value.
 bool setsParameters(const Script &script, std::int64_t outputEnd);
 
-/// The points that a hand takes hold of at the start of the row that ends at `rowEnd`.
+/// Returns the points that the learner grabs at the start of the output step that ends at `outputEnd`. An
+/// entry is -1 if no such body exists.
 std::vector<int> grabbedPoints(const Script &script, const Scene &scene, std::int64_t outputEnd);
 
-/// The end of the first row after `frame` that begins with input; empty if there is none.
+/// Returns the end of the first output step after `frame` that has input, or nothing.
 std::optional<std::int64_t> nextInputFrame(const Script &script, std::int64_t frame);
 
 }

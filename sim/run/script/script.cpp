@@ -12,13 +12,13 @@ namespace sim {
 
 namespace {
 
-bool isFinite(Vec2 at)
+bool isFinite(Vec2 v)
 {
-    return std::isfinite(at.x) && std::isfinite(at.y);
+    return std::isfinite(v.x) && std::isfinite(v.y);
 }
 
-/// What an event is called in files, if a number of it is not finite.
-struct Unfit
+/// Returns the name of an event in files if one of its numbers is not finite, else an empty string.
+struct NonFiniteName
 {
     std::string operator()(const Move &move) const { return isFinite(move.to) ? "" : "move"; }
     std::string operator()(const Pointer &pointer) const { return isFinite(pointer.at) ? "" : "pointer"; }
@@ -62,14 +62,14 @@ Scene sceneOf(const Script &script, const Values &values)
 
 Event eventOf(std::int64_t frame, const Input &what)
 {
-    return {frame, std::visit([](const auto &one) -> decltype(Event::what) { return one; }, what)};
+    return {frame, std::visit([](const auto &input) -> decltype(Event::what) { return input; }, what)};
 }
 
 void checkFinite(const Event &event)
 {
-    const std::string unfit = std::visit(Unfit{}, event.what);
-    if (!unfit.empty())
-        throw Error("input-not-finite", {{"event", unfit}, {"frame", std::to_string(event.frame)}});
+    const std::string name = std::visit(NonFiniteName{}, event.what);
+    if (!name.empty())
+        throw Error("input-not-finite", {{"event", name}, {"frame", std::to_string(event.frame)}});
 }
 
 void sortByFrame(std::vector<Event> &input)
@@ -80,12 +80,12 @@ void sortByFrame(std::vector<Event> &input)
 
 std::int64_t firstDifference(const std::vector<Event> &a, const std::vector<Event> &b)
 {
-    const auto [one, other] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
+    const auto [inA, inB] = std::mismatch(a.begin(), a.end(), b.begin(), b.end());
     std::int64_t frame = std::numeric_limits<std::int64_t>::max();
-    if (one != a.end())
-        frame = std::min(frame, one->frame);
-    if (other != b.end())
-        frame = std::min(frame, other->frame);
+    if (inA != a.end())
+        frame = std::min(frame, inA->frame);
+    if (inB != b.end())
+        frame = std::min(frame, inB->frame);
     return frame;
 }
 

@@ -17,50 +17,50 @@ namespace sim {
 
 struct Keys;
 
-/// A hand takes hold of a body.
+/// The learner grabs a body.
 struct Grab
 {
     std::string body;
     friend bool operator==(const Grab &, const Grab &) = default;
 };
-/// The hand goes to a place, in px.
+/// The learner drags the grabbed body to a position (px).
 struct Move
 {
     Vec2 to;
     friend bool operator==(const Move &, const Move &) = default;
 };
-/// The hand lets go.
+/// The learner releases the grabbed body.
 struct Release
 {
     friend bool operator==(const Release &, const Release &) = default;
 };
-/// The pointer goes to a place, in px, with its button down or up.
+/// The pointer moves to a position (px) with its button down or up.
 struct Pointer
 {
     Vec2 at;
     bool down = false;
     friend bool operator==(const Pointer &, const Pointer &) = default;
 };
-/// What swims gets a new target, in px.
+/// Everything that swims gets a new target (px).
 struct Target
 {
     Vec2 at;
     friend bool operator==(const Target &, const Target &) = default;
 };
-/// This frame's turbulence, in degrees, in place of the random one.
+/// The turbulence of this frame, in degrees, instead of the random one.
 struct Gust
 {
     double degrees = 0.0;
     friend bool operator==(const Gust &, const Gust &) = default;
 };
-/// A key that steers goes down or up.
+/// A steering key goes down or up.
 struct Key
 {
     bool Keys::*key = nullptr;
     bool down = false;
     friend bool operator==(const Key &, const Key &) = default;
 };
-/// A parameter takes a new value.
+/// A parameter gets a new value.
 struct Set
 {
     std::string parameter;
@@ -68,10 +68,10 @@ struct Set
     friend bool operator==(const Set &, const Set &) = default;
 };
 
-/// What a learner does in the scene.
+/// An input of the learner in the scene.
 using Input = std::variant<Grab, Move, Release, Pointer, Target, Gust, Key>;
 
-/// Input from outside, applied before frame `frame` is computed.
+/// An input that is applied before frame `frame` is computed.
 struct Event
 {
     std::int64_t frame = 0;
@@ -79,45 +79,47 @@ struct Event
     friend bool operator==(const Event &, const Event &) = default;
 };
 
-/// Where a body starts in place of where its scene puts it.
+/// The initial position and velocity of a body, instead of those of its scene.
 struct BodyStart
 {
     Vec2 x;                ///< px
-    std::optional<Vec2> v; ///< px/frame
+    std::optional<Vec2> v; ///< px/frame; empty: as in the scene
     friend bool operator==(const BodyStart &, const BodyStart &) = default;
 };
 
-/// Everything that determines a run: the same script gives the same bits, whatever was done to get there.
+/// Everything that determines a run. The same script always gives the same bits.
 struct Script
 {
-    std::function<Scene(const Values &)> build;
-    Values values; ///< at the start
-    std::map<std::string, BodyStart> bodies;
-    std::vector<std::string> effectsOff; ///< ids of listed effects that do not act
+    std::function<Scene(const Values &)> build; ///< builds the scene for given parameter values
+    Values values;                              ///< parameters at the start
+    std::map<std::string, BodyStart> bodies;    ///< changed initial states, by name of the body
+    std::vector<std::string> effectsOff;        ///< ids of effects that are switched off
     MethodPtr method;
     StepSize step;
-    std::vector<Event> input; ///< by frame; within a frame in the order in which they are applied
+    std::vector<Event> input; ///< by frame; within a frame in order of application
 };
 
-/// The end of the row whose computation an event of `frame` precedes. Frame 0 is the start: its events come with the first
-/// row.
+/// Returns the end of the output step whose input includes an event at `frame`. Events at frame 0 belong to
+/// the first output step.
 std::int64_t outputStepEnd(std::int64_t frame, int framesPerOutput);
 
-/// The scene of `script` for `values`: built, with its bodies' starts, without the effects that are off.
-/// @throws Error "start-not-finite" (body) when a body's start is no place or no velocity; what build() throws
+/// Returns the scene of `script` for `values`, with the initial states of `script.bodies` and without the
+/// effects that are switched off.
+/// @throws Error "start-not-finite" (body), and all errors of `script.build`
 Scene sceneOf(const Script &script, const Values &values);
 
-/// `what` as an event of the row whose computation it precedes.
+/// Returns `what` as an event at `frame`.
 Event eventOf(std::int64_t frame, const Input &what);
 
-/// Lets no event through that is no place, no angle or no value: one would make all numbers of a run so.
-/// @throws Error "input-not-finite" (event, frame) when a number of it is not finite
+/// Rejects an event with a number that is not finite, because that number would spread to the whole run.
+/// @throws Error "input-not-finite" (event, frame)
 void checkFinite(const Event &event);
 
 /// Sorts events by frame and keeps the order within each frame.
 void sortByFrame(std::vector<Event> &input);
 
-/// The first frame whose computation differs between two inputs, each sorted by frame; the largest number where none does.
+/// Returns the first frame at which two inputs, each sorted by frame, differ. Returns the largest int64 if
+/// they are equal.
 std::int64_t firstDifference(const std::vector<Event> &a, const std::vector<Event> &b);
 
 }

@@ -8,60 +8,60 @@ namespace sim {
 
 namespace {
 
-/// For each point of `to` the point of `from` that has its name, or -1.
-std::vector<int> sameNames(const Scene &from, const Scene &to)
+/// Returns for each point of `to` the point of `from` with the same name, or -1.
+std::vector<int> pointsWithSameName(const Scene &from, const Scene &to)
 {
-    if (from.names == to.names) { // as nearly always; in a crowd the other way takes a second
+    if (from.names == to.names) { // nearly always; the search below takes a second for a crowd
         std::vector<int> same(to.names.size());
         std::iota(same.begin(), same.end(), 0);
         return same;
     }
-    std::unordered_map<std::string, int> numbers;
+    std::unordered_map<std::string, int> pointOf;
     for (std::size_t i = 0; i < from.names.size(); ++i)
-        numbers.emplace(from.names[i], static_cast<int>(i));
-    std::vector<int> olds;
+        pointOf.emplace(from.names[i], static_cast<int>(i));
+    std::vector<int> points;
     for (const std::string &name : to.names) {
-        const auto found = numbers.find(name);
-        olds.push_back(found == numbers.end() ? -1 : found->second);
+        const auto found = pointOf.find(name);
+        points.push_back(found == pointOf.end() ? -1 : found->second);
     }
-    return olds;
+    return points;
 }
 
-/// Rows of an array that may be empty on either side.
+/// Copies a row between two arrays, if both have it.
 template <class Array>
-void carryRow(const Array &from, int old, Array &to, int row)
+void copyRow(const Array &from, int oldRow, Array &to, int newRow)
 {
-    if (from.rows() > old && to.rows() > row)
-        to.row(row) = from.row(old);
+    if (from.rows() > oldRow && to.rows() > newRow)
+        to.row(newRow) = from.row(oldRow);
 }
 
-/// A clock goes on at the speed that it has, unless `next` wants another than the start before, `from`, did.
-void carrySpeeds(const State &state, const State &from, State &next)
+/// Keeps the speed of each gait clock in `state`, unless the initial speeds in `from` and `next` differ.
+void copyGaitSpeeds(const State &state, const State &from, State &next)
 {
     for (int i = 0; i < static_cast<int>(next.gaitSpeed.rows()); ++i) {
         if (from.gaitSpeed.rows() > i && from.gaitSpeed[i] == next.gaitSpeed[i])
-            carryRow(state.gaitSpeed, i, next.gaitSpeed, i);
+            copyRow(state.gaitSpeed, i, next.gaitSpeed, i);
     }
 }
 
-/// The motion of point `old` of `state`, for point `row` of `next`.
-void carryMotion(const State &state, int old, State &next, int row)
+/// Copies the motion of point `old` of `state` to point `point` of `next`.
+void copyMotion(const State &state, int old, State &next, int point)
 {
     forEachColumn([&](ColumnKind kind, auto values) {
         if (kind == ColumnKind::motion)
-            carryRow(state.*values, old, next.*values, row);
+            copyRow(state.*values, old, next.*values, point);
     });
 }
 
-/// A point that the two scenes start at different angles keeps how far it is turned from there: a tree whose
-/// branches are to grow at another angle keeps its bends. `next` has the angle of `state` already.
-void turnByStart(const Scene &from, int old, const Scene &to, State &next, int row)
+/// Adds the difference of the two initial angles to the angle of `point` in `next`, which was copied from the
+/// old state. So a tree keeps its bends if its branches get another growth angle.
+void addInitialTurn(const Scene &from, int old, const Scene &to, State &next, int point)
 {
-    if (from.start.angle.rows() <= old || to.start.angle.rows() <= row)
+    if (from.start.angle.rows() <= old || to.start.angle.rows() <= point)
         return;
-    const double turned = to.start.angle[row] - from.start.angle[old];
+    const double turned = to.start.angle[point] - from.start.angle[old];
     if (turned != 0.0)
-        next.angle[row] += turned;
+        next.angle[point] += turned;
 }
 
 }
@@ -69,32 +69,32 @@ void turnByStart(const Scene &from, int old, const Scene &to, State &next, int r
 State transferState(const State &state, const Scene &from, const Scene &to)
 {
     State next = to.start;
-    const std::vector<int> olds = sameNames(from, to);
+    const std::vector<int> oldPoints = pointsWithSameName(from, to);
     Vec2 shift;
-    int common = 0;
+    int commonPoints = 0;
     for (int i = 0; i < next.pointCount(); ++i) {
-        const int old = olds[static_cast<std::size_t>(i)];
+        const int old = oldPoints[static_cast<std::size_t>(i)];
         if (old < 0)
             continue;
         shift = shift + (state.positionOf(old) - to.start.positionOf(i));
-        ++common;
+        ++commonPoints;
     }
     for (int i = 0; i < next.pointCount(); ++i) {
-        const int old = olds[static_cast<std::size_t>(i)];
+        const int old = oldPoints[static_cast<std::size_t>(i)];
         if (old >= 0) {
-            carryMotion(state, old, next, i);
-            turnByStart(from, old, to, next, i);
+            copyMotion(state, old, next, i);
+            addInitialTurn(from, old, to, next, i);
             if (state.hold.point == old)
                 next.hold = {i, state.hold.hand};
-        } else if (common > 0) {
-            next.place(i, next.positionOf(i) + (1.0 / common) * shift);
+        } else if (commonPoints > 0) {
+            next.place(i, next.positionOf(i) + (1.0 / commonPoints) * shift);
         }
     }
     if (next.hold.point >= 0)
         next.inverseMass[next.hold.point] = 0.0;
     for (int i = 0; i < static_cast<int>(next.gait.rows()); ++i)
-        carryRow(state.gait, i, next.gait, i);
-    carrySpeeds(state, from.start, next);
+        copyRow(state.gait, i, next.gait, i);
+    copyGaitSpeeds(state, from.start, next);
     next.gustExtent = state.gustExtent;
     next.frame = state.frame;
     next.pointEvaluations = state.pointEvaluations;

@@ -4,9 +4,9 @@
 
 namespace sim {
 
-/// Carries what `state` of scene `from` has over to scene `to`: bodies of the same name go on as they are,
-/// turned by as much as their start is turned; new ones stand where `to` starts them, shifted by as much as the
-/// others have moved on the average.
+/// Returns `state` of scene `from`, transferred to scene `to`. Bodies of the same name keep their motion, and
+/// turn by the difference of their initial angles. New bodies get the initial state of `to`, shifted by the
+/// mean displacement of the others.
 State transferState(const State &state, const Scene &from, const Scene &to);
 
 }

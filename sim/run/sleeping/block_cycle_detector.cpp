@@ -10,7 +10,7 @@ namespace sim {
 
 namespace {
 
-/// Whether the rows of `points` are the same in two arrays that have one row a point, or none at all.
+/// Returns whether `points` have the same bits in two arrays with one row per point. The arrays may be empty.
 template <class Array>
 bool sameRows(const Array &a, const Array &b, PointRange points)
 {
@@ -44,12 +44,12 @@ void BlockCycleDetector::check(const Pipeline &pipeline, const State &before, co
     bool any = false;
     for (std::size_t i = 0; i < m_asleep.size(); ++i) {
         const CacheBlock &block = pipeline.blocks[i];
-        const bool held = block.contains(before.hold.point) || block.contains(after.hold.point);
-        const bool rests =
-            !held && std::all_of(block.ranges.begin(), block.ranges.end(),
-                                 [&](PointRange range) { return sameRows(before, after, range); });
-        m_asleep[i] = rests ? 1 : 0;
-        any = any || rests;
+        const bool isDragged = block.contains(before.hold.point) || block.contains(after.hold.point);
+        const bool repeats =
+            !isDragged && std::all_of(block.ranges.begin(), block.ranges.end(),
+                                      [&](PointRange range) { return sameRows(before, after, range); });
+        m_asleep[i] = repeats ? 1 : 0;
+        any = any || repeats;
     }
     if (!any)
         wakeAll();

@@ -6,18 +6,18 @@
 
 namespace sim {
 
-/// Which blocks of a large scene have come to rest, while others may still move: those whose points had the same bits
-/// at the ends of two neighbouring rows. As a block depends on its own points alone, a row changes nothing in it until
-/// a hand touches one of them.
+/// Detects the cache blocks of a large scene that repeat exactly while others still move. A block sleeps if
+/// its points had the same bits at the ends of two consecutive output steps. A block depends only on its own
+/// points, so it stays the same until the learner drags one of them.
 class BlockCycleDetector
 {
 public:
-    /// Compares two states of a run of `pipeline`, one row apart, with no change of parameters between them.
+    /// Compares two states of `pipeline`, one output step apart, with no change of parameters between them.
     void check(const Pipeline &pipeline, const State &before, const State &after);
-    /// A hand has changed `point`; -1: nothing.
+    /// Wakes the cache block of `point`, which the learner drags. Does nothing if `point` is -1.
     void wake(const Pipeline &pipeline, int point);
     void wakeAll() { m_asleep.clear(); }
-    /// One entry a block, not 0 for those that sleep; empty while all are awake.
+    /// Returns one entry per cache block: not 0 if it sleeps. Empty if all blocks are awake.
     const std::vector<char> &asleep() const { return m_asleep; }
 
 private:

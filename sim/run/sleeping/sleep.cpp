@@ -9,16 +9,16 @@ namespace sim {
 
 namespace {
 
-/// How far apart two states are in what a learner sees.
-double apart(const State &a, const State &b)
+/// Returns the largest difference of two states in the visible columns.
+double visibleDifference(const State &a, const State &b)
 {
-    const auto most = [](const auto &x, const auto &y) {
+    const auto difference = [](const auto &x, const auto &y) {
         return x.size() == 0 ? 0.0 : static_cast<double>((x - y).abs().maxCoeff());
     };
-    double largest = most(a.gait, b.gait);
+    double largest = difference(a.gait, b.gait);
     forEachColumn([&](ColumnKind kind, auto values) {
         if (kind == ColumnKind::motion)
-            largest = std::max(largest, most(a.*values, b.*values));
+            largest = std::max(largest, difference(a.*values, b.*values));
     });
     return largest;
 }
@@ -36,8 +36,8 @@ bool sameNumbers(const Array &a, const Array &b)
 Sleep::Sleep(std::vector<std::shared_ptr<const State>> states, int framesPerOutput, std::int64_t evaluations)
     : m_states(std::move(states)), m_framesPerOutput(framesPerOutput), m_evaluations(evaluations),
       m_isStill(std::all_of(m_states.begin(), m_states.end(), [this](const auto &state) {
-          constexpr double seen = 1e-6;
-          return apart(*state, *m_states.front()) <= seen;
+          constexpr double invisible = 1e-6;
+          return visibleDifference(*state, *m_states.front()) <= invisible;
       }))
 {
 }
@@ -59,9 +59,9 @@ void Sleep::take(State &state, std::int64_t frame) const
     const std::size_t index = indexAt(frame);
     if (indexAt(state.frame) != index)
         state = *m_states[index];
-    const std::int64_t rounds = (frame - from()) / m_framesPerOutput / period();
+    const std::int64_t cycles = (frame - from()) / m_framesPerOutput / period();
     state.frame = frame;
-    state.pointEvaluations = m_states[index]->pointEvaluations + rounds * m_evaluations;
+    state.pointEvaluations = m_states[index]->pointEvaluations + cycles * m_evaluations;
 }
 
 std::size_t Sleep::bytes() const
@@ -72,12 +72,12 @@ std::size_t Sleep::bytes() const
     return total;
 }
 
-std::optional<CycleDetector::Again> CycleDetector::check(const State &state, int framesPerOutput)
+std::optional<CycleDetector::Repetition> CycleDetector::check(const State &state, int framesPerOutput)
 {
-    const std::int64_t rows = m_mark ? (state.frame - m_mark->frame) / framesPerOutput : 0;
-    if (rows > 0 && rows <= longest && continueIdentically(*m_mark, state))
-        return Again{m_mark->frame, state.pointEvaluations - m_mark->pointEvaluations};
-    if (rows <= 0 || rows >= longest)
+    const std::int64_t period = m_mark ? (state.frame - m_mark->frame) / framesPerOutput : 0;
+    if (period > 0 && period <= longest && continueIdentically(*m_mark, state))
+        return Repetition{m_mark->frame, state.pointEvaluations - m_mark->pointEvaluations};
+    if (period <= 0 || period >= longest)
         m_mark = state;
     return {};
 }
@@ -90,7 +90,7 @@ void CycleDetector::forget(std::int64_t frame)
 
 bool continueIdentically(const State &a, const State &b)
 {
-    // First what differs while anything moves: it costs next to nothing.
+    // First the columns that differ while anything moves: this test is cheap.
     bool same = true;
     forEachColumn([&](ColumnKind kind, auto values) {
         same = same && (kind != ColumnKind::motion || sameNumbers(a.*values, b.*values));

@@ -10,35 +10,36 @@
 
 namespace sim {
 
-/// Whether a run that has come to rest may sleep.
+/// Whether a run that repeats itself may sleep.
 enum class Sleeping {
-    allowed, ///< it does not compute again what can only be the same
-    never,   ///< it computes each row
+    allowed, ///< output steps that repeat are not computed again
+    never,   ///< every output step is computed
 };
 
-/// Rows of a run that go through the same few states over and over, until something comes in from outside.
+/// A part of a run that repeats a cycle of a few states until the next input.
 class Sleep
 {
 public:
-    /// `states`: those of one round, at the ends of neighbouring rows. `evaluations`: by how much a round raises
-    /// State::evaluations.
+    /// `states`: one cycle, at the ends of consecutive output steps. `evaluations`: the increase of
+    /// State::pointEvaluations per cycle.
     Sleep(std::vector<std::shared_ptr<const State>> states, int framesPerOutput, std::int64_t evaluations);
 
-    /// The frame at which the round is first seen to begin.
+    /// Returns the first frame of the sleep.
     std::int64_t from() const { return m_states.front()->frame; }
-    /// Rows in a round.
+    /// Returns the number of output steps in a cycle.
     int period() const { return static_cast<int>(m_states.size()); }
-    /// The state at the end of the row at `frame`, which is from() or later.
+    /// Returns the state at `frame`, which is from() or later.
     State at(std::int64_t frame) const;
-    /// The same, for a state of this sleep: takes it on, or back, to `frame`.
+    /// Changes `state`, one of this sleep, into the state at `frame`.
     void take(State &state, std::int64_t frame) const;
-    /// Whether there is nothing to see in it: nothing is ever farther than 1e-6 px (px/frame, degrees, rad) from where
-    /// it was. It then differs in the last digits only.
+    /// Returns whether the sleep shows no motion: all states differ by at most 1e-6 px (px/frame, degrees,
+    /// degrees/frame, rad) from the first one.
     bool isStill() const { return m_isStill; }
+    /// Returns the memory of the states, in bytes.
     std::size_t bytes() const;
 
 private:
-    /// Which of the states it is in at `frame`.
+    /// Returns the index of the state at `frame`.
     std::size_t indexAt(std::int64_t frame) const;
 
     std::vector<std::shared_ptr<const State>> m_states;
@@ -47,38 +48,40 @@ private:
     bool m_isStill;
 };
 
-/// Finds out that a run has come to rest. It remembers one state and compares each that follows with it; after `longest`
-/// rows it takes another one. The comparison mostly ends at the first number.
-/// Source: Brent, "An improved Monte Carlo factorization algorithm", BIT 20, 1980, section 2, with the period bounded.
+/// Detects that a run repeats itself. It remembers one state and compares all later ones with it. After
+/// `longest` output steps it remembers a new one. The comparison mostly ends at the first number.
+/// Source: Brent, "An improved Monte Carlo factorization algorithm", BIT 20, 1980, section 2, with a bounded
+/// period
 class CycleDetector
 {
 public:
-    /// The longest round that is noticed, in rows.
+    /// The longest cycle that is detected, in output steps.
     static constexpr int longest = 64;
 
-    /// That a run is in a state again.
-    struct Again
+    /// A repetition: the run has reached a state again.
+    struct Repetition
     {
-        std::int64_t since = 0; ///< the frame at which it was in it
-        std::int64_t evaluations =
-            0; ///< how often forces were computed from there on, see State::evaluations
+        std::int64_t since = 0;       ///< the frame of the first occurrence
+        std::int64_t evaluations = 0; ///< increase of State::pointEvaluations since then
     };
-    /// Looks at `state`, which a run is in at the end of a row of `rowFrames` frames.
-    std::optional<Again> check(const State &state, int framesPerOutput);
-    /// The state that it remembers; null if none.
+    /// Compares `state`, the end of an output step of `framesPerOutput` frames, with the remembered one.
+    /// Returns the repetition if they have the same future.
+    std::optional<Repetition> check(const State &state, int framesPerOutput);
+    /// Returns the remembered state, or null.
     const State *mark() const { return m_mark ? &*m_mark : nullptr; }
-    /// Forgets what it remembers from `frame` on.
+    /// Forgets the remembered state if it is at or after `frame`.
     void forget(std::int64_t frame);
 
 private:
     std::optional<State> m_mark;
 };
 
-/// Whether two states run on alike: all bits are the same, but for the number of the frame and State::evaluations.
+/// Returns whether two states have the same future: all bits except State::frame and State::pointEvaluations
+/// are equal.
 bool continueIdentically(const State &a, const State &b);
 
-/// The first effect in `pipeline` that looks at the number of the frame when the scene is in `state`: it keeps awake
-/// what rests. Null if there is none.
+/// Returns the first effect in `pipeline` that depends on the frame number in `state`, which prevents sleep,
+/// or null.
 EffectPtr preventsSleep(const Pipeline &pipeline, const State &state);
 
 }

@@ -4,19 +4,19 @@
 
 namespace sim {
 
-/// What keeps a scene from falling asleep when it has come to rest.
+/// The reason why a scene at rest does not sleep.
 struct SleepBlocker
 {
     enum class Reason {
-        nothing,       ///< it falls asleep
-        time,          ///< an effect looks at the number of the frame: what is random, say
-        adaptiveSteps, ///< the method chooses its steps: at rest, too, they hardly ever lead to the same bits again
+        nothing,       ///< it sleeps
+        time,          ///< an effect depends on the frame number, for example a random one
+        adaptiveSteps, ///< an adaptive method hardly ever repeats the same bits, even at rest
     };
     Reason reason = Reason::nothing;
-    EffectPtr effect; ///< the one that looks; else null
+    EffectPtr effect; ///< the effect that depends on the frame number, else null
 };
 
-/// What keeps awake what is computed by `pipeline` and rests in `state`.
+/// Returns why a scene that rests in `state` and is computed by `pipeline` does not sleep.
 SleepBlocker sleepBlockerOf(const Pipeline &pipeline, const State &state);
 
 }

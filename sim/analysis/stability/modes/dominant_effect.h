@@ -6,19 +6,20 @@
 
 namespace sim {
 
-/// The spring, or other effect, that does most in a pattern of motion.
+/// The spring or other effect that does the most work in a mode.
 struct DominantEffect
 {
-    EffectPtr effect; ///< null where no effect pulls in it
+    EffectPtr effect; ///< null if no effect does any
     int point = -1;
-    int other = -1; ///< the point at its other end; -1 where it pulls to a place
+    int other = -1; ///< the point at its other end; -1 for a spring to a fixed position
 };
 
-/// Whose pull does most against the pattern `rows` (of Linear::rows): along a link, how far its ends go apart times the
-/// pull that this makes.
+/// Returns the effect whose restoring force does the most work in the mode `rows` (of LinearisedScene::rows).
+/// The work of a spring is the relative displacement of its ends times its force.
 DominantEffect dominantEffectOf(const LinearisedScene &linearised, const Eigen::VectorXcd &rows);
 
-/// The points that go at least half as far as the one that goes farthest, that one first; three at most.
+/// Returns up to three points that move at least half as far as the one that moves farthest, in descending
+/// order.
 std::vector<int> largestMovers(const LinearisedScene &linearised, const Eigen::VectorXcd &rows);
 
 }

@@ -14,44 +14,44 @@ namespace {
 
 using Entries = std::vector<Jacobian::Entry>;
 
-/// The slopes of an effect as it acts on these points.
-struct Acting
+/// The Jacobian of an effect that is computed for these points.
+struct RangeEntries
 {
-    PointRange on;
+    PointRange points;
     Entries entries;
 };
 
-bool same(PointRange a, PointRange b)
+bool areEqual(PointRange a, PointRange b)
 {
     return a.first == b.first && a.count == b.count;
 }
 
-const Entries &entriesFor(const std::vector<Acting> &all, PointRange points)
+const Entries &entriesOf(const std::vector<RangeEntries> &all, PointRange points)
 {
     static const Entries none;
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Acting &one) { return same(one.on, points); });
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&](const RangeEntries &entry) { return areEqual(entry.points, points); });
     return found == all.end() ? none : found->entries;
 }
 
-/// A force near one state. It acts on the same points as the one that it comes from: all of them, or a group.
+/// A linearised force. It is computed for the same ranges as the original force: all points, or a group.
 class LinearForce : public Force
 {
 public:
-    explicit LinearForce(std::vector<Acting> acting) : m_acting(std::move(acting)) {}
+    explicit LinearForce(std::vector<RangeEntries> rangeEntries) : m_entries(std::move(rangeEntries)) {}
     std::string id() const override { return "linear_force"; }
     std::string title() const override { return SIM_TEXT("spring"); }
     EffectKind kind() const override { return EffectKind::spring; }
     std::vector<Region> regions(DirectionRule) const override { return {}; }
     int count(const State &, PointRange points) const override
     {
-        return static_cast<int>(entriesFor(m_acting, points).size());
+        return static_cast<int>(entriesOf(m_entries, points).size());
     }
     void add(const State &state, PointRange movers, double scale, DirectionRule,
              Eigen::ArrayX2d &into) const override
     {
-        for (const Jacobian::Entry &one : entriesFor(m_acting, movers))
-            into.data()[one.row] += scale * one.value * state.position.data()[one.column];
+        for (const Jacobian::Entry &entry : entriesOf(m_entries, movers))
+            into.data()[entry.row] += scale * entry.value * state.position.data()[entry.column];
     }
     bool addJacobian(const State &, PointRange, double, DirectionRule, Jacobian &) const override
     {
@@ -60,82 +60,83 @@ public:
     std::vector<LiveValue> explain(const State &, int, DirectionRule) const override { return {}; }
 
 private:
-    std::vector<Acting> m_acting;
+    std::vector<RangeEntries> m_entries;
 };
 
 class LinearTorque : public Torque
 {
 public:
-    explicit LinearTorque(std::vector<Acting> acting) : m_acting(std::move(acting)) {}
+    explicit LinearTorque(std::vector<RangeEntries> rangeEntries) : m_entries(std::move(rangeEntries)) {}
     std::string id() const override { return "linear_torque"; }
     std::string title() const override { return SIM_TEXT("spring"); }
     EffectKind kind() const override { return EffectKind::spring; }
     std::vector<Region> regions(DirectionRule) const override { return {}; }
     int count(const State &, PointRange points) const override
     {
-        return static_cast<int>(entriesFor(m_acting, points).size());
+        return static_cast<int>(entriesOf(m_entries, points).size());
     }
     void add(const State &state, PointRange movers, double scale, Eigen::ArrayXd &into) const override
     {
         const int before = 2 * state.pointCount();
-        for (const Jacobian::Entry &one : entriesFor(m_acting, movers))
-            into[one.row - before] += scale * one.value * state.angle[one.column - before];
+        for (const Jacobian::Entry &entry : entriesOf(m_entries, movers))
+            into[entry.row - before] += scale * entry.value * state.angle[entry.column - before];
     }
     std::vector<LiveValue> explain(const State &, int) const override { return {}; }
 
 private:
-    std::vector<Acting> m_acting;
+    std::vector<RangeEntries> m_entries;
 };
 
-/// The entries of `slopes` that pull; those that are 0 are left out.
-Entries pulling(const Jacobian &jacobian, int points)
+/// Returns the entries of `jacobian` that are not 0 after projection to negative semi-definite blocks.
+Entries restoringEntries(const Jacobian &jacobian, int points)
 {
     Entries all = nearestNegativeSemidefiniteBlocks(jacobian, points);
-    std::erase_if(all, [](const Jacobian::Entry &one) { return one.value == 0.0; });
+    std::erase_if(all, [](const Jacobian::Entry &entry) { return entry.value == 0.0; });
     return all;
 }
 
-/// The slopes of a force that has none of its own: differences of what it adds, to second order.
-Jacobian differences(const Force &force, const State &state, PointRange movers, DirectionRule way)
+/// Returns the Jacobian of a force without addJacobian(), by central differences.
+Jacobian finiteDifferences(const Force &force, const State &state, PointRange movers,
+                           DirectionRule directionRule)
 {
     Jacobian jacobian(state.pointCount());
     State moved = state;
-    const auto pulls = [&] {
+    const auto accelerations = [&] {
         Eigen::ArrayX2d sum = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
-        force.add(moved, movers, 1.0, way, sum);
+        force.add(moved, movers, 1.0, directionRule, sum);
         return sum;
     };
-    for (int by = 0; by < state.pointCount(); ++by) {
+    for (int column = 0; column < state.pointCount(); ++column) {
         Eigen::ArrayX2d along[2];
         for (const int axis : {0, 1}) {
-            double &place = moved.position(by, axis);
-            const double was = place;
-            const double delta =
-                1e-5 * std::max(1.0, std::abs(was)); // the cube root of a double's last digit
-            place = was + delta;
-            const Eigen::ArrayX2d ahead = pulls();
-            place = was - delta;
-            along[axis] = (ahead - pulls()) / (2.0 * delta);
-            place = was;
+            double &coordinate = moved.position(column, axis);
+            const double original = coordinate;
+            // 1e-5 is about the cube root of the rounding unit: optimal for central differences.
+            const double delta = 1e-5 * std::max(1.0, std::abs(original));
+            coordinate = original + delta;
+            const Eigen::ArrayX2d forward = accelerations();
+            coordinate = original - delta;
+            along[axis] = (forward - accelerations()) / (2.0 * delta);
+            coordinate = original;
         }
         for (int row = 0; row < state.pointCount(); ++row)
-            jacobian.add(row, by, along[0](row, 0), along[1](row, 0), along[0](row, 1), along[1](row, 1));
+            jacobian.add(row, column, along[0](row, 0), along[1](row, 0), along[0](row, 1), along[1](row, 1));
     }
     return jacobian;
 }
 
-std::vector<PointRange> sharesOf(const Scene &scene)
+std::vector<PointRange> forceRanges(const Scene &scene)
 {
-    std::vector<PointRange> shares = {{0, scene.start.pointCount()}};
+    std::vector<PointRange> ranges = {{0, scene.start.pointCount()}};
     for (const Group &group : scene.groups) {
-        if (!same(group.points, shares.front()))
-            shares.push_back(group.points);
+        if (!areEqual(group.points, ranges.front()))
+            ranges.push_back(group.points);
     }
-    return shares;
+    return ranges;
 }
 
-/// A drag whose c is known for every point.
-bool hasRates(const Drag &drag, int points)
+/// Returns whether the drag has a damping rate for every point.
+bool hasDampingRates(const Drag &drag, int points)
 {
     for (int i = 0; i < points; ++i) {
         if (!drag.dampingRate(i))
@@ -144,7 +145,7 @@ bool hasRates(const Drag &drag, int points)
     return true;
 }
 
-State atRest(const Scene &scene, const State &state)
+State restState(const Scene &scene, const State &state)
 {
     State rest = State::ofPoints(state.pointCount());
     rest.inverseMass = state.inverseMass;
@@ -184,27 +185,27 @@ std::vector<double> ratesOf(const LinearisedScene &linearised)
     return rates;
 }
 
-void addForce(LinearisedScene &linearised, const EffectPtr &effect, std::vector<Acting> acting)
+void addForce(LinearisedScene &linearised, const EffectPtr &effect, std::vector<RangeEntries> rangeEntries)
 {
-    if (acting.front().entries.empty())
+    if (rangeEntries.front().entries.empty())
         return;
-    for (const Jacobian::Entry &one : acting.front().entries)
-        linearised.finite = linearised.finite && std::isfinite(one.value);
-    linearised.parts.push_back({effect, acting.front().entries});
+    for (const Jacobian::Entry &entry : rangeEntries.front().entries)
+        linearised.finite = linearised.finite && std::isfinite(entry.value);
+    linearised.effectJacobians.push_back({effect, rangeEntries.front().entries});
     if (as<Torque>(effect))
-        linearised.scene.effects.push_back(std::make_shared<LinearTorque>(std::move(acting)));
+        linearised.scene.effects.push_back(std::make_shared<LinearTorque>(std::move(rangeEntries)));
     else
-        linearised.scene.effects.push_back(std::make_shared<LinearForce>(std::move(acting)));
+        linearised.scene.effects.push_back(std::make_shared<LinearForce>(std::move(rangeEntries)));
 }
 
 }
 
-double LinearisedScene::leastRate() const
+double LinearisedScene::minRate() const
 {
     return rates.empty() ? 0.0 : *std::min_element(rates.begin(), rates.end());
 }
 
-bool LinearisedScene::sameRate() const
+bool LinearisedScene::hasUniformRate() const
 {
     return std::adjacent_find(rates.begin(), rates.end(), std::not_equal_to<>()) == rates.end();
 }
@@ -212,13 +213,13 @@ bool LinearisedScene::sameRate() const
 LinearisedScene linearise(const Scene &scene, const State &state, const Method &method)
 {
     LinearisedScene linearised;
-    linearised.scene.start = atRest(scene, state);
+    linearised.scene.start = restState(scene, state);
     linearised.scene.names = scene.names;
     linearised.scene.groups = scene.groups;
     linearised.rows = rowsOf(scene, state);
     const int points = state.pointCount();
     const PointRange everything = {0, points};
-    const DirectionRule way = method.directionRule();
+    const DirectionRule directionRule = method.directionRule();
     for (const EffectPtr &effect : scene.effects) {
         if (effect->isIdle() || effect->count(state, everything) == 0)
             continue;
@@ -227,19 +228,20 @@ LinearisedScene linearise(const Scene &scene, const State &state, const Method &
         const auto *drag = as<Drag>(effect);
         const auto *driver = as<Driver>(effect);
         if (force || torque) {
-            std::vector<Acting> acting;
-            for (const PointRange share : sharesOf(scene)) {
+            std::vector<RangeEntries> rangeEntries;
+            for (const PointRange range : forceRanges(scene)) {
                 Jacobian jacobian(points);
-                const bool known = force ? force->addJacobian(state, share, 1.0, way, jacobian)
-                                         : torque->addJacobian(state, share, 1.0, jacobian);
-                if (!known && force)
-                    jacobian = differences(*force, state, share, way);
-                else if (!known)
+                const bool hasJacobian = force
+                                             ? force->addJacobian(state, range, 1.0, directionRule, jacobian)
+                                             : torque->addJacobian(state, range, 1.0, jacobian);
+                if (!hasJacobian && force)
+                    jacobian = finiteDifferences(*force, state, range, directionRule);
+                else if (!hasJacobian)
                     linearised.ignored.push_back(effect);
-                acting.push_back({share, pulling(jacobian, points)});
+                rangeEntries.push_back({range, restoringEntries(jacobian, points)});
             }
-            addForce(linearised, effect, std::move(acting));
-        } else if (drag && hasRates(*drag, points)) {
+            addForce(linearised, effect, std::move(rangeEntries));
+        } else if (drag && hasDampingRates(*drag, points)) {
             linearised.scene.effects.push_back(effect);
         } else if (!driver || driver->timing() == DriverTiming::impulsive) {
             linearised.ignored.push_back(effect);

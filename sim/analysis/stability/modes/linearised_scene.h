@@ -7,41 +7,41 @@
 
 namespace sim {
 
-/// How one effect's pulls change with places, near one state.
-struct LinearPart
+/// The Jacobian of one effect near one state.
+struct EffectJacobian
 {
     EffectPtr effect;
-    std::vector<Jacobian::Entry>
-        entries; ///< in 1/frame^2, of all points at once; the same row and column add up
+    std::vector<Jacobian::Entry> entries; ///< 1/frame^2, of all points; equal rows and columns add up
 };
 
-/// A scene near one state: every pull as its slopes there, q'' = J q - c q'. The scene in it goes with any method, so
-/// that the method itself tells what its steps do to a small disturbance. Its places are how far things are from
-/// where they were, in px (or degrees).
+/// A scene linearised at one state: q'' = J q - c q', with the Jacobian J of all forces. It contains an
+/// ordinary scene, so any method can compute what its steps do to a small disturbance. Positions in it are
+/// displacements from that state, in px (or degrees).
 struct LinearisedScene
 {
     Scene scene;
-    /// The rows of q that go on by themselves: x of each point, then y of each, then each angle.
+    /// The dynamic rows of q. The order of q is x of each point, then y of each point, then each angle.
     std::vector<int> rows;
-    std::vector<LinearPart> parts; ///< those that have a slope, in the scene's order
-    /// What slopes don't tell and no step here computes: contacts, constraints, drivers that act once a step, drags
-    /// without a rate.
+    std::vector<EffectJacobian> effectJacobians; ///< only effects with entries, in the scene's order
+    /// Effects that are left out: contacts, constraints, drivers that act once per step, drags without a
+    /// rate, and torques without a Jacobian.
     std::vector<EffectPtr> ignored;
-    std::vector<double> rates; ///< the drag c of each of the rows, in 1/frame
-    bool finite = true;        ///< whether all slopes are
+    std::vector<double> rates; ///< 1/frame, damping rate c of each of the rows
+    bool finite = true;        ///< whether all Jacobians are finite
 
-    double leastRate() const;
-    /// Whether one drag slows all rows alike.
-    bool sameRate() const;
+    /// Returns the smallest damping rate of the rows, 1/frame.
+    double minRate() const;
+    /// Returns whether all rows have the same damping rate.
+    bool hasUniformRate() const;
 };
 
-/// The scene near `state`, for `method`. What pushes apart is left out, for each pair of points: a spring pressed
-/// together pushes sideways, and what grows by that grows in the motion itself. Forces that know no slopes give
-/// differences.
+/// Returns `scene` linearised at `state`, for `method`. The Jacobian of each pair of points is projected to
+/// the nearest negative semi-definite one. A compressed spring pushes sideways, but that growth belongs to
+/// the motion itself. A force without a Jacobian is differentiated numerically.
 LinearisedScene linearise(const Scene &scene, const State &state, const Method &method);
 
-/// One point that swings, x'' = lambda x - c x': along a line, or, for a lambda that is not real, in the plane under the
-/// matrix (re, -im; im, re). lambda in 1/frame^2, c in 1/frame.
+/// Returns one point with x'' = lambda x - c x'. It moves along a line or, for a complex lambda, in the plane
+/// under the matrix (re, -im; im, re). lambda is in 1/frame^2, c in 1/frame.
 LinearisedScene oscillator(const Method &method, std::complex<double> lambda, double c);
 
 }

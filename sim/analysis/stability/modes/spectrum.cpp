@@ -12,14 +12,16 @@ namespace sim {
 
 namespace {
 
-constexpr int rounds = 8;
-constexpr int tiny = 4; ///< up to this size matrices are taken as they are: a turned basis would cost digits
-constexpr double settled = 1e-6;
-constexpr double lastDigits = 1e-14; ///< of a matrix' norm: some tens of a double's last digits
-constexpr Eigen::Index blended = 4;  ///< how many vectors the next round starts from
+constexpr int maxRounds = 8;
+/// Up to this size the solver gets the matrix itself: another basis would cost digits.
+constexpr int maxDirectSize = 4;
+constexpr double convergence = 1e-6;
+/// Relative to the norm of the matrix, some tens of units in the last place.
+constexpr double relativeRounding = 1e-14;
+constexpr Eigen::Index restartVectors = 4; ///< eigenvectors that the next round starts from
 
-/// No direction is left out, and none is like another.
-Eigen::VectorXd anyVector(int size)
+/// Returns a pseudo-random vector, which has a component along every eigenvector.
+Eigen::VectorXd startVector(int size)
 {
     Eigen::VectorXd start(size);
     for (int i = 0; i < size; ++i)
@@ -33,75 +35,75 @@ Spectrum::Spectrum(int size, const Product &product)
 {
     if (size == 0)
         return;
-    if (size <= tiny) {
-        columnByColumn(size, product);
+    if (size <= maxDirectSize) {
+        solveDense(size, product);
         return;
     }
-    Vector start = anyVector(size);
-    for (int i = 0; i < rounds; ++i) {
-        round(product, start);
-        const double off = m_left * std::abs(m_small(m_small.rows() - 1, 0));
-        if (size <= maxDenseSize || off <= settled * std::abs(m_values.front()))
+    Vector start = startVector(size);
+    for (int i = 0; i < maxRounds; ++i) {
+        buildKrylovBasis(product, start);
+        const double residual = m_residual * std::abs(m_smallVectors(m_smallVectors.rows() - 1, 0));
+        if (size <= maxDenseSize || residual <= convergence * std::abs(m_values.front()))
             return;
         start.setZero();
-        for (Eigen::Index k = 0; k < std::min(blended, m_small.cols()); ++k) {
-            const Eigen::VectorXcd one = m_basis * m_small.col(k);
-            start += one.real() + one.imag();
+        for (Eigen::Index k = 0; k < std::min(restartVectors, m_smallVectors.cols()); ++k) {
+            const Eigen::VectorXcd vector = m_basis * m_smallVectors.col(k);
+            start += vector.real() + vector.imag();
         }
     }
 }
 
-void Spectrum::columnByColumn(int size, const Product &product)
+void Spectrum::solveDense(int size, const Product &product)
 {
     m_basis = Eigen::MatrixXd::Identity(size, size);
-    Eigen::MatrixXd all(size, size);
+    Eigen::MatrixXd matrix(size, size);
     Vector column(size);
     for (int i = 0; i < size; ++i) {
         product(m_basis.col(i), column);
-        all.col(i) = column;
+        matrix.col(i) = column;
     }
-    sort(all);
+    solveSmall(matrix);
 }
 
-void Spectrum::round(const Product &product, Vector start)
+void Spectrum::buildKrylovBasis(const Product &product, Vector start)
 {
     const Eigen::Index size = start.size();
-    const Eigen::Index most = std::min<Eigen::Index>(size, maxDenseSize);
-    m_basis.resize(size, most);
-    Eigen::MatrixXd small = Eigen::MatrixXd::Zero(most, most);
+    const Eigen::Index maxColumns = std::min<Eigen::Index>(size, maxDenseSize);
+    m_basis.resize(size, maxColumns);
+    Eigen::MatrixXd small = Eigen::MatrixXd::Zero(maxColumns, maxColumns);
     m_basis.col(0) = start.normalized();
     Vector next(size);
-    Eigen::Index used = 1;
-    for (;; ++used) {
-        product(m_basis.col(used - 1), next);
+    Eigen::Index columns = 1;
+    for (;; ++columns) {
+        product(m_basis.col(columns - 1), next);
         const double before = next.norm();
-        // Twice: what rounding leaves of the basis after once.
-        for (int again = 0; again < 2; ++again) {
-            const Vector along = m_basis.leftCols(used).transpose() * next;
-            next -= m_basis.leftCols(used) * along;
-            small.col(used - 1).head(used) += along;
+        // Orthogonalises twice, because rounding leaves components after the first pass.
+        for (int pass = 0; pass < 2; ++pass) {
+            const Vector projection = m_basis.leftCols(columns).transpose() * next;
+            next -= m_basis.leftCols(columns) * projection;
+            small.col(columns - 1).head(columns) += projection;
         }
-        m_left = next.norm();
-        if (!(m_left > 1e-13 * before)) // nothing new, or nothing finite
-            m_left = 0.0;
-        if (m_left == 0.0 || used == most)
+        m_residual = next.norm();
+        if (!(m_residual > 1e-13 * before)) // the basis is complete, or the product is not finite
+            m_residual = 0.0;
+        if (m_residual == 0.0 || columns == maxColumns)
             break;
-        small(used, used - 1) = m_left;
-        m_basis.col(used) = next / m_left;
+        small(columns, columns - 1) = m_residual;
+        m_basis.col(columns) = next / m_residual;
     }
-    m_basis.conservativeResize(Eigen::NoChange, used);
-    sort(small.topLeftCorner(used, used));
+    m_basis.conservativeResize(Eigen::NoChange, columns);
+    solveSmall(small.topLeftCorner(columns, columns));
 }
 
-void Spectrum::sort(const Eigen::MatrixXd &small)
+void Spectrum::solveSmall(const Eigen::MatrixXd &small)
 {
     m_values.clear();
     if (!small.allFinite()) {
         m_values.push_back(INFINITY);
-        m_small = Eigen::MatrixXcd::Identity(small.rows(), 1);
+        m_smallVectors = Eigen::MatrixXcd::Identity(small.rows(), 1);
         return;
     }
-    m_rounding = lastDigits * small.norm();
+    m_rounding = relativeRounding * small.norm();
     const Eigen::EigenSolver<Eigen::MatrixXd> solver(small);
     std::vector<Eigen::Index> order(static_cast<std::size_t>(small.rows()));
     std::iota(order.begin(), order.end(), Eigen::Index{0});
@@ -110,10 +112,10 @@ void Spectrum::sort(const Eigen::MatrixXd &small)
         return std::abs(values[a]) > std::abs(values[b]);
     });
     const Eigen::MatrixXcd vectors = solver.eigenvectors();
-    m_small.resize(small.rows(), small.rows());
+    m_smallVectors.resize(small.rows(), small.rows());
     for (std::size_t i = 0; i < order.size(); ++i) {
         m_values.push_back(values[order[i]]);
-        m_small.col(static_cast<Eigen::Index>(i)) = vectors.col(order[i]);
+        m_smallVectors.col(static_cast<Eigen::Index>(i)) = vectors.col(order[i]);
     }
 }
 
@@ -124,7 +126,7 @@ double Spectrum::radius() const
 
 Eigen::VectorXcd Spectrum::vector(std::size_t index) const
 {
-    const Eigen::VectorXcd found = m_basis * m_small.col(static_cast<Eigen::Index>(index));
+    const Eigen::VectorXcd found = m_basis * m_smallVectors.col(static_cast<Eigen::Index>(index));
     const double length = found.norm();
     return length > 0.0 ? Eigen::VectorXcd(found / length) : found;
 }

@@ -12,104 +12,106 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double nearness = 1e-6; ///< of the stiffest: values nearer to each other than this are one
-constexpr std::size_t mostProbed = 16;
+constexpr double relativeTolerance = 1e-6; ///< of the stiffest: eigenvalues closer than this count as equal
+constexpr std::size_t maxAnalysedModes = 16;
 
-/// The larger root s of s^2 + c s = lambda: how fast a swing of the motion itself grows, in 1/frame.
-double ownRateOf(Complex lambda, double c)
+/// Returns the larger root s of s^2 + c s = lambda: the growth rate of a mode of the motion itself, 1/frame.
+double motionGrowthRateOf(Complex lambda, double c)
 {
     if (std::isinf(c))
         return 0.0;
     return std::max(0.0, (0.5 * (std::sqrt(c * c + 4.0 * lambda) - c)).real());
 }
 
-Spectrum slopesOf(const LinearisedScene &linearised)
+Spectrum jacobianSpectrum(const LinearisedScene &linearised)
 {
     const State &start = linearised.scene.start;
-    std::vector<int> place(static_cast<std::size_t>(2 * start.pointCount() + start.angle.rows()), -1);
+    std::vector<int> indexOfRow(static_cast<std::size_t>(2 * start.pointCount() + start.angle.rows()), -1);
     for (std::size_t i = 0; i < linearised.rows.size(); ++i)
-        place[static_cast<std::size_t>(linearised.rows[i])] = static_cast<int>(i);
+        indexOfRow[static_cast<std::size_t>(linearised.rows[i])] = static_cast<int>(i);
     std::vector<Jacobian::Entry> entries;
-    for (const LinearPart &part : linearised.parts) {
-        for (const Jacobian::Entry &one : part.entries) {
-            const int row = place[static_cast<std::size_t>(one.row)];
-            const int column = place[static_cast<std::size_t>(one.column)];
+    for (const EffectJacobian &effectJacobian : linearised.effectJacobians) {
+        for (const Jacobian::Entry &entry : effectJacobian.entries) {
+            const int row = indexOfRow[static_cast<std::size_t>(entry.row)];
+            const int column = indexOfRow[static_cast<std::size_t>(entry.column)];
             if (row >= 0 && column >= 0)
-                entries.push_back({row, column, one.value});
+                entries.push_back({row, column, entry.value});
         }
     }
     return {static_cast<int>(linearised.rows.size()), [&](const Eigen::VectorXd &in, Eigen::VectorXd &out) {
                 out.setZero(in.size());
-                for (const Jacobian::Entry &one : entries)
-                    out[one.row] += one.value * in[one.column];
+                for (const Jacobian::Entry &entry : entries)
+                    out[entry.row] += entry.value * in[entry.column];
             }};
 }
 
-/// The swings of a scene, one by one.
+/// Analyses the modes of a scene one by one.
 class ModalAnalysis : public StepAnalysis
 {
 public:
     ModalAnalysis(const LinearisedScene &linearised, const Method &method) : StepAnalysis(linearised, method)
     {
-        // Of real ones the stiffest decides: it swings fastest, and all are slowed alike. What pushes apart grows in
-        // the motion itself.
+        // Of the negative real eigenvalues only the stiffest counts: it oscillates fastest, and all have the
+        // same damping. A positive one grows in the motion itself.
         bool anyReal = false;
-        for (const std::size_t index : m_swings) {
-            const Complex lambda = swing(index);
+        for (const std::size_t index : m_modes) {
+            const Complex lambda = eigenvalue(index);
             const bool isReal = lambda.imag() == 0.0;
             if (isReal && (anyReal || lambda.real() > 0.0))
                 continue;
             anyReal = anyReal || isReal;
-            if (m_probed.size() < mostProbed)
-                m_probed.push_back(index);
+            if (m_analysed.size() < maxAnalysedModes)
+                m_analysed.push_back(index);
         }
     }
     double growth(double h) const override
     {
-        double most = -INFINITY;
-        for (const std::size_t index : m_probed)
-            most = std::max(most, growthOf(index, h));
-        return most;
+        double largest = -INFINITY;
+        for (const std::size_t index : m_analysed)
+            largest = std::max(largest, growthOf(index, h));
+        return largest;
     }
     double rounding() const override { return 1e-12; }
     double limit() const override
     {
-        double least = INFINITY;
-        for (const std::size_t index : m_probed) {
+        double smallest = INFINITY;
+        for (const std::size_t index : m_analysed) {
             const auto grows = [&](double h) { return growthOf(index, h); };
-            least = std::min(least, findLimit(grows, std::sqrt(std::abs(swing(index))), rounding(), 1.08));
+            smallest = std::min(smallest,
+                                findLimit(grows, std::sqrt(std::abs(eigenvalue(index))), rounding(), 1.08));
         }
-        return least;
+        return smallest;
     }
     Mode dominantMode(double h) const override
     {
-        if (m_probed.empty())
+        if (m_analysed.empty())
             return {};
         const std::size_t index =
-            *std::max_element(m_probed.begin(), m_probed.end(),
+            *std::max_element(m_analysed.begin(), m_analysed.end(),
                               [&](std::size_t a, std::size_t b) { return growthOf(a, h) < growthOf(b, h); });
-        return {m_slopes.vector(index),
-                modeSpectrum(m_method, swing(index), m_linearised.leastRate(), h).values().front()};
+        return {m_jacobian.vector(index),
+                modeSpectrum(m_method, eigenvalue(index), m_linearised.minRate(), h).values().front()};
     }
 
 private:
     double growthOf(std::size_t index, double h) const
     {
-        const double c = m_linearised.leastRate();
-        return std::log(modeSpectrum(m_method, swing(index), c, h).radius()) - h * ownRateOf(swing(index), c);
+        const double c = m_linearised.minRate();
+        return std::log(modeSpectrum(m_method, eigenvalue(index), c, h).radius()) -
+               h * motionGrowthRateOf(eigenvalue(index), c);
     }
 
-    std::vector<std::size_t> m_probed;
+    std::vector<std::size_t> m_analysed;
 };
 
-/// One step of all of it.
+/// Analyses one step of the whole scene.
 class WholeSceneAnalysis : public StepAnalysis
 {
 public:
     using StepAnalysis::StepAnalysis;
-    double growth(double h) const override { return std::log(spectrum(h).radius()) - h * ownRate(); }
-    /// Where nothing slows a drift, its place and its velocity share one eigenvalue, and rounding moves such a pair by the
-    /// root of its own size.
+    double growth(double h) const override { return std::log(spectrum(h).radius()) - h * motionGrowthRate(); }
+    /// Without damping, the position and velocity of a drifting point share one eigenvalue. Rounding moves
+    /// such a pair by its square root.
     double rounding() const override { return 1e-6; }
     double limit() const override
     {
@@ -129,7 +131,7 @@ private:
     }
 };
 
-bool takesGroups(const Method &method)
+bool computesGroups(const Method &method)
 {
     const std::vector<std::string> needs = method.requirements();
     return std::find(needs.begin(), needs.end(), "groups") != needs.end();
@@ -138,31 +140,32 @@ bool takesGroups(const Method &method)
 }
 
 StepAnalysis::StepAnalysis(const LinearisedScene &linearised, const Method &method)
-    : m_linearised(linearised), m_method(method), m_slopes(slopesOf(linearised))
+    : m_linearised(linearised), m_method(method), m_jacobian(jacobianSpectrum(linearised))
 {
-    const std::vector<Complex> &values = m_slopes.values();
+    const std::vector<Complex> &values = m_jacobian.values();
     for (std::size_t i = 0; i < values.size(); ++i) {
-        const double near = nearness * std::abs(values.front());
+        const double tolerance = relativeTolerance * std::abs(values.front());
         const auto isCopy = [&](std::size_t other) {
-            return std::abs(values[other] - values[i]) <= near ||
-                   std::abs(std::conj(values[other]) - values[i]) <= near;
+            return std::abs(values[other] - values[i]) <= tolerance ||
+                   std::abs(std::conj(values[other]) - values[i]) <= tolerance;
         };
-        if (std::abs(values[i]) <= near || std::any_of(m_swings.begin(), m_swings.end(), isCopy))
+        if (std::abs(values[i]) <= tolerance || std::any_of(m_modes.begin(), m_modes.end(), isCopy))
             continue;
-        m_swings.push_back(i);
-        m_ownRate = std::max(m_ownRate, ownRateOf(swing(i), linearised.leastRate()));
+        m_modes.push_back(i);
+        m_motionGrowthRate =
+            std::max(m_motionGrowthRate, motionGrowthRateOf(eigenvalue(i), linearised.minRate()));
     }
 }
 
-std::complex<double> StepAnalysis::swing(std::size_t index) const
+std::complex<double> StepAnalysis::eigenvalue(std::size_t index) const
 {
-    const Complex value = m_slopes.values()[index];
-    return std::abs(value.imag()) <= nearness * std::abs(value) ? Complex(value.real()) : value;
+    const Complex value = m_jacobian.values()[index];
+    return std::abs(value.imag()) <= relativeTolerance * std::abs(value) ? Complex(value.real()) : value;
 }
 
 std::unique_ptr<StepAnalysis> stepAnalysisOf(const LinearisedScene &linearised, const Method &method)
 {
-    if (takesGroups(method) || !linearised.sameRate())
+    if (computesGroups(method) || !linearised.hasUniformRate())
         return std::make_unique<WholeSceneAnalysis>(linearised, method);
     return std::make_unique<ModalAnalysis>(linearised, method);
 }

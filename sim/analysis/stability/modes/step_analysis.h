@@ -7,48 +7,50 @@
 
 namespace sim {
 
-/// A pattern of motion, and what one step multiplies it by.
+/// A mode of a step: a displacement and the factor by which one step multiplies it.
 struct Mode
 {
-    Eigen::VectorXcd rows; ///< how far each of Linear::rows goes
+    Eigen::VectorXcd rows; ///< displacement of each of LinearisedScene::rows
     std::complex<double> factor;
 };
 
-/// How steps of one method treat the disturbances of one scene. `linear` and `method` must outlive it.
+/// The effect of steps of one method on disturbances of one scene. `linearised` and `method` must outlive it.
 class StepAnalysis
 {
 public:
     StepAnalysis(const LinearisedScene &linearised, const Method &method);
     virtual ~StepAnalysis() = default;
 
-    /// The largest |lambda| of the pulls' slopes, in 1/frame^2; 0 where nothing swings.
-    double stiffest() const { return m_swings.empty() ? 0.0 : std::abs(m_slopes.values()[m_swings.front()]); }
-    /// How fast the motion itself grows, in 1/frame; 0 where it does not.
-    double ownRate() const { return m_ownRate; }
-    /// The logarithm of what a step of `h` frames multiplies disturbances by, beyond the motion itself.
+    /// Returns the largest modulus of an eigenvalue of the Jacobian, 1/frame^2; 0 without stiffness.
+    double stiffest() const { return m_modes.empty() ? 0.0 : std::abs(m_jacobian.values()[m_modes.front()]); }
+    /// Returns the growth rate of the motion itself, 1/frame; 0 if it does not grow.
+    double motionGrowthRate() const { return m_motionGrowthRate; }
+    /// Returns the logarithm of the factor by which a step of `h` frames multiplies disturbances, minus the
+    /// growth of the motion itself.
     virtual double growth(double h) const = 0;
-    /// What rounding does to it.
+    /// Returns the rounding error of growth().
     virtual double rounding() const = 0;
-    /// The smallest step at which disturbances grow: see findLimit().
+    /// Returns the smallest step, in frames, at which disturbances grow; see findLimit().
     virtual double limit() const = 0;
-    /// What grows most, or fades least, at steps of `h` frames.
+    /// Returns the mode that grows most, or decays least, at steps of `h` frames.
     virtual Mode dominantMode(double h) const = 0;
 
 protected:
-    /// 1/frame^2; what is real but for rounding is real.
-    std::complex<double> swing(std::size_t index) const;
+    /// Returns an eigenvalue of the Jacobian, 1/frame^2. An imaginary part within rounding is removed.
+    std::complex<double> eigenvalue(std::size_t index) const;
 
     const LinearisedScene &m_linearised;
     const Method &m_method;
-    Spectrum m_slopes;                 ///< of the pulls' slopes
-    std::vector<std::size_t> m_swings; ///< those of its values that are not 0, and no copies of others
+    Spectrum m_jacobian; ///< of the Jacobian of all forces
+    /// Indices of eigenvalues that are not 0, without copies and conjugates.
+    std::vector<std::size_t> m_modes;
 
 private:
-    double m_ownRate = 0.0;
+    double m_motionGrowthRate = 0.0;
 };
 
-/// For a method that takes all points at once under one drag: each swing of the scene probed by itself, since such
-/// steps keep them apart. For all others: one step of the whole scene.
+/// Returns an analysis of each mode, if the method computes all points at once and all have one damping rate.
+/// Its steps then keep the modes apart. Otherwise returns an analysis of one step of the whole scene.
 std::unique_ptr<StepAnalysis> stepAnalysisOf(const LinearisedScene &linearised, const Method &method);
 
 }

@@ -6,23 +6,23 @@
 
 namespace sim {
 
-StepMap::StepMap(const LinearisedScene &linearised, const Method &method, double h, double balance)
+StepMap::StepMap(const LinearisedScene &linearised, const Method &method, double h, double positionScale)
     : m_linearised(linearised), m_pipeline(compose(linearised.scene, method, {h, 1, 1, 0.0})),
-      m_state(linearised.scene.start), m_balance(balance)
+      m_state(linearised.scene.start), m_positionScale(positionScale)
 {
     method.prepareState(m_state);
 }
 
-double &StepMap::placeOf(int row)
+double &StepMap::positionOf(int row)
 {
-    const int places = 2 * m_state.pointCount();
-    return row < places ? m_state.position.data()[row] : m_state.angle[row - places];
+    const int coordinates = 2 * m_state.pointCount();
+    return row < coordinates ? m_state.position.data()[row] : m_state.angle[row - coordinates];
 }
 
-double &StepMap::speedOf(int row)
+double &StepMap::velocityOf(int row)
 {
-    const int places = 2 * m_state.pointCount();
-    return row < places ? m_state.velocity.data()[row] : m_state.spin[row - places];
+    const int coordinates = 2 * m_state.pointCount();
+    return row < coordinates ? m_state.velocity.data()[row] : m_state.spin[row - coordinates];
 }
 
 void StepMap::operator()(const Eigen::VectorXd &in, Eigen::VectorXd &out)
@@ -31,8 +31,8 @@ void StepMap::operator()(const Eigen::VectorXd &in, Eigen::VectorXd &out)
     out.resize(2 * rows);
     Eigen::Index i = 0;
     for (const int row : m_linearised.rows) {
-        placeOf(row) = in[i] / m_balance;
-        speedOf(row) = in[rows + i];
+        positionOf(row) = in[i] / m_positionScale;
+        velocityOf(row) = in[rows + i];
         ++i;
     }
     const FlushDenormals flush;
@@ -40,8 +40,8 @@ void StepMap::operator()(const Eigen::VectorXd &in, Eigen::VectorXd &out)
         phase.run(m_state);
     i = 0;
     for (const int row : m_linearised.rows) {
-        out[i] = placeOf(row) * m_balance;
-        out[rows + i] = speedOf(row);
+        out[i] = positionOf(row) * m_positionScale;
+        out[rows + i] = velocityOf(row);
         ++i;
     }
 }
@@ -53,8 +53,8 @@ Spectrum StepMap::spectrum()
 
 Spectrum modeSpectrum(const Method &method, std::complex<double> lambda, double c, double h)
 {
-    const LinearisedScene one = oscillator(method, lambda, c);
-    return StepMap(one, method, h, std::sqrt(std::abs(lambda))).spectrum();
+    const LinearisedScene single = oscillator(method, lambda, c);
+    return StepMap(single, method, h, std::sqrt(std::abs(lambda))).spectrum();
 }
 
 }

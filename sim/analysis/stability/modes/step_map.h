@@ -6,33 +6,34 @@
 
 namespace sim {
 
-/// What one step of a method does to a small disturbance: a linear map of places and velocities, found by running the
-/// method. No method's formula is here.
+/// The linear map of positions and velocities that one step of a method applies to a small disturbance. It
+/// runs the method itself and repeats none of its formulas.
 class StepMap
 {
 public:
-    /// Steps of `h` frames, any positive number. Places count `balance` (1/frame) times: with about the fastest swing's
-    /// speed, places and velocities are of one size.
-    /// @throws Error when the method cannot compute `linear`
-    StepMap(const LinearisedScene &linearised, const Method &method, double h, double balance);
+    /// Maps steps of `h` frames, any positive number. Positions are multiplied by `positionScale` (1/frame).
+    /// The highest angular frequency makes positions and velocities comparable in size.
+    /// @throws Error when the method cannot compute `linearised`
+    StepMap(const LinearisedScene &linearised, const Method &method, double h, double positionScale);
 
-    /// Numbers in and out: the places of Linear::rows, then their velocities.
+    /// Returns the size of the vectors: positions of LinearisedScene::rows, then their velocities.
     int size() const { return 2 * static_cast<int>(m_linearised.rows.size()); }
+    /// Computes one step from `in`.
     void operator()(const Eigen::VectorXd &in, Eigen::VectorXd &out);
-    /// Its eigenvalues: what a step multiplies each pattern of motion by.
+    /// Returns the eigenvalues of the map: the factor by which a step multiplies each mode.
     Spectrum spectrum();
 
 private:
-    double &placeOf(int row);
-    double &speedOf(int row);
+    double &positionOf(int row);
+    double &velocityOf(int row);
 
     const LinearisedScene &m_linearised;
     Pipeline m_pipeline;
     State m_state;
-    double m_balance;
+    double m_positionScale;
 };
 
-/// What a step of `h` frames does to a swing x'' = lambda x - c x': the eigenvalues of the method's own step. lambda in
+/// Returns the eigenvalues of a step of `h` frames on the oscillator x'' = lambda x - c x'. lambda is in
 /// 1/frame^2, c in 1/frame.
 Spectrum modeSpectrum(const Method &method, std::complex<double> lambda, double c, double h);
 

@@ -12,10 +12,10 @@ namespace sim {
 
 namespace {
 
-constexpr int longestStep = 6;    ///< a power of two, in frames
-constexpr int shortestStep = -12; ///< likewise
+constexpr int maxPower = 6;   ///< of two, in frames
+constexpr int minPower = -12; ///< of two, in frames
 
-/// What is asked about each time.
+/// The run that needs a remedy.
 struct Case
 {
     const Script &script;
@@ -23,16 +23,16 @@ struct Case
     const State &state;
 };
 
-bool reaches(const Stability &found, double share)
+bool isWithin(const Stability &found, double share)
 {
     return found.holds() && found.share() <= share;
 }
 
-std::optional<Remedy> smallerStep(const Case &about, const Stability &now)
+std::optional<Remedy> smallerStep(const Case &context, const Stability &now)
 {
     Remedy found;
     found.kind = Remedy::Kind::smallerStep;
-    found.method = about.script.method;
+    found.method = context.script.method;
     for (const StepSize step : shorterSteps(now.h)) {
         if (step.h > safeShare * now.limit)
             continue;
@@ -43,67 +43,68 @@ std::optional<Remedy> smallerStep(const Case &about, const Stability &now)
     return {};
 }
 
-Stability withDamping(const Case &about, const std::string &parameter, double value)
+Stability withDamping(const Case &context, const std::string &parameter, double value)
 {
-    Values values = about.values;
+    Values values = context.values;
     values.set(parameter, value);
-    return stabilityOf(sceneOf(about.script, values), about.state, *about.script.method, about.script.step.h);
+    return stabilityOf(sceneOf(context.script, values), context.state, *context.script.method,
+                       context.script.step.h);
 }
 
-std::optional<Remedy> moreDamping(const Case &about, const DampRange &range)
+std::optional<Remedy> moreDamping(const Case &context, const DampRange &range)
 {
-    // The more damping, the farther the limit: so the least that reaches it can be found by halving.
+    // More damping raises the limit, so bisection finds the least damping that is sufficient.
     const auto gridded = [&](int i) { return std::round(i * range.grid * 1e9) / 1e9; };
-    int held = static_cast<int>(std::ceil(range.least / range.grid - 1e-9));
-    int grown = static_cast<int>(std::ceil(about.values[range.parameter] / range.grid - 1e-9));
-    if (held >= grown)
+    int sufficient = static_cast<int>(std::ceil(range.least / range.grid - 1e-9));
+    int insufficient = static_cast<int>(std::ceil(context.values[range.parameter] / range.grid - 1e-9));
+    if (sufficient >= insufficient)
         return {};
-    Stability best = withDamping(about, range.parameter, gridded(held));
-    if (!reaches(best, marginalShare))
+    Stability best = withDamping(context, range.parameter, gridded(sufficient));
+    if (!isWithin(best, marginalShare))
         return {};
-    while (grown - held > 1) {
-        const int middle = (held + grown) / 2;
-        const Stability found = withDamping(about, range.parameter, gridded(middle));
-        if (reaches(found, marginalShare)) {
-            held = middle;
+    while (insufficient - sufficient > 1) {
+        const int middle = (sufficient + insufficient) / 2;
+        const Stability found = withDamping(context, range.parameter, gridded(middle));
+        if (isWithin(found, marginalShare)) {
+            sufficient = middle;
             best = found;
         } else {
-            grown = middle;
+            insufficient = middle;
         }
     }
     Remedy found;
     found.kind = Remedy::Kind::moreDamping;
-    found.method = about.script.method;
-    found.step = about.script.step;
+    found.method = context.script.method;
+    found.step = context.script.step;
     found.parameter = range.parameter;
-    found.value = gridded(held);
+    found.value = gridded(sufficient);
     found.share = best.share();
     return found;
 }
 
-bool fits(const Case &about, const Method &method, StepSize step)
+bool fits(const Case &context, const Method &method, StepSize step)
 {
     try {
-        Script script = about.script;
+        Script script = context.script;
         script.method = findMethod(method.id());
-        compose(sceneOf(script, about.values), method, step);
+        compose(sceneOf(script, context.values), method, step);
         return true;
     } catch (const Error &) {
         return false;
     }
 }
 
-std::optional<Remedy> holdingMethod(const Case &about)
+std::optional<Remedy> stableMethod(const Case &context)
 {
     std::optional<Remedy> best;
-    const StepSize step = about.script.step;
+    const StepSize step = context.script.step;
     for (const MethodPtr &method : allMethods()) {
-        if (method->stepLimit() != StepLimit::stiffness || method->id() == about.script.method->id() ||
-            !method->requirements().empty() || !fits(about, *method, step))
+        if (method->stepLimit() != StepLimit::stiffness || method->id() == context.script.method->id() ||
+            !method->requirements().empty() || !fits(context, *method, step))
             continue;
         const Stability found =
-            stabilityOf(sceneOf(about.script, about.values), about.state, *method, step.h);
-        if (!reaches(found, safeShare))
+            stabilityOf(sceneOf(context.script, context.values), context.state, *method, step.h);
+        if (!isWithin(found, safeShare))
             continue;
         const bool better = !best || method->evaluationsPerStep() < best->method->evaluationsPerStep() ||
                             (method->evaluationsPerStep() == best->method->evaluationsPerStep() &&
@@ -114,11 +115,11 @@ std::optional<Remedy> holdingMethod(const Case &about)
     return best;
 }
 
-std::optional<Remedy> boundlessMethod(const Case &about)
+std::optional<Remedy> unlimitedMethod(const Case &context)
 {
     for (const MethodPtr &method : unlimitedMethods()) {
-        const StepSize step = stepFor(*method, about.script.step);
-        if (fits(about, *method, step))
+        const StepSize step = stepFor(*method, context.script.step);
+        if (fits(context, *method, step))
             return Remedy::of(Remedy::Kind::unlimitedMethod, method, step);
     }
     return {};
@@ -128,18 +129,18 @@ std::optional<Remedy> boundlessMethod(const Case &about)
 
 Remedy Remedy::of(Kind kind, const MethodPtr &method, StepSize step, double share)
 {
-    Remedy one;
-    one.kind = kind;
-    one.method = method;
-    one.step = step;
-    one.share = share;
-    return one;
+    Remedy remedy;
+    remedy.kind = kind;
+    remedy.method = method;
+    remedy.step = step;
+    remedy.share = share;
+    return remedy;
 }
 
 std::vector<StepSize> shorterSteps(double h)
 {
     std::vector<StepSize> steps;
-    for (int power = longestStep; power >= shortestStep; --power) {
+    for (int power = maxPower; power >= minPower; --power) {
         if (std::ldexp(1.0, power) < h)
             steps.push_back(StepSize::ofLength(std::ldexp(1.0, power)));
     }
@@ -169,7 +170,7 @@ Script withRemedy(const Script &script, const Remedy &remedy)
         other.step = remedy.step;
         return other;
     }
-    // What is kept of a speed is less where more is damped; of passes there are more.
+    // A smaller kept part of the velocity damps more; more iterations are a larger number.
     const auto changed = [&](double value) {
         return remedy.kind == Remedy::Kind::moreDamping ? std::min(value, remedy.value)
                                                         : std::max(value, remedy.value);
@@ -187,18 +188,18 @@ std::vector<Remedy> remediesFor(const Script &script, const Values &values, cons
                                 const Stability &now, const DampRange *damp)
 {
     std::vector<Remedy> found;
-    if (now.bound != Bound::stiffness || reaches(now, safeShare))
+    if (now.bound != Bound::stiffness || isWithin(now, safeShare))
         return found;
-    const Case about{script, values, state};
-    const auto take = [&](const std::optional<Remedy> &one) {
-        if (one)
-            found.push_back(*one);
+    const Case context{script, values, state};
+    const auto addIfAny = [&](const std::optional<Remedy> &remedy) {
+        if (remedy)
+            found.push_back(*remedy);
     };
-    take(smallerStep(about, now));
+    addIfAny(smallerStep(context, now));
     if (damp)
-        take(moreDamping(about, *damp));
-    take(holdingMethod(about));
-    take(boundlessMethod(about));
+        addIfAny(moreDamping(context, *damp));
+    addIfAny(stableMethod(context));
+    addIfAny(unlimitedMethod(context));
     return found;
 }
 

@@ -9,68 +9,69 @@
 
 namespace sim {
 
-/// A change to a run that mends it.
+/// A change to a run that makes it stable or its sticks fit.
 struct Remedy
 {
     enum class Kind {
         smallerStep,     ///< the same method at `step`
-        largerTolerance, ///< likewise
+        largerTolerance, ///< the same method at `step`, with a larger tolerance
         moreDamping,     ///< `parameter` at `value`
-        moreIterations,  ///< likewise
-        stableMethod,    ///< another method whose limit at the same step is far
-        unlimitedMethod, ///< another method, without such a limit
+        moreIterations,  ///< `parameter` at `value`
+        stableMethod,    ///< another method with a sufficient limit at the same step
+        unlimitedMethod, ///< another method without a stability limit
     };
     Kind kind = Kind::smallerStep;
     MethodPtr method;
     StepSize step;
     double value = 0.0;
-    double share = 0.0; ///< of the limit, after it; 0 where there is none, or nobody asked
+    /// Step divided by the limit, after the change; 0 if there is no limit or it was not computed.
+    double share = 0.0;
     std::string parameter;
-    /// How many frames of a run with it were tried, and held; 0 where none were.
+    /// Frames of a trial run that stayed stable with the change; 0 without a trial.
     std::int64_t stableFrames = 0;
-    /// px: how wrong it leaves sticks; empty for what is not about sticks.
+    /// px, the largest stick error that remains; empty for remedies of instability.
     std::optional<double> stickError = {};
 
-    /// Whether it is a parameter that changes; else the method and its step.
+    /// Returns whether the remedy changes a parameter, not the method or step.
     bool setsParameter() const { return kind == Kind::moreDamping || kind == Kind::moreIterations; }
-    /// Another method or step.
+    /// Returns a remedy that changes method or step.
     static Remedy of(Kind kind, const MethodPtr &method, StepSize step, double share = 0.0);
 };
 
-/// `script` with that change from its start on. All else, and all that a learner did, stays as it was; but where a
-/// parameter was set to less of the same on the way (less damping, fewer passes), it is set to that of the remedy.
+/// Returns `script` with the change from its start on. The learner's input stays the same. Only events that
+/// set the same parameter to less damping or fewer iterations set the remedy's value instead.
 Script withRemedy(const Script &script, const Remedy &remedy);
 
-/// The parameter of a scene that slows its velocities, and where it may go: the smaller, the more damping.
+/// The parameter of a scene that sets which part of a velocity is kept, and its range. Smaller values damp
+/// more.
 struct DampRange
 {
     std::string parameter;
-    double least = 0.0;
-    double grid = 0.01; ///< values that are looked at are multiples of it
+    double least = 0.0; ///< smallest value
+    double grid = 0.01; ///< candidates are multiples of it
 };
 
-/// The parameter of a scene that counts passes over its sticks in a step, and where it may go.
+/// The parameter of a scene that sets the iterations over its sticks per step, and its range.
 struct IterationRange
 {
     std::string parameter;
-    double most = 0.0;
+    double most = 0.0; ///< largest value
 };
 
-/// The steps shorter than `h` frames that are powers of two, down to 2^-12, the longest first.
+/// Returns the powers of two shorter than `h` frames, from 2^6 down to 2^-12.
 std::vector<StepSize> shorterSteps(double h);
-/// The methods without a limit to their steps, then those that keep them short enough themselves; of each kind the
-/// highest order first, and of two alike the later of allMethods().
+/// Returns the methods without a stability limit, then those that adapt their steps. Both groups start with
+/// the highest order. Of methods of equal order, the later one in allMethods() comes first.
 std::vector<MethodPtr> unlimitedMethods();
 
-/// Shares of the limit that a remedy must reach.
-constexpr double safeShare = 0.6;     ///< by a smaller step or another method
-constexpr double marginalShare = 0.9; ///< by damping
+constexpr double safeShare = 0.6;     ///< largest share of the limit with a smaller step or another method
+constexpr double marginalShare = 0.9; ///< largest share of the limit with more damping
 
-/// What would mend a step that is past safeShare of its limit, the least change first; each found by measuring it. The
-/// step is the largest power of 1/2 a frame, the damping the least, another method the one with the fewest forces
-/// computed a step. None where nothing needs mending, and only what really does it.
-/// @param values in force, with which `state` came about
-/// @param damp null where the scene has no such parameter
+/// Returns remedies for a step beyond safeShare of its limit, the smallest change first. Each is confirmed by
+/// computing its stability. The step is the largest sufficient power of two, the damping the least. The other
+/// method is the one with the fewest force evaluations per step. Empty if the step needs no remedy.
+/// @param values parameter values in force at `state`
+/// @param damp null if the scene has no such parameter
 std::vector<Remedy> remediesFor(const Script &script, const Values &values, const State &state,
                                 const Stability &now, const DampRange *damp);
 

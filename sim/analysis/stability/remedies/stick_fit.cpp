@@ -11,10 +11,10 @@ namespace sim {
 
 namespace {
 
-constexpr double mostWork = 1e7;          ///< of a trial: points and enforced sticks
-constexpr double shortestStep = 1.0 / 64; ///< frames, of those that are tried
+constexpr double maxWork = 1e7;      ///< per trial: points and stick iterations, summed over the steps
+constexpr double minStep = 1.0 / 64; ///< frames, the shortest step to try
 
-/// Points and enforced sticks of the steps that lead to `frame`.
+/// Returns the points and stick iterations of all steps up to `frame`.
 double workOf(const Script &script, std::int64_t frame)
 {
     const Scene scene = sceneOf(script, script.values);
@@ -24,11 +24,12 @@ double workOf(const Script &script, std::int64_t frame)
     return perStep * static_cast<double>(frame) / script.step.h;
 }
 
-/// The worst stick of the last rows up to `frame`.
-std::optional<StickFit> worstOf(const Script &script, std::int64_t frame,
-                                const ShouldContinue &shouldContinue)
+/// Returns the worst stick of the last fitFrames frames up to `frame`. Empty if the run does not reach it or
+/// would take too long.
+std::optional<StickFit> worstUpTo(const Script &script, std::int64_t frame,
+                                  const ShouldContinue &shouldContinue)
 try {
-    if (workOf(script, frame) > mostWork)
+    if (workOf(script, frame) > maxWork)
         return {};
     Track track(script, 0);
     StickFit worst;
@@ -41,47 +42,49 @@ try {
     }
     return worst;
 } catch (const Error &) {
-    return {}; // it does not compose
+    return {}; // the script does not compose
 }
 
 std::vector<Remedy> smallerSteps(const Script &script)
 {
     std::vector<Remedy> all;
     for (const StepSize step : shorterSteps(script.step.h)) {
-        if (step.h >= shortestStep)
+        if (step.h >= minStep)
             all.push_back(Remedy::of(Remedy::Kind::smallerStep, script.method, step));
     }
     return all;
 }
 
-std::vector<Remedy> morePasses(const Script &script, const IterationRange &range)
+std::vector<Remedy> moreIterations(const Script &script, const IterationRange &range)
 {
     std::vector<Remedy> all;
-    for (double passes = 2.0 * script.values[range.parameter]; passes <= range.most; passes *= 2.0) {
+    for (double iterations = 2.0 * script.values[range.parameter]; iterations <= range.most;
+         iterations *= 2.0) {
         all.push_back(Remedy::of(Remedy::Kind::moreIterations, script.method, script.step));
         all.back().parameter = range.parameter;
-        all.back().value = passes;
+        all.back().value = iterations;
     }
     return all;
 }
 
-/// The first that leaves sticks as they should be, or else the best if it is worth it.
+/// Adds the first candidate that makes all sticks fit. If none does, adds the best one, if it halves the
+/// error.
 void addBest(const std::vector<Remedy> &candidates, const Script &script, std::int64_t frame,
-             const StickFit &now, const ShouldContinue &shouldContinue, std::vector<Remedy> &into)
+             const StickFit &now, const ShouldContinue &shouldContinue, std::vector<Remedy> &remedies)
 {
     std::optional<Remedy> best;
-    for (Remedy one : candidates) {
-        const std::optional<StickFit> fit = worstOf(withRemedy(script, one), frame, shouldContinue);
+    for (Remedy remedy : candidates) {
+        const std::optional<StickFit> fit = worstUpTo(withRemedy(script, remedy), frame, shouldContinue);
         if (!fit)
             continue;
-        one.stickError = std::abs(fit->error);
-        if (!best || *one.stickError < *best->stickError)
-            best = one;
-        if (*one.stickError <= fitting)
+        remedy.stickError = std::abs(fit->error);
+        if (!best || *remedy.stickError < *best->stickError)
+            best = remedy;
+        if (*remedy.stickError <= fitting)
             break;
     }
     if (best && *best->stickError <= std::max(fitting, 0.5 * std::abs(now.error)))
-        into.push_back(*best);
+        remedies.push_back(*best);
 }
 
 }
@@ -90,13 +93,13 @@ StickFit worstStick(const Scene &scene, const State &state)
 {
     StickFit worst;
     for (const Sticks *sticks : sticksAmong(scene.effects)) {
-        for (const Stick &one : sticks->list()) {
-            if (!state.isDynamic(one.a) && !state.isDynamic(one.b))
+        for (const Stick &stick : sticks->list()) {
+            if (!state.isDynamic(stick.a) && !state.isDynamic(stick.b))
                 continue;
-            const double error = stickError(one, state);
-            // What is no number is worse than any.
+            const double error = stickError(stick, state);
+            // An error that is not a number is worse than any other.
             if (worst.a < 0 || !(std::abs(error) <= std::abs(worst.error)))
-                worst = {error, one.length, one.a, one.b};
+                worst = {error, stick.length, stick.a, stick.b};
             if (std::isnan(error))
                 return worst;
         }
@@ -104,10 +107,10 @@ StickFit worstStick(const Scene &scene, const State &state)
     return worst;
 }
 
-std::optional<StickAdvice> adviseOnSticks(const Script &script, std::int64_t frame,
-                                          const IterationRange *passes, const ShouldContinue &shouldContinue)
+std::optional<StickAdvice> stickAdvice(const Script &script, std::int64_t frame,
+                                       const IterationRange *iterations, const ShouldContinue &shouldContinue)
 {
-    const std::optional<StickFit> now = worstOf(script, frame, shouldContinue);
+    const std::optional<StickFit> now = worstUpTo(script, frame, shouldContinue);
     if (!now || now->a < 0)
         return {};
     StickAdvice advice;
@@ -116,8 +119,8 @@ std::optional<StickAdvice> adviseOnSticks(const Script &script, std::int64_t fra
         return advice;
     if (!script.step.isAdaptive())
         addBest(smallerSteps(script), script, frame, *now, shouldContinue, advice.remedies);
-    if (passes)
-        addBest(morePasses(script, *passes), script, frame, *now, shouldContinue, advice.remedies);
+    if (iterations)
+        addBest(moreIterations(script, *iterations), script, frame, *now, shouldContinue, advice.remedies);
     return shouldContinue() ? std::optional(advice) : std::nullopt;
 }
 

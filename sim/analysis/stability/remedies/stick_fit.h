@@ -7,37 +7,38 @@
 
 namespace sim {
 
-/// How far from its length a stick is.
+/// The deviation of a stick from its length.
 struct StickFit
 {
-    double error = 0.0;  ///< px: too long when above 0
-    double length = 0.0; ///< px, as it should be
-    int a = -1;          ///< its ends; -1: there is none
+    double error = 0.0;  ///< px, above 0 if the stick is too long
+    double length = 0.0; ///< px, required length
+    int a = -1;          ///< end points; -1: there is no stick
     int b = -1;
 };
 
-/// The stick of `scene` that is farthest from its length in `state`, of those with an end that feels anything.
+/// Returns the stick of `scene` with the largest error in `state`, of the sticks with a dynamic end.
 StickFit worstStick(const Scene &scene, const State &state);
 
-/// How many frames up to the one that is asked about are looked at: a second.
+/// The number of frames before the given one over which stick errors are measured: one second.
 constexpr std::int64_t fitFrames = 60;
-/// The error that sticks may keep, in px: less is not seen.
+/// px, stick errors up to this are invisible.
 constexpr double fitting = 0.5;
 
-/// What sticks are like in a run, and what would make them fit better.
+/// The stick errors of a run, and remedies for them.
 struct StickAdvice
 {
-    StickFit now; ///< the worst of the last fitFrames frames
-    /// The mildest change of each kind that leaves no more than `fitting`, or, where none does, the one that leaves
-    /// least, if that is no more than half. Remedy::stickError is what it leaves. None where sticks fit.
+    StickFit now; ///< the worst stick of the last fitFrames frames
+    /// For each kind the smallest change that reduces the error to `fitting`. If none does, the change with
+    /// the smallest error, if that is at most half of the present one. Empty if the sticks fit.
     std::vector<Remedy> remedies;
 };
 
-/// Runs `script` from its start to `frame` and looks at its sticks; where they do not fit, with shorter steps and with
-/// more passes over the list of sticks, too. Empty where there are no sticks, where a trial would take too long, where the
-/// run does not come to that frame, and when `goesOn` says no.
-/// @param passes the parameter that counts passes; null where the scene has none
-std::optional<StickAdvice> adviseOnSticks(const Script &script, std::int64_t frame,
-                                          const IterationRange *passes, const ShouldContinue &shouldContinue);
+/// Runs `script` from its start to `frame` and measures its sticks. If they do not fit, tries shorter steps
+/// and more iterations over the sticks. Returns nothing if there are no sticks, a trial would take too long,
+/// the run does not reach the frame, or `shouldContinue` returns false.
+/// @param iterations the parameter for the iterations; null if the scene has none
+std::optional<StickAdvice> stickAdvice(const Script &script, std::int64_t frame,
+                                       const IterationRange *iterations,
+                                       const ShouldContinue &shouldContinue);
 
 }

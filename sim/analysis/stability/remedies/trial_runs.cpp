@@ -10,17 +10,19 @@ namespace sim {
 
 namespace {
 
-constexpr int mostDampings = 6;          ///< each twice the one before
-constexpr double mostWork = 2e7;         ///< of a trial: phases and computed forces, times points
-constexpr double toleranceFactor = 10.0; ///< from one to the next
-constexpr double mostTolerance = 100.0;  ///< px
-constexpr double firstKept = 0.95;       ///< where nothing was damped
-constexpr double calm = 1e6;             ///< px: nothing that holds goes farther, unless it was there before
-constexpr double hurry = 10.0;           ///< what holds is not faster than so many times its extent a frame
-constexpr double leastExtent = 500.0;    ///< px: about a picture's, also of what begins in one place
-constexpr std::int64_t beyond = 50;      ///< frames past that of the stop
+constexpr int maxDampings = 6;           ///< each twice the previous one
+constexpr double maxWork = 2e7;          ///< per trial: points times phases, plus force evaluations
+constexpr double toleranceFactor = 10.0; ///< from one tolerance to the next
+constexpr double maxTolerance = 100.0;   ///< px
+constexpr double firstKeptPart = 0.95;   ///< of a velocity, when there was no damping
+/// px, from the origin; a stable run stays closer unless it starts farther out.
+constexpr double maxDistance = 1e6;
+constexpr double maxSpeedRatio = 10.0; ///< a stable run moves at most this many times its extent per frame
+/// px, about the extent of the view; for scenes that start at one position.
+constexpr double minExtent = 500.0;
+constexpr std::int64_t framesAfterStop = 50; ///< how long a trial run goes on after the frame of the stop
 
-enum class Trial { holds, fails, takesTooLong };
+enum class Trial { stable, unstable, tooLong };
 
 double farthest(const State &state)
 {
@@ -32,28 +34,29 @@ double fastest(const State &state)
     return state.velocity.size() > 0 ? state.velocity.abs().maxCoeff() : 0.0;
 }
 
-/// Whether a run is finite, calm, and not on its way out, up to `frames`. A step that is a little too long may leave
-/// radial springs tumbling about at great speed, never farther out and never still: that holds nothing. What grows by a
-/// constant factor a frame, and had left all numbers by then, would be 10^6 times as far out even if its rate were a
-/// fiftieth: the logarithm of the largest number is 709.
-Trial tried(const Script &script, std::int64_t frames, const ShouldContinue &shouldContinue)
+/// Returns whether a run stays finite and bounded for `frames` frames. A step that is slightly too long can
+/// leave radial springs tumbling at high speed without growing or settling. That counts as failure.
+/// maxDistance is chosen to detect slow growth. The run that stopped had grown by up to e^709, the largest
+/// double. Growth at a fiftieth of that rate reaches e^14, about 10^6.
+Trial runTrial(const Script &script, std::int64_t frames, const ShouldContinue &shouldContinue)
 try {
     Track track(script, 0);
-    const double far = std::max(calm, 10.0 * farthest(track.state()));
-    const double fast = hurry * std::max({leastExtent, farthest(track.state()), fastest(track.state())});
+    const double distanceLimit = std::max(maxDistance, 10.0 * farthest(track.state()));
+    const double speedLimit =
+        maxSpeedRatio * std::max({minExtent, farthest(track.state()), fastest(track.state())});
     const double points = std::max(1, track.state().pointCount());
     double phases = 0.0;
-    const bool isThere = track.seek({frames, 0}, [&] {
+    const bool isReached = track.seek({frames, 0}, [&] {
         phases += 1.0;
         const double forces = static_cast<double>(track.state().pointEvaluations);
-        return points * phases + forces < mostWork && shouldContinue();
+        return points * phases + forces < maxWork && shouldContinue();
     });
-    if (!isThere)
-        return Trial::takesTooLong;
-    const bool isCalm = farthest(track.state()) < far && fastest(track.state()) < fast;
-    return !track.stop() && isCalm ? Trial::holds : Trial::fails;
+    if (!isReached)
+        return Trial::tooLong;
+    const bool isBounded = farthest(track.state()) < distanceLimit && fastest(track.state()) < speedLimit;
+    return !track.stop() && isBounded ? Trial::stable : Trial::unstable;
 } catch (const Error &) {
-    return Trial::fails; // it does not compose
+    return Trial::unstable; // the script does not compose
 }
 
 std::vector<Remedy> smallerSteps(const Script &script)
@@ -68,7 +71,7 @@ std::vector<Remedy> largerTolerances(const Script &script)
 {
     std::vector<Remedy> all;
     double tolerance = toleranceFactor * script.step.tolerance;
-    for (; tolerance <= mostTolerance; tolerance *= toleranceFactor)
+    for (; tolerance <= maxTolerance; tolerance *= toleranceFactor)
         all.push_back(
             Remedy::of(Remedy::Kind::largerTolerance, script.method, StepSize::withTolerance(tolerance)));
     return all;
@@ -84,36 +87,36 @@ std::vector<Remedy> otherMethods(const Script &script)
     return all;
 }
 
-/// The largest value that the parameter has on the way.
-double mostOf(const std::string &parameter, const Script &script)
+/// Returns the largest value of the parameter during the run.
+double maxValueOf(const std::string &parameter, const Script &script)
 {
-    double most = script.values[parameter];
+    double largest = script.values[parameter];
     for (const Event &event : script.input) {
         const Set *set = std::get_if<Set>(&event.what);
         if (set && set->parameter == parameter)
-            most = std::max(most, set->value);
+            largest = std::max(largest, set->value);
     }
-    return most;
+    return largest;
 }
 
-/// What is kept where there is twice as much damping: the square, as the slider has it.
-double keptByTwice(double kept, const DampRange &range)
+/// Returns the kept part of a velocity with twice the damping: the square, rounded to the grid of the slider.
+double keptAtTwiceDamping(double kept, const DampRange &range)
 {
-    const double square = kept < 1.0 ? kept * kept : firstKept;
+    const double square = kept < 1.0 ? kept * kept : firstKeptPart;
     const double gridded = range.grid * std::max(1.0, std::floor(square / range.grid));
     return std::max(range.least, std::round(gridded * 1e9) / 1e9);
 }
 
-/// Each damps twice as much as the one before.
+/// Returns remedies that each double the damping of the previous one.
 std::vector<Remedy> moreDamping(const Script &script, const DampRange &range)
 {
     std::vector<Remedy> all;
-    double kept = mostOf(range.parameter, script);
-    for (int i = 0; i < mostDampings; ++i) {
-        const double less = keptByTwice(kept, range);
-        if (less >= kept)
+    double kept = maxValueOf(range.parameter, script);
+    for (int i = 0; i < maxDampings; ++i) {
+        const double next = keptAtTwiceDamping(kept, range);
+        if (next >= kept)
             break;
-        kept = less;
+        kept = next;
         all.push_back(Remedy::of(Remedy::Kind::moreDamping, script.method, script.step));
         all.back().parameter = range.parameter;
         all.back().value = kept;
@@ -121,18 +124,18 @@ std::vector<Remedy> moreDamping(const Script &script, const DampRange &range)
     return all;
 }
 
-/// The first of `remedies` that is not known to fail: one that holds, or whose trial would take too long.
+/// Adds the first of `remedies` that does not fail: it is stable, or its trial would take too long.
 void addFirst(const std::vector<Remedy> &remedies, const Script &script, std::int64_t frames,
-              const ShouldContinue &shouldContinue, std::vector<Remedy> &into)
+              const ShouldContinue &shouldContinue, std::vector<Remedy> &found)
 {
-    for (const Remedy &one : remedies) {
-        const Trial trial = tried(withRemedy(script, one), frames, shouldContinue);
+    for (const Remedy &remedy : remedies) {
+        const Trial trial = runTrial(withRemedy(script, remedy), frames, shouldContinue);
         if (!shouldContinue())
             return;
-        if (trial == Trial::fails)
+        if (trial == Trial::unstable)
             continue;
-        into.push_back(one);
-        into.back().stableFrames = trial == Trial::holds ? frames : 0;
+        found.push_back(remedy);
+        found.back().stableFrames = trial == Trial::stable ? frames : 0;
         return;
     }
 }
@@ -143,7 +146,7 @@ std::vector<Remedy> remediesAfter(const Script &script, const Stop &stop, const 
                                   const ShouldContinue &shouldContinue)
 {
     std::vector<Remedy> all;
-    const std::int64_t frames = stop.frame + beyond;
+    const std::int64_t frames = stop.frame + framesAfterStop;
     if (!script.step.isAdaptive())
         addFirst(smallerSteps(script), script, frames, shouldContinue, all);
     else if (stop.reason == StopReason::tooManySteps)

@@ -5,11 +5,12 @@
 
 namespace sim {
 
-/// What mends `script`, which stopped at `stop`: of each kind the mildest change from the start on that holds in a
-/// trial past that frame, and none of a kind that fails. One whose trial would take too long is not known to fail: it
-/// is offered with Remedy::stableFrames 0. Leaves off, with what it has, when `goesOn` says no.
-/// @param damp null where the scene has no such parameter
-/// @throws nothing: what does not compose is no remedy
+/// Returns remedies for `script`, which stopped at `stop`: for each kind the smallest change from the start
+/// on that is stable in a trial run past that frame. A kind without a stable trial is left out. A change
+/// whose trial would take too long is included with Remedy::stableFrames 0. Stops early, with the remedies
+/// found so far, when `shouldContinue` returns false.
+/// @param damp null if the scene has no such parameter
+/// @throws nothing: a change that does not compose is left out
 std::vector<Remedy> remediesAfter(const Script &script, const Stop &stop, const DampRange *damp,
                                   const ShouldContinue &shouldContinue);
 

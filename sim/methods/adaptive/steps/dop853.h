@@ -4,9 +4,9 @@
 
 namespace sim {
 
-/// The method of order 8 of Hairer and Wanner's program DOP853, with steps that methods of orders 5 and 3 on the same
-/// stages measure. Damping is exact; contacts are located in time; between steps a polynomial gives every frame. See
-/// dop853Pair().
+/// The method of order 8 of Hairer and Wanner's program DOP853. Methods of orders 5 and 3 on the same stages
+/// estimate its error. Damping is exact, contact events are located in time, and dense output gives every
+/// frame. See dop853Pair().
 class Dop853 : public Adaptive
 {
 public:

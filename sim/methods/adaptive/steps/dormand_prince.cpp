@@ -26,19 +26,20 @@ Tableau fifthOrder()
     return t;
 }
 
-/// The weights of order 5 less those of order 4.
-constexpr Tableau::Row fifthLessFourth = {71. / 57600,      0,         -71. / 16695, 71. / 1920,
-                                          -17253. / 339200, 22. / 525, -1. / 40};
-constexpr Tableau::Row none{};
+/// The weights of order 5 minus those of order 4.
+constexpr Tableau::Row differenceToOrder4 = {71. / 57600,      0,         -71. / 16695, 71. / 1920,
+                                             -17253. / 339200, 22. / 525, -1. / 40};
+constexpr Tableau::Row noWeights{};
 
-/// The polynomial of degree 5 through places, velocities and accelerations at both ends.
+/// The pair with its dense output: the polynomial of degree 5 through positions, velocities and accelerations
+/// at both ends of the step.
 class DormandPrincePair : public EmbeddedPair
 {
 public:
     const Tableau &tableau() const override { return m_tableau; }
     int order() const override { return 5; }
-    const Tableau::Row &error() const override { return fifthLessFourth; }
-    const Tableau::Row &lowerError() const override { return none; }
+    const Tableau::Row &error() const override { return differenceToOrder4; }
+    const Tableau::Row &lowerError() const override { return noWeights; }
     bool hasLowerError() const override { return false; }
     int extraStages() const override { return 0; }
     int denseColumns() const override { return 6; }
@@ -47,25 +48,25 @@ public:
                    double *columns) const override
     {
         const double h = step.h;
-        const double *slopeAtEnd = step.slopes + 6 * step.size;
+        const double *endSlopes = step.slopes + 6 * step.size;
         for (int i = step.first; i < step.end; ++i) {
             const double x0 = step.place[i], x1 = endPlace[i];
             const double v0 = h * step.speed[i], v1 = h * endSpeed[i];
             const double a0 = h * h * (step.slopes[i] - step.rate * step.speed[i]);
-            const double a1 = h * h * (slopeAtEnd[i] - step.rate * endSpeed[i]);
-            const Quintic all = Quintic::through(x0, v0, a0, x1, v1, a1);
+            const double a1 = h * h * (endSlopes[i] - step.rate * endSpeed[i]);
+            const Quintic quintic = Quintic::through(x0, v0, a0, x1, v1, a1);
             for (int j = 0; j < 6; ++j)
-                columns[j * step.size + i] = all.c[j];
+                columns[j * step.size + i] = quintic.c[j];
         }
     }
 
-    void dense(const double *columns, int size, int first, int end, const DenseTime &when, double *place,
+    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *place,
                double *speed) const override
     {
         for (int i = first; i < end; ++i) {
-            const NewtonPolynomial at = NewtonPolynomial::at<6>(columns + i, size, when.theta);
-            place[i - first] = at.value;
-            speed[i - first] = at.derivative / when.h;
+            const NewtonPolynomial output = NewtonPolynomial::at<6>(columns + i, size, time.theta);
+            place[i - first] = output.value;
+            speed[i - first] = output.derivative / time.h;
         }
     }
 
@@ -85,8 +86,8 @@ namespace {
 
 const StepRule &rule()
 {
-    static const EmbeddedRungeKutta one(dormandPrincePair());
-    return one;
+    static const EmbeddedRungeKutta instance(dormandPrincePair());
+    return instance;
 }
 
 }

@@ -4,8 +4,9 @@
 
 namespace sim {
 
-/// Dormand and Prince's method: order 5, with steps that a method of order 4 on the same stages measures. Damping is
-/// exact; contacts are located in time; between steps a polynomial gives every frame. See dormandPrincePair().
+/// The method of Dormand and Prince of order 5. A method of order 4 on the same stages estimates its error.
+/// Damping is exact, contact events are located in time, and dense output gives every frame. See
+/// dormandPrincePair().
 class DormandPrince : public Adaptive
 {
 public:

@@ -5,58 +5,59 @@
 
 namespace sim {
 
-/// Where a step's numbers stand, for what a pair computes from them. Everything is in the numbers that damping does
-/// not slow (see StageWeights): u is what v would be without it.
+/// The data of a finished step, from which a pair computes its dense output. Below, u is the undamped
+/// velocity (see StageWeights). Each array has `size` numbers if not stated otherwise.
 struct StepData
 {
-    const double *place = nullptr;  ///< at the start
-    const double *speed = nullptr;  ///< v at the start, which is u there
-    const double *speeds = nullptr; ///< the velocity of each stage: `size` numbers each
-    const double *slopes = nullptr; ///< the acceleration of each stage
-    int size = 0;
-    int first = 0; ///< the rows that this is about, which all have the same rate
-    int end = 0;
-    double rate = 0.0;            ///< 1/frame
-    double h = 0.0;               ///< frames
-    const double *keep = nullptr; ///< what damping leaves of a velocity until each stage
+    const double *place = nullptr;  ///< positions at the start
+    const double *speed = nullptr;  ///< velocities v at the start, where u = v
+    const double *speeds = nullptr; ///< velocities of each stage, `size` numbers per stage
+    const double *slopes = nullptr; ///< accelerations of each stage, `size` numbers per stage
+    int size = 0;                   ///< rows of q
+    int first = 0;                  ///< first row to compute; all rows to compute have the same damping rate
+    int end = 0;                    ///< the row after the last one to compute
+    double rate = 0.0;              ///< 1/frame, damping rate
+    double h = 0.0;                 ///< frames, length of the step
+    const double *keep = nullptr;   ///< damping factor at each stage
 };
 
-/// What makes an adaptive Runge-Kutta method: a tableau whose last stage stands at the end of the step, an estimate
-/// of the step's error, and a polynomial between its ends.
+/// An embedded pair of explicit Runge-Kutta methods: a tableau whose last stage is at the end of the step, an
+/// error estimate, and dense output.
 class EmbeddedPair
 {
 public:
     virtual ~EmbeddedPair() = default;
     virtual const Tableau &tableau() const = 0;
-    /// The order of the step.
+    /// Returns the order of a step.
     virtual int order() const = 0;
-    /// The error of a step, from weights: for the difference to a method of lower order, and for that to a still
-    /// lower one (if it has one).
+    /// Returns the stage weights of the error estimate: the difference to a method of lower order.
+    /// lowerError() is the difference to a method of still lower order, if hasLowerError().
     virtual const Tableau::Row &error() const = 0;
     virtual const Tableau::Row &lowerError() const = 0;
     virtual bool hasLowerError() const = 0;
 
-    /// How many more stages its polynomial needs: rows of the tableau past the last.
+    /// Returns the number of further stages for the dense output: rows of the tableau after the last stage.
     virtual int extraStages() const = 0;
-    /// How many columns of numbers are kept for the polynomial.
+    /// Returns the number of columns that the dense output needs.
     virtual int denseColumns() const = 0;
-    /// Computes the polynomial's columns for the rows of `step`.
-    /// @param endPlace, endSpeed x and v at the end
+    /// Computes the columns of the dense output for the rows of `step`.
+    /// @param endPlace, endSpeed positions and velocities at the end
     virtual void makeDense(const StepData &step, const double *endPlace, const double *endSpeed,
                            double *columns) const = 0;
-    /// As StepRule has it.
-    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &when,
+    /// See StepRule::dense().
+    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &time,
                        double *place, double *speed) const = 0;
 };
 
-/// Dormand and Prince's pair of orders 5 and 4; between the ends of a step the polynomial of degree 5 that has their
-/// places, velocities and accelerations.
+/// Returns the pair of Dormand and Prince of orders 5 and 4. Its dense output is the polynomial of degree 5
+/// with the positions, velocities and accelerations at both ends of the step.
 /// Source: Dormand and Prince, "A family of embedded Runge-Kutta formulae", 1980.
 const EmbeddedPair &dormandPrincePair();
 
-/// Hairer and Wanner's pair of order 8, with error estimates of orders 5 and 3, and their polynomial of order 7.
-/// Source: Hairer, Norsett and Wanner, "Solving ordinary differential equations I", sections II.5 and II.6; the
-/// numbers are those of their program DOP853.
+/// Returns the pair of Hairer and Wanner of order 8, with error estimates of orders 5 and 3 and dense output
+/// of order 7.
+/// Source: Hairer, Norsett and Wanner, "Solving ordinary differential equations I", sections II.5 and II.6;
+/// the coefficients are those of their program DOP853
 const EmbeddedPair &dop853Pair();
 
 }

@@ -6,18 +6,17 @@
 
 namespace sim {
 
-/// The place of a stage, the pull there, and the velocity that belongs to it.
 void EmbeddedRungeKutta::stage(const StepAttempt &step, int number, double *place) const
 {
-    const std::vector<OdeSystem::RateRange> &stretches = step.system.rateRanges();
+    const std::vector<OdeSystem::RateRange> &rateRanges = step.system.rateRanges();
     const int size = step.system.size();
     const auto row = static_cast<std::size_t>(number);
-    for (std::size_t i = 0; i < stretches.size(); ++i) {
+    for (std::size_t i = 0; i < rateRanges.size(); ++i) {
         const StageWeights &weights = (*step.weights)[i];
-        blendRows(place, step.place, 1.0, speeds(step), weights.place[row].data(), number, stretches[i].first,
-                  stretches[i].end(), size);
+        blendRows(place, step.place, 1.0, speeds(step), weights.place[row].data(), number,
+                  rateRanges[i].first, rateRanges[i].end(), size);
         blendRows(speeds(step) + number * size, step.speed, weights.keep[row], slopes(step),
-                  weights.speed[row].data(), number, stretches[i].first, stretches[i].end(), size);
+                  weights.speed[row].data(), number, rateRanges[i].first, rateRanges[i].end(), size);
     }
     step.accelerations.at(place, step.start + m_pair.tableau().c[row] * step.h, slopes(step) + number * size);
 }
@@ -56,36 +55,37 @@ double EmbeddedRungeKutta::attempt(
 
 double EmbeddedRungeKutta::error(const StepAttempt &step) const
 {
-    const double most = estimate(step, m_pair.error());
-    if (!std::isfinite(most))
+    const double largest = estimate(step, m_pair.error());
+    if (!std::isfinite(largest))
         return std::numeric_limits<double>::infinity();
     if (!m_pair.hasLowerError())
-        return step.h * most;
-    // Two estimates are put together so that the lower one counts only where the higher is unsure.
+        return step.h * largest;
+    // The two estimates are combined as in DOP853: the lower one counts only if it is much larger.
     const double lower = estimate(step, m_pair.lowerError());
-    const double both = most > 0.0 ? most * (most / std::hypot(most, 0.1 * lower)) : 0.0;
-    return step.h * (lower > 0.0 ? both : most);
+    const double combined = largest > 0.0 ? largest * (largest / std::hypot(largest, 0.1 * lower)) : 0.0;
+    return step.h * (lower > 0.0 ? combined : largest);
 }
 
 double EmbeddedRungeKutta::estimate(const StepAttempt &step, const Tableau::Row &weights) const
 {
-    const std::vector<OdeSystem::RateRange> &stretches = step.system.rateRanges();
-    const int steps = m_pair.tableau().stages, size = step.system.size();
+    const std::vector<OdeSystem::RateRange> &rateRanges = step.system.rateRanges();
+    const int stageCount = m_pair.tableau().stages, size = step.system.size();
     double *sum = step.scratch;
-    double most = 0.0;
-    for (std::size_t n = 0; n < stretches.size(); ++n) {
-        const int first = stretches[n].first, end = stretches[n].end();
-        Tableau::Row since{}; // with what damping leaves at the end of what each stage's slope has made
+    double largest = 0.0;
+    for (std::size_t n = 0; n < rateRanges.size(); ++n) {
+        const int first = rateRanges[n].first, end = rateRanges[n].end();
+        Tableau::Row damped{}; // weights times the damping factor from each stage to the end of the step
         const auto &keep = (*step.weights)[n].keep;
-        for (std::size_t j = 0; j < static_cast<std::size_t>(steps); ++j)
-            since[j] = keep[j] > 0.0 ? weights[j] * keep[static_cast<std::size_t>(steps) - 1] / keep[j] : 0.0;
+        for (std::size_t j = 0; j < static_cast<std::size_t>(stageCount); ++j)
+            damped[j] =
+                keep[j] > 0.0 ? weights[j] * keep[static_cast<std::size_t>(stageCount) - 1] / keep[j] : 0.0;
         const double *v = speeds(step), *a = slopes(step);
-        blendRows(sum, v, 0.0, v, weights.data(), steps, first, end, size);
-        most = std::max(most, maxAbs(sum + first, end - first));
-        blendRows(sum, a, 0.0, a, since.data(), steps, first, end, size);
-        most = std::max(most, maxAbs(sum + first, end - first));
+        blendRows(sum, v, 0.0, v, weights.data(), stageCount, first, end, size);
+        largest = std::max(largest, maxAbs(sum + first, end - first));
+        blendRows(sum, a, 0.0, a, damped.data(), stageCount, first, end, size);
+        largest = std::max(largest, maxAbs(sum + first, end - first));
     }
-    return most;
+    return largest;
 }
 
 void EmbeddedRungeKutta::makeDense(const StepAttempt &step) const
@@ -99,7 +99,7 @@ void EmbeddedRungeKutta::makeDense(const StepAttempt &step) const
         data.keep = (*step.weights)[n].keep.data();
         data.first = rows.first;
         data.end = rows.end();
-        data.rate = std::isinf(rows.rate) ? 0.0 : rows.rate; // it stands still
+        data.rate = std::isinf(rows.rate) ? 0.0 : rows.rate; // the points stand still
         m_pair.makeDense(data, step.endPlace, step.endSpeed, step.columns);
     }
 }

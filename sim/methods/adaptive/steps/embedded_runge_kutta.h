@@ -5,24 +5,25 @@
 
 namespace sim {
 
-/// Steps by an embedded pair of explicit Runge-Kutta methods. Damping is exact, at any rate of each row: see
-/// StageWeights.
+/// The step rule of an embedded pair of explicit Runge-Kutta methods. Damping is exact, also if rows have
+/// different rates (see StageWeights).
 class EmbeddedRungeKutta : public StepRule
 {
 public:
     explicit EmbeddedRungeKutta(const EmbeddedPair &pair) : m_pair(pair) {}
 
     int order() const override { return m_pair.order(); }
-    /// The place of a stage; velocity and acceleration of each.
+    /// One column for an error estimate, one for positions, and two per stage for velocities and
+    /// accelerations.
     int scratchColumns() const override { return 2 + 2 * stages(); }
     int denseColumns() const override { return m_pair.denseColumns(); }
     double attempt(const StepAttempt &step) const override;
     void makeDense(const StepAttempt &step) const override;
     DenseTime instant(double rate, double h, double theta) const override;
-    void dense(const double *columns, int size, int first, int end, const DenseTime &when, double *place,
+    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *place,
                double *speed) const override
     {
-        m_pair.dense(columns, size, first, end, when, place, speed);
+        m_pair.dense(columns, size, first, end, time, place, speed);
     }
 
 private:
@@ -32,10 +33,12 @@ private:
     {
         return step.scratch + (2 + stages()) * step.system.size();
     }
-    /// A stage's velocity and acceleration, at the place that it leaves in `place`.
+    /// Computes velocities and accelerations of stage `number`, and its positions in `place`.
     void stage(const StepAttempt &step, int number, double *place) const;
+    /// Returns the error of a step, px.
     double error(const StepAttempt &step) const;
-    /// The largest number that the stages' slopes come to with these weights, px/frame; infinite if one is not finite.
+    /// Returns the largest weighted sum of the velocities or accelerations of all stages (px/frame, or
+    /// px/frame^2), or infinity if one is not finite.
     double estimate(const StepAttempt &step, const Tableau::Row &weights) const;
 
     const EmbeddedPair &m_pair;

@@ -46,25 +46,27 @@ NystromTableau eighthOrder()
     return t;
 }
 
-/// The time at which s has passed, when damping slows at a rate of c.
+/// Returns the time t (frames) that belongs to s, for a damping rate c.
 double timeOf(double s, double c)
 {
     return c == 0.0 ? s : -std::log1p(-c * s) / c;
 }
 
-/// e^(2 c t) at that time.
+/// Returns e^(2 c t) at that time.
 double growth(double s, double c)
 {
-    const double left = 1.0 - c * s;
-    return 1.0 / (left * left);
+    const double keep = 1.0 - c * s;
+    return 1.0 / (keep * keep);
 }
 
-/// Frames since the last whole one when s has passed in `step`; where nothing asks for it, not computed.
+/// Returns the time (frames after the last whole frame) that belongs to s in `step`. Without continuous
+/// drivers the time does not matter, and the start of the step is returned.
 double momentOf(const StepAttempt &step, double s)
 {
     return step.system.hasContinuousDrivers() ? step.start + timeOf(s, step.nystrom->rate) : step.start;
 }
 
+/// Returns the accelerations of the first stage; those of the others follow.
 double *stagesOf(const StepAttempt &step)
 {
     return step.scratch + 2 * step.system.size();
@@ -72,7 +74,7 @@ double *stagesOf(const StepAttempt &step)
 
 }
 
-void NystromWeights::set(const NystromTableau &of, double c, double step)
+void NystromWeights::set(const NystromTableau &coefficients, double c, double step)
 {
     if (c == rate && step == h)
         return;
@@ -82,13 +84,13 @@ void NystromWeights::set(const NystromTableau &of, double c, double step)
     const double kept = 1.0 - c * whole;
     speed[0] = kept;
     for (std::size_t j = 0; j < stages; ++j) {
-        const double s = of.c[j] * whole, grown = growth(s, c);
+        const double s = coefficients.c[j] * whole, factor = growth(s, c);
         place[j][0] = s;
         for (std::size_t i = j + 1; i < stages; ++i)
-            place[i][j + 1] = whole * whole * of.a[i][j] * grown;
-        speed[j + 1] = kept * whole * of.b[j] * grown;
-        placeOff[j] = whole * whole * (of.a[stages - 1][j] - of.lowerPlace[j]) * grown;
-        speedOff[j] = kept * whole * (of.b[j] - of.lowerSpeed[j]) * grown;
+            place[i][j + 1] = whole * whole * coefficients.a[i][j] * factor;
+        speed[j + 1] = kept * whole * coefficients.b[j] * factor;
+        placeOff[j] = whole * whole * (coefficients.a[stages - 1][j] - coefficients.lowerPlace[j]) * factor;
+        speedOff[j] = kept * whole * (coefficients.b[j] - coefficients.lowerSpeed[j]) * factor;
     }
 }
 
@@ -130,9 +132,9 @@ double RungeKuttaNystrom::attempt(
     //! [nystrom_step]
     double *off = step.scratch;
     blendRows(off, a, 0.0, a, w.placeOff.data(), w.stages, 0, n, n);
-    const double ofPlace = maxAbs(off, n);
+    const double positionError = maxAbs(off, n);
     blendRows(off, a, 0.0, a, w.speedOff.data(), w.stages, 0, n, n);
-    return std::max(ofPlace, maxAbs(off, n));
+    return std::max(positionError, maxAbs(off, n));
 }
 // clang-format on
 
@@ -141,42 +143,43 @@ void RungeKuttaNystrom::makeDense(const StepAttempt &step) const
     const int n = step.system.size();
     const NystromWeights &w = *step.nystrom;
     const double square = w.whole * w.whole;
-    const double kept = 1.0 - w.rate * w.whole, grown = growth(w.whole, w.rate);
+    const double kept = 1.0 - w.rate * w.whole, factor = growth(w.whole, w.rate);
     const double *a = stagesOf(step), *end = a + (w.stages - 1) * n;
     double *middle = step.scratch;
     for (int i = 0; i < n; ++i) {
         const Quintic q =
             Quintic::through(step.place[i], w.whole * step.speed[i], square * a[i], step.endPlace[i],
-                             w.whole * step.endSpeed[i] / kept, square * grown * end[i]);
+                             w.whole * step.endSpeed[i] / kept, square * factor * end[i]);
         for (int j = 0; j < 6; ++j)
             step.columns[j * n + i] = q.c[j];
         middle[i] = q.c[0] + q.c[1] / 2 + q.c[2] / 4 + q.c[3] / 8 - q.c[4] / 16 + q.c[5] / 32;
     }
-    // With the acceleration in the middle the polynomial has one degree more.
-    double *bend = step.scratch + (2 + w.stages) * n;
-    step.accelerations.at(middle, momentOf(step, 0.5 * w.whole), bend);
-    const double there = square * growth(0.5 * w.whole, w.rate);
+    // The acceleration in the middle of the step raises the degree of the polynomial to 6.
+    double *middleAcceleration = step.scratch + (2 + w.stages) * n;
+    step.accelerations.at(middle, momentOf(step, 0.5 * w.whole), middleAcceleration);
+    const double middleFactor = square * growth(0.5 * w.whole, w.rate);
     for (int i = 0; i < n; ++i)
-        step.columns[6 * n + i] = NewtonPolynomial::seventh(step.columns + i, n, there * bend[i]);
+        step.columns[6 * n + i] =
+            NewtonPolynomial::seventh(step.columns + i, n, middleFactor * middleAcceleration[i]);
 }
 
 DenseTime RungeKuttaNystrom::instant(double rate, double h, double theta) const
 {
-    if (rate == 0.0 || std::isinf(rate)) // what is stopped at once stands still
+    if (rate == 0.0 || std::isinf(rate)) // infinite: the points stand still
         return {h, theta, 1.0, h, theta};
-    const double all = std::expm1(-rate * h), until = std::expm1(-rate * h * theta);
-    return {h, theta, 1.0 + until, -all / rate, until / all};
+    const double atEnd = std::expm1(-rate * h), atTheta = std::expm1(-rate * h * theta);
+    return {h, theta, 1.0 + atTheta, -atEnd / rate, atTheta / atEnd};
 }
 
-void RungeKuttaNystrom::dense(const double *columns, int size, int first, int end, const DenseTime &when,
+void RungeKuttaNystrom::dense(const double *columns, int size, int first, int end, const DenseTime &time,
                               double *place, double *speed) const
 {
     dispatch([=] {
-        SIM_TURNS_ARE_APART
+        SIM_INDEPENDENT_ITERATIONS
         for (int i = 0; i < end - first; ++i) {
-            const NewtonPolynomial at = NewtonPolynomial::at<7>(columns + first + i, size, when.share);
-            place[i] = at.value;
-            speed[i] = when.kept * at.derivative / when.whole;
+            const NewtonPolynomial output = NewtonPolynomial::at<7>(columns + first + i, size, time.share);
+            place[i] = output.value;
+            speed[i] = time.kept * output.derivative / time.whole;
         }
     });
 }
@@ -185,8 +188,8 @@ namespace {
 
 const StepRule &rule()
 {
-    static const RungeKuttaNystrom one;
-    return one;
+    static const RungeKuttaNystrom instance;
+    return instance;
 }
 
 }

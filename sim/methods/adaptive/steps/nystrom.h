@@ -5,41 +5,45 @@
 
 namespace sim {
 
-/// Runge-Kutta-Nystrom methods solve q'' = a(q) itself: their stages are places only, so they need fewer than others.
-/// This one is of order 8, measured by one of order 6 on the same stages; the last stage stands at the end of the step.
+/// The coefficients of a Runge-Kutta-Nystrom method. Such methods solve q'' = a(q) directly. Their stages are
+/// positions only, so they need fewer stages than others. This method has order 8, and one of order 6 on the
+/// same stages estimates its error. The last stage is at the end of the step.
 /// Source: Dormand, El-Mikkawy and Prince, "High-order embedded Runge-Kutta-Nystrom formulae", 1987.
 struct NystromTableau
 {
     static constexpr int stages = 9;
     using Row = std::array<double, stages>;
 
-    Row c{};                        ///< where each stage is, as a share of the step
-    std::array<Row, stages> a{};    ///< the place of each stage; the last row is that of the end
-    Row b{};                        ///< the velocity at the end
-    Row lowerPlace{}, lowerSpeed{}; ///< place and velocity of order 6
+    Row c{};                        ///< time of each stage, as a share of the step
+    std::array<Row, stages> a{};    ///< weights for the position of each stage; last row: end of the step
+    Row b{};                        ///< weights for the velocity at the end
+    Row lowerPlace{}, lowerSpeed{}; ///< weights of order 6 for the position and velocity at the end
 };
 
-/// Damping enters exactly, by the clock: as long as nothing pulls, a damped point goes the way s = (1 - e^(-c t)) / c
-/// times its first velocity. In s for a time the equation q'' = a(q, t) - c q' becomes d2q/ds2 = e^(2 c t) a(q, t),
-/// without a velocity. These are the weights of a step of h frames for the accelerations a, that factor included.
+/// The weights of a step of h frames for the accelerations a of its stages. Damping at a rate c is exact: the
+/// method uses s = (1 - e^(-c t)) / c instead of the time. Without forces, a point moves by s times its
+/// initial velocity. In s, the equation q'' = a(q, t) - c q' becomes d2q/ds2 = e^(2 c t) a(q, t), without a
+/// velocity. The weights include that factor.
 struct NystromWeights
 {
     static constexpr int stages = NystromTableau::stages;
     using Row = std::array<double, stages + 1>;
 
-    /// The first is that of the velocity at the start, the others those of the stages so far.
+    /// For the position of each stage: first the weight of the initial velocity, then those of the earlier
+    /// stages.
     std::array<Row, stages> place{};
-    Row speed{};
-    NystromTableau::Row placeOff{}, speedOff{}; ///< the difference to order 6
-    double whole = 0.0;                         ///< s at the end, frames
-    double rate = -1.0;                         ///< what the weights are for
-    double h = 0.0;
+    Row speed{};                                ///< likewise, for the velocity at the end
+    NystromTableau::Row placeOff{}, speedOff{}; ///< differences to order 6
+    double whole = 0.0;                         ///< frames, s at the end of the step
+    double rate = -1.0;                         ///< 1/frame, damping rate c of the last set()
+    double h = 0.0;                             ///< frames, length of the step of the last set()
 
-    /// Asked for the same again, it leaves them.
-    void set(const NystromTableau &of, double c, double step);
+    /// Computes the weights for a damping rate c and a step of `step` frames. Does nothing if both are the
+    /// same as last time.
+    void set(const NystromTableau &coefficients, double c, double step);
 };
 
-/// Steps of that method. All that moves by itself must be slowed at the same rate.
+/// The step rule of that method. It needs the same damping rate for all points that move by their velocities.
 class RungeKuttaNystrom : public StepRule
 {
 public:
@@ -47,7 +51,8 @@ public:
 
     int order() const override { return 8; }
     int errorOrder() const override { return 7; }
-    /// A place, the velocity at the start, the acceleration of each stage, and that in the middle.
+    /// One column for errors and positions, one for the initial velocity, one per stage for accelerations,
+    /// and one for the acceleration in the middle of the step.
     int scratchColumns() const override { return 3 + NystromTableau::stages; }
     int denseColumns() const override { return 7; }
     std::vector<std::string> requirements() const override { return {"one_damping"}; }
@@ -55,14 +60,15 @@ public:
     double attempt(const StepAttempt &step) const override;
     void makeDense(const StepAttempt &step) const override;
     DenseTime instant(double rate, double h, double theta) const override;
-    void dense(const double *columns, int size, int first, int end, const DenseTime &when, double *place,
+    void dense(const double *columns, int size, int first, int end, const DenseTime &time, double *place,
                double *speed) const override;
 
 private:
     NystromTableau m_tableau;
 };
 
-/// The method: damping exact, contacts located in time, between steps a polynomial that gives every frame.
+/// The adaptive method with that step rule. Damping is exact, contact events are located in time, and dense
+/// output gives every frame.
 class Nystrom : public Adaptive
 {
 public:

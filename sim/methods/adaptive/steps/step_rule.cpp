@@ -13,12 +13,12 @@ double dampingFactor(double rate, double time)
 
 double maxAbs(const double *numbers, int size)
 {
-    double most = 0.0, sum = 0.0;
+    double largest = 0.0, sum = 0.0;
     for (int i = 0; i < size; ++i) {
-        most = std::max(most, std::abs(numbers[i]));
-        sum += numbers[i] - numbers[i]; // 0, or not a number
+        largest = std::max(largest, std::abs(numbers[i]));
+        sum += numbers[i] - numbers[i]; // 0, or NaN
     }
-    return sum == 0.0 ? most : std::numeric_limits<double>::infinity();
+    return sum == 0.0 ? largest : std::numeric_limits<double>::infinity();
 }
 
 }

@@ -8,72 +8,75 @@
 
 namespace sim {
 
-/// What the weights of a Nystrom method come to for a step's length and a damping. See RungeKuttaNystrom.
 struct NystromWeights;
 
-/// A step in the making. Each pointer leads to Flow::size() numbers, if nothing else is said.
+/// The data of an attempted step. Each array has OdeSystem::size() numbers if not stated otherwise.
 struct StepAttempt
 {
     ContactAccelerations &accelerations;
     const OdeSystem &system;
-    double start = 0.0; ///< frames since the last whole one
-    double h = 0.0;     ///< frames
+    double start = 0.0; ///< frames after the last whole frame
+    double h = 0.0;     ///< frames, length of the step
 
-    const double *place = nullptr; ///< where it begins: x, v and a
-    const double *speed = nullptr;
-    const double *slope = nullptr;
-    double *endPlace = nullptr; ///< where it ends
-    double *endSpeed = nullptr;
-    double *endSlope = nullptr;
-    double *columns = nullptr; ///< of the polynomial: StepRule::denseColumns() times as many
-    double *scratch = nullptr; ///< StepRule::scratchColumns() times as many
+    const double *place = nullptr; ///< positions at the start
+    const double *speed = nullptr; ///< velocities at the start
+    const double *slope = nullptr; ///< accelerations at the start
+    double *endPlace = nullptr;    ///< positions at the end
+    double *endSpeed = nullptr;    ///< velocities at the end
+    double *endSlope = nullptr;    ///< accelerations at the end
+    double *columns = nullptr;     ///< dense output, StepRule::denseColumns() columns
+    double *scratch = nullptr;     ///< StepRule::scratchColumns() columns
 
-    std::vector<StageWeights> *weights = nullptr; ///< one a stretch; kept from step to step
-    NystromWeights *nystrom = nullptr;
+    std::vector<StageWeights> *weights = nullptr; ///< one per rate range, kept between steps
+    NystromWeights *nystrom = nullptr;            ///< kept between steps
 };
 
-/// A moment inside a step, as a polynomial needs it.
+/// A time within a step, for dense output.
 struct DenseTime
 {
-    double h = 0.0;     ///< frames, the step's length
-    double theta = 0.0; ///< share of it that is over
-    double kept = 1.0;  ///< what damping leaves of a velocity until then
-    double whole =
-        0.0; ///< the way that a velocity of 1 px/frame at the start comes to in the step with damping alone, px
-    double share = 0.0; ///< how much of that it has come until then, as a share
+    double h = 0.0;     ///< frames, length of the step
+    double theta = 0.0; ///< the time as a share of the step
+    double kept = 1.0;  ///< damping factor from the start until then
+    double whole = 0.0; ///< frames, s of NystromWeights at the end of the step
+    double share = 0.0; ///< s at this time, as a share of `whole`
 };
 
-/// How a method that chooses its steps takes one: from which stages, how it measures its error, and a polynomial
-/// between its ends.
+/// The rule by which an adaptive method makes a step, estimates its error and computes dense output.
 class StepRule
 {
 public:
     virtual ~StepRule() = default;
-    /// The order of a step, and the power of h with which what attempt() measures shrinks.
+    /// Returns the order of a step.
     virtual int order() const = 0;
+    /// Returns the power of h with which the error of attempt() decreases.
     virtual int errorOrder() const { return order(); }
-    /// How many columns of numbers a step needs while it is made, and how many stay for its polynomial.
+    /// Returns the number of scratch columns that an attempt needs.
     virtual int scratchColumns() const = 0;
+    /// Returns the number of columns that the dense output of a step needs.
     virtual int denseColumns() const = 0;
-    /// What it asks of a scene besides smooth equations, as in Method::needs(), and whether these equations have it.
+    /// Returns what it requires of a scene besides smooth equations (see Method::requirements()).
     virtual std::vector<std::string> requirements() const { return {}; }
+    /// Returns whether the equations meet these requirements.
     virtual bool fits(const OdeSystem &) const { return true; }
 
-    /// Computes where the step ends. Returns how far it may be off in a place, or in the way of a frame: px; infinite
-    /// where numbers stop being finite.
+    /// Computes the end of the step. Returns its error in px (or degrees), in a position or in the
+    /// displacement of a frame, or infinity if a number is not finite.
     virtual double attempt(const StepAttempt &step) const = 0;
-    /// Computes the polynomial's columns of a step that attempt() has made, to its ends as they are in `step` now.
+    /// Computes the columns of the dense output after attempt(), from the values in `step`.
     virtual void makeDense(const StepAttempt &step) const = 0;
+    /// Returns the time `theta` (a share of the step) for rows with damping rate `rate`.
     virtual DenseTime instant(double rate, double h, double theta) const = 0;
-    /// Place and velocity of the rows from `first` to before `end`, into one number each.
-    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &when,
+    /// Computes positions and velocities of the rows from `first` to `end` - 1 at a time. `place` and `speed`
+    /// get one number per row.
+    virtual void dense(const double *columns, int size, int first, int end, const DenseTime &time,
                        double *place, double *speed) const = 0;
 };
 
-/// What damping leaves of a velocity after `time` frames. Rows that it stops at once stand still, so nothing is taken.
+/// Returns the damping factor e^(-rate time) after `time` frames. Returns 1 for an infinite rate: those
+/// points stand still, so the factor does not matter.
 double dampingFactor(double rate, double time);
 
-/// The largest of `size` numbers without their signs; infinite where one is not finite.
+/// Returns the largest absolute value of `size` numbers, or infinity if one is not finite.
 double maxAbs(const double *numbers, int size);
 
 }

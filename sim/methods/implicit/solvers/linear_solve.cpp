@@ -11,17 +11,17 @@ namespace sim {
 
 namespace {
 
-/// Up to here a matrix with all its zeros is solved faster than one without.
-constexpr int mostDense = 64;
-/// From here on nets are solved by conjugate gradients.
-constexpr int leastConjugate = 256;
-/// A part of rounding: Newton's next correction makes good what is left.
+/// Up to this size, the dense solver is faster than the sparse one.
+constexpr int maxDense = 64;
+/// From this size on, conjugate gradients solve nets.
+constexpr int minConjugate = 256;
+/// The relative residual of conjugate gradients. The next correction of Newton's method removes the rest.
 constexpr double tolerance = 1e-12;
 
-using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, mostDense, mostDense>;
+using Small = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, maxDense, maxDense>;
 using Sparse = Eigen::SparseMatrix<double>;
 
-/// 1 on the diagonal, and entries that add up.
+/// Returns 1 + entries. Entries at the same position add up.
 Small denseOf(const std::vector<Jacobian::Entry> &entries, int size)
 {
     Small matrix = Small::Identity(size, size);
@@ -43,7 +43,7 @@ Sparse sparseOf(const std::vector<Jacobian::Entry> &entries, int size)
     return matrix;
 }
 
-Eigen::VectorXd byFactors(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &right)
+Eigen::VectorXd solveSparse(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &right)
 {
     const auto size = static_cast<int>(right.size());
     const Eigen::SparseLU<Sparse> factors(sparseOf(entries, size));
@@ -56,11 +56,11 @@ Eigen::VectorXd byFactors(const std::vector<Jacobian::Entry> &entries, const Eig
 
 Solver solverFor(const std::vector<Jacobian::Entry> &entries, int size)
 {
-    if (size <= mostDense)
+    if (size <= maxDense)
         return Solver::dense;
-    if (size < leastConjugate || size % 2 != 0)
+    if (size < minConjugate || size % 2 != 0)
         return Solver::sparse;
-    // A spring between two points that both move has 16 entries: four for each end, by either end.
+    // A spring between two points that can both move has 16 entries: 2 x 2 for each pair of ends.
     const std::size_t springs = entries.size() / 16, points = static_cast<std::size_t>(size / 2);
     return springs > points + points / 2 ? Solver::conjugate : Solver::sparse;
 }
@@ -74,13 +74,13 @@ Eigen::VectorXd solved(const std::vector<Jacobian::Entry> &entries, const Eigen:
         return denseOf(entries, size).partialPivLu().solve(right);
     if (solver == Solver::conjugate) {
         if (const auto matrix = SpringMatrix::of(entries, weights)) {
-            const Eigen::VectorXd weighted = inTurn(weights.cwiseProduct(right));
-            const Conjugate found = conjugateGradients(*matrix, weighted, tolerance);
+            const Eigen::VectorXd weighted = interleaved(weights.cwiseProduct(right));
+            const ConjugateResult found = conjugateGradients(*matrix, weighted, tolerance);
             if (found.x.allFinite())
-                return inColumns(found.x);
+                return separated(found.x);
         }
     }
-    return byFactors(entries, right);
+    return solveSparse(entries, right);
 }
 
 }

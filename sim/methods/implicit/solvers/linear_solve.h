@@ -8,20 +8,20 @@
 
 namespace sim {
 
-/// The ways to solve for an implicit step, by what its matrix is like.
+/// The solvers for the matrix of an implicit step.
 enum class Solver {
-    dense,     ///< few unknowns: with all their zeros
-    sparse,    ///< factors, without zeros
-    conjugate, ///< conjugate gradients, spring by spring; where these find nothing, factors
+    dense,     ///< LU factors of the full matrix, for few unknowns
+    sparse,    ///< sparse LU factors
+    conjugate, ///< conjugate gradients; sparse LU factors if they fail
 };
 
-/// Many points in a net of springs: there factors fill with numbers, as each round of springs closes. Chains, stars
-/// and trees of springs have no rounds, and factors as short as themselves. `entries`: 1 on the diagonal left out.
+/// Returns the fastest solver for a matrix of `size` rows. Large nets of springs get conjugate gradients,
+/// because each cycle of springs fills the factors with further numbers. Chains, stars and trees have no
+/// cycles, and their factors stay sparse. `entries`: the matrix without the 1 on the diagonal.
 Solver solverFor(const std::vector<Jacobian::Entry> &entries, int size);
 
-/// The solution of (1 + entries) x = right; not a number where there is none. `weights`: what each row has to be
-/// multiplied by so that a spring that pulls both its ends alike is the same on both sides of the diagonal: the mass,
-/// over the share of a pull that the step takes.
+/// Returns the solution x of (1 + entries) x = right, or NaN if there is none. `weights`: the factors of the
+/// rows that make the matrix symmetric if forces are: the mass divided by `share` of ImplicitStep::solve().
 Eigen::VectorXd solved(const std::vector<Jacobian::Entry> &entries, const Eigen::VectorXd &right,
                        const Eigen::VectorXd &weights);
 

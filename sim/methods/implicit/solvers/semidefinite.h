@@ -4,22 +4,21 @@
 
 namespace sim {
 
-/// Returns the part of `slope` that pushes in no direction: its symmetric part is projected onto the negative
-/// semi-definite matrices, and its antisymmetric part stays. This is the nearest matrix (in the Frobenius norm) for
-/// which x . A x > 0 nowhere. It depends continuously on `slope`: a slope found by differences, symmetric but for
-/// rounding, gives the same as the exact one. Units as those of `slope`. A slope that is not finite gives one that is
-/// not finite either.
+/// Returns the matrix nearest to `jacobian` (in the Frobenius norm) with x . A x <= 0 for all x. The
+/// symmetric part is projected onto the negative semi-definite matrices, and the antisymmetric part stays.
+/// The result depends continuously on `jacobian`, so derivatives by finite differences give the same as exact
+/// ones, up to their error. It has the units of `jacobian`, and is not finite if `jacobian` is not.
 /// Source: Higham, "Computing a nearest symmetric positive semidefinite matrix", 1988, theorem 2.1.
 PairJacobian nearestNegativeSemidefinite(PairJacobian jacobian);
 
-/// Returns the entries of `slopes` (of a scene of `points` points), each pull's block replaced by its nearestNegativeSemidefinite(); in
-/// the order of Jacobian::entries(). How a point's pull changes with another point's place has the opposite sign. Angles
-/// stay as they are.
+/// Returns the entries of `jacobian` (of a scene of `points` points) with each block of 2 x 2 replaced by its
+/// nearestNegativeSemidefinite(), in the order of Jacobian::entries(). For derivatives by the position of
+/// another point, the negative block is replaced. Entries of angles stay the same.
 ///
-/// A spring that is pressed together pushes its ends further sideways the farther they are off. Without that part the
-/// matrix of an implicit method, with 1 on the diagonal, is positive definite (for equal masses; for others in the norm
-/// that the masses make), and the stability of a step is not mixed up with a motion that grows by itself.
-/// Source: Teran et al., "Robust quasistatic finite elements and flesh simulation", 2005, section 5 (the same for
+/// A compressed spring pushes its ends sideways, and the more the farther they have moved (buckling). Without
+/// that part, the matrix of an implicit method is positive definite (in the norm weighted by the masses).
+/// Then an analysis of the stability of a step does not confuse buckling with instability of the method.
+/// Source: Teran et al., "Robust quasistatic finite elements and flesh simulation", 2005, section 5 (for
 /// elements); Choi and Ko, "Stable but responsive cloth", 2002, section 4.2 (for springs).
 std::vector<Jacobian::Entry> nearestNegativeSemidefiniteBlocks(const Jacobian &jacobian, int points);
 
