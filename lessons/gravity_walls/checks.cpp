@@ -48,6 +48,12 @@ bool isPastAWall(const Timeline &run)
     return run.cursor().phase > 0 && (past && state.inverseMass != 0.0).any();
 }
 
+/// Returns whether the whole body is above the upper edge of the picture, at y = 0.
+bool isAboveThePicture(const Timeline &run)
+{
+    return positionOf(run, "body").y < -bodyWidth / 2;
+}
+
 /// Returns whether all feet hang still below the body, at the distance at which the spring balances gravity.
 bool areFeetHanging(const Timeline &run)
 {
@@ -62,6 +68,12 @@ bool areFeetHanging(const Timeline &run)
             return false;
     }
     return true;
+}
+
+Condition pastAWall()
+{
+    return {isPastAWall,
+            Text::tr("press **Shift+→** until something has moved into a wall: throw it at one first.")};
 }
 
 Condition hanging()
@@ -113,9 +125,7 @@ std::vector<Try> wallsTries()
             .conditions =
                 {
                     insideFrame(),
-                    {isPastAWall,
-                     Text::tr(
-                         "press **Shift+→** until something has moved into a wall: throw it at one first.")},
+                    pastAWall(),
                 },
             .hint =
                 Text::tr("Throw the creature at a wall and stop just before it is there. Then press "
@@ -141,7 +151,7 @@ std::vector<Try> wallsTries()
                 {
                     released("body"),
                     thrownAtLeast(),
-                    {[](const Timeline &run) { return positionOf(run, "body").y < -bodyWidth / 2; },
+                    {isAboveThePicture,
                      Text::tr("throw it upwards, and harder: the body has to get above y = 0.")},
                 },
             .hint =

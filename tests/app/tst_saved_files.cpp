@@ -53,7 +53,8 @@ QByteArray bitsOfTheLibrary()
 }
 
 /// The machine that recorded the traces.
-constexpr const char *recordedBitsOfTheLibrary = "9a81c72229e83d5cff9c9083cc10b5847cc749be06c0c87dc5e6834c805baa9f";
+constexpr const char *recordedBitsOfTheLibrary =
+    "9a81c72229e83d5cff9c9083cc10b5847cc749be06c0c87dc5e6834c805baa9f";
 
 /// The sandbox's examples were written by hand, so their layout is not the program's.
 bool isWrittenByTheProgram(const QString &name)

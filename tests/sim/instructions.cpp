@@ -144,13 +144,13 @@ void countWithin(const sim::Script &script, const sim::Scene &scene, const Recor
     for (const auto &counter : counters) {
         counter->repeats = 0;
         counter->restart();
-        counter->acts.every = counter->slopes.every = 1;
+        counter->effectCalls.every = counter->jacobianCalls.every = 1;
     }
     for (sim::State state : recorded.begins)
         frame(state);
     for (std::size_t i = 0; i < counters.size(); ++i) {
         const auto again = [&](int times) {
-            for (const auto *calls : {&counters[i]->acts, &counters[i]->slopes}) {
+            for (const auto *calls : {&counters[i]->effectCalls, &counters[i]->jacobianCalls}) {
                 for (const auto &call : calls->kept)
                     call->run(times);
             }

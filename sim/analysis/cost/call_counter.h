@@ -64,8 +64,8 @@ public:
     /// @param movers for each point 1 if the effect computes anything for it, else 0; see affectedPoints()
     explicit CallCounter(std::vector<char> movers);
 
-    Calls acts;   ///< calls that compute the effect
-    Calls slopes; ///< calls for its Jacobian
+    Calls effectCalls;   ///< calls that compute the effect
+    Calls jacobianCalls; ///< calls for its Jacobian
     /// How often the effect was computed for all its points. A call for one range counts as the fraction of
     /// these points in it.
     double evaluations = 0.0;
@@ -79,7 +79,7 @@ public:
     /// Sets all counts to 0. Recorded calls stay.
     void restart()
     {
-        acts.count = slopes.count = 0;
+        effectCalls.count = jacobianCalls.count = 0;
         evaluations = 0.0;
     }
 
@@ -89,7 +89,7 @@ public:
     /// Prepares the scratch data for states of the size of `model`, if calls are repeated or recorded.
     void allocateScratch(const State &model)
     {
-        if ((acts.every == 0 && repeats == 0) || stateScratch.pointCount() == model.pointCount())
+        if ((effectCalls.every == 0 && repeats == 0) || stateScratch.pointCount() == model.pointCount())
             return;
         stateScratch = model;
         accelerationScratch.setZero(model.pointCount(), 2);

@@ -31,7 +31,7 @@ struct MeasuredEffect
     {
     }
 
-    bool isCalled() const { return counter->acts.count + counter->slopes.count > 0; }
+    bool isCalled() const { return counter->effectCalls.count + counter->jacobianCalls.count > 0; }
 
     EffectPtr effect;
     std::unique_ptr<CallCounter> counter;
@@ -137,7 +137,7 @@ private:
             measured.evaluations = measured.counter->evaluations / frames;
             measured.isInner = measured.isInner && measured.isCalled();
             hasInner = hasInner || measured.isInner;
-            for (Calls *calls : {&measured.counter->acts, &measured.counter->slopes})
+            for (Calls *calls : {&measured.counter->effectCalls, &measured.counter->jacobianCalls})
                 calls->every = measured.isInner ? (calls->count + maxCalls - 1) / maxCalls : 0;
         }
         if (hasInner && !recordCalls(shouldContinue))
@@ -152,12 +152,13 @@ private:
             measured.counter->restart();
         const bool isDone = m_batch->timeFrames(m_instrumented, shouldContinue).has_value();
         for (MeasuredEffect &measured : m_effects) {
-            for (Calls *calls : {&measured.counter->acts, &measured.counter->slopes})
+            for (Calls *calls : {&measured.counter->effectCalls, &measured.counter->jacobianCalls})
                 calls->every = 0;
         }
         m_callsPerSample.clear();
         for (const MeasuredEffect &measured : m_effects)
-            m_callsPerSample.push_back({measured.counter->acts.count, measured.counter->slopes.count});
+            m_callsPerSample.push_back(
+                {measured.counter->effectCalls.count, measured.counter->jacobianCalls.count});
         return isDone;
     }
 
@@ -196,9 +197,10 @@ private:
                 continue;
             if (shouldContinue && !shouldContinue())
                 return false;
-            found.effects[i] += (secondsOf(measured.counter->acts) * double(m_callsPerSample[i].acts) +
-                                 secondsOf(measured.counter->slopes) * double(m_callsPerSample[i].slopes)) /
-                                m_batch->outputStepsRun();
+            found.effects[i] +=
+                (secondsOf(measured.counter->effectCalls) * double(m_callsPerSample[i].effectCalls) +
+                 secondsOf(measured.counter->jacobianCalls) * double(m_callsPerSample[i].jacobianCalls)) /
+                m_batch->outputStepsRun();
         }
         return true;
     }
@@ -246,8 +248,8 @@ private:
 
     struct CallCounts
     {
-        std::int64_t acts = 0;
-        std::int64_t slopes = 0;
+        std::int64_t effectCalls = 0;
+        std::int64_t jacobianCalls = 0;
     };
 
     Pipeline m_plain;

@@ -65,7 +65,7 @@ public:
             clearEntries(sum, at);
             effect->addJacobian(at, movers, scale, directionRule, sum);
         };
-        m_counter.slopes.add([&] {
+        m_counter.jacobianCalls.add([&] {
             return replayOf([compute, state, jacobian = Jacobian(0)]() mutable { compute(state, jacobian); });
         });
         for (int i = 0; i < m_counter.repeats; ++i)
@@ -90,7 +90,7 @@ private:
         m_counter.allocateScratch(state);
         for (const PointRange &range : ranges)
             m_counter.countPoints(range);
-        m_counter.acts.add(
+        m_counter.effectCalls.add(
             [&] { return replayOf([add, state, into = into]() mutable { add(state, into); }); });
         for (int i = 0; i < m_counter.repeats; ++i)
             add(state, m_counter.accelerationScratch);
@@ -106,7 +106,7 @@ public:
     {
         m_counter.allocateScratch(state);
         m_counter.countPoints(movers);
-        m_counter.acts.add([&] {
+        m_counter.effectCalls.add([&] {
             return replayOf([effect = m_effect, state, movers, scale, into = into]() mutable {
                 effect->add(state, movers, scale, into);
             });
@@ -121,7 +121,7 @@ public:
             clearEntries(sum, at);
             effect->addJacobian(at, movers, scale, sum);
         };
-        m_counter.slopes.add([&] {
+        m_counter.jacobianCalls.add([&] {
             return replayOf([compute, state, jacobian = Jacobian(0)]() mutable { compute(state, jacobian); });
         });
         for (int i = 0; i < m_counter.repeats; ++i)
@@ -147,7 +147,7 @@ public:
     {
         m_counter.allocateScratch(state);
         m_counter.countPoints({0, state.pointCount()});
-        m_counter.acts.add(
+        m_counter.effectCalls.add(
             [&] { return replayOf([effect = m_effect, state, h]() mutable { effect->drive(state, h); }); });
         for (int i = 0; i < m_counter.repeats; ++i)
             m_effect->drive(m_counter.stateScratch, h);
@@ -169,7 +169,7 @@ public:
     void apply(State &state, PointRange points, double h) const override
     {
         m_counter.countPoints(points);
-        ++m_counter.acts.count;
+        ++m_counter.effectCalls.count;
         m_effect->apply(state, points, h);
     }
     std::optional<double> dampingRate(int point) const override { return m_effect->dampingRate(point); }
@@ -187,7 +187,7 @@ public:
     void enforce(State &state, PointRange points, DirectionRule directionRule, double h) const override
     {
         m_counter.countPoints(points);
-        ++m_counter.acts.count;
+        ++m_counter.effectCalls.count;
         m_effect->enforce(state, points, directionRule, h);
     }
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override
@@ -203,7 +203,7 @@ public:
     void resolve(State &state, PointRange points) const override
     {
         m_counter.countPoints(points);
-        ++m_counter.acts.count;
+        ++m_counter.effectCalls.count;
         m_effect->resolve(state, points);
     }
     std::vector<Surface> surfaces(int point) const override { return m_effect->surfaces(point); }
@@ -220,10 +220,10 @@ EffectPtr probed(const EffectPtr &effect, CallCounter &counter)
 
 EffectPtr instrumented(const EffectPtr &effect, CallCounter &counter)
 {
-    for (const auto probe :
+    for (const auto wrap :
          {probed<Force, ForceProbe>, probed<Torque, TorqueProbe>, probed<Driver, DriverProbe>,
           probed<Drag, DragProbe>, probed<Constraint, ConstraintProbe>, probed<Contact, ContactProbe>}) {
-        if (const EffectPtr instrumentedEffect = probe(effect, counter))
+        if (const EffectPtr instrumentedEffect = wrap(effect, counter))
             return instrumentedEffect;
     }
     return effect;
