@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// What a hard case requires of a method, besides that the method can compute the scene. Claims depend only
+/// A demand of a hard case on a method, besides that the method can compute the scene. Claims depend only
 /// on requirements, see claimOf().
 enum class Requirement {
     oscillates,     ///< something oscillates, and the amplitude must not grow; see HardCase::stiffest

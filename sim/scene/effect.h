@@ -31,7 +31,7 @@ struct PointRange
 /// The kind of an effect. It decides the colour in the window.
 enum class EffectKind { spring, gravity, damping, contact, driver, wind, stick, motion };
 
-/// What an effect's result for a point depends on, besides the parameters of the effect.
+/// The numbers on which an effect's result for a point depends, besides the parameters of the effect.
 enum class Dependence {
     coupledPoints, ///< that point and those that addCouplings() joins to it, directly or indirectly
     scene,         ///< anything in the State except the frame number
@@ -49,7 +49,7 @@ class Drag;
 class Constraint;
 class Contact;
 
-/// What an effect does in a step. std::monostate: nothing, methods ignore the effect.
+/// The role of an effect in a step. std::monostate: none, methods ignore the effect.
 using Role = std::variant<std::monostate, const Driver *, const Force *, const Torque *, const Drag *,
                           const Constraint *, const Contact *>;
 
@@ -236,7 +236,7 @@ public:
     virtual std::vector<LiveValue> explain(const State &before, const State &after, int point) const = 0;
 };
 
-/// What a surface does to the tangential velocity of a point that touches it.
+/// The change that a surface makes to the tangential velocity of a point that touches it.
 enum class Traction {
     full, ///< sets it to 0
     none, ///< leaves it unchanged: ice

@@ -22,7 +22,7 @@ struct Leg
     int clock = 0;      ///< index of the gait clock that turns it
 };
 
-/// What determines the target position of a foot.
+/// The rule for the target position of a foot.
 enum class Aim {
     bone,  ///< angle and length of the leg
     below, ///< also LegRule::drop

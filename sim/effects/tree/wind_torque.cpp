@@ -82,7 +82,7 @@ bool WindTorque::addJacobian(const State &state, PointRange movers, double scale
             const Vec2 reach = branchReach(state.angle[branch], length, degreesPerRadian);
             const double byBranchAngle = derivatives.byEnd.y * reach.x - derivatives.byEnd.x * reach.y;
             jacobian.addAngular(i, branch, scale * byBranchAngle / degreesPerRadian);
-            if (!state.isDynamic(branch)) // the hand holds its origin, whatever the branches below do
+            if (!state.isDynamic(branch)) // the learner holds its origin, so nothing below moves it
                 break;
         }
     }

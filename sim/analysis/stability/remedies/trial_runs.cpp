@@ -20,7 +20,7 @@ constexpr double maxDistance = 1e6;
 constexpr double maxSpeedRatio = 10.0; ///< a stable run moves at most this many times its extent per frame
 /// px, about the extent of the view; for scenes that start at one position.
 constexpr double minExtent = 500.0;
-constexpr std::int64_t framesAfterStop = 50; ///< how long a trial run goes on after the frame of the stop
+constexpr std::int64_t framesAfterStop = 50; ///< how long a trial run continues after the frame of the stop
 
 enum class Trial { stable, unstable, tooLong };
 
