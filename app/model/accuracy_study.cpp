@@ -192,7 +192,7 @@ void AccuracyStudy::follow()
         m_stage = Stage::none;
         m_subject.reset();
     }
-    // A method or step that no refinement level of a finished study has needs a study to itself.
+    // A method or step that a finished study does not cover needs another study.
     const bool isMissing = m_stage == Stage::done && !inUse();
     if (m_watched && (!sameSubject || isMissing))
         m_later.start();

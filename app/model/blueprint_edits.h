@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// DoubleDouble of a built scene, by number; each list in order, without one twice.
+/// Parts of a built scene, by number; each list in order, without one twice.
 struct Chosen
 {
     std::vector<int> points;

@@ -23,9 +23,8 @@ struct Text
 
 /// A property of all chosen parts of one list: `parts(plan)` is the list, `numbers(chosen)` which of it are chosen;
 /// `read(part)` and `write(part, value)` are the property of one part.
-template <class DoubleDouble, class Numbers, class Read, class Write>
-BuiltProperty propertyOf(lessons::Parameter about, DoubleDouble parts, Numbers numbers, Read read,
-                         Write write)
+template <class Parts, class Numbers, class Read, class Write>
+BuiltProperty propertyOf(lessons::Parameter about, Parts parts, Numbers numbers, Read read, Write write)
 {
     BuiltProperty property;
     property.about = std::move(about);
@@ -52,8 +51,8 @@ BuiltProperty propertyOf(lessons::Parameter about, DoubleDouble parts, Numbers n
 }
 
 /// The same for what is a field of a part: `field(part)`.
-template <class DoubleDouble, class Numbers, class Field>
-BuiltProperty propertyOf(const Named &named, DoubleDouble parts, Numbers numbers, Field field)
+template <class Parts, class Numbers, class Field>
+BuiltProperty propertyOf(const Named &named, Parts parts, Numbers numbers, Field field)
 {
     const auto read = [field](auto part) { return static_cast<double>(field(part)); };
     const auto write = [field](auto &part, double value) {

@@ -13,9 +13,10 @@ namespace app {
 struct EventKind
 {
     QString id;
-    QStringList fields;                       ///< required ones besides "frame" and "event"
-    QStringList optional;                     ///< others that it may have
-    std::optional<lessons::Interaction> does; ///< what a step must let in for it; empty: every step knows it
+    QStringList fields;   ///< required ones besides "frame" and "event"
+    QStringList optional; ///< others that it may have
+    std::optional<lessons::Interaction>
+        does; ///< the interaction that a step must accept for it; empty: every step accepts it
 };
 
 /// The kinds that `step` knows, in the order in which messages list them.

@@ -110,11 +110,11 @@ void NumberTable::writeRow()
     m_frame += m_run->track.framesPerOutput();
 }
 
-void NumberTable::append(Way &setup)
+void NumberTable::append(Way &way)
 {
     std::vector<double> row(m_sheet.quantities.size(), std::nan(""));
-    if (setup.goTo(m_frame))
-        setup.read(m_sheet.quantities, row);
+    if (way.goTo(m_frame))
+        way.read(m_sheet.quantities, row);
     for (const double value : row) {
         m_text += ',';
         appendNumber(m_text, value);

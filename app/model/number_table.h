@@ -65,7 +65,7 @@ private:
     void writeTitles();
     void writeSlice();
     void writeRow();
-    void append(Way &setup);
+    void append(Way &way);
     void end();
 
     NumberSheet m_sheet;

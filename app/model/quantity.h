@@ -99,7 +99,7 @@ private:
     std::vector<Quantity> m_quantities;
     std::vector<Ends> m_ends;
     std::shared_ptr<const sim::ComposedInterval> m_interval;
-    std::optional<sim::StoredEnergyReader> m_reader; ///< where the scene has energy, and somebody asks for it
+    std::optional<sim::StoredEnergyReader> m_reader; ///< set if an energy is read and the scene has one
 };
 
 }

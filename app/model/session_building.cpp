@@ -36,7 +36,7 @@ bool Session::takeUp(const Deed &deed, const sim::Script &script)
         emit said(sentenceFor(error));
         return false;
     }
-    m_timeline->dropComparison(); // what was built before is no other run of this scene
+    m_timeline->dropComparison(); // the scene before this one has other bodies, so it cannot be compared
     m_branches = {};
     m_coming.reset();
     m_beside = 0;

@@ -5,28 +5,28 @@
 
 namespace app {
 
-void Stances::follow(const Course &integrator, std::size_t feet)
+void Stances::follow(const Course &course, std::size_t feet)
 {
-    if (!goesOn(integrator, feet)) {
+    if (!goesOn(course, feet)) {
         m_feet.assign(feet, {});
         m_stood.assign(feet, 0);
-        m_framesPerOutput = integrator.rowFrames();
-        m_next = integrator.first();
+        m_framesPerOutput = course.rowFrames();
+        m_next = course.first();
     }
-    m_first = integrator.first();
-    if (integrator.isEmpty() || feet == 0)
+    m_first = course.first();
+    if (course.isEmpty() || feet == 0)
         return;
-    for (; m_next <= integrator.last(); m_next += m_framesPerOutput)
-        add(*integrator.at(m_next), m_next);
+    for (; m_next <= course.last(); m_next += m_framesPerOutput)
+        add(*course.at(m_next), m_next);
     forgetBefore(m_first);
 }
 
 /// Whether the course has what was read of it, but for its first rows, and goes on after that.
-bool Stances::goesOn(const Course &integrator, std::size_t feet) const
+bool Stances::goesOn(const Course &course, std::size_t feet) const
 {
-    return feet == m_feet.size() && !integrator.isEmpty() && integrator.rowFrames() == m_framesPerOutput &&
-           integrator.first() >= m_first && integrator.first() <= m_next &&
-           integrator.last() >= m_next - m_framesPerOutput;
+    return feet == m_feet.size() && !course.isEmpty() && course.rowFrames() == m_framesPerOutput &&
+           course.first() >= m_first && course.first() <= m_next &&
+           course.last() >= m_next - m_framesPerOutput;
 }
 
 void Stances::add(const Sample &sample, std::int64_t frame)

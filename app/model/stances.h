@@ -21,14 +21,14 @@ class Stances
 {
 public:
     /// Reads what has changed since the last time. To be called after each Course::changed().
-    void follow(const Course &integrator, std::size_t feet);
+    void follow(const Course &course, std::size_t feet);
 
     std::size_t feet() const { return m_feet.size(); }
     /// In order.
     const std::vector<Stance> &of(std::size_t foot) const { return m_feet[foot]; }
 
 private:
-    bool goesOn(const Course &integrator, std::size_t feet) const;
+    bool goesOn(const Course &course, std::size_t feet) const;
     void add(const Sample &sample, std::int64_t frame);
     void forgetBefore(std::int64_t frame);
 

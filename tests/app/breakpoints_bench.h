@@ -64,13 +64,13 @@ struct Bench
     }
     sim::Cursor at() const { return session.timeline().cursor(); }
     /// Goes on to the next stop, or some way beyond `frame`.
-    void goOn(Way setup, std::int64_t frame)
+    void goOn(Way way, std::int64_t frame)
     {
-        if (setup == Way::play) {
+        if (way == Way::play) {
             session.play();
             QVERIFY(QTest::qWaitFor([&] { return !session.isPlaying() || at().frame > frame; }, 20000));
             session.pause();
-        } else if (setup == Way::runTo) {
+        } else if (way == Way::runTo) {
             session.runTo({frame + 1, 0});
             QVERIFY(QTest::qWaitFor([&] { return !session.goingTo(); }, 20000));
         } else {
@@ -80,11 +80,11 @@ struct Bench
         }
     }
     /// All stops up to `frame`; each must have the bits of a run that goes straight there.
-    std::vector<sim::Cursor> stops(Way setup, std::int64_t frame)
+    std::vector<sim::Cursor> stops(Way way, std::int64_t frame)
     {
         std::vector<sim::Cursor> all;
         for (;;) {
-            goOn(setup, frame);
+            goOn(way, frame);
             if (!session.stoppedBy() || at().frame > frame)
                 return all;
             sim::Timeline straight(session.timeline().script());

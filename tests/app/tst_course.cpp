@@ -103,7 +103,7 @@ struct Bench
         return made;
     }();
     Session session{library};
-    Course integrator{session};
+    Course course{session};
     Theme theme{Scheme::light};
 
     /// Goes there, and waits until all is measured.
@@ -111,7 +111,7 @@ struct Bench
     {
         session.goTo({frame, 0});
         return QTest::qWaitFor(
-            [&] { return !session.goingTo() && integrator.last() >= session.timeline().computed(); });
+            [&] { return !session.goingTo() && course.last() >= session.timeline().computed(); });
     }
 };
 
@@ -137,17 +137,17 @@ private slots:
         Bench bench;
         bench.session.setStepSize(h);
         QVERIFY(bench.goTo(99));
-        const std::int64_t row = bench.integrator.rowFrames();
+        const std::int64_t row = bench.course.rowFrames();
         QCOMPARE(row, std::int64_t(h > 1.0 ? h : 1.0));
         for (std::int64_t frame = 0; frame <= 99; frame += row) {
-            const Sample *sample = bench.integrator.at(frame);
+            const Sample *sample = bench.course.at(frame);
             QVERIFY(sample);
             QCOMPARE(sample->measures[0], start + speed * double(frame));
             if (frame > 0)
                 QCOMPARE(sample->measures[1], speed * double(row));
         }
-        QVERIFY(std::isnan(bench.integrator.at(0)->measures[1]));
-        QVERIFY(!bench.integrator.at(99 + row));
+        QVERIFY(std::isnan(bench.course.at(0)->measures[1]));
+        QVERIFY(!bench.course.at(99 + row));
     }
 
     void whatAChangeMakesWrongIsMeasuredAgain()
@@ -157,14 +157,14 @@ private slots:
         bench.session.goTo({30, 0});
         bench.session.setParameter("k", 0.5);
         QVERIFY(bench.goTo(50));
-        QCOMPARE(bench.integrator.last(), std::int64_t(50));
-        QCOMPARE(bench.integrator.at(30)->measures[2], 0.0);
-        QCOMPARE(bench.integrator.at(31)->measures[2], 0.5);
-        QCOMPARE(bench.integrator.at(31)->measures[1], speed);
+        QCOMPARE(bench.course.last(), std::int64_t(50));
+        QCOMPARE(bench.course.at(30)->measures[2], 0.0);
+        QCOMPARE(bench.course.at(31)->measures[2], 0.5);
+        QCOMPARE(bench.course.at(31)->measures[1], speed);
         bench.session.goTo({0, 0});
         bench.session.setParameter("k", 0.25);
         QVERIFY(bench.goTo(20));
-        QCOMPARE(bench.integrator.at(10)->measures[2], 0.25);
+        QCOMPARE(bench.course.at(10)->measures[2], 0.25);
     }
 
     void stancesAndSlipsAreThoseOfTheRun()
@@ -172,7 +172,7 @@ private slots:
         Bench bench;
         QVERIFY(bench.goTo(45));
         Stances stances;
-        stances.follow(bench.integrator, 2);
+        stances.follow(bench.course, 2);
         const std::vector<Stance> &first = stances.of(0);
         QCOMPARE(first.size(), std::size_t(3));
         QCOMPARE(first[0].from, std::int64_t(0));
@@ -187,11 +187,11 @@ private slots:
     {
         Bench bench;
         Stances followed;
-        QObject::connect(&bench.integrator, &Course::changed, &bench.integrator,
-                         [&] { followed.follow(bench.integrator, 2); });
+        QObject::connect(&bench.course, &Course::changed, &bench.course,
+                         [&] { followed.follow(bench.course, 2); });
         const auto same = [&] {
             Stances fresh;
-            fresh.follow(bench.integrator, 2);
+            fresh.follow(bench.course, 2);
             return !fresh.of(0).empty() && fresh.of(0) == followed.of(0) && fresh.of(1) == followed.of(1);
         };
         for (const std::int64_t frame : {1, 2, 7, 45, 46, 90}) {
@@ -214,7 +214,7 @@ private slots:
     {
         Bench bench;
         TimelineStrip timeline(bench.session, bench.theme);
-        FootfallStrip strip(bench.session, bench.integrator, timeline, bench.theme);
+        FootfallStrip strip(bench.session, bench.course, timeline, bench.theme);
         timeline.resize(600, 98);
         strip.resize(600, strip.sizeHint().height());
         strip.show();
@@ -239,7 +239,7 @@ private slots:
     void theMeasuresStandAtTheCursor()
     {
         Bench bench;
-        MeasurePanel panel(bench.session, bench.integrator, bench.theme);
+        MeasurePanel panel(bench.session, bench.course, bench.theme);
         panel.resize(400, 300);
         panel.show();
         const QList<MeasureRow *> rows = panel.findChildren<MeasureRow *>();
@@ -262,7 +262,7 @@ private slots:
         bench.session.openStep("lesson", "whole");
         bench.session.setStepSize(0.5);
         QVERIFY(bench.goTo(20));
-        QCOMPARE(bench.integrator.at(20)->measures.at(0), 0.5);
+        QCOMPARE(bench.course.at(20)->measures.at(0), 0.5);
         const std::vector<lessons::Overlay> guides = bench.session.picture().guides;
         QCOMPARE(guides.size(), std::size_t{1});
         QCOMPARE(guides[0].a, (sim::Vec2{20.0, 0.5}));
@@ -291,7 +291,7 @@ private slots:
         bench.session.openStep("lesson", "plain");
         bench.session.goTo({30, 0});
         QTest::qWait(20);
-        QVERIFY(bench.integrator.isEmpty());
+        QVERIFY(bench.course.isEmpty());
     }
 };
 

@@ -64,17 +64,17 @@ public:
         SUNContext_Free(&m_context);
     }
 
-    void run(Course &integrator) override
+    void run(Course &course) override
     {
         setStart();
         CVodeReInit(m_memory, 0.0, m_now);
-        write(integrator[0]);
+        write(course[0]);
         for (std::size_t frame = 1; frame <= frames; ++frame) {
             double reached = 0.0;
             const int answer = CVode(m_memory, static_cast<double>(frame), m_now, &reached, CV_NORMAL);
             if (answer < 0)
                 N_VConst(HUGE_VAL, m_now); // it gave up: not exact enough for any target
-            write(integrator[frame]);
+            write(course[frame]);
         }
     }
 

@@ -36,12 +36,12 @@ class WithStepper : public Solver
 public:
     WithStepper(MakeStepper make, double tolerance) : m_make(make), m_tolerance(tolerance) {}
 
-    void run(Course &integrator) override
+    void run(Course &course) override
     {
         Row<double> now = start();
         std::size_t frame = 0;
         const auto write = [&](const Row<double> &row, double) {
-            std::copy_n(row.begin(), integrator[frame].size(), integrator[frame].begin());
+            std::copy_n(row.begin(), course[frame].size(), course[frame].begin());
             ++frame;
         };
         // integrate_times, as integrate_const begins every frame with the same step. The first one is soon corrected.

@@ -38,17 +38,17 @@ public:
         m_pipeline = sim::compose(prepared, *method, step);
     }
 
-    void run(air::Course &integrator) override
+    void run(air::Course &course) override
     {
         sim::State state = m_start;
-        write(state, integrator[0]);
+        write(state, course[0]);
         for (std::size_t frame = 1; frame <= air::frames; ++frame) {
             state.frame = static_cast<std::int64_t>(frame);
             for (int step = 0; step < m_pipeline.step.stepsPerOutput; ++step) {
                 for (const sim::Phase &phase : m_pipeline.phases)
                     phase.run(state);
             }
-            write(state, integrator[frame]);
+            write(state, course[frame]);
         }
     }
 
@@ -86,10 +86,10 @@ void race(benchmark::State &run, const std::string &team, double target)
         run.SkipWithError("nobody of this team is here, or exact enough");
         return;
     }
-    air::Course integrator{};
+    air::Course course{};
     for (auto _ : run) {
-        champion.solver->run(integrator);
-        benchmark::DoNotOptimize(integrator);
+        champion.solver->run(course);
+        benchmark::DoNotOptimize(course);
     }
     run.SetLabel(champion.name);
     run.counters["per_frame"] = benchmark::Counter(static_cast<double>(run.iterations()) * air::frames,

@@ -1,6 +1,6 @@
 // One whole frame of a creature with five feet, gravity and walls: through the pipeline, through the timeline
-// with its keyframes, and by a loop over plain doubles. Runs start again before all lies still: what is left of velocities
-// then gets so small that a processor takes much longer for it.
+// with its keyframes, and by a loop over plain doubles. Runs start again before the points rest: velocities of points
+// at rest get so small that a processor computes them much more slowly.
 
 #include "crowd_numbers.h"
 #include "plain_creature.h"

@@ -70,7 +70,7 @@ Exact extrapolated(const Exact &from, long double h, long double c)
 
 const Course &truth()
 {
-    static const Course integrator = [] {
+    static const Course course = [] {
         const long double c = -std::log(static_cast<long double>(damp));
         Exact now{};
         const Row<double> first = start();
@@ -85,18 +85,18 @@ const Course &truth()
                 now = extrapolated(now, 1.0L / 16, c);
         }
     }();
-    return integrator;
+    return course;
 }
 
 double errorOf(Solver &solver)
 {
-    Course integrator{};
-    solver.run(integrator);
+    Course course{};
+    solver.run(course);
     double largest = 0.0;
     for (std::size_t frame = 0; frame <= frames; ++frame) {
         for (std::size_t i = 0; i < points; ++i) {
-            const double off = std::hypot(integrator[frame][i] - truth()[frame][i],
-                                          integrator[frame][points + i] - truth()[frame][points + i]);
+            const double off = std::hypot(course[frame][i] - truth()[frame][i],
+                                          course[frame][points + i] - truth()[frame][points + i]);
             largest = std::isfinite(off) ? std::max(largest, off) : HUGE_VAL;
         }
     }
@@ -106,11 +106,11 @@ double errorOf(Solver &solver)
 /// The least of several runs: only to choose who runs the benchmark.
 double roughSeconds(Solver &solver)
 {
-    Course integrator{};
+    Course course{};
     double least = HUGE_VAL;
     for (int i = 0; i < 15; ++i) {
         const auto before = std::chrono::steady_clock::now();
-        solver.run(integrator);
+        solver.run(course);
         least =
             std::min(least, std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count());
     }

@@ -58,7 +58,7 @@ class Solver
 public:
     virtual ~Solver() = default;
     /// From the start on.
-    virtual void run(Course &integrator) = 0;
+    virtual void run(Course &course) = 0;
 };
 
 struct Contender

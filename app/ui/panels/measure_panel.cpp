@@ -14,8 +14,8 @@ constexpr qint64 refreshMilliseconds = 100; ///< while playing: numbers that cha
 
 }
 
-MeasurePanel::MeasurePanel(Session &session, const Course &integrator, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_integrator(integrator), m_theme(theme)
+MeasurePanel::MeasurePanel(Session &session, const Course &course, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_course(course), m_theme(theme)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -30,7 +30,7 @@ MeasurePanel::MeasurePanel(Session &session, const Course &integrator, const The
     connect(&session, &Session::moved, this, &MeasurePanel::refresh);
     connect(&session, &Session::playingChanged, this, &MeasurePanel::refreshNow);
     connect(&session, &Session::glanceChanged, this, &MeasurePanel::refreshNow);
-    connect(&integrator, &Course::changed, this, &MeasurePanel::refresh);
+    connect(&course, &Course::changed, this, &MeasurePanel::refresh);
     connect(&theme, &Theme::changed, this, &MeasurePanel::refreshNow);
     open();
 }
@@ -46,7 +46,7 @@ void MeasurePanel::open()
         delete row;
     m_rows.clear();
     for (std::size_t i = 0; i < m_session.step().measures.size(); ++i) {
-        m_rows.push_back(new MeasureRow(m_session, m_integrator, i, m_theme, this));
+        m_rows.push_back(new MeasureRow(m_session, m_course, i, m_theme, this));
         layout()->addWidget(m_rows.back());
         m_rows.back()->show();
     }

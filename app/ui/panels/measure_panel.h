@@ -17,7 +17,7 @@ class MeasurePanel : public QWidget
     Q_OBJECT
 
 public:
-    MeasurePanel(Session &session, const Course &integrator, const Theme &theme, QWidget *parent = nullptr);
+    MeasurePanel(Session &session, const Course &course, const Theme &theme, QWidget *parent = nullptr);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {300, sizeHint().height()}; }
@@ -33,7 +33,7 @@ private:
     void refreshNow();
 
     Session &m_session;
-    const Course &m_integrator;
+    const Course &m_course;
     const Theme &m_theme;
     std::vector<MeasureRow *> m_rows;
     QElapsedTimer m_sinceRefresh;

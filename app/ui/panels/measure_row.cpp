@@ -35,9 +35,9 @@ struct Span
 
 }
 
-MeasureRow::MeasureRow(const Session &session, const Course &integrator, std::size_t index,
-                       const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_integrator(integrator), m_index(index),
+MeasureRow::MeasureRow(const Session &session, const Course &course, std::size_t index, const Theme &theme,
+                       QWidget *parent)
+    : QWidget(parent), m_session(session), m_course(course), m_index(index),
       m_measure(session.step().measures[index]), m_theme(theme),
       m_value(std::numeric_limits<double>::quiet_NaN())
 {
@@ -49,7 +49,7 @@ MeasureRow::MeasureRow(const Session &session, const Course &integrator, std::si
 
 double MeasureRow::valueAt(std::int64_t frame) const
 {
-    const Sample *sample = m_integrator.at(frame);
+    const Sample *sample = m_course.at(frame);
     return sample && m_index < sample->measures.size() ? sample->measures[m_index]
                                                        : std::numeric_limits<double>::quiet_NaN();
 }
@@ -89,11 +89,10 @@ void MeasureRow::refresh()
 void MeasureRow::paintCourse(QPainter &painter, const QRectF &area) const
 {
     const std::int64_t at = m_session.timeline().cursor().frame;
-    const std::int64_t row = m_integrator.rowFrames();
+    const std::int64_t row = m_course.rowFrames();
     // The cursor stands at the right end while the run grows, and wanders in when it goes back.
-    const std::int64_t end =
-        std::clamp(at + shownRows / 4 * row, std::int64_t{0},
-                   std::max<std::int64_t>(m_integrator.isEmpty() ? 0 : m_integrator.last(), at));
+    const std::int64_t end = std::clamp(at + shownRows / 4 * row, std::int64_t{0},
+                                        std::max<std::int64_t>(m_course.isEmpty() ? 0 : m_course.last(), at));
     const std::int64_t start = std::max<std::int64_t>(0, end - shownRows * row);
     Span span;
     for (std::int64_t frame = start; frame <= end; frame += row) {

@@ -17,7 +17,7 @@ public:
     static constexpr int shownRows = 240; ///< of its course
 
     /// `index`: which of the step's measures.
-    MeasureRow(const Session &session, const Course &integrator, std::size_t index, const Theme &theme,
+    MeasureRow(const Session &session, const Course &course, std::size_t index, const Theme &theme,
                QWidget *parent = nullptr);
 
     /// Reads the number at the cursor.
@@ -35,7 +35,7 @@ private:
     void paintCourse(QPainter &painter, const QRectF &area) const;
 
     const Session &m_session;
-    const Course &m_integrator;
+    const Course &m_course;
     std::size_t m_index;
     lessons::Measure m_measure;
     const Theme &m_theme;

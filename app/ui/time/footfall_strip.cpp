@@ -31,16 +31,16 @@ QString pixels(double value)
 
 }
 
-FootfallStrip::FootfallStrip(Session &session, const Course &integrator, TimelineStrip &timeline,
+FootfallStrip::FootfallStrip(Session &session, const Course &course, TimelineStrip &timeline,
                              const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_integrator(integrator), m_timeline(timeline), m_theme(theme)
+    : QWidget(parent), m_session(session), m_course(course), m_timeline(timeline), m_theme(theme)
 {
     setObjectName("footfall");
     setAccessibleName(tr("Feet on the ground"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(&integrator, &Course::changed, this, &FootfallStrip::read);
+    connect(&course, &Course::changed, this, &FootfallStrip::read);
     connect(&session, &Session::stepOpened, this, &FootfallStrip::open);
     connect(&session, &Session::runChanged, this, &FootfallStrip::open);
     connect(&session, &Session::moved, this, qOverload<>(&QWidget::update));
@@ -65,7 +65,7 @@ void FootfallStrip::open()
 
 void FootfallStrip::read()
 {
-    m_stances.follow(m_integrator, m_names.size());
+    m_stances.follow(m_course, m_names.size());
     update();
     say();
 }
@@ -121,7 +121,7 @@ void FootfallStrip::paintFoot(QPainter &painter, std::size_t foot, double top,
     double painted = 0.0; ///< px, up to which the row is
     for (const Stance &stance : m_stances.of(foot)) {
         // A row's state holds from its end on: a stance of one row is seen, too.
-        const double from = axis.xOf(stance.from - m_integrator.rowFrames() / 2);
+        const double from = axis.xOf(stance.from - m_course.rowFrames() / 2);
         const double to = std::max(axis.xOf(stance.to), from + leastWidth);
         if (to - painted < leastSeen)
             continue; // in a long run thousands of them share a pixel

@@ -16,7 +16,7 @@ class FootfallStrip : public QWidget
     Q_OBJECT
 
 public:
-    FootfallStrip(Session &session, const Course &integrator, TimelineStrip &timeline, const Theme &theme,
+    FootfallStrip(Session &session, const Course &course, TimelineStrip &timeline, const Theme &theme,
                   QWidget *parent = nullptr);
 
     QSize sizeHint() const override;
@@ -45,7 +45,7 @@ private:
     QString tipAt(const QPoint &place) const;
 
     Session &m_session;
-    const Course &m_integrator;
+    const Course &m_course;
     TimelineStrip &m_timeline;
     const Theme &m_theme;
     std::vector<QString> m_names;

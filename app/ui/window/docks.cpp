@@ -99,7 +99,7 @@ void MainWindow::makeCodeDock()
 void MainWindow::makeParameterDock()
 {
     auto *numbers = new QWidget(this);
-    m_measures = new MeasurePanel(m_session, *m_integrator, m_theme, numbers);
+    m_measures = new MeasurePanel(m_session, *m_course, m_theme, numbers);
     m_parameters = new ParameterPanel(m_session, m_theme, numbers);
     m_parameters->setPresetPainter(
         [this](const lessons::Step &step, const lessons::Preset &preset, QSize size) {

@@ -31,7 +31,7 @@ namespace app {
 
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, CostFunction cost,
                        QWidget *parent)
-    : QMainWindow(parent), m_session(session), m_theme(theme), m_integrator(new Course(session, this)),
+    : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this)),
       m_study(new AccuracyStudy(session, std::move(study), this)),
       m_stability(new StabilityWatch(session, this)), m_trip(session)
 {
@@ -83,7 +83,7 @@ QWidget *MainWindow::centre()
     m_stopNotice = new StopNotice(m_session, m_theme, m_scene);
     m_transport = new TransportBar(m_session, m_theme, centre);
     m_timeline = new TimelineStrip(m_session, m_theme, centre);
-    m_footfall = new FootfallStrip(m_session, *m_integrator, *m_timeline, m_theme, centre);
+    m_footfall = new FootfallStrip(m_session, *m_course, *m_timeline, m_theme, centre);
     m_sceneBar->attach(*m_scene);
     m_scene->attach(*m_study);
     auto *column = new QVBoxLayout(centre);

@@ -227,7 +227,7 @@ private:
     std::unique_ptr<Room> m_room;
     std::optional<Left> m_leaves;
     PlaceKeeper m_place{*this};
-    Course *m_integrator; ///< what the steps measure
+    Course *m_course; ///< what the steps measure
     AccuracyStudy *m_study;
     StabilityWatch *m_stability;
     Mode m_mode = Mode::learn;

@@ -60,11 +60,10 @@ void Room::letStepAside(const std::vector<QDockWidget *> &asked)
 {
     // What the learner has just asked for stays, if others can make room for it.
     for (const std::vector<QDockWidget *> &spared : {asked, std::vector<QDockWidget *>()}) {
-        for (const Way setup :
-             {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {
+        for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {
             if (!isShort())
                 return;
-            stepAside(setup, spared);
+            stepAside(way, spared);
         }
     }
 }
@@ -84,19 +83,19 @@ void Room::bringBackWhatFits()
     }
 }
 
-bool Room::stepAside(Way setup, const std::vector<QDockWidget *> &asked)
+bool Room::stepAside(Way way, const std::vector<QDockWidget *> &asked)
 {
-    Aside aside{setup, {}, leastSize()};
-    if (setup == Way::rail) {
+    Aside aside{way, {}, leastSize()};
+    if (way == Way::rail) {
         if (m_learn.form() == LearnPanel::Form::rail || m_lessons.isHidden() || contains(asked, &m_lessons))
             return false;
         m_learn.setForm(LearnPanel::Form::rail);
-    } else if (setup == Way::smallScene) {
+    } else if (way == Way::smallScene) {
         if (m_scene.minimumSize() == smallScene)
             return false;
         m_scene.setMinimumSize(smallScene);
     } else {
-        aside.panels = panelsFor(setup, asked);
+        aside.panels = panelsFor(way, asked);
         for (QDockWidget *panel : aside.panels)
             panel->hide();
     }
@@ -110,16 +109,16 @@ bool Room::stepAside(Way setup, const std::vector<QDockWidget *> &asked)
     return helps;
 }
 
-std::vector<QDockWidget *> Room::panelsFor(Way setup, const std::vector<QDockWidget *> &asked) const
+std::vector<QDockWidget *> Room::panelsFor(Way way, const std::vector<QDockWidget *> &asked) const
 {
-    const Qt::DockWidgetArea area = setup == Way::below  ? Qt::BottomDockWidgetArea
-                                    : setup == Way::left ? Qt::LeftDockWidgetArea
-                                                         : Qt::RightDockWidgetArea;
+    const Qt::DockWidgetArea area = way == Way::below  ? Qt::BottomDockWidgetArea
+                                    : way == Way::left ? Qt::LeftDockWidgetArea
+                                                       : Qt::RightDockWidgetArea;
     std::vector<QDockWidget *> panels;
     for (QDockWidget *panel : m_window.findChildren<QDockWidget *>()) {
         const bool isThere =
             !panel->isHidden() && !panel->isFloating() && m_window.dockWidgetArea(panel) == area;
-        if (isThere && !contains(asked, panel) && (setup != Way::numbers || panel == &m_numbers))
+        if (isThere && !contains(asked, panel) && (way != Way::numbers || panel == &m_numbers))
             panels.push_back(panel);
     }
     // Of tabs the last one comes back in front: that is to be the one that is now.
@@ -132,7 +131,7 @@ std::vector<QDockWidget *> Room::takeAsked()
 {
     std::vector<QDockWidget *> asked;
     for (Aside &aside : m_aside) {
-        if (aside.setup == Way::rail && m_learn.form() == LearnPanel::Form::whole)
+        if (aside.way == Way::rail && m_learn.form() == LearnPanel::Form::whole)
             asked.push_back(&m_lessons);
         const auto shown = std::partition(aside.panels.begin(), aside.panels.end(),
                                           [](const QDockWidget *one) { return one->isHidden(); });
@@ -140,8 +139,8 @@ std::vector<QDockWidget *> Room::takeAsked()
         aside.panels.erase(shown, aside.panels.end());
     }
     const auto isOver = [this](const Aside &aside) {
-        return aside.setup == Way::rail ? m_learn.form() == LearnPanel::Form::whole
-                                        : aside.setup != Way::smallScene && aside.panels.empty();
+        return aside.way == Way::rail ? m_learn.form() == LearnPanel::Form::whole
+                                      : aside.way != Way::smallScene && aside.panels.empty();
     };
     m_aside.erase(std::remove_if(m_aside.begin(), m_aside.end(), isOver), m_aside.end());
     return asked;
@@ -149,9 +148,9 @@ std::vector<QDockWidget *> Room::takeAsked()
 
 void Room::bringBack(const Aside &aside)
 {
-    if (aside.setup == Way::rail)
+    if (aside.way == Way::rail)
         m_learn.setForm(LearnPanel::Form::whole);
-    else if (aside.setup == Way::smallScene)
+    else if (aside.way == Way::smallScene)
         m_scene.setMinimumSize(leastScene);
     for (QDockWidget *panel : aside.panels)
         panel->show();

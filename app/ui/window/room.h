@@ -49,7 +49,7 @@ private:
     /// What stepped aside.
     struct Aside
     {
-        Way setup;
+        Way way;
         std::vector<QDockWidget *> panels; ///< that were hidden
         QSize least;                       ///< px that the window needs to have it back
     };
@@ -59,9 +59,9 @@ private:
     void bringBackWhatFits();
     void letStepAside(const std::vector<QDockWidget *> &asked);
     /// Lets what is `way` step aside, but for what was `asked` for. Returns whether that helps.
-    bool stepAside(Way setup, const std::vector<QDockWidget *> &asked);
+    bool stepAside(Way way, const std::vector<QDockWidget *> &asked);
     /// The panels that go with `way`, but for those that were `asked` for; the one in front comes last.
-    std::vector<QDockWidget *> panelsFor(Way setup, const std::vector<QDockWidget *> &asked) const;
+    std::vector<QDockWidget *> panelsFor(Way way, const std::vector<QDockWidget *> &asked) const;
     /// Panels that stepped aside and were shown again by others than bringBack(): the learner asked for them.
     std::vector<QDockWidget *> takeAsked();
     void bringBack(const Aside &aside);
