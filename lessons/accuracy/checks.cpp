@@ -74,11 +74,6 @@ double averageForceEvaluations(const Timeline &run)
     return forceEvaluations(run.script(), run.state(), nullptr);
 }
 
-Condition stepIs(double h, const QString &todo = {})
-{
-    return {[h](const Timeline &run) { return stepLength(run) == h; }, todo};
-}
-
 Condition oneFrameSteps()
 {
     return stepIs(1.0, Text::tr("choose **1 frame** as step."));

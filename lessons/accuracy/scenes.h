@@ -3,8 +3,7 @@
 #include "sim/base/vec2.h"
 #include "sim/forward.h"
 
-/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
-/// what is new.
+/// One scene per step (see lessons/README.md).
 namespace accuracy {
 
 /// The only point of scenes with one point, and the dynamic point of `adapt`.

@@ -17,16 +17,15 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(Parameters)
 };
 
-/// Completes a coordinate on the stage. The stage is `sliderMax` px wide or high.
-Parameter coordinate(Parameter parameter)
+}
+
+Parameter inPixels(Parameter parameter)
 {
     parameter.unit = Text::tr("px");
     parameter.min = -1e6;
     parameter.max = 1e6;
     parameter.decimals = 0;
     return parameter;
-}
-
 }
 
 Parameter parameterFromSpec(const sim::ParameterSpec &spec)
@@ -182,14 +181,14 @@ Parameter choice(const char *id, const QString &name, const QString &help, const
 std::vector<Parameter> centre()
 {
     return {
-        coordinate({
+        inPixels({
             .id = "centre_x",
             .name = Text::tr("Centre x"),
             .help = Text::tr("How far to the right the cross is."),
             .defaultValue = 270.0,
             .sliderMax = 540.0,
         }),
-        coordinate({
+        inPixels({
             .id = "centre_y",
             .name = Text::tr("Centre y"),
             .help = Text::tr("How far down the cross is."),

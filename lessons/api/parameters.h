@@ -10,6 +10,8 @@
 /// The parameters that several lessons share.
 namespace lessons {
 
+/// Returns `parameter` as a length or a coordinate: in px, from -1e6 to 1e6, without decimals.
+Parameter inPixels(Parameter parameter);
 /// Returns the parameter of an effect with its texts translated.
 Parameter parameterFromSpec(const sim::ParameterSpec &spec);
 /// Returns the parameters of the effects `known`, each once, with the ids of the effects that read it.

@@ -69,7 +69,7 @@ enum class PointSource {
 struct Example
 {
     QString title = {};
-    QString help = {}; ///< one sentence: what there is to see and to try
+    QString help = {}; ///< one sentence: what to watch and to try
     QString file = {}; ///< an embedded experiment file of this step
 };
 

@@ -24,7 +24,7 @@ struct Try
     bool onlyWhilePaused = false;
     /// Markdown, one to three sentences: what to drag, set or press. May be empty.
     QString hint = {};
-    /// Markdown, one or two sentences: what there was to see. Shown when the thing is done. Required if the
+    /// Markdown, one or two sentences: the answer to its question. Shown when the thing is done. Required if the
     /// text asks a question.
     QString answer = {};
 

@@ -1,6 +1,7 @@
 #include "checks.h"
 
 #include "lessons/api/checks/drag_gesture.h"
+#include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
 #include "scenes.h"
 #include "sim/run/script/composed_interval.h"
@@ -26,22 +27,13 @@ struct Text
 /// Returns whether a click has set a target, up to the cursor.
 bool hasClicked(const Timeline &run)
 {
-    const std::vector<sim::Event> &input = run.script().input;
-    const std::int64_t lastFrame =
-        run.cursor().frame + (run.cursor().phase > 0 ? run.track().framesPerOutput() : 0);
-    return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
-        return std::holds_alternative<sim::Target>(event.what) && event.frame <= lastFrame && lastFrame > 0;
-    });
+    return hasApplied<sim::Target>(run, [](const sim::Target &) { return true; });
 }
 
 /// Returns whether a click has set a target after the parameter `id` was set last.
 bool hasClickedSinceSet(const Timeline &run, const std::string &id)
 {
-    const std::vector<sim::Event> &input = run.script().input;
-    const std::int64_t set = lastSetFrame(run, id);
-    return hasClicked(run) && std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
-               return std::holds_alternative<sim::Target>(event.what) && event.frame >= set;
-           });
+    return hasClicked(run) && hasInputFrom<sim::Target>(run, lastSetFrame(run, id));
 }
 
 /// Returns the number of frames since the last click.
@@ -254,13 +246,7 @@ std::vector<Try> anticipationTries()
             .conditions =
                 {
                     comparisonDiffers("anticipation"),
-                    {[](const Timeline &run) {
-                         const std::vector<sim::Event> &input = run.script().input;
-                         return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
-                             return std::holds_alternative<sim::Target>(event.what) &&
-                                    event.frame > run.forkFrame();
-                         });
-                     },
+                    {[](const Timeline &run) { return hasInputFrom<sim::Target>(run, run.forkFrame() + 1); },
                      Text::tr("go back to before a click, and change **anticipation** there.")},
                     playedSinceFork(),
                 },

@@ -1,5 +1,7 @@
 #include "parameters.h"
 
+#include "lessons/api/parameters.h"
+
 #include <QCoreApplication>
 
 using lessons::Parameter;
@@ -47,9 +49,7 @@ Parameter pixels(Parameter parameter)
 Parameter coordinate(Parameter parameter)
 {
     parameter.defaultValue = 200.0;
-    parameter = pixels(parameter);
-    parameter.min = -1e6;
-    return parameter;
+    return inPixels(parameter);
 }
 
 /// Completes an integer whose slider covers its whole range.

@@ -8,8 +8,7 @@
 
 #include <vector>
 
-/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
-/// what is new.
+/// One scene per step (see lessons/README.md).
 namespace codeling {
 
 /// Point indices, the same in all scenes that have these points.

@@ -61,10 +61,14 @@ Condition setFromStart(const char *id, const QString &name, double value)
         Text::tr("press **Home**, and set **%1** to %2 there.").arg(name, QLocale().toString(value, 'g', 6))};
 }
 
-Condition stepIs(double h)
+Condition oneFrameSteps()
 {
-    return {[h](const Timeline &run) { return stepLength(run) == h; },
-            h == 1.0 ? Text::tr("choose steps of **1 frame**.") : Text::tr("choose steps of **1/2 frame**.")};
+    return stepIs(1.0, Text::tr("choose steps of **1 frame**."));
+}
+
+Condition halfFrameSteps()
+{
+    return stepIs(0.5, Text::tr("choose steps of **1/2 frame**."));
 }
 
 /// The method has a stability limit.
@@ -177,7 +181,7 @@ std::vector<Try> limitTries()
             .text = Text::tr(
                 "Choose **1/2 frame** as step, and play to frame 100. It swings, hardly farther than the "
                 "crosses."),
-            .conditions = {stepIs(0.5), hasStabilityLimit(), setFromStart("k", Text::tr("k"), 4.01),
+            .conditions = {halfFrameSteps(), hasStabilityLimit(), setFromStart("k", Text::tr("k"), 4.01),
                            playedWithoutStop(100)},
             .hint = Text::tr(
                 "Above the picture, press **Step** and choose **1/2 frame**. Press **Space** and wait "
@@ -191,7 +195,7 @@ std::vector<Try> limitTries()
                 {
                     parameterSetTo("k", 3.9),
                     setFromStart("k", Text::tr("k"), 3.9),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     hasStabilityLimit(),
                     playedWithoutStop(100),
                 },
@@ -208,7 +212,7 @@ std::vector<Try> limitTries()
                     parameterSetTo("damp", 0.9),
                     setFromStart("damp", Text::tr("damp"), 0.9),
                     setFromStart("k", Text::tr("k"), 4.01),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     hasStabilityLimit(),
                     atRest(),
                 },
@@ -248,7 +252,7 @@ std::vector<Try> runawayTries()
                     parameterSetTo("k", 0.2),
                     setFromStart("k", Text::tr("k"), 0.2),
                     published(),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     atRest(),
                 },
             .hint =
@@ -291,7 +295,7 @@ std::vector<Try> manyFeetTries()
                     parameterSetTo("feet", 38),
                     setFromStart("feet", Text::tr("feet"), 38),
                     setFromStart("k", Text::tr("k"), 0.2),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     hasStabilityLimit(),
                     atRest(),
                     legs,
@@ -301,7 +305,7 @@ std::vector<Try> manyFeetTries()
         },
         {
             .text = Text::tr("Sixty feet at rest with steps of **1/2 frame**."),
-            .conditions = {stepIs(0.5), hasStabilityLimit(), feetAtLeast(60), atRest(), legs},
+            .conditions = {halfFrameSteps(), hasStabilityLimit(), feetAtLeast(60), atRest(), legs},
             .hint =
                 Text::tr("Above the picture, press **Step** and choose **1/2 frame**. Press **Space** and "
                          "wait."),
@@ -318,7 +322,7 @@ std::vector<Try> manyFeetTries()
                     {[](const Timeline &run) { return run.script().values["damp"] >= 0.85; },
                      Text::tr("set **damp** to 0.85.")},
                     feetAtLeast(60),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     hasStabilityLimit(),
                     atRest(),
                     legs,
@@ -404,7 +408,7 @@ std::vector<Try> stiffTries()
                     {[](const Timeline &run) { return run.values()["k"] >= 1e6; }},
                     setFromStart("k", Text::tr("k"), 1e6),
                     runsMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     playedWithoutStop(30),
                 },
             .hint = Text::tr(
@@ -421,7 +425,7 @@ std::vector<Try> stiffTries()
                     setFromStart("damp", Text::tr("damp"), 1.0),
                     setFromStart("k", Text::tr("k"), 0.2),
                     runsMethod("backward_euler", Text::tr("choose **Backward Euler** as method.")),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     playedWithoutStop(60),
                     legErrorsBelow(50.0, 0.5),
                 },
@@ -444,7 +448,7 @@ std::vector<Try> contradictionTries()
                     parameterSetTo("k", 1.0),
                     setFromStart("k", Text::tr("k"), 1.0),
                     parameterSetTo("made_of", 0.0, Text::tr("choose **springs**.")),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     setFromStart("longest", Text::tr("longest"), 200.0),
                     playedWithoutStop(30),
                     atRest(),
@@ -506,7 +510,8 @@ std::vector<Try> longRunTries()
         },
         {
             .text = Text::tr("The same with steps of **1/2 frame**: a thirty-second of the loss a frame."),
-            .conditions = {stepIs(0.5), rungeKutta, springs, undamped, untouched(), playedWithoutStop(5000)},
+            .conditions = {halfFrameSteps(), rungeKutta, springs, undamped, untouched(),
+                           playedWithoutStop(5000)},
             .hint =
                 Text::tr("Above the picture, press **Step** and choose **1/2 frame**. Press **Ctrl+G**, type "
                          "5000, and press **Enter**."),
@@ -516,7 +521,7 @@ std::vector<Try> longRunTries()
             .conditions =
                 {
                     runsMethod("velocity_verlet"),
-                    stepIs(1.0),
+                    oneFrameSteps(),
                     springs,
                     undamped,
                     untouched(),

@@ -3,8 +3,7 @@
 #include "sim/base/vec2.h"
 #include "sim/forward.h"
 
-/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
-/// what is new. The last step shows the scenes of sim/catalogue.
+/// One scene per step (see lessons/README.md). The last step shows the scenes of sim/catalogue.
 namespace hard_cases {
 
 /// px, the fixed end of the springs of `limit` and `long_run`.

@@ -33,13 +33,9 @@ Conditions footDraggedAndStill()
             allStill()};
 }
 
-/// The creature has left the stage by itself. Damping would have stopped a throw by now.
 Condition flewOff()
 {
-    return {[](const Timeline &run) {
-                return !onStage(centreOfPoints(run)) && sim::length(momentum(run)) >= 2.0;
-            },
-            Text::tr("let time run (**Space**) until it has left the stage.")};
+    return {flewOffStage, Text::tr("let time run (**Space**) until it has left the stage.")};
 }
 
 /// Returns whether the run has stopped, or its positions have grown so large that it soon will.

@@ -1,6 +1,7 @@
 #include "checks.h"
 
 #include "lessons/api/checks/drag_gesture.h"
+#include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
 #include "scenes.h"
 #include "sim/run/script/composed_interval.h"
@@ -356,13 +357,7 @@ std::vector<Try> ragdollTries()
             .conditions =
                 {
                     comparisonDiffers("iterations"),
-                    {[](const Timeline &run) {
-                         const std::vector<sim::Event> &input = run.script().input;
-                         return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
-                             return std::holds_alternative<sim::Release>(event.what) &&
-                                    event.frame > run.forkFrame();
-                         });
-                     },
+                    {[](const Timeline &run) { return hasInputFrom<sim::Release>(run, run.forkFrame() + 1); },
                      Text::tr("go back to before you threw it, and change **iterations** there.")},
                     playedSinceFork(),
                 },

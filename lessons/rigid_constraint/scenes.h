@@ -7,8 +7,7 @@
 
 #include <vector>
 
-/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
-/// what is new. A file's points and sticks replace the step's.
+/// One scene per step (see lessons/README.md). A file's points and sticks replace the step's.
 namespace rigid_constraint {
 
 /// Returns a scene of points "p0", "p1"... at (240, 165): as many as a file gives, otherwise `count`. Their

@@ -2,8 +2,7 @@
 
 #include "sim/forward.h"
 
-/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
-/// what is new. Point 0 is the foot. Point 1 is the body, if there is one.
+/// One scene per step (see lessons/README.md). Point 0 is the foot. Point 1 is the body, if there is one.
 namespace single_spring {
 
 constexpr int foot = 0;

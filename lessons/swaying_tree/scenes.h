@@ -7,8 +7,7 @@
 #include <memory>
 #include <utility>
 
-/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
-/// what is new. Point n is branch n, breadth first, left child first.
+/// One scene per step (see lessons/README.md). Point n is branch n, breadth first, left child first.
 /// @throws Error of checkGrowth() for a tree that would not end or is too large
 namespace swaying_tree {
 

@@ -38,13 +38,9 @@ Condition holdingAnEnd()
     return {[](const Timeline &run) { return !heldBody(run).empty(); }};
 }
 
-/// The pair has left the stage by itself. Damping would have slowed a throw to less than 2 px/frame by now.
 Condition flewOff()
 {
-    return {[](const Timeline &run) {
-                return !onStage(centreOfPoints(run)) && sim::length(momentum(run)) >= 2.0;
-            },
-            Text::tr("let time run (**Space**) until the pair has left the stage.")};
+    return {flewOffStage, Text::tr("let time run (**Space**) until the pair has left the stage.")};
 }
 
 Condition dampingIs(double value)

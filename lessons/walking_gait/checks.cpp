@@ -1,6 +1,7 @@
 #include "checks.h"
 
 #include "lessons/api/checks/drag_gesture.h"
+#include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/creature.h"
 #include "sim/run/script/composed_interval.h"
@@ -134,25 +135,14 @@ bool touchesWall(const Timeline &run)
     return false;
 }
 
-/// Returns whether an event of type `What` for which `matches(event)` holds was applied up to the cursor.
-template <class What, class Matches>
-bool happened(const Timeline &run, Matches &&matches)
-{
-    const std::vector<sim::Event> &input = run.script().input;
-    return std::any_of(input.begin(), input.end(), [&](const sim::Event &event) {
-        const auto *what = std::get_if<What>(&event.what);
-        return what && event.frame <= run.cursor().frame && matches(*what);
-    });
-}
-
 bool wasKeyPressed(const Timeline &run, bool sim::Keys::*key)
 {
-    return happened<sim::Key>(run, [&](const sim::Key &event) { return event.key == key && event.down; });
+    return hasApplied<sim::Key>(run, [&](const sim::Key &event) { return event.key == key && event.down; });
 }
 
 bool wasPointerPressed(const Timeline &run)
 {
-    return happened<sim::Pointer>(run, [](const sim::Pointer &pointer) { return pointer.down; });
+    return hasApplied<sim::Pointer>(run, [](const sim::Pointer &pointer) { return pointer.down; });
 }
 
 double clockSpeedOf(const Timeline &run)

@@ -15,16 +15,6 @@ struct Text
     Q_DECLARE_TR_FUNCTIONS(WalkingGait)
 };
 
-/// Completes a length in pixels.
-Parameter inPixels(Parameter parameter)
-{
-    parameter.unit = Text::tr("px");
-    parameter.min = -1e6;
-    parameter.max = 1e6;
-    parameter.decimals = 0;
-    return parameter;
-}
-
 /// Completes an integer of 2 or more.
 Parameter count(Parameter parameter)
 {

@@ -2,8 +2,7 @@
 
 #include "sim/forward.h"
 
-/// One scene per step. All set-up functions have the same name, so that the code of two steps differs only in
-/// what is new. The feet are points 0, 1, 2... and the body is the last point.
+/// One scene per step (see lessons/README.md). The feet are points 0, 1, 2... and the body is the last point.
 namespace walking_gait {
 
 namespace bones {

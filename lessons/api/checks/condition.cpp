@@ -169,6 +169,15 @@ Condition runsMethod(const std::string &id, const QString &todo)
     return {[id](const sim::Timeline &run) { return usesMethod(run, id); }, todo};
 }
 
+Condition stepIs(double h, const QString &todo)
+{
+    return {[h](const sim::Timeline &run) {
+                const sim::StepSize &step = run.script().step;
+                return !step.isAdaptive() && step.h == h;
+            },
+            todo};
+}
+
 Condition insideFrame()
 {
     return {[](const sim::Timeline &run) { return run.cursor().phase > 0; },

@@ -80,6 +80,8 @@ Condition playedTo(std::int64_t frame);
 Condition parameterSetTo(const std::string &id, double value, const QString &todo = {});
 /// The run uses the method `id`. `todo` tells the learner to choose it.
 Condition runsMethod(const std::string &id, const QString &todo = {});
+/// The method makes fixed steps of `h` frames.
+Condition stepIs(double h, const QString &todo = {});
 /// The cursor is inside a frame.
 Condition insideFrame();
 /// The cursor is inside a step in which a spring has pulled and nothing has moved yet.

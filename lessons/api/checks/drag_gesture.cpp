@@ -1,5 +1,6 @@
 #include "lessons/api/checks/drag_gesture.h"
 
+#include "lessons/api/checks/input_queries.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
 
@@ -8,28 +9,6 @@
 namespace lessons {
 
 namespace {
-
-/// Returns the last frame whose input has been applied at the cursor. Inside a frame, that is the frame in
-/// progress.
-std::int64_t lastAppliedFrame(const sim::Timeline &timeline)
-{
-    const sim::Cursor cursor = timeline.cursor();
-    return cursor.phase > 0 ? cursor.frame + timeline.track().framesPerOutput() : cursor.frame;
-}
-
-/// Calls `visit(event)` for each input event that has been applied at the cursor.
-template <class Visit>
-void forEachApplied(const sim::Timeline &timeline, Visit &&visit)
-{
-    const std::int64_t lastFrame = lastAppliedFrame(timeline);
-    if (lastFrame == 0)
-        return;
-    for (const sim::Event &event : timeline.script().input) {
-        if (event.frame > lastFrame)
-            return;
-        visit(event);
-    }
-}
 
 void release(std::vector<DragGesture> &all, std::int64_t frame)
 {
@@ -81,7 +60,7 @@ sim::Vec2 DragGesture::releaseVelocity() const
 std::vector<DragGesture> dragGestures(const sim::Timeline &timeline)
 {
     std::vector<DragGesture> all;
-    forEachApplied(timeline, [&](const sim::Event &event) {
+    for (const sim::Event &event : appliedInput(timeline)) {
         if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
             release(all, event.frame);
             all.push_back({grab->body, event.frame, {}, {}});
@@ -90,7 +69,7 @@ std::vector<DragGesture> dragGestures(const sim::Timeline &timeline)
         } else if (std::holds_alternative<sim::Release>(event.what)) {
             release(all, event.frame);
         }
-    });
+    }
     return all;
 }
 
@@ -113,10 +92,10 @@ std::int64_t idleFrames(const sim::Timeline &timeline)
     if (timeline.state().hold.point >= 0)
         return 0;
     std::int64_t last = 0;
-    forEachApplied(timeline, [&](const sim::Event &event) {
+    for (const sim::Event &event : appliedInput(timeline)) {
         if (!std::holds_alternative<sim::Set>(event.what))
             last = event.frame;
-    });
+    }
     return timeline.cursor().frame - last;
 }
 

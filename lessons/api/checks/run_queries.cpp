@@ -58,9 +58,11 @@ sim::Vec2 momentum(const sim::Timeline &timeline)
     return {sum[0], sum[1]};
 }
 
-bool onStage(sim::Vec2 position)
+bool flewOffStage(const sim::Timeline &timeline)
 {
-    return position.x >= 0.0 && position.x <= 540.0 && position.y >= 0.0 && position.y <= 400.0;
+    const sim::Vec2 centre = centreOfPoints(timeline);
+    const bool onStage = centre.x >= 0.0 && centre.x <= 540.0 && centre.y >= 0.0 && centre.y <= 400.0;
+    return !onStage && sim::length(momentum(timeline)) >= 2.0;
 }
 
 bool isStill(const sim::Timeline &timeline)

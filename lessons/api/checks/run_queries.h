@@ -20,8 +20,9 @@ double distance(const sim::Timeline &timeline, const std::string &a, const std::
 sim::Vec2 centreOfPoints(const sim::Timeline &timeline);
 /// Returns the sum of the velocities of all points, in px/frame. It is the momentum if all masses are 1.
 sim::Vec2 momentum(const sim::Timeline &timeline);
-/// Returns whether a position, in px, is on the stage of 540 x 400 px.
-bool onStage(sim::Vec2 position);
+/// Returns whether the centre of all points is off the stage of 540 x 400 px, with a momentum of 2 px/frame or
+/// more. Damping would have stopped a throw by then, so the points move on their own.
+bool flewOffStage(const sim::Timeline &timeline);
 
 /// px per frame. A point that moves no farther counts as still.
 constexpr double stillness = 0.05;

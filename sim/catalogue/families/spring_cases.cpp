@@ -3,24 +3,36 @@
 
 namespace sim::hard {
 
-namespace {
-
-/// Returns a case of one foot on a spring. It oscillates for ever without damping.
-HardCase oneSpring(const char *id, const char *title, const char *story, double k, double damp)
+HardCase footOnSpringCase(const char *id, const char *title, const char *story, double k, double damp,
+                          std::int64_t frames)
 {
-    HardCase hardCase = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), 2000);
-    hardCase.brief.frames = 400;
+    HardCase hardCase = caseOf(id, title, story, footOnSpring, valuesOf({{"k", k}, {"damp", damp}}), frames);
     hardCase.requirements = {Requirement::oscillates};
     hardCase.stiffest = StiffestSpring{100.0, k, 1.0, 0.0, damp};
     hardCase.bound.reach = 150.0;
     return hardCase;
 }
 
-HardCase comesToRest(HardCase hardCase)
+HardCase comesToRest(HardCase hardCase, std::int64_t frames)
 {
     hardCase.requirements.push_back(Requirement::comesToRest);
-    hardCase.rest = Rest{400, {{"foot", middle, 1e-6}}, {}, 1e-6};
+    hardCase.rest = Rest{frames, {{"foot", middle, 1e-6}}, {}, 1e-6};
     return hardCase;
+}
+
+namespace {
+
+/// Returns a case of one foot on a spring for 2000 frames, of which `brief` has 400.
+HardCase oneSpring(const char *id, const char *title, const char *story, double k, double damp)
+{
+    HardCase hardCase = footOnSpringCase(id, title, story, k, damp, 2000);
+    hardCase.brief.frames = 400;
+    return hardCase;
+}
+
+HardCase comesToRest(HardCase hardCase)
+{
+    return hard::comesToRest(std::move(hardCase), 400);
 }
 
 /// Near the stability limit, an amplitude of 100 px may grow up to 2000 px in stable methods, too.
