@@ -24,10 +24,10 @@ sim::Scene pairOnHandle();
 sim::Scene singleFoot();
 
 /// Returns creature(feet) with a radial spring each way between each foot and the body. `k`: stiffness
-/// (1/frame^2), `length`: rest length (px).
+/// (mass/frame^2), `length`: rest length (px).
 sim::Scene springCreature(int feet, double k, double length);
 /// Returns creature(feet) with a spring of rest length 0 each way between each foot and the body, so all
-/// forces are linear. `k`: stiffness (1/frame^2).
+/// forces are linear. `k`: stiffness (mass/frame^2).
 sim::Scene linearCreature(int feet, double k);
 
 /// Returns several creatures: "creature0.foot0", "creature0.foot1"..., "creature0.body", "creature1.foot0"...

@@ -28,7 +28,7 @@ sim::Scene onePoint(const std::string &name, sim::Vec2 x, sim::Vec2 v = {});
 sim::Scene pointsAt(const std::vector<sim::Vec2> &positions);
 
 /// Returns a point "foot" at `x` (px) that a spring pulls to `anchor` (px). The spring has stiffness `k`
-/// (1/frame^2) and rest length 0. The second effect is damping with the factor `damp` per frame.
+/// (mass/frame^2) and rest length 0. The second effect is damping with the factor `damp` per frame.
 sim::Scene oscillator(sim::Vec2 x, sim::Vec2 anchor, double k, double damp);
 
 }

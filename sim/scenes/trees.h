@@ -22,7 +22,7 @@ void enableSpins(sim::Scene &scene);
 /// Parameters of a tree that swings in gusts.
 struct Sway
 {
-    double k = 0.0;     ///< 1/frame^2, see branchStiffness()
+    double k = 0.0;     ///< 1/frame^2, torsional stiffness per inertia, see branchStiffness()
     double damp = 1.0;  ///< damping factor of the spins per frame
     double front = 0.0; ///< px/frame, speed of the front of a gust
     double wind = 0.0;  ///< strength of the wind, see windPush()

@@ -6,7 +6,7 @@
 namespace support {
 
 /// Returns the displacement of an undamped spring after `frames`, in px. It starts at rest, `amplitude` px
-/// from its centre. Mass 1, `k` in 1/frame^2.
+/// from its centre. Mass 1, `k` in mass/frame^2.
 inline double springDisplacement(double amplitude, double k, double frames)
 {
     return amplitude * std::cos(std::sqrt(k) * frames);

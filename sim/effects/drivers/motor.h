@@ -12,7 +12,7 @@ extern const EffectDescription anticipation;
 }
 
 /// Returns the pull of a spring from point `x` to the target. The tutorial has another unit of time: a frame
-/// is `dt` units, so its `k` is k dt^2 in 1/frame^2.
+/// is `dt` units, so its `k` is k dt^2 in mass/frame^2.
 /// Published: Codeling, driving the motion.
 // Shown lines are short.
 // clang-format off
@@ -32,7 +32,7 @@ SpringPull motor(
 class Motor : public DescribedEffect<Force, descriptions::motor>, public InputReader
 {
 public:
-    /// `k` in 1/unit^2, `dt` in units per frame, where unit is the tutorial's unit of time.
+    /// `k` in mass/unit^2, `dt` in units per frame, where unit is the tutorial's unit of time.
     Motor(int mover, double k, double dt) : m_mover(mover), m_k(k), m_dt(dt) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;

@@ -22,7 +22,7 @@ struct BreezeStrength
 struct BreezePull
 {
     double swell = 0.0; ///< fraction by which the wind is now stronger than its mean
-    Vec2 pull;          ///< px/frame^2, for mass 1
+    Vec2 pull;          ///< mass px/frame^2
 };
 
 using std::sin;

@@ -67,7 +67,7 @@ struct ChargeLaw
     bool isIdle(const Numbers &numbers) const { return forceAt(0.0, numbers) == 0.0; }
 
 private:
-    /// Returns the force at `distance` px, in px/frame^2 for mass 1; positive: it repels.
+    /// Returns the force at `distance` px, in mass px/frame^2; positive: it repels.
     double forceAt(double distance, const Numbers &numbers) const
     {
         return strength * numbers.q1 * numbers.q2 / (distance * distance + softening * softening);

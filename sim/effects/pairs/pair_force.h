@@ -15,7 +15,7 @@ namespace sim {
 /// The pull on the mover of a pair, with the distance of the two points.
 struct PairPull
 {
-    Vec2 pull; ///< px/frame^2, for mass 1
+    Vec2 pull; ///< mass px/frame^2
     /// px, distance of the points. Infinite if the pull needs no direction: coincident points then need no
     /// special case.
     double length = std::numeric_limits<double>::infinity();
@@ -109,7 +109,7 @@ private:
     const Numbers &storedNumbers(int index) const { return m_numbers[static_cast<std::size_t>(index)]; }
     template <class Visit>
     void forEachLink(const State &state, PointRange movers, Visit &&visit) const;
-    /// Returns the pull on the mover of `pair` by the regularised rule, in px/frame^2 for mass 1.
+    /// Returns the pull on the mover of `pair` by the regularised rule, in mass px/frame^2.
     Vec2 pullOf(const State &state, const PointPair &pair) const;
     /// Returns the pairs between points of `ranges`; see Links::batches().
     std::shared_ptr<const NumberedList> listOf(const std::vector<PointRange> &ranges) const;

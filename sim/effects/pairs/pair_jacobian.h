@@ -4,7 +4,7 @@
 
 namespace sim {
 
-/// The derivative of a pull by the position of a point, in 1/frame^2.
+/// The derivative of a pull by the position of a point, in mass/frame^2.
 struct PairJacobian
 {
     double xx = 0.0;
@@ -17,14 +17,14 @@ struct PairJacobian
     }
 };
 
-/// Returns the Jacobian of a spring of stiffness k (1/frame^2) and rest length 0. It is the same in all
+/// Returns the Jacobian of a spring of stiffness k (mass/frame^2) and rest length 0. It is the same in all
 /// directions.
 constexpr PairJacobian pointSpringJacobian(double k)
 {
     return {-k, 0.0, 0.0, -k};
 }
 
-/// Returns the Jacobian of a spring with the rest length `distance` (px) and the stiffness k (1/frame^2).
+/// Returns the Jacobian of a spring with the rest length `distance` (px) and the stiffness k (mass/frame^2).
 /// `from`: px, position of the mover seen from the anchor. The derivative is -k along the spring and k
 /// (distance / length - 1) across it, because the pull turns with the spring. For coincident points it is -k
 /// in all directions.

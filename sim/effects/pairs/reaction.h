@@ -10,7 +10,7 @@ enum class Reaction {
     equal, ///< it feels exactly the opposite pull at the same time
 };
 
-/// Returns the opposite of `pull` (px/frame^2): Newton's third law. Published: Creatures II, step 10.
+/// Returns the opposite of `pull` (mass px/frame^2): Newton's third law. Published: Creatures II, step 10.
 // The marker leaves out `inline`, which learners need not read.
 // clang-format off
 inline

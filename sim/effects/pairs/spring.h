@@ -8,10 +8,10 @@ namespace sim {
 struct SpringPull
 {
     Vec2 d;    ///< px, from the mover to the target
-    Vec2 pull; ///< px/frame^2
+    Vec2 pull; ///< mass px/frame^2
 };
 
-/// Returns the pull of a spring with the stiffness k (1/frame^2) and rest length 0 on `mover`, towards
+/// Returns the pull of a spring with the stiffness k (mass/frame^2) and rest length 0 on `mover`, towards
 /// `target`: Hooke's law.
 /// Published: Creatures I, step 4.
 // Shown lines are short.
@@ -28,7 +28,7 @@ SpringPull spring(
 //! [spring]
 // clang-format on
 
-/// Returns the stored energy (px^2/frame^2, for mass 1) of a spring with the stiffness k that is `extension`
+/// Returns the stored energy (mass px^2/frame^2) of a spring with the stiffness k that is `extension`
 /// px longer than at rest (negative: shorter). The pull is its negative gradient.
 constexpr double springEnergy(double extension, double k)
 {

@@ -14,7 +14,7 @@ struct BodyLaw
 {
     struct Numbers
     {
-        double k = 0.0; ///< 1/frame^2
+        double k = 0.0; ///< mass/frame^2
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
     static constexpr bool isSymmetric = true;
@@ -52,7 +52,7 @@ extern template class PairForce<BodyLaw>;
 class BodySpring : public DescribedEffect<PairForce<BodyLaw>, descriptions::body_spring>
 {
 public:
-    /// k in 1/frame^2.
+    /// k in mass/frame^2.
     BodySpring(const std::vector<Link> &links, double k) : DescribedEffect({}, pairsOf(links), {{k}}) {}
 };
 

@@ -32,7 +32,7 @@ enum class Aim {
 /// The numbers that all legs of a creature share.
 struct LegRule
 {
-    double k = 0.0;    ///< 1/frame^2
+    double k = 0.0;    ///< mass/frame^2
     double leg = 0.0;  ///< px, length: distance from the centre of the circle of target positions to the foot
     double drop = 0.0; ///< px, how far that centre is below the body; 0 for Aim::bone, which ignores it
     Aim aim = Aim::bone;

@@ -29,7 +29,7 @@ struct OffsetLaw
 {
     struct Numbers
     {
-        double k = 0.0;      ///< 1/frame^2
+        double k = 0.0;      ///< mass/frame^2
         double offset = 0.0; ///< px
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
@@ -76,7 +76,7 @@ extern template class PairForce<OffsetLaw>;
 class OffsetSpring : public DescribedEffect<PairForce<OffsetLaw>, descriptions::offset_spring>
 {
 public:
-    /// k in 1/frame^2, offset in px.
+    /// k in mass/frame^2, offset in px.
     OffsetSpring(const std::vector<Link> &links, double k, double offset)
         : DescribedEffect({}, pairsOf(links), {{k, offset}})
     {

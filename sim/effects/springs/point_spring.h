@@ -12,7 +12,7 @@ extern const EffectDescription point_spring;
 class PointSpring : public DescribedEffect<Force, descriptions::point_spring>
 {
 public:
-    /// k in 1/frame^2, centre in px.
+    /// k in mass/frame^2, centre in px.
     PointSpring(int mover, Vec2 centre, double k) : m_mover(mover), m_centre(centre), m_k(k) {}
 
     std::vector<Region> regions(DirectionRule directionRule) const override;

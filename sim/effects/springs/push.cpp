@@ -52,7 +52,7 @@ std::vector<LiveValue> PushLaw::liveValues(Vec2 one, Vec2 other, Vec2 fallback, 
 {
     const PushPull found = push(one, other, k, distance, [&](Vec2 d) {
         if (directionRule == DirectionRule::published)
-            return publishedHeading(d);
+            return publishedDistanceAndDirection(d);
         const Direction heading = direction(d);
         return heading.length < coincidenceDistance ? Direction{heading.length, fallback} : heading;
     });

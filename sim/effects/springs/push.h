@@ -17,20 +17,20 @@ struct PushPull
 {
     Vec2 from;            ///< px, position of `one` seen from `other`
     double missing = 0.0; ///< px, how much closer they are than `distance`; 0 or less: no push
-    Vec2 pull;            ///< px/frame^2, on `one`, for mass 1
+    Vec2 pull;            ///< mass px/frame^2, on `one`
 };
 
 /// Computes a spring that only pushes. It pushes `one` away from `other` while they are closer than
-/// `distance` px. `direction(d)` returns the length and the direction of the vector `d`. k in 1/frame^2.
+/// `distance` px. `direction(d)` returns the length and the direction of the vector `d`. k in mass/frame^2.
 /// Source: the penalty method; Moore and Wilhelms, "Collision detection and response for computer animation",
 /// 1988.
 // Shown lines are short.
 // clang-format off
-template <class HeadingOf>
+template <class DirectionOf>
 //! [push]
 PushPull push(
     Vec2 one, Vec2 other, double k,
-    double distance, HeadingOf direction)
+    double distance, DirectionOf direction)
 {
     Vec2 from = one - other;
     auto [far, out] = direction(from);
@@ -46,7 +46,7 @@ PushPull push(
 /// Pushes between points that are closer than `distance`.
 struct PushLaw
 {
-    double k = 0.0;        ///< 1/frame^2
+    double k = 0.0;        ///< mass/frame^2
     double distance = 0.0; ///< px
 
     struct Numbers
@@ -64,7 +64,7 @@ struct PushLaw
     Vec2 pullWhenCoincident(Vec2 out, const Numbers &) const { return k * distance * out; }
     Vec2 published(Vec2 one, Vec2 other, const Numbers &) const
     {
-        return push(one, other, k, distance, publishedHeading).pull;
+        return push(one, other, k, distance, publishedDistanceAndDirection).pull;
     }
     PairJacobian jacobian(Vec2 one, Vec2 other, const Numbers &) const
     {
@@ -78,7 +78,7 @@ struct PushLaw
     static std::vector<Region> regions(DirectionRule directionRule);
     bool isIdle(const Numbers &) const { return k == 0.0 || distance <= 0.0; }
     /// Returns the direction by the published rule, with the length of `d`.
-    static Direction publishedHeading(Vec2 d) { return {length(d), publishedDirection(d).out}; }
+    static Direction publishedDistanceAndDirection(Vec2 d) { return {length(d), publishedDirection(d).out}; }
     std::vector<LiveValue> liveValues(Vec2 one, Vec2 other, Vec2 fallback, const Numbers &,
                                       DirectionRule directionRule) const;
 };
@@ -89,8 +89,8 @@ extern template class PairForce<PushLaw>;
 class Push : public DescribedEffect<PairForce<PushLaw>, descriptions::push>
 {
 public:
-    /// k in 1/frame^2, distance in px. With Reaction::none, only the point with the lower index of each pair
-    /// is pushed.
+    /// k in mass/frame^2, distance in px. With Reaction::none, only the point with the lower index of each
+    /// pair is pushed.
     Push(const std::vector<int> &points, double k, double distance, Reaction reaction);
 
     bool addToDraft(BlueprintDraft &draft) const override;

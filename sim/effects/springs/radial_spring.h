@@ -20,15 +20,15 @@ struct RadialPull
 };
 
 /// Computes a spring from `mover` to the nearest position that is `radius` px away from `anchor`.
-/// `direction(d)` returns the direction of the vector `d`. k in 1/frame^2.
+/// `direction(d)` returns the direction of the vector `d`. k in mass/frame^2.
 /// Published: Creatures I, step 7.
 // Shown lines are short.
 // clang-format off
-template <class HeadingOf>
+template <class DirectionOf>
 //! [radial_spring]
 RadialPull radialSpring(
     Vec2 mover, Vec2 anchor, double k,
-    double radius, HeadingOf direction)
+    double radius, DirectionOf direction)
 {
     Vec2 from = mover - anchor;
     Vec2 out = direction(from);
@@ -41,7 +41,7 @@ RadialPull radialSpring(
 // clang-format on
 
 /// Returns the same pull as radialSpring(), computed with one square root and one division. The pull on
-/// the other end is exactly the opposite. k in 1/frame^2, radius in px. Not for coincident points; see
+/// the other end is exactly the opposite. k in mass/frame^2, radius in px. Not for coincident points; see
 /// RadialLaw::pullWhenCoincident().
 /// Source: k (radius out - from) with out = from / length; Published: Creatures I, step 7.
 // Shown lines are short.
@@ -69,7 +69,7 @@ struct RadialLaw
 {
     struct Numbers
     {
-        double k = 0.0;      ///< 1/frame^2
+        double k = 0.0;      ///< mass/frame^2
         double radius = 0.0; ///< px, rest length
         friend bool operator==(const Numbers &, const Numbers &) = default;
     };
@@ -114,7 +114,7 @@ extern template class PairForce<RadialLaw>;
 class RadialSpring : public DescribedEffect<PairForce<RadialLaw>, descriptions::radial_spring>
 {
 public:
-    /// k in 1/frame^2, radius (the rest length) in px.
+    /// k in mass/frame^2, radius (the rest length) in px.
     RadialSpring(const std::vector<Link> &links, double k, double radius)
         : DescribedEffect({}, pairsOf(links), {{k, radius}})
     {

@@ -40,7 +40,7 @@ double branchInertia(
 
 /// Returns the torsional stiffness of a branch's joint. It grows with the inertia that the joint has to turn.
 /// A thinner branch swings faster: if nothing else moves, the square of its angular frequency is k / scale.
-/// `k` in 1/frame^2.
+/// `k` in 1/frame^2: a stiffness per inertia.
 // Shown lines are short.
 // clang-format off
 inline
