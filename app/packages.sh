@@ -13,7 +13,7 @@ app_packages=(
     "libeigen3-dev           arrays of the simulation core"
     "libqscintilla2-qt6-dev  the code panel"
     "libqcustomplot-dev      axes and grids of the plots"
-    "rapidjson-dev           reads experiment files with the line of every value"
+    "rapidjson-dev           reads and writes JSON, and tells the line of every value"
     "libgif-dev              writes films as GIF files"
     "libvpx-dev              encodes films as video"
     "pkg-config              finds libvpx"
@@ -24,6 +24,9 @@ app_packages=(
 test_packages=(
     "libbenchmark-dev        tests/bench"
     "libwebm-dev             reads films again, to compare their pictures"
+    "xvfb                    tests/smoke: an X server without a screen"
+    "xauth                   the same, for xvfb-run"
+    "xdotool                 tests/smoke: mouse and keys for that server"
     "valgrind                counts the instructions that effects take"
 )
 # Others' solvers, to compare ours with; the benchmarks run without them, too.
@@ -64,9 +67,9 @@ need() {
         }
         root=(sudo)
     fi
-    "${root[@]}" apt-get -qq update >&2 </dev/null
+    "${root[@]}" apt-get update >&2 </dev/null
     "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get -qq install -y --no-install-recommends "${missing[@]%% *}" >&2 </dev/null
+        apt-get install -y --no-install-recommends "${missing[@]%% *}" >&2 </dev/null
 }
 
 # quietly COMMAND...: runs it and shows what it prints only if it fails.
@@ -79,6 +82,13 @@ quietly() {
     }
 }
 
+# build FOLDER [OPTION...]: builds, and tells on stderr how many of all steps are done.
+build() {
+    local folder=$1
+    shift
+    NINJA_STATUS='[%f of %t] ' cmake --build "$folder" "$@" >&2 </dev/null
+}
+
 # configure PRESET OPTION...: sets up the preset's build folder; with ccache where that is installed.
 configure() {
     local preset=$1 launcher=()
@@ -86,5 +96,6 @@ configure() {
     if command -v ccache >/dev/null; then
         launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache)
     fi
+    echo "Setting up build/$preset." >&2
     quietly cmake --preset "$preset" "${launcher[@]}" "$@"
 }

@@ -1,11 +1,9 @@
-#include "app/cli/accuracy.h"
-
 #include "app/cli/accuracy_plot.h"
 #include "app/cli/accuracy_report.h"
-#include "app/cli/experiment_named.h"
+#include "app/cli/experiment_argument.h"
+#include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
-#include "app/model/sentences.h"
-#include "app/model/words.h"
+#include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>
@@ -18,19 +16,42 @@ namespace app {
 
 namespace {
 
-struct Text
+struct AccuracyText
 {
-    Q_DECLARE_TR_FUNCTIONS(Accuracy)
+    Q_DECLARE_TR_FUNCTIONS(AccuracyText)
 };
+
+constexpr std::int64_t mostFramesStudied = 10'000;
+/// The most frames of a file that are studied by default. More take long and show little more.
+constexpr std::int64_t mostFramesOfFile = 1000;
+
+struct AccuracyRequest
+{
+    QString experiment;                 ///< a file, or LESSON/STEP
+    std::optional<double> tolerance;    ///< px
+    std::optional<std::int64_t> frames; ///< the number of frames to study
+};
+
+/// @throws UsageError
+AccuracyRequest accuracyRequest(const Arguments &arguments)
+{
+    AccuracyRequest request{arguments.names[0], {}, {}};
+    if (arguments.has("tolerance"))
+        request.tolerance = numberOption(arguments, "tolerance", 1e-12, 1e6);
+    if (arguments.has("frames"))
+        request.frames =
+            std::llround(numberOption(arguments, "frames", 1, static_cast<double>(mostFramesStudied)));
+    return request;
+}
 
 sim::StudyPlan planFor(const AccuracyRequest &request, const Experiment &experiment)
 {
     sim::StudyPlan plan;
     if (request.frames)
         plan.frames = *request.frames;
-    else if (QFileInfo::exists(request.what))
-        plan.frames = std::clamp<std::int64_t>(experiment.frames, 1, mostOwnFrames);
-    plan.secondsToPreview = std::numeric_limits<double>::infinity(); // nobody watches
+    else if (QFileInfo::exists(request.experiment))
+        plan.frames = std::clamp<std::int64_t>(experiment.frames, 1, mostFramesOfFile);
+    plan.secondsToPreview = std::numeric_limits<double>::infinity(); // nothing shows a preview
     plan.inUse = sim::MethodSetup{experiment.script.method, experiment.script.step};
     return plan;
 }
@@ -38,50 +59,43 @@ sim::StudyPlan planFor(const AccuracyRequest &request, const Experiment &experim
 sim::Accuracy study(const Experiment &experiment, const sim::StudyPlan &plan)
 {
     listenForInterrupt();
-    StatusLine status;
+    TerminalLine status;
     return sim::studyAccuracy(experiment.script, plan, [&status](const sim::Accuracy &, double done) {
         if (status.isDue())
-            status.show(Text::tr("Measured %1 %").arg(std::lround(100.0 * done)));
+            status.show(AccuracyText::tr("Measured %1 %").arg(std::lround(100.0 * done)));
         return !isInterrupted();
     });
 }
 
-void writePlot(const QString &path, const AccuracyReport &report)
+/// @throws UserError: the file cannot be written
+void writePlot(const QString &path, const AccuracyReport &report, const Experiment &experiment,
+               const LessonLibrary &library)
 {
     QSaveFile file(path);
-    const QByteArray picture = accuracyPlot(report);
-    if (!file.open(QIODevice::WriteOnly) || file.write(picture) != picture.size() || !file.commit())
-        throw Refusal(Text::tr("%1: the picture cannot be written: %2. Choose another folder or name.")
-                          .arg(shownPath(path), oneLine(file.errorString())));
+    if (!file.open(QIODevice::WriteOnly) || !writeAccuracyPlot(file, report, experiment, library) ||
+        !file.commit())
+        throw UserError(
+            AccuracyText::tr("%1: the picture could not be written: %2. Choose another folder or name.")
+                .arg(shownPath(path), oneLine(file.errorString())));
 }
 
-int answer(const AccuracyRequest &request, const LessonLibrary &library)
+}
+
+int runAccuracy(const Arguments &arguments)
 {
-    const Experiment experiment = experimentNamed(request.what, library);
+    const AccuracyRequest request = accuracyRequest(arguments);
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    const Experiment experiment = experimentFor(request.experiment, library);
     const sim::StudyPlan plan = planFor(request, experiment);
-    const AccuracyReport report{request.what, request.tolerance, *plan.inUse, study(experiment, plan)};
+    const AccuracyReport report{request.experiment, request.tolerance, *plan.inUse, study(experiment, plan)};
     if (isInterrupted()) {
-        say(Text::tr("Stopped before everything was measured."));
+        printMessage(AccuracyText::tr("Stopped before everything was measured."));
         return exitInterrupted;
     }
-    if (!request.svg.isEmpty())
-        writePlot(request.svg, report);
-    print(request.asJson ? accuracyJson(report) : accuracyTable(report));
+    if (const QString path = arguments.value("svg"); !path.isEmpty())
+        writePlot(path, report, experiment, library);
+    print(arguments.has("json") ? accuracyJson(report) : accuracyTable(report));
     return request.tolerance && !report.found.cheapest(*request.tolerance) ? exitNo : exitDone;
-}
-
-}
-
-int accuracy(const AccuracyRequest &request)
-{
-    try {
-        return answer(request, LessonLibrary::load(LessonLibrary::folders()));
-    } catch (const Refusal &refusal) {
-        say(refusal.sentence());
-    } catch (const sim::Error &error) {
-        say(sentenceFor(error));
-    }
-    return exitBadUse;
 }
 
 }

@@ -1,28 +1,12 @@
 #include "app/cli/accuracy_report.h"
+
+#include "app/model/text/json_writer.h"
+#include "app/model/text/sentences.h"
 #include "sim/pipeline/method.h"
-
-#include "app/model/sentences.h"
-
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 namespace app {
 
 namespace {
-
-QString idOf(const sim::MethodSetup &setup)
-{
-    return QString::fromStdString(setup.method->id());
-}
-
-void addStep(QJsonObject &object, sim::StepSize step)
-{
-    if (step.isAdaptive())
-        object["tolerance"] = step.tolerance;
-    else
-        object["h"] = step.h;
-}
 
 QString statusOf(sim::Outcome outcome)
 {
@@ -41,36 +25,6 @@ QString statusOf(sim::Outcome outcome)
     return {};
 }
 
-/// What was not measured is null.
-QJsonObject rowJson(const sim::AccuracyRow &row)
-{
-    const bool isMeasured = row.outcome == sim::Outcome::measured;
-    const auto number = [&](double value) { return isMeasured ? QJsonValue(value) : QJsonValue(); };
-    QJsonObject object{{"method", idOf(row.setup)},
-                       {"order", row.setup.method->order()},
-                       {"error", number(row.error)},
-                       {"evaluations", number(row.evaluations)},
-                       {"ns_per_frame", number(row.nsPerFrame)},
-                       {"spread", number(row.spread)},
-                       {"status", statusOf(row.outcome)},
-                       {"front", row.front}};
-    addStep(object, row.setup.step);
-    if (row.why)
-        object["reason"] = sentenceFor(*row.why);
-    return object;
-}
-
-QJsonValue cheapestJson(const sim::Accuracy &found, double error)
-{
-    const sim::AccuracyRow *row = found.cheapest(error);
-    if (!row)
-        return {};
-    QJsonObject object{
-        {"method", idOf(row->setup)}, {"error", row->error}, {"ns_per_frame", row->nsPerFrame}};
-    addStep(object, row->setup.step);
-    return object;
-}
-
 QString endOf(sim::ReferenceRun::End end)
 {
     switch (end) {
@@ -86,47 +40,93 @@ QString endOf(sim::ReferenceRun::End end)
     return {};
 }
 
-QJsonObject stepJson(sim::StepSize step)
+void writeStepObject(const QString &name, sim::StepSize step, JsonWriter &json)
 {
-    QJsonObject object;
-    addStep(object, step);
-    return object;
+    json.beginObject(name);
+    writeStep(step, json);
+    json.endObject();
 }
 
-QJsonObject referenceJson(const sim::ReferenceRun &reference)
+void writeReference(const sim::ReferenceRun &reference, JsonWriter &json)
 {
-    QJsonObject object{{"method", QString::fromStdString(reference.method)},
-                       {"check", QString::fromStdString(reference.check)},
-                       {"disagreement", reference.disagreement},
-                       {"step", stepJson(reference.step)},
-                       {"check_step", stepJson(reference.checkStep)},
-                       {"ends_by", endOf(reference.end)}};
+    json.beginObject("reference");
+    json.field("method", reference.method);
+    json.field("check", reference.check);
+    json.field("disagreement", reference.disagreement);
+    writeStepObject("step", reference.step, json);
+    writeStepObject("check_step", reference.checkStep, json);
+    json.field("ends_by", endOf(reference.end));
     if (reference.discontinuity)
-        object["no_limit"] = QString::fromStdString(reference.discontinuity->id());
-    return object;
+        json.field("no_limit", reference.discontinuity->id());
+    json.endObject();
 }
 
+void writeRow(const sim::AccuracyRow &row, JsonWriter &json)
+{
+    const bool isMeasured = row.outcome == sim::Outcome::measured;
+    const auto ifMeasured = [&](double value) { return isMeasured ? std::optional(value) : std::nullopt; };
+    json.beginObject();
+    json.field("method", row.setup.method->id());
+    json.field("order", row.setup.method->order());
+    writeStep(row.setup.step, json);
+    json.field("error", ifMeasured(row.error));
+    json.field("evaluations", ifMeasured(row.evaluations));
+    json.field("ns_per_frame", ifMeasured(row.nsPerFrame));
+    json.field("spread", ifMeasured(row.spread));
+    json.field("status", statusOf(row.outcome));
+    json.field("front", row.front);
+    if (row.why)
+        json.field("reason", sentenceFor(*row.why));
+    json.endObject();
+}
+
+/// Writes the cheapest row with an error of at most `error` px, or null.
+void writeCheapest(const sim::Accuracy &found, double error, JsonWriter &json)
+{
+    const sim::AccuracyRow *row = found.cheapest(error);
+    if (!row)
+        return json.null();
+    json.beginObject();
+    json.field("method", row->setup.method->id());
+    writeStep(row->setup.step, json);
+    json.field("error", row->error);
+    json.field("ns_per_frame", row->nsPerFrame);
+    json.endObject();
+}
+
+}
+
+void writeStep(sim::StepSize step, JsonWriter &json)
+{
+    step.isAdaptive() ? json.field("tolerance", step.tolerance) : json.field("h", step.h);
 }
 
 QString accuracyJson(const AccuracyReport &report)
 {
     const sim::Accuracy &found = report.found;
-    QJsonArray rows;
+    JsonWriter json(4);
+    json.beginObject();
+    json.field("experiment", report.experiment);
+    json.field("span_frames", found.span);
+    writeReference(found.reference, json);
+    json.field("horizon_frames", found.horizon);
+    json.beginList("rows");
     for (const sim::AccuracyRow &row : found.rows)
-        rows.append(rowJson(row));
-    QJsonObject cheapest;
-    for (const char *error : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8"})
-        cheapest[QLatin1String(error)] = cheapestJson(found, QByteArray(error).toDouble());
-    QJsonObject object{{"experiment", report.experiment},
-                       {"span_frames", qint64(found.span)},
-                       {"reference", referenceJson(found.reference)},
-                       {"horizon_frames", qint64(found.horizon)},
-                       {"rows", rows},
-                       {"cheapest", cheapest},
-                       {"noise", found.noise}};
-    if (report.tolerance)
-        object["within"] = cheapestJson(found, *report.tolerance);
-    return QString::fromUtf8(QJsonDocument(object).toJson());
+        writeRow(row, json);
+    json.endList();
+    json.beginObject("cheapest");
+    for (const char *error : {"1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6", "1e-7", "1e-8"}) {
+        json.name(error);
+        writeCheapest(found, QByteArray(error).toDouble(), json);
+    }
+    json.endObject();
+    json.field("noise", found.noise);
+    if (report.tolerance) {
+        json.name("within");
+        writeCheapest(found, *report.tolerance, json);
+    }
+    json.endObject();
+    return QString::fromUtf8(json.text()) + '\n';
 }
 
 }

@@ -1,12 +1,15 @@
 #pragma once
 
 #include "app/cli/accuracy_report.h"
+#include "app/model/experiment/experiment.h"
 
-#include <QByteArray>
+#include <QIODevice>
 
 namespace app {
 
-/// Error against time of everything that was measured, as an SVG picture: both logarithmic, a ladder a method.
-QByteArray accuracyPlot(const AccuracyReport &report);
+/// Writes the window's plot of error against time, with all methods, as an SVG file. Needs a QApplication. Returns whether
+/// this worked.
+bool writeAccuracyPlot(QIODevice &file, const AccuracyReport &report, const Experiment &experiment,
+                       const LessonLibrary &library);
 
 }

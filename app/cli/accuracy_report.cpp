@@ -1,7 +1,7 @@
 #include "app/cli/accuracy_report.h"
 
-#include "app/model/sentences.h"
-#include "app/model/words.h"
+#include "app/model/text/quoting.h"
+#include "app/model/text/sentences.h"
 #include "sim/pipeline/method.h"
 #include "sim/scene/scene.h"
 
@@ -13,9 +13,9 @@ namespace app {
 
 namespace {
 
-struct Text
+struct AccuracyReportText
 {
-    Q_DECLARE_TR_FUNCTIONS(Accuracy)
+    Q_DECLARE_TR_FUNCTIONS(AccuracyReportText)
 };
 
 QString id(const sim::MethodSetup &setup)
@@ -49,18 +49,20 @@ const sim::AccuracyRow *rowOf(const sim::Accuracy &found, const sim::MethodSetup
 
 QString titleLine(const QString &method)
 {
-    return method.leftJustified(22) + Text::tr("step").leftJustified(16) +
-           Text::tr("error, px").rightJustified(11) + Text::tr("forces/frame").rightJustified(14) +
-           Text::tr("ns/frame").rightJustified(12) + Text::tr("+-").rightJustified(9) + '\n';
+    return method.leftJustified(22) + AccuracyReportText::tr("step").leftJustified(16) +
+           AccuracyReportText::tr("error, px").rightJustified(11) +
+           AccuracyReportText::tr("forces/frame").rightJustified(14) +
+           AccuracyReportText::tr("ns/frame").rightJustified(12) +
+           AccuracyReportText::tr("+-").rightJustified(9) + '\n';
 }
 
 QString rowLine(const sim::AccuracyRow &row, const sim::MethodSetup &inUse)
 {
     QString line = id(row.setup).leftJustified(22) + stepText(row.setup.step).leftJustified(16);
     if (row.outcome == sim::Outcome::unstable)
-        return line + Text::tr("unstable").rightJustified(11) + '\n';
+        return line + AccuracyReportText::tr("unstable").rightJustified(11) + '\n';
     if (row.outcome == sim::Outcome::tooLong)
-        return line + Text::tr("takes too long").rightJustified(16) + '\n';
+        return line + AccuracyReportText::tr("takes too long").rightJustified(16) + '\n';
     if (row.outcome != sim::Outcome::measured)
         return {};
     line += shortNumber(row.error).rightJustified(11) +
@@ -69,10 +71,10 @@ QString rowLine(const sim::AccuracyRow &row, const sim::MethodSetup &inUse)
             QString::number(row.spread, 'f', 0).rightJustified(9);
     line += row.front ? QStringLiteral("  *") : QString();
     const bool isInUse = row.setup.method->id() == inUse.method->id() && row.setup.step == inUse.step;
-    return line + (isInUse ? "  " + Text::tr("in use") : QString()) + '\n';
+    return line + (isInUse ? "  " + AccuracyReportText::tr("in use") : QString()) + '\n';
 }
 
-/// The rows, by method; of a method that does not fit, why.
+/// Returns a line per row, and the reason for a method that cannot compute the scene.
 QString rowLines(const AccuracyReport &report)
 {
     QString text;
@@ -91,13 +93,13 @@ QString referenceSentence(const sim::ReferenceRun &reference)
 {
     const QString apart = shortNumber(reference.disagreement);
     if (reference.discontinuity)
-        return Text::
-            tr("There is no continuous motion behind this scene: what %1 does depends on the step. So each "
-               "method is compared with itself at a finer step (%2), which is up to %3 px from the next "
-               "coarser one.")
-                .arg(quoted(QString::fromStdString(reference.discontinuity->id())), stepText(reference.step),
-                     apart);
-    return Text::tr("Errors are distances from %1 (%2). Its check, %3 (%4), is up to %5 px from it.")
+        return AccuracyReportText::tr("This scene has no exact motion to compare with, because %1 acts once "
+                                      "per step. Each method is therefore compared with itself at a finer "
+                                      "step (%2), which differs by up to %3 px from the next coarser one.")
+            .arg(quoted(QString::fromStdString(reference.discontinuity->id())), stepText(reference.step),
+                 apart);
+    return AccuracyReportText::tr(
+               "Errors are distances from %1 (%2). Its check, %3 (%4), differs from it by up to %5 px.")
         .arg(QString::fromStdString(reference.method), stepText(reference.step),
              QString::fromStdString(reference.check), stepText(reference.checkStep), apart);
 }
@@ -105,16 +107,16 @@ QString referenceSentence(const sim::ReferenceRun &reference)
 QString horizonSentence(const sim::Accuracy &found)
 {
     const QString start =
-        Text::tr("Errors are given up to frame %1 of %2").arg(found.horizon).arg(found.span);
+        AccuracyReportText::tr("Errors are given up to frame %1 of %2").arg(found.horizon).arg(found.span);
     switch (found.reference.end) {
     case sim::ReferenceRun::End::span:
         break;
     case sim::ReferenceRun::End::diverged:
-        return start + Text::tr(": after it they are too far apart to be believed.");
+        return start + AccuracyReportText::tr(": after that, the reference and its check disagree.");
     case sim::ReferenceRun::End::notFinite:
-        return start + Text::tr(": after it the reference stops being finite.");
+        return start + AccuracyReportText::tr(": after that, the reference is no longer finite.");
     case sim::ReferenceRun::End::tooLong:
-        return start + Text::tr(": computing a reference further takes too long.");
+        return start + AccuracyReportText::tr(": computing the reference beyond that would take too long.");
     }
     return start + '.';
 }
@@ -124,8 +126,9 @@ QString cheapestSentence(const sim::Accuracy &found, double error)
     const QString within = shortNumber(error);
     const sim::AccuracyRow *row = found.cheapest(error);
     if (!row)
-        return Text::tr("Nothing that was measured is within %1 px.").arg(within);
-    return Text::tr("To be within %1 px this scene costs %2 \u00b5s a frame: %3, which is %4 px off.")
+        return AccuracyReportText::tr("No method stays within an error of %1 px.").arg(within);
+    return AccuracyReportText::tr("The cheapest way to stay within an error of %1 px costs %2 \u00b5s a "
+                                  "frame: %3, with an error of %4 px.")
         .arg(within, microseconds(row->nsPerFrame), wayText(row->setup), shortNumber(row->error));
 }
 
@@ -133,9 +136,9 @@ QString inUseSentence(const AccuracyReport &report)
 {
     const sim::AccuracyRow *row = rowOf(report.found, report.inUse);
     if (!row || row->outcome != sim::Outcome::measured)
-        return Text::tr("The method in use, %1, has no error to show: see the table.")
+        return AccuracyReportText::tr("No error was measured for the method in use, %1: see the table.")
             .arg(wayText(report.inUse));
-    return Text::tr("The method in use, %1, costs %2 \u00b5s a frame and is %3 px off.")
+    return AccuracyReportText::tr("The method in use, %1, costs %2 \u00b5s a frame, with an error of %3 px.")
         .arg(wayText(report.inUse), microseconds(row->nsPerFrame), shortNumber(row->error));
 }
 
@@ -143,23 +146,23 @@ QString inUseSentence(const AccuracyReport &report)
 
 QString stepText(sim::StepSize step)
 {
-    return step.isAdaptive() ? Text::tr("tolerance %1").arg(toleranceNumber(step.tolerance))
-                             : Text::tr("h %1").arg(exactNumber(step.h));
+    return step.isAdaptive() ? AccuracyReportText::tr("tolerance %1").arg(toleranceNumber(step.tolerance))
+                             : AccuracyReportText::tr("h %1").arg(exactNumber(step.h));
 }
 
 QString accuracyTable(const AccuracyReport &report)
 {
     const sim::Accuracy &found = report.found;
     QStringList lines = {report.experiment, referenceSentence(found.reference), horizonSentence(found), {}};
-    lines.push_back(titleLine(Text::tr("method")) + rowLines(report));
-    lines.push_back(Text::tr("* on the front: nothing measured is at least as exact and cheaper."));
+    lines.push_back(titleLine(AccuracyReportText::tr("method")) + rowLines(report));
+    lines.push_back(AccuracyReportText::tr("* on the front: nothing cheaper is as accurate."));
     if (found.noisy())
-        lines.push_back(Text::tr("This machine is busy with other things: times vary by %1 %.")
+        lines.push_back(AccuracyReportText::tr("This machine is busy with other things: times vary by %1 %.")
                             .arg(std::lround(100.0 * found.noise)));
     if (found.isExact())
         lines.push_back(
-            Text::tr("Nothing moves here unless you do something: save a run in which you do, and "
-                     "measure that file."));
+            AccuracyReportText::tr("Nothing moves here unless you do something, so there is no error to "
+                                   "measure. Save a run in which you do something, and measure that file."));
     else if (found.horizon > 0)
         lines += {cheapestSentence(found, report.tolerance.value_or(0.1)), inUseSentence(report)};
     return lines.join('\n') + '\n';

@@ -8,22 +8,26 @@
 
 namespace app {
 
-/// What a study of accuracy found, and what was asked.
+class JsonWriter;
+
+/// The result of a study of accuracy, with the request that it answers.
 struct AccuracyReport
 {
     QString experiment;
-    std::optional<double> tolerance; ///< px: the error that was asked for
+    std::optional<double> tolerance; ///< px, the largest error that the user accepts
     sim::MethodSetup inUse;
     sim::Accuracy found;
 };
 
-/// How messages and tables write a step: "h 0.5", "tolerance 1e-6".
+/// Returns a step as messages and tables show it: "h 0.5", "tolerance 1e-6".
 QString stepText(sim::StepSize step);
+/// Writes the field "h" or "tolerance" of a step.
+void writeStep(sim::StepSize step, JsonWriter &json);
 
-/// The report for people: a table, the reference, and the numbers that matter in words.
+/// Returns the report for people: the reference, a table, and the most important numbers in sentences.
 QString accuracyTable(const AccuracyReport &report);
 
-/// The report as JSON, as the README describes it.
+/// Returns the report as JSON, as springstep(1) describes it.
 QString accuracyJson(const AccuracyReport &report);
 
 }

@@ -1,31 +1,43 @@
 #pragma once
 
+#include "app/cli/verbs.h"
+
 #include <QStringList>
 
-#include <optional>
 #include <variant>
-
-class QCommandLineParser;
 
 namespace app {
 
-/// The verbs, as messages list them.
-QStringList verbs();
+/// A verb with the arguments that it was given.
+struct VerbCall
+{
+    const Verb *verb;
+    Arguments arguments;
+};
 
-/// Says what is wrong with the arguments. Returns the exit code.
-int refuseUse(const QString &sentence);
+/// An experiment to open in the window.
+struct WindowCall
+{
+    QString file; ///< empty for none
+};
 
-/// Reads the arguments that follow `verb`: options, and one argument for each of `names` (any number when `verb`
-/// is empty). Prints help if asked. Returns the exit code when that is all there is to do: for help and for bad
-/// use, which is said in one sentence.
-std::optional<int> readArguments(QCommandLineParser &parser, const QString &verb,
-                                 const QStringList &arguments, const QStringList &names);
+/// The exit code if nothing is left to do. This is so after help, the version, or an error message.
+using CommandLine = std::variant<int, VerbCall, WindowCall>;
 
-/// The file that the window is to open, empty for none; or the exit code, when that is settled: for help, for
-/// the version and for bad use.
-std::variant<int, QString> readWindowArguments(const QStringList &arguments);
+/// Reads the arguments of the program. Prints help and the version if they ask for it. Prints one sentence if they are
+/// wrong.
+CommandLine readCommandLine(const QStringList &arguments);
 
-/// Runs a verb that needs no window system. Nothing if `arguments` have another verb or none.
-std::optional<int> runPlainVerb(const QStringList &arguments);
+/// Returns the application that a verb needs with these arguments.
+ApplicationKind applicationFor(const VerbCall &call);
+
+/// Runs a verb, and prints the message of an error. Returns the exit code.
+int runVerb(const VerbCall &call);
+
+/// Prints a sentence about wrong use, after the program's name. Returns the exit code.
+int reportUsageError(const QString &sentence);
+
+/// Returns the names of all verbs, as messages list them.
+QString verbNames();
 
 }

@@ -1,11 +1,9 @@
 #include "app/cli/cost_report.h"
 
 #include "app/cli/accuracy_report.h"
+#include "app/model/text/json_writer.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
 
 #include <cmath>
 
@@ -13,9 +11,9 @@ namespace app {
 
 namespace {
 
-struct Text
+struct CostReportText
 {
-    Q_DECLARE_TR_FUNCTIONS(Cost)
+    Q_DECLARE_TR_FUNCTIONS(CostReportText)
 };
 
 QString idOf(const sim::EffectCost &one)
@@ -28,20 +26,29 @@ double perPoint(const sim::EffectCost &one)
     return one.points > 0 ? one.ns / one.points : 0.0;
 }
 
-QJsonObject effectJson(const sim::EffectCost &one)
+void writeEffect(const sim::EffectCost &one, JsonWriter &json)
 {
-    return {{"id", idOf(one)},      {"ns_per_frame", one.ns},
-            {"points", one.points}, {"ns_per_point", perPoint(one)},
-            {"spread", one.spread}, {"evaluations", one.evaluations}};
+    json.beginObject();
+    json.field("id", idOf(one));
+    json.field("ns_per_frame", one.ns);
+    json.field("ns_per_point", perPoint(one));
+    json.field("points", one.points);
+    json.field("spread", one.spread);
+    json.field("evaluations", one.evaluations);
+    json.endObject();
 }
 
-QJsonObject unusedJson(const UnusedEffect &unused)
+void writeUnused(const UnusedEffect &unused, JsonWriter &json)
 {
-    return {{"id", unused.id}, {"ns_per_frame", 0}, {"points", 0},      {"ns_per_point", 0},
-            {"spread", 0},     {"evaluations", 0},  {"why", unused.why}};
+    json.beginObject();
+    json.field("id", unused.id);
+    for (const char *number : {"ns_per_frame", "ns_per_point", "points", "spread", "evaluations"})
+        json.field(number, 0);
+    json.field("why", unused.why);
+    json.endObject();
 }
 
-/// A time in ns: from one digit after the point for small ones to none.
+/// Returns a time in ns, with one digit after the point if it is below 1000.
 QString nanoseconds(double ns)
 {
     return QString::number(ns, 'f', std::abs(ns) < 1000.0 ? 1 : 0);
@@ -49,7 +56,8 @@ QString nanoseconds(double ns)
 
 QString share(double part, double whole)
 {
-    return whole > 0.0 ? Text::tr("%1 %").arg(std::lround(100.0 * part / whole)) : QStringLiteral("-");
+    return whole > 0.0 ? CostReportText::tr("%1 %").arg(std::lround(100.0 * part / whole))
+                       : QStringLiteral("-");
 }
 
 QString line(const QString &name, const QStringList &numbers)
@@ -75,45 +83,49 @@ QString costTable(const CostReport &report)
     const sim::FrameCost &cost = report.cost;
     const QString none;
     QString text =
-        Text::tr("%1, %2, %3")
+        CostReportText::tr("%1, %2, %3")
             .arg(report.experiment, QString::fromStdString(report.method->id()), stepText(report.step)) +
         "\n\n";
-    text += line(Text::tr("effect"), {Text::tr("points"), Text::tr("times/frame"), Text::tr("ns/frame"),
-                                      Text::tr("+-"), Text::tr("ns/point"), Text::tr("share")});
+    text +=
+        line(CostReportText::tr("effect"),
+             {CostReportText::tr("points"), CostReportText::tr("times/frame"), CostReportText::tr("ns/frame"),
+              CostReportText::tr("+-"), CostReportText::tr("ns/point"), CostReportText::tr("share")});
     for (const sim::EffectCost &one : cost.effects)
         text += effectLine(one, cost.ns);
-    text += line(Text::tr("the method itself"),
+    text += line(CostReportText::tr("the method itself"),
                  {none, none, nanoseconds(cost.restNs), nanoseconds(cost.restSpread), none,
                   share(cost.restNs, cost.ns)});
-    text += line(Text::tr("whole frame"), {none, none, nanoseconds(cost.ns), nanoseconds(cost.spread)});
+    text +=
+        line(CostReportText::tr("whole frame"), {none, none, nanoseconds(cost.ns), nanoseconds(cost.spread)});
     for (const UnusedEffect &unused : report.unused)
         text += line(unused.id, {"0", "0", "0", none, none, none}).trimmed() + "  " + unused.why + '\n';
     return text + '\n' +
-           Text::tr("Each line is measured by itself; effects and method come to %1 of the whole frame.")
+           CostReportText::tr("Each line is measured separately. Effects and method together take %1 of the "
+                              "time of the whole frame.")
                .arg(share(cost.sum(), cost.ns)) +
            '\n';
 }
 
 QString costJson(const CostReport &report)
 {
-    QJsonArray effects;
+    JsonWriter json(4);
+    json.beginObject();
+    json.field("experiment", report.experiment);
+    json.field("method", report.method->id());
+    writeStep(report.step, json);
+    json.field("frame_ns", report.cost.ns);
+    json.field("frame_spread", report.cost.spread);
+    json.beginList("effects");
     for (const sim::EffectCost &one : report.cost.effects)
-        effects.append(effectJson(one));
+        writeEffect(one, json);
     for (const UnusedEffect &unused : report.unused)
-        effects.append(unusedJson(unused));
-    QJsonObject object{{"experiment", report.experiment},
-                       {"method", QString::fromStdString(report.method->id())},
-                       {"frame_ns", report.cost.ns},
-                       {"frame_spread", report.cost.spread},
-                       {"effects", effects},
-                       {"rest_ns", report.cost.restNs},
-                       {"rest_spread", report.cost.restSpread},
-                       {"rounds", report.cost.rounds}};
-    if (report.step.isAdaptive())
-        object["tolerance"] = report.step.tolerance;
-    else
-        object["h"] = report.step.h;
-    return QString::fromUtf8(QJsonDocument(object).toJson());
+        writeUnused(unused, json);
+    json.endList();
+    json.field("rest_ns", report.cost.restNs);
+    json.field("rest_spread", report.cost.restSpread);
+    json.field("rounds", report.cost.rounds);
+    json.endObject();
+    return QString::fromUtf8(json.text()) + '\n';
 }
 
 }

@@ -8,14 +8,14 @@
 
 namespace app {
 
-/// An effect of a step that no frame computes.
+/// An effect of a scene that no frame computes.
 struct UnusedEffect
 {
     QString id;
     QString why;
 };
 
-/// What a scene's frames cost.
+/// The measured cost of a scene's frames.
 struct CostReport
 {
     QString experiment;
@@ -25,10 +25,10 @@ struct CostReport
     std::vector<UnusedEffect> unused;
 };
 
-/// The report for people: a table, and whether it adds up.
+/// Returns the report for people: a table, and how near the sum of its parts is to the whole frame.
 QString costTable(const CostReport &report);
 
-/// The report as JSON, as the README describes it.
+/// Returns the report as JSON, as springstep(1) describes it.
 QString costJson(const CostReport &report);
 
 }

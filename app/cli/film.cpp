@@ -1,9 +1,8 @@
-#include "app/cli/film.h"
-
-#include "app/cli/experiment_named.h"
-#include "app/cli/terminal.h"
-#include "app/model/sentences.h"
 #include "app/ui/film/film.h"
+#include "app/cli/experiment_argument.h"
+#include "app/cli/option_values.h"
+#include "app/cli/terminal.h"
+#include "app/model/text/sentences.h"
 
 #include <QCoreApplication>
 
@@ -13,34 +12,59 @@ namespace app {
 
 namespace {
 
-struct Text
+struct FilmText
 {
-    Q_DECLARE_TR_FUNCTIONS(FilmVerb)
+    Q_DECLARE_TR_FUNCTIONS(FilmText)
 };
 
-FilmPlan planOf(const FilmRequest &request, const LessonLibrary &library)
+constexpr double leastRate = 0.1; ///< frames per second
+
+FilmKind kindOf(const QString &out)
+{
+    try {
+        return filmKind(out);
+    } catch (const UserError &error) {
+        throw UsageError(error.sentence());
+    }
+}
+
+double frameRate(const Arguments &arguments, FilmKind kind)
+{
+    if (kind == FilmKind::pictures)
+        throw UsageError(
+            FilmText::tr("--fps is for a film in one file; PNG files have no time in them. Leave it out."));
+    return numberOption(arguments, "fps", leastRate, kind == FilmKind::gif ? mostGifRate : mostVideoRate);
+}
+
+/// @throws UsageError, or UserError: the experiment cannot be read
+FilmPlan planFrom(const Arguments &arguments, const LessonLibrary &library)
 {
     FilmPlan plan;
-    plan.experiment = experimentIn(request.file, library);
-    plan.out = request.out;
-    plan.size = request.size;
-    plan.scheme = request.scheme;
-    plan.from = request.from;
-    plan.to = request.to.value_or(plan.experiment.frames);
-    plan.rate = request.rate;
+    plan.out = arguments.names[1];
+    const FilmKind kind = kindOf(plan.out);
+    plan.size = pictureSize(arguments);
+    plan.scheme = colorScheme(arguments);
+    plan.from = wholeNumberOption(arguments, "from", mostFrames);
+    if (arguments.has("to"))
+        plan.to = wholeNumberOption(arguments, "to", mostFrames);
+    if (arguments.has("fps"))
+        plan.rate = frameRate(arguments, kind);
+    plan.experiment = experimentFromFile(arguments.names[0], library);
+    if (!arguments.has("to"))
+        plan.to = plan.experiment.frames;
     return plan;
 }
 
-/// Whether the film is whole: else somebody has pressed Ctrl+C.
+/// Makes the film. Returns false if it was interrupted.
 bool isShot(Film &film, std::int64_t last)
 {
-    StatusLine status;
+    TerminalLine status;
     while (film.goOn()) {
         QCoreApplication::processEvents();
         if (isInterrupted())
             return false;
         if (status.isDue())
-            status.show(Text::tr("Frame %1 of %2, %3 %")
+            status.show(FilmText::tr("Frame %1 of %2, %3 %")
                             .arg(film.frame())
                             .arg(last)
                             .arg(100 * film.done() / film.total()));
@@ -51,33 +75,26 @@ bool isShot(Film &film, std::int64_t last)
 int shoot(Film &film, std::int64_t last)
 {
     if (!isShot(film, last)) {
-        say(Text::tr("Stopped at frame %1 of %2.").arg(film.frame()).arg(last));
+        printMessage(FilmText::tr("Stopped at frame %1 of %2.").arg(film.frame()).arg(last));
         return exitInterrupted;
     }
     if (!film.stop())
         return exitDone;
-    say(sentenceFor(*film.stop()));
+    printMessage(sentenceFor(*film.stop()));
     return exitNo;
 }
 
 }
 
-int makeFilm(const FilmRequest &request)
+int runFilm(const Arguments &arguments)
 {
-    try {
-        const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
-        const FilmPlan plan = planOf(request, library);
-        listenForInterrupt();
-        std::optional<Waiting> waiting(Text::tr("Setting up the run"));
-        Film film(plan, library);
-        waiting.reset();
-        return shoot(film, plan.to);
-    } catch (const Refusal &refusal) {
-        say(refusal.sentence());
-    } catch (const sim::Error &error) {
-        say(sentenceFor(error));
-    }
-    return exitBadUse;
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    const FilmPlan plan = planFrom(arguments, library);
+    listenForInterrupt();
+    std::optional<Waiting> waiting(FilmText::tr("Setting up the run"));
+    Film film(plan, library);
+    waiting.reset();
+    return shoot(film, plan.to);
 }
 
 }

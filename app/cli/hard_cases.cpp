@@ -1,14 +1,11 @@
-#include "app/cli/hard_cases.h"
-
+#include "sim/catalogue/hard_cases.h"
 #include "app/cli/hard_report.h"
 #include "app/cli/terminal.h"
-#include "app/model/words.h"
-#include "sim/catalogue/hard_cases.h"
+#include "app/cli/verbs.h"
+#include "app/model/text/quoting.h"
 #include "sim/methods/methods.h"
 
 #include <QCoreApplication>
-#include <QJsonArray>
-#include <QJsonDocument>
 
 #include <algorithm>
 #include <cmath>
@@ -18,35 +15,34 @@ namespace app {
 
 namespace {
 
-struct Text
+struct HardCasesText
 {
-    Q_DECLARE_TR_FUNCTIONS(HardCases)
+    Q_DECLARE_TR_FUNCTIONS(HardCasesText)
 };
 
-std::vector<sim::HardCase> casesOf(const HardCasesRequest &request)
+/// Returns the hard cases to run. @throws UserError: there is no such case
+std::vector<sim::HardCase> casesFor(const Arguments &arguments)
 {
     std::vector<sim::HardCase> all = sim::hardCases();
-    if (request.only)
-        std::erase_if(all, [&](const sim::HardCase &one) { return one.id != request.only->toStdString(); });
-    return all;
-}
-
-/// Refuses a case that is not there.
-int refuseCase(const QString &wanted)
-{
+    if (!arguments.has("case"))
+        return all;
+    const QString wanted = arguments.value("case");
     QStringList ids;
-    for (const sim::HardCase &one : sim::hardCases())
+    for (const sim::HardCase &one : all)
         ids << QString::fromStdString(one.id);
-    say(Text::tr("There is no case %1; there is %2.").arg(quoted(wanted), quotedList(ids, wanted)));
-    return exitBadUse;
+    if (!ids.contains(wanted))
+        throw UserError(HardCasesText::tr("There is no case %1; there is %2.")
+                            .arg(quoted(wanted), quotedList(ids, wanted)));
+    std::erase_if(all, [&](const sim::HardCase &one) { return one.id != wanted.toStdString(); });
+    return all;
 }
 
 HardRow rowOf(const sim::HardCase &hard, const sim::MethodPtr &method, bool isFull)
 {
-    StatusLine status;
+    TerminalLine status;
     const auto told = [&](double done) {
         if (status.isDue())
-            status.show(Text::tr("%1, %2: %3 %")
+            status.show(HardCasesText::tr("%1, %2: %3 %")
                             .arg(QString::fromStdString(hard.id), QString::fromStdString(method->id()))
                             .arg(std::lround(100.0 * done)));
         return !isInterrupted();
@@ -56,34 +52,29 @@ HardRow rowOf(const sim::HardCase &hard, const sim::MethodPtr &method, bool isFu
 
 }
 
-int hardCases(const HardCasesRequest &request)
+int runHardCases(const Arguments &arguments)
 {
-    const std::vector<sim::HardCase> cases = casesOf(request);
-    if (cases.empty())
-        return refuseCase(*request.only);
+    const std::vector<sim::HardCase> cases = casesFor(arguments);
+    const bool asJson = arguments.has("json");
     listenForInterrupt();
     std::vector<HardRow> rows;
     for (const sim::HardCase &hard : cases) {
-        if (!request.asJson)
+        if (!asJson)
             print(hardHeading(hard));
         for (const sim::MethodPtr &method : sim::allMethods()) {
-            rows.push_back(rowOf(hard, method, request.isFull));
+            rows.push_back(rowOf(hard, method, arguments.has("full")));
             if (isInterrupted()) {
-                say(Text::tr("Stopped before every case was run."));
+                printMessage(HardCasesText::tr("Stopped before every case was run."));
                 return exitInterrupted;
             }
-            if (!request.asJson) {
+            if (!asJson) {
                 print(hardLine(rows.back()));
-                std::fflush(stdout); // some take long, and those who wait read on
+                std::fflush(stdout); // some cases take long: show each row as soon as it is known
             }
         }
-        print(request.asJson ? QString() : QStringLiteral("\n"));
+        print(asJson ? QString() : QStringLiteral("\n"));
     }
-    QJsonArray all;
-    for (const HardRow &row : rows)
-        all.append(hardRowJson(row));
-    print(request.asJson ? QString::fromUtf8(QJsonDocument(QJsonObject{{"rows", all}}).toJson())
-                         : hardSummary(rows));
+    print(asJson ? hardJson(rows) : hardSummary(rows));
     const bool anyBroken =
         std::any_of(rows.begin(), rows.end(), [](const HardRow &row) { return row.verdict.isBroken(); });
     return anyBroken ? exitNo : exitDone;

@@ -2,27 +2,26 @@
 
 #include "sim/catalogue/judge.h"
 
-#include <QJsonObject>
 #include <QString>
 
 namespace app {
 
-/// One case under one method.
+/// The result of one hard case under one method.
 struct HardRow
 {
-    std::string hard; ///< the case's id
-    std::string method;
+    std::string hardCase; ///< id
+    std::string method;   ///< id
     sim::Verdict verdict;
 };
 
-/// As the README describes it.
-QJsonObject hardRowJson(const HardRow &row);
+/// Returns the rows as JSON, as springstep(1) describes it.
+QString hardJson(const std::vector<HardRow> &rows);
 
-/// What stands above the rows of a case, and one row, for people; each ends its line.
+/// Returns the lines above the rows of a case, and one row, for people. Each ends with a line break.
 QString hardHeading(const sim::HardCase &hard);
 QString hardLine(const HardRow &row);
 
-/// What came of all of them, in a sentence; and which claims were broken.
+/// Returns a sentence about all rows, which lists the broken claims.
 QString hardSummary(const std::vector<HardRow> &rows);
 
 }

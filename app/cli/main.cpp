@@ -1,13 +1,11 @@
 #include "app/cli/command_line.h"
-#include "app/cli/film.h"
-#include "app/cli/film_arguments.h"
-#include "app/cli/screenshot_arguments.h"
 #include "app/cli/terminal.h"
-#include "app/ui/window/appearance.h"
+#include "app/ui/settings/appearance.h"
 #include "app/ui/window/gui.h"
 
 #include <QApplication>
 
+#include <memory>
 #include <new>
 
 namespace {
@@ -22,30 +20,12 @@ bool hasDisplay()
 #endif
 }
 
-/// The command line answers in its own sentences. Qt's notes (a runtime folder that is not set, a hint that a picture
-/// needs not) stay out of them; what ends the program does not.
+/// Drops Qt's notes, such as that of a missing runtime folder, so that stderr has only the program's own sentences. Errors
+/// that end the program are printed.
 void dropNotes(QtMsgType type, const QMessageLogContext &, const QString &text)
 {
     if (type == QtCriticalMsg || type == QtFatalMsg)
-        app::say(text);
-}
-
-/// An exit code, or what needs Qt's window system: the window with a file, or pictures.
-using Command = std::variant<int, QString, app::ScreenshotRequest, app::FilmRequest>;
-
-/// Verbs that need no window system start without one.
-Command readCommand(int argc, char **argv)
-{
-    const QCoreApplication plain(argc, argv);
-    const QStringList arguments = QCoreApplication::arguments().mid(1);
-    if (const auto done = app::runPlainVerb(arguments))
-        return *done;
-    const auto widen = [](auto &&value) { return Command(value); };
-    if (arguments.value(0) == "screenshot")
-        return std::visit(widen, app::readScreenshotArguments(arguments.mid(1)));
-    if (arguments.value(0) == "film")
-        return std::visit(widen, app::readFilmArguments(arguments.mid(1)));
-    return std::visit(widen, app::readWindowArguments(arguments));
+        app::printMessage(text);
 }
 
 /// Qt reads the factor when an application begins.
@@ -59,66 +39,61 @@ void scaleBy(int percent)
         qputenv(scaleFactor, QByteArray::number(percent / 100.0));
 }
 
-int start(int argc, char **argv, const QString &file)
+int openWindow(int argc, char **argv, const QString &file)
 {
     if (!hasDisplay())
-        return app::refuseUse(QCoreApplication::translate(
-                                  "CommandLine", "there is no display for the window; set DISPLAY, or use a "
-                                                 "verb that needs none: %1.")
-                                  .arg(app::verbs().join(", ")));
+        return app::reportUsageError(
+            QCoreApplication::translate("CommandLine",
+                                        "there is no display for the window; set DISPLAY, or use a "
+                                        "verb that needs none: %1.")
+                .arg(app::verbNames()));
     qInstallMessageHandler(nullptr);
     const bool isScaled = !qEnvironmentVariableIsEmpty(scaleFactor);
     app::Work work;
     app::WindowEnd end = {};
     do {
         if (!isScaled)
-            scaleBy(app::keptSize());
+            scaleBy(app::storedSize());
         QApplication application(argc, argv);
-        end = app::runWindow(application, work, file, end.left);
-        if (!end.left)
+        end = app::runWindow(application, work, file, end.handover);
+        if (!end.handover)
             work.session.reset(); // while there is an application
-    } while (end.left);
+    } while (end.handover);
     return end.code;
 }
 
-/// The same picture everywhere, with a display or without.
-void drawOffscreen()
+std::unique_ptr<QCoreApplication> applicationWithWidgets(int &argc, char **argv)
 {
+    // The picture is the same on every machine, with a display or without.
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
-}
-
-int start(int argc, char **argv, const app::ScreenshotRequest &request)
-{
-    drawOffscreen();
-    QApplication application(argc, argv);
-    return app::takeScreenshot(application, request);
-}
-
-int start(int argc, char **argv, const app::FilmRequest &request)
-{
-    drawOffscreen();
-    const QApplication application(argc, argv);
-    return app::makeFilm(request);
+    return std::make_unique<QApplication>(argc, argv);
 }
 
 int run(int argc, char **argv)
 {
-    const auto command = readCommand(argc, argv);
-    if (const int *done = std::get_if<int>(&command))
-        return *done;
-    if (const QString *file = std::get_if<QString>(&command))
-        return start(argc, argv, *file);
-    if (const auto *film = std::get_if<app::FilmRequest>(&command))
-        return start(argc, argv, *film);
-    return start(argc, argv, std::get<app::ScreenshotRequest>(command));
+    auto application = std::make_unique<QCoreApplication>(argc, argv);
+    const app::CommandLine command = app::readCommandLine(QCoreApplication::arguments().mid(1));
+    if (const int *exitCode = std::get_if<int>(&command))
+        return *exitCode;
+    // Qt allows one application at a time, and its class cannot be known before the arguments are read.
+    if (const auto *window = std::get_if<app::WindowCall>(&command)) {
+        application.reset();
+        return openWindow(argc, argv, window->file);
+    }
+    const auto &call = std::get<app::VerbCall>(command);
+    if (app::applicationFor(call) == app::ApplicationKind::widgets) {
+        application.reset();
+        application = applicationWithWidgets(argc, argv);
+    }
+    return app::runVerb(call);
 }
 
 }
 
 int main(int argc, char **argv)
 {
-    app::endWithASentenceWithoutMemory();
+    app::handleOutOfMemory();
     QCoreApplication::setApplicationName("springstep");
     QCoreApplication::setOrganizationName("springstep");
     QCoreApplication::setApplicationVersion(SPRINGSTEP_VERSION);
@@ -127,6 +102,6 @@ int main(int argc, char **argv)
     try {
         return run(argc, argv);
     } catch (const std::bad_alloc &) {
-        return app::sayNoMemory();
+        return app::printNoMemory();
     }
 }

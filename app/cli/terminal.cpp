@@ -1,6 +1,6 @@
 #include "app/cli/terminal.h"
 
-#include "app/model/words.h"
+#include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
 
@@ -19,15 +19,15 @@ namespace app {
 
 namespace {
 
-struct Text
+struct TerminalText
 {
-    Q_DECLARE_TR_FUNCTIONS(Terminal)
+    Q_DECLARE_TR_FUNCTIONS(TerminalText)
 };
 
-/// Made while there is memory.
+/// The message of printNoMemory(), made while there is memory.
 QByteArray noMemory;
 
-/// Whether the exception under way says that there is no memory left, or none for another thread.
+/// Returns whether the current exception reports that there is no memory, or none for another thread.
 bool isWithoutMemory()
 {
     try {
@@ -49,29 +49,29 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler sets it"
 
 }
 
-void say(const QString &sentence)
+void printMessage(const QString &sentence)
 {
     std::fprintf(stderr, "%s\n", escaped(sentence).toUtf8().constData());
 }
 
-int sayNoMemory()
+int printNoMemory()
 {
-    [[maybe_unused]] const ssize_t written = // by what needs no memory itself
+    [[maybe_unused]] const ssize_t written = // allocates no memory
         ::write(STDERR_FILENO, noMemory.constData(), static_cast<std::size_t>(noMemory.size()));
     return exitBadUse;
 }
 
-void endWithASentenceWithoutMemory()
+void handleOutOfMemory()
 {
     noMemory =
-        Text::tr(
+        TerminalText::tr(
             "springstep: there is not enough memory for this; close other programs, or give it a smaller "
             "experiment.")
             .toUtf8() +
         '\n';
     std::set_terminate([] {
         if (isWithoutMemory())
-            _exit(sayNoMemory());
+            _exit(printNoMemory());
         std::abort();
     });
 }
@@ -97,7 +97,7 @@ bool isInterrupted()
 
 Output::Output()
 {
-    std::signal(SIGPIPE, SIG_IGN); // a closed pipe shows as EPIPE
+    std::signal(SIGPIPE, SIG_IGN); // write() then reports a closed pipe as EPIPE
     m_buffer.reserve(2 * pieceSize);
 }
 
@@ -120,24 +120,24 @@ QString Output::failure() const
     return m_error == 0 || m_error == EPIPE ? QString() : QString::fromLocal8Bit(std::strerror(m_error));
 }
 
-StatusLine::StatusLine()
+TerminalLine::TerminalLine()
     : m_isShown(isatty(STDERR_FILENO)),
       m_next(std::chrono::steady_clock::now() + std::chrono::milliseconds(500))
 {
 }
 
-StatusLine::~StatusLine()
+TerminalLine::~TerminalLine()
 {
     wipe();
 }
 
-void StatusLine::wipe()
+void TerminalLine::wipe()
 {
     if (m_isShown)
         std::fputs("\r\x1b[K", stderr);
 }
 
-void StatusLine::show(const QString &text)
+void TerminalLine::show(const QString &text)
 {
     m_next = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
     std::fprintf(stderr, "\r\x1b[K%s", escaped(text).toUtf8().constData());
@@ -148,6 +148,7 @@ Waiting::Waiting(const QString &what) : m_what(what)
     if (!isatty(STDERR_FILENO))
         return;
     listenForInterrupt();
+    // Not a BackgroundJob: here the main thread does the work, and delivers no events while it does.
     m_watch = std::thread(&Waiting::watch, this);
 }
 
@@ -166,17 +167,17 @@ Waiting::~Waiting()
 void Waiting::watch()
 {
     const auto start = std::chrono::steady_clock::now();
-    StatusLine line;
+    TerminalLine line;
     std::unique_lock lock(m_lock);
     while (!m_isOver.wait_for(lock, std::chrono::milliseconds(50), [this] { return m_ends; })) {
         if (isInterrupted()) {
             line.wipe();
-            say(Text::tr("Stopped: %1").arg(m_what));
+            printMessage(TerminalText::tr("Stopped: %1").arg(m_what));
             _exit(exitInterrupted);
         }
         const auto spent = std::chrono::steady_clock::now() - start;
         if (line.isDue())
-            line.show(Text::tr("%1… %2 s")
+            line.show(TerminalText::tr("%1… %2 s")
                           .arg(m_what)
                           .arg(std::chrono::duration_cast<std::chrono::seconds>(spent).count()));
     }
@@ -190,7 +191,7 @@ RunProgress::RunProgress(std::int64_t frames) : m_frames(frames)
 
 void RunProgress::show(std::int64_t frame)
 {
-    m_line.show(Text::tr("Frame %1 of %2").arg(frame).arg(m_frames));
+    m_line.show(TerminalText::tr("Frame %1 of %2").arg(frame).arg(m_frames));
 }
 
 }

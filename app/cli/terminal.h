@@ -9,37 +9,38 @@
 #include <string>
 #include <thread>
 
-/// What the command line says, and how it stops.
+// The output of the command line, its progress on a terminal, and interruption by Ctrl+C.
 namespace app {
 
-/// Exit codes: done; the answer is 'no'; bad use or input; stopped by Ctrl+C, as shells have it.
+/// The exit codes: done; the answer is no; wrong use or input; stopped by Ctrl+C (128 + SIGINT, as in shells).
 enum ExitCode { exitDone = 0, exitNo = 1, exitBadUse = 2, exitInterrupted = 130 };
 
 /// Writes one line to stderr.
-void say(const QString &sentence);
-/// Says that there is not enough memory. Returns the exit code.
-int sayNoMemory();
-/// From now on a program that has no memory left where nothing can catch that (in another thread, say) says so, and ends
-/// with exitBadUse.
-void endWithASentenceWithoutMemory();
+void printMessage(const QString &sentence);
+/// Writes to stderr that there is not enough memory. Returns the exit code.
+int printNoMemory();
+/// Makes the program call printNoMemory() and exit when it runs out of memory where nothing can catch the exception, for
+/// example in another thread.
+void handleOutOfMemory();
 /// Writes text to stdout.
 void print(const QString &text);
 
-/// From now on Ctrl+C asks for a clean stop; a second one stops at once.
+/// Makes Ctrl+C (SIGINT) and SIGTERM set isInterrupted(). A second signal ends the program at once.
 void listenForInterrupt();
 bool isInterrupted();
 
-/// Much text to stdout, in large pieces.
+/// A buffered writer of long text to stdout.
 class Output
 {
 public:
     Output();
-    /// Where to append. Whole rows only: what is here when the program stops is written.
+    /// The buffer to append to. Append whole rows only, because the program can stop after any row.
     std::string &buffer() { return m_buffer; }
-    /// Writes the buffer if it is large. False: nobody reads any more, or the writing failed.
+    /// Writes the buffer if it is large. Returns false if the reader has gone, or the writing failed.
     bool rowDone() { return m_buffer.size() < pieceSize || flush(); }
+    /// Writes the buffer. Returns as rowDone().
     bool flush();
-    /// Why flush() failed; empty when the reader has closed the pipe, which is no error.
+    /// Returns why flush() failed. Empty if the reader has closed the pipe, which is no error.
     QString failure() const;
 
 private:
@@ -48,20 +49,21 @@ private:
     int m_error = 0;
 };
 
-/// One line about long work: on stderr while that is a terminal, shown from half a second on, and wiped away after.
-class StatusLine
+/// A line on stderr about work that takes longer than half a second. It is erased afterwards. Nothing is shown if stderr
+/// is not a terminal.
+class TerminalLine
 {
 public:
-    StatusLine();
-    ~StatusLine();
-    StatusLine(const StatusLine &) = delete;
-    StatusLine &operator=(const StatusLine &) = delete;
-    /// Whether it is time to show another text.
+    TerminalLine();
+    ~TerminalLine();
+    TerminalLine(const TerminalLine &) = delete;
+    TerminalLine &operator=(const TerminalLine &) = delete;
+    /// Returns whether it is time to show another text.
     bool isDue() const { return m_isShown && std::chrono::steady_clock::now() >= m_next; }
     void show(const QString &text);
-    /// Takes away what it shows.
+    /// Erases the line.
     void wipe();
-    /// Shows nothing from now on.
+    /// Makes isDue() false from now on.
     void hide() { m_isShown = false; }
 
 private:
@@ -69,8 +71,8 @@ private:
     std::chrono::steady_clock::time_point m_next;
 };
 
-/// Says what takes long, on stderr while that is a terminal, where nothing tells how far it is: from half a second on, with
-/// the seconds that it took so far. Ctrl+C ends the program.
+/// A status line with the elapsed seconds, for work that cannot report its progress. Ctrl+C ends the program during this
+/// work.
 class Waiting
 {
 public:
@@ -86,10 +88,10 @@ private:
     std::mutex m_lock;
     std::condition_variable m_isOver;
     bool m_ends = false;
-    std::thread m_watch; ///< only where there is a terminal
+    std::thread m_watch; ///< runs only if stderr is a terminal
 };
 
-/// How far a run is, on a status line while stdout is another place than the terminal.
+/// A status line with the current frame of a run. It is hidden if the run is written to the terminal.
 class RunProgress
 {
 public:
@@ -103,7 +105,7 @@ public:
 private:
     void show(std::int64_t frame);
 
-    StatusLine m_line;
+    TerminalLine m_line;
     std::int64_t m_frames;
 };
 

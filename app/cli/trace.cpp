@@ -1,9 +1,8 @@
-#include "app/cli/trace.h"
-
-#include "app/cli/experiment_named.h"
+#include "app/cli/experiment_argument.h"
 #include "app/cli/terminal.h"
-#include "app/model/experiment.h"
-#include "app/model/sentences.h"
+#include "app/cli/verbs.h"
+#include "app/model/experiment/experiment.h"
+#include "app/model/text/sentences.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
@@ -15,16 +14,16 @@ namespace app {
 
 namespace {
 
-struct Text
+struct TraceText
 {
-    Q_DECLARE_TR_FUNCTIONS(Trace)
+    Q_DECLARE_TR_FUNCTIONS(TraceText)
 };
 
-/// Kept states only shorten the way back to where numbers stopped being finite: a little is enough, and memory
-/// stays the same however long the run is.
-constexpr std::size_t historyBudget = std::size_t{1} << 20;
+/// Bytes. Keyframes only shorten the search for the step that stopped being finite, so a few are enough. A small
+/// budget keeps the memory constant for long runs.
+constexpr std::size_t keyframeBudget = std::size_t{1} << 20;
 
-/// In the fewest digits, 17 at most, that are read back as the same number; whatever the locale.
+/// Appends the shortest text that reads back as the same number, in any locale.
 template <class Number>
 void append(std::string &text, Number value)
 {
@@ -69,8 +68,8 @@ void appendRow(std::string &text, const sim::Track &track, lessons::TraceColumns
     }
 }
 
-/// Writes the rows up to frame `frames`, and sets `last` to the last one. Returns whether all were written; if not, the
-/// caller asks why.
+/// Writes the rows up to frame `frames`, and sets `last` to the last written frame. Returns whether all rows were
+/// written.
 bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns columns, Output &output,
                std::int64_t &last)
 {
@@ -78,7 +77,7 @@ bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns col
     output.buffer() += titles(columns);
     appendRow(output.buffer(), track, columns);
     for (std::int64_t frame = track.framesPerOutput(); frame <= frames; frame += track.framesPerOutput()) {
-        // Asked within a row, too: one can take long.
+        // Called within a frame, too, because one frame can take long.
         const auto goesOn = [&] {
             progress.at(last);
             return !isInterrupted();
@@ -95,8 +94,8 @@ bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns col
 
 int writeTrace(const Experiment &experiment, lessons::TraceColumns columns)
 {
-    std::optional<Waiting> waiting(Text::tr("Setting up the run"));
-    sim::Track track(experiment.script, historyBudget);
+    std::optional<Waiting> waiting(TraceText::tr("Setting up the run"));
+    sim::Track track(experiment.script, keyframeBudget);
     waiting.reset();
     Output output;
     listenForInterrupt();
@@ -105,33 +104,30 @@ int writeTrace(const Experiment &experiment, lessons::TraceColumns columns)
     if (!output.flush()) {
         if (output.failure().isEmpty())
             return exitDone;
-        say(Text::tr("The rows cannot be written: %1. Make room, or write to another place.")
+        printMessage(
+            TraceText::tr(
+                "The rows could not be written: %1. Free some disk space, or write to another folder.")
                 .arg(output.failure()));
         return exitBadUse;
     }
     if (isWhole)
         return exitDone;
     if (track.stop()) {
-        say(sentenceFor(*track.stop()));
+        printMessage(sentenceFor(*track.stop()));
         return exitNo;
     }
-    say(Text::tr("Stopped at frame %1 of %2.").arg(last).arg(experiment.frames));
+    printMessage(TraceText::tr("Stopped at frame %1 of %2.").arg(last).arg(experiment.frames));
     return exitInterrupted;
 }
 
 }
 
-int trace(const QString &file)
+int runTrace(const Arguments &arguments)
 {
-    try {
-        const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
-        const Experiment experiment = experimentIn(file, library);
-        const lessons::Step *step = library.lesson(experiment.lesson)->step(experiment.step);
-        return writeTrace(experiment, step->traceColumns);
-    } catch (const Refusal &refusal) {
-        say(refusal.sentence());
-        return exitBadUse;
-    }
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    const Experiment experiment = experimentFromFile(arguments.names[0], library);
+    const lessons::Step *step = library.lesson(experiment.lesson)->step(experiment.step);
+    return writeTrace(experiment, step->traceColumns);
 }
 
 }

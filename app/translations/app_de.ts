@@ -2,34 +2,21 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
-    <name>Accuracy</name>
+    <name>AccuracyPlotText</name>
     <message>
-        <source>%1: the picture cannot be written: %2. Choose another folder or name.</source>
-        <translation>%1: Die Bilddatei lässt sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+        <source>%1: %2 frames; reference %3, accurate to %4 px</source>
+        <translation>%1: %2 Bilder; Referenz %3, auf %4 px genau</translation>
     </message>
+</context>
+<context>
+    <name>AccuracyReportText</name>
     <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Angehalten, bevor alles gemessen war.</translation>
-    </message>
-    <message>
-        <source>%1 frames; reference %2, known to %3 px</source>
-        <translation>%1 Bilder; Referenz %2, bekannt auf %3 px</translation>
-    </message>
-    <message>
-        <source>time, ns a frame</source>
-        <translation>Zeit, ns pro Bild</translation>
+        <source>step</source>
+        <translation>Zeitschritt</translation>
     </message>
     <message>
         <source>error, px</source>
         <translation>Fehler, px</translation>
-    </message>
-    <message>
-        <source>in use</source>
-        <translation>verwendet</translation>
-    </message>
-    <message>
-        <source>step</source>
-        <translation>Zeitschritt</translation>
     </message>
     <message>
         <source>forces/frame</source>
@@ -52,11 +39,15 @@
         <translation>dauert zu lange</translation>
     </message>
     <message>
-        <source>There is no continuous motion behind this scene: what %1 does depends on the step. So each method is compared with itself at a finer step (%2), which is up to %3 px from the next coarser one.</source>
-        <translation>Hinter dieser Szene steht keine stetige Bewegung: Was %1 bewirkt, hängt vom Zeitschritt ab. Darum wird jedes Verfahren mit sich selbst bei feinerem Zeitschritt verglichen (%2); der liegt bis zu %3 px neben dem nächstgröberen.</translation>
+        <source>in use</source>
+        <translation>verwendet</translation>
     </message>
     <message>
-        <source>Errors are distances from %1 (%2). Its check, %3 (%4), is up to %5 px from it.</source>
+        <source>This scene has no exact motion to compare with, because %1 acts once per step. Each method is therefore compared with itself at a finer step (%2), which differs by up to %3 px from the next coarser one.</source>
+        <translation>Diese Szene hat keine exakte Bewegung zum Vergleich, denn %1 wirkt einmal pro Zeitschritt. Darum wird jedes Verfahren mit sich selbst bei feinerem Zeitschritt verglichen (%2); der weicht bis zu %3 px vom nächstgröberen ab.</translation>
+    </message>
+    <message>
+        <source>Errors are distances from %1 (%2). Its check, %3 (%4), differs from it by up to %5 px.</source>
         <translation>Fehler sind Abstände von %1 (%2). Die Gegenprobe %3 (%4) weicht davon bis zu %5 px ab.</translation>
     </message>
     <message>
@@ -64,32 +55,32 @@
         <translation>Fehler gibt es bis Bild %1 von %2</translation>
     </message>
     <message>
-        <source>: after it they are too far apart to be believed.</source>
-        <translation>: Danach liegen sie zu weit auseinander, um glaubhaft zu sein.</translation>
+        <source>: after that, the reference and its check disagree.</source>
+        <translation>: Danach stimmen Referenz und Gegenprobe nicht mehr überein.</translation>
     </message>
     <message>
-        <source>: after it the reference stops being finite.</source>
-        <translation>: Danach bleibt die Referenz nicht mehr endlich.</translation>
+        <source>: after that, the reference is no longer finite.</source>
+        <translation>: Danach ist die Referenz nicht mehr endlich.</translation>
     </message>
     <message>
-        <source>: computing a reference further takes too long.</source>
-        <translation>: Eine Referenz darüber hinaus zu berechnen, dauert zu lange.</translation>
+        <source>: computing the reference beyond that would take too long.</source>
+        <translation>: Die Referenz noch weiter zu berechnen, würde zu lange dauern.</translation>
     </message>
     <message>
-        <source>Nothing that was measured is within %1 px.</source>
-        <translation>Nichts Gemessenes bleibt innerhalb von %1 px.</translation>
+        <source>No method stays within an error of %1 px.</source>
+        <translation>Kein Verfahren bleibt unter einem Fehler von %1 px.</translation>
     </message>
     <message>
-        <source>To be within %1 px this scene costs %2 µs a frame: %3, which is %4 px off.</source>
-        <translation>Innerhalb von %1 px zu bleiben, kostet in dieser Szene %2 µs pro Bild: %3 mit einer Abweichung von %4 px.</translation>
+        <source>The cheapest way to stay within an error of %1 px costs %2 µs a frame: %3, with an error of %4 px.</source>
+        <translation>Am billigsten bleibt man für %2 µs pro Bild unter einem Fehler von %1 px: %3, mit einem Fehler von %4 px.</translation>
     </message>
     <message>
-        <source>The method in use, %1, has no error to show: see the table.</source>
-        <translation>Das verwendete Verfahren %1 hat keinen Fehler vorzuweisen: siehe Tabelle.</translation>
+        <source>No error was measured for the method in use, %1: see the table.</source>
+        <translation>Für das verwendete Verfahren %1 wurde kein Fehler gemessen: siehe Tabelle.</translation>
     </message>
     <message>
-        <source>The method in use, %1, costs %2 µs a frame and is %3 px off.</source>
-        <translation>Das verwendete Verfahren %1 kostet %2 µs pro Bild und weicht um %3 px ab.</translation>
+        <source>The method in use, %1, costs %2 µs a frame, with an error of %3 px.</source>
+        <translation>Das verwendete Verfahren %1 kostet %2 µs pro Bild, mit einem Fehler von %3 px.</translation>
     </message>
     <message>
         <source>tolerance %1</source>
@@ -104,82 +95,94 @@
         <translation>Verfahren</translation>
     </message>
     <message>
-        <source>* on the front: nothing measured is at least as exact and cheaper.</source>
-        <translation>* auf der Bestlinie: Nichts Gemessenes ist mindestens so genau und billiger.</translation>
+        <source>* on the front: nothing cheaper is as accurate.</source>
+        <translation>* auf der Bestlinie: Nichts Billigeres ist so genau.</translation>
     </message>
     <message>
         <source>This machine is busy with other things: times vary by %1 %.</source>
         <translation>Dieser Rechner hat anderes zu tun: Die Zeiten schwanken um %1 %.</translation>
     </message>
     <message>
-        <source>Nothing moves here unless you do something: save a run in which you do, and measure that file.</source>
-        <translation>Hier bewegt sich nichts, solange du nichts tust: Speichere einen Lauf, in dem du etwas tust, und miss diese Datei.</translation>
+        <source>Nothing moves here unless you do something, so there is no error to measure. Save a run in which you do something, and measure that file.</source>
+        <translation>Hier bewegt sich nichts, solange du nichts tust, also gibt es keinen Fehler zu messen. Speichere einen Lauf, in dem du etwas tust, und miss diese Datei.</translation>
     </message>
 </context>
 <context>
-    <name>AccuracyWords</name>
+    <name>AccuracyText</name>
     <message>
-        <source>Yours costs %1 and is %2 off.</source>
-        <translation>Deines kostet %1 und weicht um %2 ab.</translation>
+        <source>Measured %1 %</source>
+        <translation>%1 % gemessen</translation>
     </message>
     <message>
-        <source>Yours is %1 off.</source>
-        <translation>Deines weicht um %1 ab.</translation>
+        <source>%1: the picture could not be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Bilddatei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
     <message>
-        <source>Yours is unstable here: its numbers grow without bound.</source>
-        <translation>Deines ist hier instabil: Seine Zahlen wachsen ohne Grenze.</translation>
+        <source>Stopped before everything was measured.</source>
+        <translation>Angehalten, bevor alles gemessen war.</translation>
     </message>
     <message>
-        <source>Yours cannot compute this scene.</source>
-        <translation>Deines kann diese Szene nicht berechnen.</translation>
+        <source>Your setup costs %1 and has an error of %2.</source>
+        <translation>Deine Einstellung kostet %1 und hat einen Fehler von %2.</translation>
     </message>
     <message>
-        <source>Yours would take too long to measure.</source>
-        <translation>Deines zu messen, würde zu lange dauern.</translation>
+        <source>Your setup has an error of %1.</source>
+        <translation>Deine Einstellung hat einen Fehler von %1.</translation>
     </message>
     <message>
-        <source>Errors first, then times: what it costs to be within %1 will stand here.</source>
-        <translation>Erst die Fehler, dann die Zeiten: Was es kostet, innerhalb von %1 zu bleiben, wird hier stehen.</translation>
+        <source>Your setup is unstable here: its numbers grow without bound.</source>
+        <translation>Deine Einstellung ist hier instabil: Die Zahlen wachsen ohne Grenze.</translation>
     </message>
     <message>
-        <source>Nothing here comes within %1.</source>
-        <translation>Nichts kommt hier auf %1 heran.</translation>
+        <source>Your method cannot compute this scene.</source>
+        <translation>Dein Verfahren kann diese Szene nicht berechnen.</translation>
     </message>
     <message>
-        <source>Nothing here comes within %1. The closest is %2: %3 off.</source>
-        <translation>Nichts kommt hier auf %1 heran. Am nächsten kommt %2: %3 Abweichung.</translation>
+        <source>Your setup would take too long to measure.</source>
+        <translation>Deine Einstellung zu messen, würde zu lange dauern.</translation>
     </message>
     <message>
-        <source>Errors count up to frame %1 of %2.</source>
-        <translation>Fehler zählen bis Bild %1 von %2.</translation>
+        <source>Errors are measured first, then times. The cost of staying within an error of %1 will appear here.</source>
+        <translation>Erst werden Fehler gemessen, dann Zeiten. Hier erscheint dann, was ein Fehler von höchstens %1 kostet.</translation>
     </message>
     <message>
-        <source>After it, even the two finest steps part: here the smallest difference grows.</source>
-        <translation>Danach trennen sich sogar die zwei feinsten Zeitschritte: Hier wächst der kleinste Unterschied.</translation>
+        <source>No method stays within an error of %1.</source>
+        <translation>Kein Verfahren bleibt unter einem Fehler von %1.</translation>
     </message>
     <message>
-        <source>After it, two very exact solutions part: here the smallest difference grows until nobody can say where the bodies really are.</source>
-        <translation>Danach trennen sich zwei sehr genaue Lösungen: Hier wächst der kleinste Unterschied, bis niemand mehr sagen kann, wo die Körper wirklich sind.</translation>
+        <source>No method stays within an error of %1. The closest is %2, with an error of %3.</source>
+        <translation>Kein Verfahren bleibt unter einem Fehler von %1. Am nächsten kommt %2 mit einem Fehler von %3.</translation>
     </message>
     <message>
-        <source>After it, the exact motion itself grows without bound.</source>
+        <source>Errors are measured up to frame %1 of %2.</source>
+        <translation>Fehler werden bis Bild %1 von %2 gemessen.</translation>
+    </message>
+    <message>
+        <source>After that, even the two finest steps disagree, because the smallest difference grows here.</source>
+        <translation>Danach stimmen nicht einmal die zwei feinsten Zeitschritte überein, denn hier wächst der kleinste Unterschied.</translation>
+    </message>
+    <message>
+        <source>After that, even two very accurate solutions disagree. The smallest difference grows here until the true positions cannot be known.</source>
+        <translation>Danach stimmen nicht einmal zwei sehr genaue Lösungen überein. Hier wächst der kleinste Unterschied, bis niemand mehr weiß, wo die Körper wirklich sind.</translation>
+    </message>
+    <message>
+        <source>After that, the exact motion itself grows without bound.</source>
         <translation>Danach wächst die exakte Bewegung selbst ohne Grenze.</translation>
     </message>
     <message>
-        <source>To know the exact motion any longer would take too long.</source>
-        <translation>Die exakte Bewegung noch länger zu kennen, würde zu lange dauern.</translation>
+        <source>Computing the exact motion beyond that would take too long.</source>
+        <translation>Die exakte Bewegung noch weiter zu berechnen, würde zu lange dauern.</translation>
     </message>
     <message>
         <source>one of its effects</source>
         <translation>einer ihrer Effekte</translation>
     </message>
     <message>
-        <source>This scene has no exact motion to compare with: %1 acts once a step, however short the step is. So each method is compared with its own finest steps.</source>
-        <translation>Diese Szene hat keine exakte Bewegung zum Vergleich: „%1“ wirkt einmal pro Zeitschritt, wie kurz er auch ist. Darum wird jedes Verfahren mit seinen eigenen feinsten Zeitschritten verglichen.</translation>
+        <source>This scene has no exact motion to compare with, because %1 acts once per step, however short the step is. Each method is therefore compared with its own finest steps.</source>
+        <translation>Diese Szene hat keine exakte Bewegung zum Vergleich, denn „%1“ wirkt einmal pro Zeitschritt, wie kurz er auch ist. Darum wird jedes Verfahren mit seinen eigenen feinsten Zeitschritten verglichen.</translation>
     </message>
     <message>
-        <source>Not able to compute this scene: %1.</source>
+        <source>Cannot compute this scene: %1.</source>
         <translation>Kann diese Szene nicht berechnen: %1.</translation>
     </message>
     <message>
@@ -199,12 +202,12 @@
         <translation>%1, Zeitschritt %2</translation>
     </message>
     <message>
-        <source>Not off at all, to the last digit</source>
-        <translation>Bis zur letzten Stelle ohne Abweichung</translation>
+        <source>No error, to the last digit</source>
+        <translation>Kein Fehler, bis zur letzten Stelle</translation>
     </message>
     <message>
-        <source>At most %1 off</source>
-        <translation>Weicht höchstens um %1 ab</translation>
+        <source>Error at most %1</source>
+        <translation>Fehler höchstens %1</translation>
     </message>
     <message>
         <source>Unstable: its numbers grow without bound</source>
@@ -215,12 +218,12 @@
         <translation>Kann diese Szene nicht berechnen</translation>
     </message>
     <message>
-        <source>Left out: it would take too long</source>
+        <source>Skipped: it would take too long</source>
         <translation>Ausgelassen: Es würde zu lange dauern</translation>
     </message>
     <message>
-        <source>Not tried yet</source>
-        <translation>Noch nicht versucht</translation>
+        <source>Not measured yet</source>
+        <translation>Noch nicht gemessen</translation>
     </message>
     <message>
         <source>%1 ± %2 a frame</source>
@@ -231,43 +234,43 @@
         <translation>Berechnet alle Kräfte %1-mal pro Bild</translation>
     </message>
     <message>
-        <source>On the front: nothing is as exact for less</source>
-        <translation>Auf der Bestlinie: Nichts ist für weniger so genau</translation>
+        <source>On the front: nothing cheaper is as accurate</source>
+        <translation>Auf der Bestlinie: Nichts Billigeres ist so genau</translation>
     </message>
     <message>
-        <source>Nothing moves here unless you do something, so nothing can be off: drag a body or change a number, then measure again.</source>
-        <translation>Hier bewegt sich nichts, solange du nichts tust, also kann auch nichts abweichen: Zieh an einem Körper oder ändere eine Zahl und miss dann noch einmal.</translation>
+        <source>Nothing moves here unless you do something, so there is no error to measure. Drag a body or change a number, then measure again.</source>
+        <translation>Hier bewegt sich nichts, solange du nichts tust, also gibt es keinen Fehler zu messen. Zieh an einem Körper oder ändere eine Zahl und miss dann noch einmal.</translation>
     </message>
     <message>
-        <source>A first look, at frames 0 to %1: further, the exact motion is still being computed.</source>
-        <translation>Ein erster Blick auf die Bilder 0 bis %1: Weiter hinten wird die exakte Bewegung noch berechnet.</translation>
+        <source>First results, for frames 0 to %1. The exact motion after that is still being computed.</source>
+        <translation>Erste Ergebnisse für die Bilder 0 bis %1. Die exakte Bewegung danach wird noch berechnet.</translation>
     </message>
     <message>
-        <source>To be within %1, nothing is cheaper than what you use: %2, at %3 a frame and %4 off.</source>
-        <translation>Innerhalb von %1 ist nichts billiger als das, was du verwendest: %2 für %3 pro Bild bei %4 Abweichung.</translation>
+        <source>Nothing cheaper than your setup stays within an error of %1: %2 costs %3 a frame, with an error of %4.</source>
+        <translation>Nichts Billigeres als deine Einstellung bleibt unter einem Fehler von %1: %2 kostet %3 pro Bild, mit einem Fehler von %4.</translation>
     </message>
     <message>
-        <source>To be within %1, this scene costs %2 a frame: %3.</source>
-        <translation>Innerhalb von %1 zu bleiben, kostet in dieser Szene %2 pro Bild: %3.</translation>
+        <source>The cheapest way to stay within an error of %1 costs %2 a frame: %3.</source>
+        <translation>Am billigsten bleibt man für %2 pro Bild unter einem Fehler von %1: %3.</translation>
     </message>
     <message>
-        <source>The machine is busy with other things: the times differ by %1&#x2009;% from run to run. Errors are not touched by that.</source>
-        <translation>Der Rechner hat anderes zu tun: Die Zeiten unterscheiden sich von Lauf zu Lauf um %1&#x2009;%. Die Fehler berührt das nicht.</translation>
+        <source>The machine is busy with other things: the times differ by %1&#x2009;% from run to run. The errors are not affected.</source>
+        <translation>Der Rechner hat anderes zu tun: Die Zeiten unterscheiden sich von Lauf zu Lauf um %1&#x2009;%. Die Fehler sind davon nicht betroffen.</translation>
     </message>
     <message>
         <source>Unstable: %1</source>
         <translation>Instabil: %1</translation>
     </message>
     <message>
-        <source>unstable at big steps: %1</source>
+        <source>unstable at large steps: %1</source>
         <translation>instabil bei großen Zeitschritten: %1</translation>
     </message>
 </context>
 <context>
     <name>Attempt</name>
     <message>
-        <source>There is not enough memory for it.</source>
-        <translation>Dafür reicht der Speicher nicht.</translation>
+        <source>There is not enough memory.</source>
+        <translation>Der Speicher reicht nicht.</translation>
     </message>
 </context>
 <context>
@@ -297,8 +300,8 @@
         <translation>der Name eines Körpers</translation>
     </message>
     <message>
-        <source>there is no body %1 in this scene; %2 takes the name of one of its &quot;bodies&quot;.</source>
-        <translation>in dieser Szene gibt es keinen Körper %1; %2 verlangt den Namen von einem aus &quot;bodies&quot;.</translation>
+        <source>there is no body %1 in this scene; %2 must be the name of one of its &quot;bodies&quot;.</source>
+        <translation>in dieser Szene gibt es keinen Körper %1; %2 muss der Name von einem aus &quot;bodies&quot; sein.</translation>
     </message>
     <message>
         <source>%1 has %2 at both ends; give it two bodies.</source>
@@ -325,12 +328,12 @@
         <translation>ein Fuß gehört zu einer Ganggruppe, und es gibt keine; füge &quot;gaits&quot;: [{}] hinzu.</translation>
     </message>
     <message>
-        <source>%1 is a foot twice; it can be the foot of one body.</source>
-        <translation>%1 ist zweimal ein Fuß; möglich ist nur der Fuß eines einzigen Körpers.</translation>
+        <source>%1 is a foot twice; it can be the foot of only one body.</source>
+        <translation>%1 ist zweimal ein Fuß; ein Punkt kann nur der Fuß eines einzigen Körpers sein.</translation>
     </message>
     <message>
-        <source>a scene cannot have the effect %1; it can have %2, and its springs, sticks and feet act of themselves.</source>
-        <translation>eine Szene kann den Effekt %1 nicht haben; möglich ist %2, und ihre Federn, Stäbe und Füße wirken von selbst.</translation>
+        <source>a scene cannot have the effect %1; it can have %2. Its springs, sticks and feet need no effect.</source>
+        <translation>eine Szene kann den Effekt %1 nicht haben; möglich ist %2. Ihre Federn, Stäbe und Füße brauchen keinen Effekt.</translation>
     </message>
     <message>
         <source>the effect %1 is given twice; keep one.</source>
@@ -364,7 +367,7 @@
     </message>
 </context>
 <context>
-    <name>BreakWatch</name>
+    <name>BreakpointMonitorText</name>
     <message>
         <source>%1, line %2</source>
         <translation>%1, Zeile %2</translation>
@@ -375,213 +378,69 @@
     </message>
 </context>
 <context>
-    <name>BuiltProperties</name>
+    <name>CaptionText</name>
     <message>
-        <source>x</source>
-        <translation>x</translation>
+        <source>pulls change the velocities directly, %1.</source>
+        <translation>Züge ändern die Geschwindigkeiten direkt, %1.</translation>
     </message>
     <message>
-        <source>px</source>
-        <translation>px</translation>
+        <source>accelerations are being added up, %1.</source>
+        <translation>Beschleunigungen werden addiert, %1.</translation>
     </message>
     <message>
-        <source>How far to the right it starts.</source>
-        <translation>Wie weit rechts er beginnt.</translation>
+        <source>velocities have changed, %1.</source>
+        <translation>Geschwindigkeiten haben sich geändert, %1.</translation>
     </message>
     <message>
-        <source>y</source>
-        <translation>y</translation>
+        <source>already moved: %1; not yet moved: %2.</source>
+        <translation>schon bewegt: %1; noch nicht bewegt: %2.</translation>
     </message>
     <message>
-        <source>How far down it starts.</source>
-        <translation>Wie weit unten er beginnt.</translation>
+        <source>everything has moved; next: %1.</source>
+        <translation>alles hat sich bewegt; als Nächstes: „%1“.</translation>
     </message>
     <message>
-        <source>Speed x</source>
-        <translation>Tempo x</translation>
+        <source>everything has moved.</source>
+        <translation>alles hat sich bewegt.</translation>
     </message>
     <message>
-        <source>px/frame</source>
-        <translation>px/Bild</translation>
+        <source>Inside frame %1: %2 of %3 steps are done.</source>
+        <translation>Innerhalb von Bild %1: %2 von %3 Zeitschritten sind getan.</translation>
     </message>
     <message>
-        <source>How fast it starts to the right.</source>
-        <translation>Wie schnell er nach rechts startet.</translation>
+        <source>nothing has moved in it yet</source>
+        <translation>in ihm hat sich noch nichts bewegt</translation>
     </message>
     <message>
-        <source>Speed y</source>
-        <translation>Tempo y</translation>
+        <source>nothing has moved yet</source>
+        <translation>noch hat sich nichts bewegt</translation>
     </message>
     <message>
-        <source>How fast it starts downwards.</source>
-        <translation>Wie schnell er nach unten startet.</translation>
+        <source>%1 has moved points directly, without a velocity.</source>
+        <translation>%1 hat Punkte direkt bewegt, nicht über eine Geschwindigkeit.</translation>
     </message>
     <message>
-        <source>Mass</source>
-        <translation>Masse</translation>
+        <source>Inside frame %1, step %2 of %3: %4</source>
+        <translation>Innerhalb von Bild %1, Zeitschritt %2 von %3: %4</translation>
     </message>
     <message>
-        <source>How much it takes to move it; a usual body has 1.</source>
-        <translation>Wie viel es braucht, ihn zu bewegen; ein üblicher Körper hat 1.</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Its width: walls stop its edge, and wind takes hold of it.</source>
-        <translation>Seine Breite: Wände halten seinen Rand auf, und der Wind greift an ihr an.</translation>
-    </message>
-    <message>
-        <source>Nailed</source>
-        <translation>Genagelt</translation>
-    </message>
-    <message>
-        <source>Whether it stays where it is.</source>
-        <translation>Ob er bleibt, wo er ist.</translation>
-    </message>
-    <message>
-        <source>Stiffness</source>
-        <translation>Steifigkeit</translation>
-    </message>
-    <message>
-        <source>1/frame²</source>
-        <translation>1/Bild²</translation>
-    </message>
-    <message>
-        <source>How hard it pulls a usual body: this share of the missing distance, each frame.</source>
-        <translation>Wie stark an einem üblichen Körper gezogen wird: um diesen Anteil des fehlenden Abstands, in jedem Bild.</translation>
-    </message>
-    <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
-        <source>How far apart it wants its two ends.</source>
-        <translation>Wie weit auseinander die zwei Enden sein sollen.</translation>
-    </message>
-    <message>
-        <source>Share</source>
-        <translation>Anteil</translation>
-    </message>
-    <message>
-        <source>The part of a wrong length that its first end makes good; the other end does the rest.</source>
-        <translation>Der Teil einer falschen Länge, den das erste Ende ausgleicht; das andere Ende macht den Rest.</translation>
-    </message>
-    <message>
-        <source>Angle</source>
-        <translation>Winkel</translation>
-    </message>
-    <message>
-        <source>°</source>
-        <translation>°</translation>
-    </message>
-    <message>
-        <source>Where the foot belongs, seen from its body: 0 is left of it, 90 above it.</source>
-        <translation>Wohin der Fuß gehört, von seinem Körper aus gesehen: 0 ist links davon, 90 darüber.</translation>
-    </message>
-    <message>
-        <source>Leg</source>
-        <translation>Bein</translation>
-    </message>
-    <message>
-        <source>How long the legs of this gait group are.</source>
-        <translation>Wie lang die Beine dieser Ganggruppe sind.</translation>
-    </message>
-    <message>
-        <source>Drop</source>
-        <translation>Absenkung</translation>
-    </message>
-    <message>
-        <source>How far below the body the legs of this gait group end.</source>
-        <translation>Wie weit unter dem Körper die Beine dieser Ganggruppe enden.</translation>
-    </message>
-    <message>
-        <source>Swing</source>
-        <translation>Schwung</translation>
-    </message>
-    <message>
-        <source>rad/frame</source>
-        <translation>rad/Bild</translation>
-    </message>
-    <message>
-        <source>Begin</source>
-        <translation>Beginn</translation>
-    </message>
-    <message>
-        <source>rad</source>
-        <translation>rad</translation>
-    </message>
-    <message>
-        <source>Where that clock begins: groups that begin apart step in turn.</source>
-        <translation>Wo diese Uhr beginnt: Gruppen, die versetzt beginnen, treten im Wechsel.</translation>
-    </message>
-    <message>
-        <source>Carries</source>
-        <translation>Trägt</translation>
-    </message>
-    <message>
-        <source>Whether the body feels its feet: without that they do not carry it.</source>
-        <translation>Ob der Körper seine Füße spürt: Sonst tragen sie ihn nicht.</translation>
-    </message>
-    <message>
-        <source>Point %1</source>
-        <translation>Punkt %1</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
-    </message>
-    <message>
-        <source>Spring</source>
-        <translation>Feder</translation>
-    </message>
-    <message>
-        <source>%1 springs</source>
-        <translation>%1 Federn</translation>
-    </message>
-    <message>
-        <source>Stick</source>
-        <translation>Stab</translation>
-    </message>
-    <message>
-        <source>%1 sticks</source>
-        <translation>%1 Stäbe</translation>
-    </message>
-    <message>
-        <source>Foot of %1</source>
-        <translation>Fuß von %1</translation>
-    </message>
-    <message>
-        <source>Group</source>
-        <translation>Gruppe</translation>
-    </message>
-    <message>
-        <source>The gait group: its feet swing to one clock.</source>
-        <translation>Die Ganggruppe: Ihre Füße schwingen nach einer Uhr.</translation>
-    </message>
-    <message>
-        <source>Gait group %1</source>
-        <translation>Ganggruppe %1</translation>
-    </message>
-    <message>
-        <source>How fast the clock of this gait group turns its legs. 0: they stand still. To walk, feet need ground.</source>
-        <translation>Wie schnell die Uhr dieser Ganggruppe ihre Beine dreht. 0: Sie stehen still. Zum Gehen brauchen Füße Boden.</translation>
+        <source>Inside frame %1: %2</source>
+        <translation>Innerhalb von Bild %1: %2</translation>
     </message>
 </context>
 <context>
-    <name>CodeListing</name>
+    <name>CodeListingText</name>
     <message>
         <source>Scene</source>
         <translation>Szene</translation>
     </message>
     <message>
-        <source>%1: the order</source>
-        <translation>%1: die Reihenfolge</translation>
+        <source>%1: order of the phases</source>
+        <translation>%1: Reihenfolge der Phasen</translation>
     </message>
 </context>
 <context>
-    <name>CodeMarks</name>
+    <name>CodeMarksText</name>
     <message>
         <source>done</source>
         <translation>erledigt</translation>
@@ -612,84 +471,69 @@
     </message>
 </context>
 <context>
-    <name>CodeRows</name>
+    <name>CodeRowsText</name>
     <message>
-        <source>%1: how the method adds it</source>
-        <translation>%1: wie das Verfahren es addiert</translation>
-    </message>
-</context>
-<context>
-    <name>CodeSteering</name>
-    <message>
-        <source>%1 can be %2, and not %3.</source>
-        <translation>%1 kann %2 sein, aber nicht %3.</translation>
-    </message>
-    <message>
-        <source>%1 can be a whole number from %2 to %3, and not %4.</source>
-        <translation>%1 kann eine ganze Zahl von %2 bis %3 sein, aber nicht %4.</translation>
-    </message>
-    <message>
-        <source>%1 can be a number from %2 to %3, and not %4.</source>
-        <translation>%1 kann eine Zahl von %2 bis %3 sein, aber nicht %4.</translation>
+        <source>%1: added up by the method</source>
+        <translation>%1: vom Verfahren addiert</translation>
     </message>
 </context>
 <context>
     <name>CodeSymbols</name>
     <message>
-        <source>Where the body is, seen from the place it hangs on.</source>
-        <translation>Wo der Körper ist, gesehen vom Ort, an dem er hängt.</translation>
+        <source>Where the body is, as seen from the other end of its spring.</source>
+        <translation>Wo der Körper ist, vom anderen Ende seiner Feder aus gesehen.</translation>
     </message>
     <message>
-        <source>The direction away from the place it hangs on, 1 long.</source>
-        <translation>Die Richtung weg vom Ort, an dem er hängt, mit Länge 1.</translation>
+        <source>The direction away from the other end of the spring, as an arrow of length 1.</source>
+        <translation>Die Richtung weg vom anderen Ende der Feder, als Pfeil der Länge 1.</translation>
     </message>
     <message>
         <source>The same direction, as an angle.</source>
         <translation>Dieselbe Richtung, als Winkel.</translation>
     </message>
     <message>
-        <source>How far the body is from the place it hangs on.</source>
-        <translation>Wie weit der Körper von dem Ort entfernt ist, an dem er hängt.</translation>
+        <source>How far the body is from the other end of its spring.</source>
+        <translation>Wie weit der Körper vom anderen Ende seiner Feder entfernt ist.</translation>
     </message>
     <message>
-        <source>How much farther out the spring wants the body, as a share of its distance.</source>
-        <translation>Wie viel weiter außen die Feder den Körper haben will, als Anteil seiner Entfernung.</translation>
+        <source>How much farther away the spring pulls the body, as a share of its distance.</source>
+        <translation>Um wie viel weiter weg die Feder den Körper zieht, als Anteil seiner Entfernung.</translation>
     </message>
     <message>
         <source>Where the spring pulls the body to.</source>
         <translation>Wohin die Feder den Körper zieht.</translation>
     </message>
     <message>
-        <source>The way from the body to where the spring pulls it.</source>
-        <translation>Der Weg vom Körper dorthin, wohin die Feder ihn zieht.</translation>
+        <source>The arrow from the body to where the spring pulls it.</source>
+        <translation>Der Pfeil vom Körper dorthin, wohin die Feder ihn zieht.</translation>
     </message>
     <message>
-        <source>What all springs together add to the velocity each frame.</source>
-        <translation>Was alle Federn zusammen in jedem Bild zur Geschwindigkeit addieren.</translation>
+        <source>How much all springs together add to the velocity in each frame.</source>
+        <translation>Wie viel alle Federn zusammen in jedem Bild zur Geschwindigkeit addieren.</translation>
     </message>
     <message>
-        <source>What gravity adds to the velocity each frame.</source>
-        <translation>Was die Schwerkraft in jedem Bild zur Geschwindigkeit addiert.</translation>
+        <source>How much gravity adds to the velocity in each frame.</source>
+        <translation>Wie viel die Schwerkraft in jedem Bild zur Geschwindigkeit addiert.</translation>
     </message>
     <message>
-        <source>The way from the body to its target.</source>
-        <translation>Der Weg vom Körper zu seinem Ziel.</translation>
+        <source>The arrow from the body to its target.</source>
+        <translation>Der Pfeil vom Körper zu seinem Ziel.</translation>
     </message>
     <message>
         <source>The share of the velocity that is left after this step.</source>
         <translation>Der Anteil der Geschwindigkeit, der nach diesem Zeitschritt übrig ist.</translation>
     </message>
     <message>
-        <source>What is added to the velocity each frame.</source>
-        <translation>Was in jedem Bild zur Geschwindigkeit addiert wird.</translation>
+        <source>How much is added to the velocity in each frame.</source>
+        <translation>Wie viel in jedem Bild zur Geschwindigkeit addiert wird.</translation>
     </message>
     <message>
         <source>Where the body is: x to the right, y down.</source>
         <translation>Wo der Körper ist: x nach rechts, y nach unten.</translation>
     </message>
     <message>
-        <source>The velocity: how far the body goes in a frame.</source>
-        <translation>Die Geschwindigkeit: wie weit der Körper in einem Bild kommt.</translation>
+        <source>The velocity: how far the body moves in a frame.</source>
+        <translation>Die Geschwindigkeit: wie weit sich der Körper in einem Bild bewegt.</translation>
     </message>
     <message>
         <source>How far the two are from each other.</source>
@@ -705,7 +549,22 @@
     </message>
 </context>
 <context>
-    <name>CodeValues</name>
+    <name>CodeTargetsText</name>
+    <message>
+        <source>%1 can be %2, but not %3.</source>
+        <translation>%1 kann %2 sein, aber nicht %3.</translation>
+    </message>
+    <message>
+        <source>%1 can be a whole number from %2 to %3, but not %4.</source>
+        <translation>%1 kann eine ganze Zahl von %2 bis %3 sein, aber nicht %4.</translation>
+    </message>
+    <message>
+        <source>%1 can be a number from %2 to %3, but not %4.</source>
+        <translation>%1 kann eine Zahl von %2 bis %3 sein, aber nicht %4.</translation>
+    </message>
+</context>
+<context>
+    <name>CodeValuesText</name>
     <message>
         <source>none</source>
         <translation>keine</translation>
@@ -734,65 +593,12 @@
 <context>
     <name>CommandLine</name>
     <message>
-        <source>The same as JSON.</source>
-        <translation>Dasselbe als JSON.</translation>
+        <source>there is no display for the window; set DISPLAY, or use a verb that needs none: %1.</source>
+        <translation>es gibt keinen Bildschirm für das Fenster; setze DISPLAY oder verwende ein Verb, das keinen braucht: %1.</translation>
     </message>
-    <message>
-        <source>Lists lessons, steps, parameters and methods.</source>
-        <translation>Listet Lektionen, Schritte, Parameter und Verfahren auf.</translation>
-    </message>
-    <message>
-        <source>Computes an experiment and writes every frame as CSV: frame,body,x,y,vx,vy.</source>
-        <translation>Berechnet ein Experiment und schreibt jedes Bild als CSV: frame,body,x,y,vx,vy.</translation>
-    </message>
-    <message>
-        <source>The experiment.</source>
-        <translation>Das Experiment.</translation>
-    </message>
-    <message>
-        <source>--%1 is %2; it can be %3 to %4.</source>
-        <translation>--%1 ist %2; möglich ist %3 bis %4.</translation>
-    </message>
-    <message>
-        <source>Measures what error each method makes on a scene, and what it costs.</source>
-        <translation>Misst, welchen Fehler jedes Verfahren in einer Szene macht und was es kostet.</translation>
-    </message>
-    <message>
-        <source>The experiment, or the step.</source>
-        <translation>Das Experiment oder der Schritt.</translation>
-    </message>
-    <message>
-        <source>Draws error against time.</source>
-        <translation>Zeichnet den Fehler über der Zeit.</translation>
-    </message>
-    <message>
-        <source>Names the cheapest way within E px.</source>
-        <translation>Nennt den billigsten Weg innerhalb von E px.</translation>
-    </message>
-    <message>
-        <source>Frames to compute (default 200, or the file&apos;s).</source>
-        <translation>Zu berechnende Bilder (Vorgabe 200 oder die der Datei).</translation>
-    </message>
-    <message>
-        <source>Runs every hard case under every method, and tells what holds; exit code 1 if a method fails a case that it claims.</source>
-        <translation>Rechnet jeden schwierigen Fall mit jedem Verfahren und meldet, was hält; Exit-Code 1, wenn ein Verfahren an einem Fall scheitert, den es zusagt.</translation>
-    </message>
-    <message>
-        <source>Runs this case only.</source>
-        <translation>Rechnet nur diesen Fall.</translation>
-    </message>
-    <message>
-        <source>Runs of full size: some take hours.</source>
-        <translation>Läufe in voller Größe: Manche dauern Stunden.</translation>
-    </message>
-    <message>
-        <source>Measures what each effect of a scene costs in a frame, and what else the frame takes.</source>
-        <translation>Misst, was jeder Effekt einer Szene pro Bild kostet und was das Bild sonst noch braucht.</translation>
-    </message>
-    <message>
-        <source>Measures the frames after frame N (default 0).</source>
-        <translation>Misst die Bilder nach Bild N (Vorgabe 0).</translation>
-    </message>
+</context>
+<context>
+    <name>CommandLineText</name>
     <message>
         <source>An experiment to open.</source>
         <translation>Ein Experiment, das geöffnet wird.</translation>
@@ -814,232 +620,94 @@
         <translation>Gibt diese Hilfe aus.</translation>
     </message>
     <message>
-        <source>%1; %2 --help tells what there is.</source>
-        <translation>%1; %2 --help sagt, was es gibt.</translation>
+        <source>%1; see %2 --help.</source>
+        <translation>%1; siehe %2 --help.</translation>
     </message>
     <message>
-        <source>no name</source>
-        <translation>kein Name</translation>
+        <source>no arguments</source>
+        <translation>keine Argumente</translation>
     </message>
     <message>
-        <source>%1 takes %2; %3 --help tells more.</source>
-        <translation>%1 braucht %2; %3 --help sagt mehr.</translation>
-    </message>
-    <message>
-        <source>%1 is neither a file nor a step; name a step as LESSON/STEP, as &quot;springstep lessons&quot; lists them.</source>
-        <translation>%1 ist weder eine Datei noch ein Schritt; nenne einen Schritt als LESSON/STEP, wie &quot;springstep lessons&quot; sie auflistet.</translation>
-    </message>
-    <message>
-        <source>there is no display for the window; set DISPLAY, or use a verb that needs none: %1.</source>
-        <translation>es gibt keinen Bildschirm für das Fenster; setze DISPLAY oder verwende ein Verb, das keinen braucht: %1.</translation>
-    </message>
-    <message>
-        <source>--size is %1; it can be WIDTHxHEIGHT in pixels, each from 100 to 9999, such as 1280x800.</source>
-        <translation>--size ist %1; möglich ist BREITExHÖHE in Pixeln, beides von 100 bis 9999, zum Beispiel 1280x800.</translation>
-    </message>
-    <message>
-        <source>--mode is %1; it can be &quot;learn&quot; or &quot;measure&quot;.</source>
-        <translation>--mode ist %1; möglich ist &quot;learn&quot; oder &quot;measure&quot;.</translation>
-    </message>
-    <message>
-        <source>--stability is %1; it can be &quot;gauge&quot;, &quot;reasons&quot;, or a map: &quot;step&quot; or &quot;damping&quot;.</source>
-        <translation>--stability ist %1; möglich ist &quot;gauge&quot;, &quot;reasons&quot; oder eine Karte: &quot;step&quot; oder &quot;damping&quot;.</translation>
-    </message>
-    <message>
-        <source>%1 is not a step; name it as LESSON/STEP, as &quot;springstep lessons&quot; lists them.</source>
-        <translation>%1 ist kein Schritt; nenne ihn als LESSON/STEP, wie &quot;springstep lessons&quot; sie auflistet.</translation>
-    </message>
-    <message>
-        <source>Draws the window as a learner sees it.</source>
-        <translation>Zeichnet das Fenster so, wie Lernende es sehen.</translation>
-    </message>
-    <message>
-        <source>The step to open.</source>
-        <translation>Der Schritt, der geöffnet wird.</translation>
-    </message>
-    <message>
-        <source>The picture to write.</source>
-        <translation>Die Bilddatei, die geschrieben wird.</translation>
-    </message>
-    <message>
-        <source>Go to frame N (default 0).</source>
-        <translation>Geht zu Bild N (Vorgabe 0).</translation>
-    </message>
-    <message>
-        <source>Stop after P phases inside the next frame (default 0).</source>
-        <translation>Hält nach P Phasen im nächsten Bild an (Vorgabe 0).</translation>
-    </message>
-    <message>
-        <source>Width and height in pixels (default 1280x800).</source>
-        <translation>Breite und Höhe in Pixeln (Vorgabe 1280x800).</translation>
-    </message>
-    <message>
-        <source>learn or measure (default learn).</source>
-        <translation>learn oder measure (Vorgabe learn).</translation>
-    </message>
-    <message>
-        <source>Show where energy went, below the picture.</source>
-        <translation>Zeigt unter der Szene, wohin die Energie ging.</translation>
-    </message>
-    <message>
-        <source>Show what each effect costs.</source>
-        <translation>Zeigt, was jeder Effekt kostet.</translation>
-    </message>
-    <message>
-        <source>gauge, reasons, or a map: step or damping (default gauge).</source>
-        <translation>gauge, reasons oder eine Karte: step oder damping (Vorgabe gauge).</translation>
-    </message>
-    <message>
-        <source>--fps is %1; it can be %2 to %3.</source>
-        <translation>--fps ist %1; möglich ist %2 bis %3.</translation>
-    </message>
-    <message>
-        <source>Width and height in pixels (default 640x480).</source>
-        <translation>Breite und Höhe in Pixeln (Vorgabe 640x480).</translation>
-    </message>
-    <message>
-        <source>light, dark or contrast (default light).</source>
-        <translation>light, dark oder contrast (Vorgabe light).</translation>
-    </message>
-    <message>
-        <source>The first frame (default 0).</source>
-        <translation>Das erste Bild (Vorgabe 0).</translation>
-    </message>
-    <message>
-        <source>The last frame (default: the file&apos;s frames).</source>
-        <translation>Das letzte Bild (Vorgabe: die Bilder der Datei).</translation>
-    </message>
-    <message>
-        <source>--theme is %1; it can be &quot;light&quot;, &quot;dark&quot; or &quot;contrast&quot;.</source>
-        <translation>--theme ist %1; möglich ist &quot;light&quot;, &quot;dark&quot; oder &quot;contrast&quot;.</translation>
-    </message>
-    <message>
-        <source>Show the plots.</source>
-        <translation>Zeigt die Diagramme.</translation>
+        <source>%1 takes %2; see %3 --help.</source>
+        <translation>%1 braucht %2; siehe %3 --help.</translation>
     </message>
     <message>
         <source>Physically based animation, step by step.
 
-Without a verb the window opens, with an experiment if FILE names one.
+Without a verb, the window opens. If FILE is given, it opens that experiment.
 
-Verbs; each has its own --help, and none needs a display:
-  lessons [--json]                            lists lessons, steps, parameters, methods
-  trace FILE                                  writes the run of an experiment as CSV
-  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
-                                              measures errors and costs of the methods
-  hardcases [--case ID] [--json]              tells which methods hold where runs break
-  cost FILE|LESSON/STEP [--json] [--frame N]  measures what each effect costs in a frame
-  screenshot LESSON/STEP --frame N OUT.png    draws the window
-  film FILE OUT.webm|OUT.gif|OUT_%04d.png     makes a film of an experiment&apos;s run</source>
+Verbs (each has its own --help, and none needs a display):</source>
         <translation>Physikalisch basierte Animation, Schritt für Schritt.
 
-Ohne Verb öffnet sich das Fenster, mit einem Experiment, wenn FILE eines nennt.
+Ohne Verb öffnet sich das Fenster. Wenn FILE angegeben ist, öffnet es dieses Experiment.
 
-Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
-  lessons [--json]                            listet Lektionen, Schritte, Parameter und Verfahren auf
-  trace FILE                                  schreibt den Lauf eines Experiments als CSV
-  accuracy FILE|LESSON/STEP [--json] [--svg OUT] [--tolerance E]
-                                              misst Fehler und Kosten der Verfahren
-  hardcases [--case ID] [--json]              sagt, welche Verfahren halten, wo Läufe brechen
-  cost FILE|LESSON/STEP [--json] [--frame N]  misst, was jeder Effekt pro Bild kostet
-  screenshot LESSON/STEP --frame N OUT.png    zeichnet das Fenster
-  film FILE OUT.webm|OUT.gif|OUT_%04d.png     macht einen Film vom Lauf eines Experiments</translation>
+Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</translation>
     </message>
     <message>
-        <source>Reading %1</source>
-        <translation>Liest %1</translation>
-    </message>
-    <message>
-        <source>--fps is for a film in one file; PNG files have no time in them. Leave it out.</source>
-        <translation>--fps ist für einen Film in einer Datei; PNG-Dateien enthalten keine Zeit. Lass es weg.</translation>
-    </message>
-    <message>
-        <source>Makes a film of an experiment&apos;s run: a video (WebM), an animated GIF, or a PNG for each frame.</source>
-        <translation>Macht einen Film vom Lauf eines Experiments: ein Video (WebM), ein animiertes GIF oder ein PNG für jedes Bild.</translation>
-    </message>
-    <message>
-        <source>The film: OUT.webm, OUT.gif, or OUT_%04d.png with the frame&apos;s number for %04d.</source>
-        <translation>Der Film: OUT.webm, OUT.gif oder OUT_%04d.png mit der Nummer des Bildes für %04d.</translation>
-    </message>
-    <message>
-        <source>Frames a second, up to 50 in a GIF and 120 in a video (default 30).</source>
-        <translation>Bilder pro Sekunde, bis 50 in einem GIF und 120 in einem Video (Vorgabe 30).</translation>
+        <source>%1 (default %2).</source>
+        <translation>%1 (Vorgabe %2).</translation>
     </message>
 </context>
 <context>
-    <name>Condition</name>
+    <name>CommandList</name>
+    <message>
+        <source>Experiments</source>
+        <translation>Experimente</translation>
+    </message>
+    <message>
+        <source>Pictures and films</source>
+        <translation>Bilder und Filme</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>Other runs</source>
+        <translation>Andere Läufe</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Build</source>
+        <translation>Bauen</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Code</source>
+        <translation>Code</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionNamesText</name>
     <message>
         <source>Character %1: %2</source>
         <translation>Zeichen %1: %2</translation>
     </message>
-    <message>
-        <source>this is too long; leave it at %1 characters.</source>
-        <translation>das ist zu lang; belass es bei %1 Zeichen.</translation>
-    </message>
-    <message>
-        <source>a number says neither yes nor no; compare it, as in %1.</source>
-        <translation>eine Zahl sagt weder ja noch nein; vergleiche sie, wie in %1.</translation>
-    </message>
-    <message>
-        <source>this is true or false, and no number; join questions with and, or.</source>
-        <translation>das ist wahr oder falsch und keine Zahl; verbinde Fragen mit and, or.</translation>
-    </message>
-    <message>
-        <source>a phase can only be compared with its name, as in phase == &quot;%1&quot;.</source>
-        <translation>eine Phase lässt sich nur mit ihrem Namen vergleichen, wie in phase == &quot;%1&quot;.</translation>
-    </message>
-    <message>
-        <source>%1 is a choice; compare it with one of its values, as in %1 == &quot;%2&quot;.</source>
-        <translation>%1 ist eine Auswahl; vergleiche sie mit einem ihrer Werte, wie in %1 == &quot;%2&quot;.</translation>
-    </message>
-    <message>
-        <source>%1 is a text; only phase and choices are compared with one.</source>
-        <translation>%1 ist ein Text; mit einem Text vergleicht man nur phase und Auswahlen.</translation>
-    </message>
-    <message>
-        <source>a number does not fit here.</source>
-        <translation>eine Zahl passt hier nicht.</translation>
-    </message>
-    <message>
-        <source>nothing is asked yet; write a comparison, as in %1.y &gt; 380.</source>
-        <translation>noch ist nichts gefragt; schreibe einen Vergleich, wie in %1.y &gt; 380.</translation>
-    </message>
-    <message>
-        <source>no parenthesis is open here; take this one away.</source>
-        <translation>hier ist keine Klammer offen; nimm diese weg.</translation>
-    </message>
-    <message>
-        <source>%1 does not follow from what is before it; put and, or, or a sign such as + or &lt; between.</source>
-        <translation>%1 schließt nicht an das an, was davor steht; setze and, or oder ein Zeichen wie + oder &lt; dazwischen.</translation>
-    </message>
-    <message>
-        <source>one question compares two things; join two of them with and.</source>
-        <translation>eine Frage vergleicht zwei Dinge; verbinde zwei Fragen mit and.</translation>
-    </message>
-    <message>
-        <source>names are equal or not; write == or !=.</source>
-        <translation>Namen sind gleich oder nicht; schreibe == oder !=.</translation>
-    </message>
-    <message>
-        <source>this parenthesis does not end; close it with ).</source>
-        <translation>diese Klammer endet nicht; schließe sie mit ).</translation>
-    </message>
-    <message>
-        <source>%1 does not fit here; a sign or ) is missing before it.</source>
-        <translation>%1 passt hier nicht; davor fehlt ein Zeichen oder ).</translation>
-    </message>
-    <message>
-        <source>something is missing at the end; add a number or a name.</source>
-        <translation>am Ende fehlt etwas; füge eine Zahl oder einen Namen hinzu.</translation>
-    </message>
-    <message>
-        <source>a number or a name is missing before %1; add it.</source>
-        <translation>vor %1 fehlt eine Zahl oder ein Name; füge das hinzu.</translation>
-    </message>
-    <message>
-        <source>what %1 is taken of goes into parentheses, as in %1(%2.vy).</source>
-        <translation>wovon %1 genommen wird, steht in Klammern, wie in %1(%2.vy).</translation>
-    </message>
+</context>
+<context>
+    <name>ConditionParserNamesText</name>
     <message>
         <source>there is no phase %1; there are %2.</source>
         <translation>es gibt keine Phase %1; es gibt %2.</translation>
@@ -1064,21 +732,99 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
         <translation>hier gibt es kein %1; es gibt %2 und Zahlen von Körpern, wie in %3.y.</translation>
     </message>
+</context>
+<context>
+    <name>ConditionParserText</name>
     <message>
-        <source>%1 is no number; write one like 380, 0.5 or 1e-3.</source>
+        <source>this is too long; use at most %1 characters.</source>
+        <translation>das ist zu lang; nimm höchstens %1 Zeichen.</translation>
+    </message>
+    <message>
+        <source>a number is neither true nor false; compare it, as in %1.</source>
+        <translation>eine Zahl ist weder wahr noch falsch; vergleiche sie, wie in %1.</translation>
+    </message>
+    <message>
+        <source>this is true or false, not a number; join conditions with and, or.</source>
+        <translation>das ist wahr oder falsch, keine Zahl; verbinde Bedingungen mit and, or.</translation>
+    </message>
+    <message>
+        <source>a phase can only be compared with its name, as in phase == &quot;%1&quot;.</source>
+        <translation>eine Phase lässt sich nur mit ihrem Namen vergleichen, wie in phase == &quot;%1&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is a choice; compare it with one of its values, as in %1 == &quot;%2&quot;.</source>
+        <translation>%1 ist eine Auswahl; vergleiche sie mit einem ihrer Werte, wie in %1 == &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is a text; only phase and choices can be compared with a text.</source>
+        <translation>%1 ist ein Text; nur phase und Auswahlen lassen sich mit einem Text vergleichen.</translation>
+    </message>
+    <message>
+        <source>a number cannot be used here; write a condition such as x &gt; 0.</source>
+        <translation>hier passt keine Zahl; schreibe eine Bedingung wie x &gt; 0.</translation>
+    </message>
+    <message>
+        <source>the condition is empty; write a comparison, as in %1.y &gt; 380.</source>
+        <translation>die Bedingung ist leer; schreibe einen Vergleich, wie in %1.y &gt; 380.</translation>
+    </message>
+    <message>
+        <source>this parenthesis closes nothing; remove it.</source>
+        <translation>diese Klammer schließt nichts; entferne sie.</translation>
+    </message>
+    <message>
+        <source>%1 cannot directly follow the text before it; put and, or, or a sign such as + or &lt; between them.</source>
+        <translation>%1 kann nicht direkt auf den Text davor folgen; setze and, or oder ein Zeichen wie + oder &lt; dazwischen.</translation>
+    </message>
+    <message>
+        <source>a comparison has only two sides; join two comparisons with and.</source>
+        <translation>ein Vergleich hat nur zwei Seiten; verbinde zwei Vergleiche mit and.</translation>
+    </message>
+    <message>
+        <source>names can only be equal or different; write == or !=.</source>
+        <translation>Namen können nur gleich oder verschieden sein; schreibe == oder !=.</translation>
+    </message>
+    <message>
+        <source>this parenthesis is not closed; close it with ).</source>
+        <translation>diese Klammer ist nicht geschlossen; schließe sie mit ).</translation>
+    </message>
+    <message>
+        <source>%1 cannot be here; a sign or ) is missing before it.</source>
+        <translation>%1 kann hier nicht stehen; davor fehlt ein Zeichen oder ).</translation>
+    </message>
+    <message>
+        <source>something is missing at the end; add a number or a name.</source>
+        <translation>am Ende fehlt etwas; füge eine Zahl oder einen Namen hinzu.</translation>
+    </message>
+    <message>
+        <source>a number or a name is missing before %1; add it.</source>
+        <translation>vor %1 fehlt eine Zahl oder ein Name; füge das hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 needs parentheses around its number, as in %1(%2.vy).</source>
+        <translation>%1 braucht Klammern um seine Zahl, wie in %1(%2.vy).</translation>
+    </message>
+</context>
+<context>
+    <name>ConditionTokensText</name>
+    <message>
+        <source>Character %1: %2</source>
+        <translation>Zeichen %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 is not a number; write one like 380, 0.5 or 1e-3.</source>
         <translation>%1 ist keine Zahl; schreibe eine wie 380, 0.5 oder 1e-3.</translation>
     </message>
     <message>
-        <source>This text does not end; close it with %1.</source>
-        <translation>Dieser Text endet nicht; schließe ihn mit %1.</translation>
+        <source>This text has no closing quotation mark; close it with %1.</source>
+        <translation>Diesem Text fehlt das schließende Anführungszeichen; schließe ihn mit %1.</translation>
     </message>
     <message>
-        <source>One “=” sets a value; write == to ask whether two are equal.</source>
-        <translation>Ein „=“ setzt einen Wert; schreibe ==, um zu fragen, ob zwei gleich sind.</translation>
+        <source>A single “=” would set a value; write == to compare two values.</source>
+        <translation>Ein einzelnes „=“ würde einen Wert setzen; schreibe ==, um zwei Werte zu vergleichen.</translation>
     </message>
     <message>
-        <source>A comma has no meaning here; write 0.5 with a point, and join questions with “and”.</source>
-        <translation>Ein Komma hat hier keine Bedeutung; schreibe 0.5 mit Punkt, und verbinde Fragen mit „and“.</translation>
+        <source>A comma has no meaning here; write 0.5 with a point, and join conditions with “and”.</source>
+        <translation>Ein Komma hat hier keine Bedeutung; schreibe 0.5 mit Punkt, und verbinde Bedingungen mit „and“.</translation>
     </message>
     <message>
         <source>%1 has no meaning here; there are numbers, names, + - * / ( ), comparisons, and, or, not.</source>
@@ -1086,23 +832,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>Cost</name>
-    <message>
-        <source>The run does not reach frame %1. %2 Ask for the frames after an earlier one.</source>
-        <translation>Der Lauf kommt nicht bis Bild %1. %2 Frag nach den Bildern ab einem früheren.</translation>
-    </message>
-    <message>
-        <source>changes nothing</source>
-        <translation>ändert nichts</translation>
-    </message>
-    <message>
-        <source>switched off</source>
-        <translation>ausgeschaltet</translation>
-    </message>
-    <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Angehalten, bevor alles gemessen war.</translation>
-    </message>
+    <name>CostReportText</name>
     <message>
         <source>%1 %</source>
         <translation>%1 %</translation>
@@ -1148,16 +878,39 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>ganzes Bild</translation>
     </message>
     <message>
-        <source>Each line is measured by itself; effects and method come to %1 of the whole frame.</source>
-        <translation>Jede Zeile wird für sich gemessen; Effekte und Verfahren ergeben zusammen %1 des ganzen Bildes.</translation>
+        <source>Each line is measured separately. Effects and method together take %1 of the time of the whole frame.</source>
+        <translation>Jede Zeile wird für sich gemessen. Effekte und Verfahren brauchen zusammen %1 der Zeit des ganzen Bildes.</translation>
     </message>
+</context>
+<context>
+    <name>CostText</name>
     <message>
         <source>Frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
     </message>
+    <message>
+        <source>The run does not reach frame %1. %2 Give an earlier frame.</source>
+        <translation>Der Lauf kommt nicht bis Bild %1. %2 Gib ein früheres Bild an.</translation>
+    </message>
+    <message>
+        <source>changes nothing</source>
+        <translation>ändert nichts</translation>
+    </message>
+    <message>
+        <source>switched off</source>
+        <translation>ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Measured %1 times</source>
+        <translation>%1-mal gemessen</translation>
+    </message>
+    <message>
+        <source>Stopped before everything was measured.</source>
+        <translation>Angehalten, bevor alles gemessen war.</translation>
+    </message>
 </context>
 <context>
-    <name>DifferenceTable</name>
+    <name>DifferenceTableText</name>
     <message>
         <source>frame</source>
         <translation>Bild</translation>
@@ -1172,46 +925,46 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>DifferenceWords</name>
+    <name>DifferenceText</name>
     <message>
         <source>The other run is being computed again…</source>
         <translation>Der andere Lauf wird neu berechnet …</translation>
     </message>
     <message>
-        <source>There is no other run beside this one.</source>
-        <translation>Neben diesem gibt es keinen anderen Lauf.</translation>
+        <source>There is no other run to compare with.</source>
+        <translation>Es gibt keinen anderen Lauf zum Vergleichen.</translation>
     </message>
     <message>
         <source>More than %1 points: too many to compare at every frame.</source>
         <translation>Mehr als %1 Punkte: zu viele, um sie bei jedem Bild zu vergleichen.</translation>
     </message>
     <message>
-        <source>The other run does not have the body that is chosen.</source>
-        <translation>Den gewählten Körper gibt es im anderen Lauf nicht.</translation>
+        <source>The other run does not have the selected body.</source>
+        <translation>Den ausgewählten Körper gibt es im anderen Lauf nicht.</translation>
     </message>
     <message>
         <source>The two runs have no body in common.</source>
         <translation>Die zwei Läufe haben keinen Körper gemeinsam.</translation>
     </message>
     <message>
-        <source>No difference up to frame %1. Play on to see what comes of it.</source>
-        <translation>Kein Unterschied bis Bild %1. Spiele weiter, um zu sehen, was daraus wird.</translation>
+        <source>No difference up to frame %1. Play on to see whether one appears.</source>
+        <translation>Kein Unterschied bis Bild %1. Spiele weiter, um zu sehen, ob einer entsteht.</translation>
     </message>
     <message>
         <source>Largest: %1&#x2009;px apart, %2, at frame %3.</source>
         <translation>Am größten: %1&#x2009;px auseinander, %2, bei Bild %3.</translation>
     </message>
     <message>
-        <source>Looked at every %1 frames.</source>
+        <source>Compared every %1 frames.</source>
         <translation>Verglichen alle %1 Bilder.</translation>
     </message>
     <message>
-        <source>parts at frame %1</source>
-        <translation>trennt sich bei Bild %1</translation>
+        <source>branches off at frame %1</source>
+        <translation>zweigt bei Bild %1 ab</translation>
     </message>
     <message>
-        <source>parts at the start</source>
-        <translation>trennt sich am Anfang</translation>
+        <source>branches off at the start</source>
+        <translation>zweigt am Anfang ab</translation>
     </message>
     <message>
         <source>%1, %2, kept</source>
@@ -1223,7 +976,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>EdgeMarkers</name>
+    <name>EdgeMarkersText</name>
     <message>
         <source>%1&#x2009;px</source>
         <translation>%1&#x2009;px</translation>
@@ -1238,42 +991,53 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>EffectLines</name>
+    <name>EditHistory</name>
     <message>
-        <source>Without “%1” a frame would cost %2&#x2009;µs in place of %3.</source>
+        <source>undone: %1</source>
+        <translation>rückgängig: %1</translation>
+    </message>
+</context>
+<context>
+    <name>EffectLinesText</name>
+    <message>
+        <source>Without “%1” a frame would cost %2&#x2009;µs instead of %3.</source>
         <translation>Ohne „%1“ würde ein Bild %2&#x2009;µs statt %3 kosten.</translation>
     </message>
     <message>
-        <source>%1&#x2009;µs a frame, half of the rounds within %2.</source>
-        <translation>%1&#x2009;µs pro Bild, die Hälfte der Durchgänge innerhalb von %2.</translation>
+        <source>%1&#x2009;µs a frame; about half of the measurements are within %2.</source>
+        <translation>%1&#x2009;µs pro Bild; etwa die Hälfte der Messungen liegt innerhalb von %2.</translation>
     </message>
     <message>
-        <source>Points that it works on: %1.</source>
-        <translation>Punkte, an denen er arbeitet: %1.</translation>
+        <source>Points that it acts on: %1.</source>
+        <translation>Punkte, auf die er wirkt: %1.</translation>
     </message>
     <message>
-        <source>The method works it out together with the move.</source>
-        <translation>Das Verfahren rechnet ihn zusammen mit der Bewegung aus.</translation>
+        <source>The method computes it together with the move.</source>
+        <translation>Das Verfahren berechnet ihn zusammen mit der Bewegung.</translation>
     </message>
     <message>
-        <source>A frame computes it %1.</source>
-        <translation>Ein Bild berechnet ihn %1.</translation>
+        <source>Each frame computes it %1.</source>
+        <translation>Jedes Bild berechnet ihn %1.</translation>
     </message>
     <message>
-        <source>As it is set it can change nothing, so no frame computes it: 0&#x2009;µs.</source>
-        <translation>So, wie er eingestellt ist, kann er nichts ändern, also berechnet ihn kein Bild: 0&#x2009;µs.</translation>
+        <source>With these settings it changes nothing, so it is not computed: 0&#x2009;µs.</source>
+        <translation>Mit diesen Einstellungen ändert er nichts, also wird er nicht berechnet: 0&#x2009;µs.</translation>
     </message>
     <message>
         <source>Switched off: it costs nothing.</source>
         <translation>Ausgeschaltet: Er kostet nichts.</translation>
     </message>
     <message>
-        <source>Space or a click on the switch takes it out of the scene.</source>
-        <translation>Leertaste oder ein Klick auf den Schalter nimmt ihn aus der Szene.</translation>
+        <source>Not in this scene, so it costs nothing.</source>
+        <translation>Nicht in dieser Szene, also kostet es nichts.</translation>
     </message>
     <message>
-        <source>Space or a click on the switch puts it back.</source>
-        <translation>Leertaste oder ein Klick auf den Schalter bringt ihn zurück.</translation>
+        <source>Press Space or click the switch to turn it off.</source>
+        <translation>Drück die Leertaste oder klicke auf den Schalter, um ihn auszuschalten.</translation>
+    </message>
+    <message>
+        <source>Press Space or click the switch to turn it on again.</source>
+        <translation>Drück die Leertaste oder klicke auf den Schalter, um ihn wieder einzuschalten.</translation>
     </message>
     <message>
         <source>switched off</source>
@@ -1284,24 +1048,24 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>ändert hier nichts</translation>
     </message>
     <message>
+        <source>not in this scene</source>
+        <translation>nicht in dieser Szene</translation>
+    </message>
+    <message>
         <source>Rest of the frame</source>
         <translation>Rest des Bildes</translation>
     </message>
     <message>
-        <source>What no effect takes: moving the points, and the method&apos;s own sums. It cannot be switched off.</source>
-        <translation>Was kein Effekt braucht: die Punkte zu bewegen und die eigenen Rechnungen des Verfahrens. Das lässt sich nicht ausschalten.</translation>
+        <source>Time outside the effects: moving the points, and the method&apos;s own sums. It cannot be switched off.</source>
+        <translation>Zeit außerhalb der Effekte: das Bewegen der Punkte und die eigenen Rechnungen des Verfahrens. Sie lässt sich nicht ausschalten.</translation>
     </message>
     <message>
         <source>%1 (%2). %3</source>
         <translation>%1 (%2). %3</translation>
     </message>
     <message>
-        <source>not in this scene</source>
-        <translation>nicht in dieser Szene</translation>
-    </message>
-    <message>
-        <source>Not in this scene, so it costs nothing and there is nothing to switch. Other lessons have:</source>
-        <translation>Nicht in dieser Szene, also kostet es nichts und es gibt nichts zu schalten. In anderen Lektionen gibt es:</translation>
+        <source>Not in this scene, so it costs nothing and has no switch. Other lessons have:</source>
+        <translation>Nicht in dieser Szene, also kostet es nichts und hat keinen Schalter. In anderen Lektionen gibt es:</translation>
     </message>
     <message>
         <source>%1, %2&#x2009;µs, %3</source>
@@ -1335,52 +1099,48 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>%1%2µs a frame, ±%3</source>
         <translation>%1%2µs pro Bild, ±%3</translation>
     </message>
-    <message>
-        <source>Not in this scene, so it costs nothing.</source>
-        <translation>Nicht in dieser Szene, also kostet es nichts.</translation>
-    </message>
 </context>
 <context>
-    <name>EnergyLines</name>
+    <name>EnergyLinesText</name>
     <message>
-        <source>Done by the hand</source>
-        <translation>Von der Hand geleistet</translation>
+        <source>Done by dragging</source>
+        <translation>Durch Ziehen geleistet</translation>
     </message>
     <message>
-        <source>What you put in by grabbing and dragging</source>
-        <translation>Was du durch Greifen und Ziehen hineinsteckst</translation>
+        <source>Energy that you add by dragging</source>
+        <translation>Energie, die du durch Ziehen hineinsteckst</translation>
     </message>
     <message>
-        <source>Changed with a number</source>
-        <translation>Mit einer Zahl geändert</translation>
+        <source>Changed with a parameter</source>
+        <translation>Durch einen Parameter geändert</translation>
     </message>
     <message>
-        <source>A stiffness or a length that changes also changes what springs hold</source>
-        <translation>Eine Steifigkeit oder Länge, die sich ändert, ändert auch, was Federn halten</translation>
+        <source>If a stiffness or a length changes, the energy stored in springs changes, too</source>
+        <translation>Ändert sich eine Steifigkeit oder eine Länge, ändert sich auch die Energie in den Federn</translation>
     </message>
     <message>
-        <source>Done by what drives</source>
-        <translation>Von Antrieben geleistet</translation>
+        <source>Done by clocks and steering</source>
+        <translation>Durch Uhr und Steuerung</translation>
     </message>
     <message>
-        <source>What clocks and steering put in</source>
-        <translation>Was Uhren und Steuerung hineinstecken</translation>
+        <source>Energy that gait clocks and steering add</source>
+        <translation>Energie, die Ganguhren und Steuerung hineinstecken</translation>
     </message>
     <message>
         <source>Done by wind</source>
         <translation>Vom Wind geleistet</translation>
     </message>
     <message>
-        <source>What the wind puts in, or takes</source>
-        <translation>Was der Wind hineinsteckt oder nimmt</translation>
+        <source>Energy that the wind adds or takes away</source>
+        <translation>Energie, die der Wind hineinsteckt oder wegnimmt</translation>
     </message>
     <message>
         <source>Done by one-way pulls</source>
         <translation>Von einseitigen Zügen geleistet</translation>
     </message>
     <message>
-        <source>A pull that pulls nothing back holds nothing: what it does, it makes or takes</source>
-        <translation>Ein Zug, den nichts zurückzieht, hält nichts: Was er leistet, macht oder nimmt er</translation>
+        <source>A pull without an opposite pull stores no energy. It adds energy or takes it away</source>
+        <translation>Ein Zug ohne Gegenzug speichert keine Energie. Er bringt Energie hinein oder nimmt sie weg</translation>
     </message>
     <message>
         <source>Given by gravity</source>
@@ -1391,47 +1151,47 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Sie zieht alles nach unten, und nichts zieht zurück</translation>
     </message>
     <message>
-        <source>Given by what stands fast</source>
-        <translation>Von Feststehendem gegeben</translation>
+        <source>Given by fixed places</source>
+        <translation>Von festen Orten gegeben</translation>
     </message>
     <message>
-        <source>Springs to a place that cannot move pull on it, and it pulls back</source>
-        <translation>Federn an einem Ort, der sich nicht bewegen kann, ziehen an ihm, und er zieht zurück</translation>
+        <source>Springs pull on fixed places, and those pull back</source>
+        <translation>Federn ziehen an festen Orten, und die ziehen zurück</translation>
     </message>
     <message>
         <source>Lost by damping</source>
         <translation>Durch Dämpfung verloren</translation>
     </message>
     <message>
-        <source>What damping takes from everything that moves</source>
-        <translation>Was die Dämpfung allem nimmt, das sich bewegt</translation>
+        <source>Energy that damping takes from everything that moves</source>
+        <translation>Energie, die die Dämpfung allem nimmt, das sich bewegt</translation>
     </message>
     <message>
         <source>At impacts</source>
         <translation>Bei Stößen</translation>
     </message>
     <message>
-        <source>What walls and ground take, and what they lift bodies by</source>
-        <translation>Was Wände und Boden nehmen und worum sie Körper anheben</translation>
+        <source>Energy that walls and ground take, or add when they push bodies out</source>
+        <translation>Energie, die Wände und Boden nehmen oder hineinstecken, wenn sie Körper herausschieben</translation>
     </message>
     <message>
         <source>Changed by sticks</source>
         <translation>Durch Stäbe geändert</translation>
     </message>
     <message>
-        <source>What sticks and joints change when they put things right</source>
-        <translation>Was Stäbe und Gelenke ändern, wenn sie etwas richtigstellen</translation>
+        <source>Energy that sticks and joints change when they correct lengths and angles</source>
+        <translation>Energie, die Stäbe und Gelenke ändern, wenn sie Längen und Winkel korrigieren</translation>
     </message>
     <message>
         <source>Drift of the method</source>
         <translation>Drift des Verfahrens</translation>
     </message>
     <message>
-        <source>Made or lost by the method&apos;s error: nothing in the scene explains it. A smaller step or another method makes it smaller.</source>
-        <translation>Durch den Fehler des Verfahrens entstanden oder verloren: Nichts in der Szene erklärt es. Ein kleinerer Zeitschritt oder ein anderes Verfahren macht ihn kleiner.</translation>
+        <source>Gained or lost through the method&apos;s error, not through anything in the scene. A smaller step or another method makes it smaller.</source>
+        <translation>Durch den Fehler des Verfahrens gewonnen oder verloren, nicht durch etwas in der Szene. Ein kleinerer Zeitschritt oder ein anderes Verfahren macht die Drift kleiner.</translation>
     </message>
     <message>
-        <source>In what moves</source>
+        <source>In motion</source>
         <translation>In der Bewegung</translation>
     </message>
     <message>
@@ -1439,15 +1199,15 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Die Hälfte von Masse × Tempo², über alle Punkte addiert</translation>
     </message>
     <message>
-        <source>Held by height</source>
-        <translation>Durch Höhe gespeichert</translation>
+        <source>In height</source>
+        <translation>In der Höhe</translation>
     </message>
     <message>
-        <source>Mass × gravity × height, counted from the lowest of this run</source>
-        <translation>Masse × Schwerkraft × Höhe, gezählt vom tiefsten Punkt dieses Laufs</translation>
+        <source>Mass × gravity × height, measured from the lowest point of this run</source>
+        <translation>Masse × Schwerkraft × Höhe, gemessen vom tiefsten Punkt dieses Laufs</translation>
     </message>
     <message>
-        <source>What springs hold</source>
+        <source>In springs</source>
         <translation>In den Federn</translation>
     </message>
     <message>
@@ -1459,20 +1219,20 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Masse × Geschwindigkeit, über alle Punkte addiert: nach rechts und nach unten</translation>
     </message>
     <message>
-        <source>Something here has no velocity of its own: a rule puts it where it goes, and nothing keeps it moving. So there is no energy to count. Scenes in which everything has inertia have this ledger.</source>
-        <translation>Etwas hat hier keine eigene Geschwindigkeit: Eine Regel setzt es dorthin, wo es hingehört, und nichts hält es in Bewegung. Also gibt es keine Energie zu zählen. Szenen, in denen alles träge ist, haben diese Bilanz.</translation>
+        <source>A rule sets the position of at least one body in each frame, so this body has no velocity and the energy cannot be counted. Choose a scene in which every body has inertia.</source>
+        <translation>Eine Regel setzt in jedem Bild den Ort von mindestens einem Körper. Dieser Körper hat keine Geschwindigkeit, also lässt sich die Energie nicht zählen. Wähle eine Szene, in der jeder Körper Trägheit hat.</translation>
     </message>
     <message>
-        <source>Nothing here moves by itself: where it is, something else decides. So there is no energy to count. Scenes with a body that a spring pulls have this ledger.</source>
-        <translation>Hier bewegt sich nichts von selbst: Wo es ist, entscheidet etwas anderes. Also gibt es keine Energie zu zählen. Szenen mit einem Körper, an dem eine Feder zieht, haben diese Bilanz.</translation>
+        <source>Nothing moves in this scene unless you drag it, so there is no energy to count. Choose a scene with a body on a spring.</source>
+        <translation>In dieser Szene bewegt sich nichts, wenn du es nicht ziehst. Also gibt es keine Energie zu zählen. Wähle eine Szene mit einem Körper an einer Feder.</translation>
     </message>
     <message>
-        <source>There are more than %1 points here. To count the energy of all of them, phase by phase, would take longer than the run itself.</source>
+        <source>There are more than %1 points here. Counting the energy of all of them, phase by phase, would take longer than the run itself.</source>
         <translation>Hier gibt es mehr als %1 Punkte. Die Energie von allen Phase für Phase zu zählen, würde länger dauern als der Lauf selbst.</translation>
     </message>
     <message>
-        <source>Nothing here tells how heavy what turns is. So there is no energy to count.</source>
-        <translation>Nichts sagt hier, wie schwer das ist, was sich dreht. Also gibt es keine Energie zu zählen.</translation>
+        <source>Something here turns, but its inertia is unknown. So there is no energy to count.</source>
+        <translation>Etwas dreht sich hier, aber seine Trägheit ist nicht bekannt. Darum gibt es keine Energie zu zählen.</translation>
     </message>
     <message>
         <source>inertia × degrees²/frame²</source>
@@ -1486,6 +1246,9 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>mass × px/frame</source>
         <translation>Masse × px/Bild</translation>
     </message>
+</context>
+<context>
+    <name>EnergyTableText</name>
     <message>
         <source>frame</source>
         <translation>Bild</translation>
@@ -1493,50 +1256,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
 </context>
 <context>
     <name>Experiment</name>
-    <message>
-        <source>%1: the file is larger than %2 MiB, which is the most for an experiment.</source>
-        <translation>%1: Die Datei ist größer als %2 MiB, und mehr darf ein Experiment nicht haben.</translation>
-    </message>
-    <message>
-        <source>%1: this is a folder; give the file of an experiment.</source>
-        <translation>%1: Das ist ein Ordner; gib die Datei eines Experiments an.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file; check its name and folder.</source>
-        <translation>%1: Diese Datei gibt es nicht; prüfe Namen und Ordner.</translation>
-    </message>
-    <message>
-        <source>%1: the file cannot be read: %2.</source>
-        <translation>%1: Die Datei lässt sich nicht lesen: %2.</translation>
-    </message>
-    <message>
-        <source>there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder that has them.</source>
-        <translation>es gibt keine Lektion %1, denn es ist keine Lektion installiert; SPRINGSTEP_LESSONS kann den Ordner nennen, in dem sie sind.</translation>
-    </message>
-    <message>
-        <source>there is no lesson %1; there is %2.</source>
-        <translation>es gibt keine Lektion %1; es gibt %2.</translation>
-    </message>
-    <message>
-        <source>the lesson %1 has no step %2; it has %3.</source>
-        <translation>die Lektion %1 hat keinen Schritt %2; sie hat %3.</translation>
-    </message>
-    <message>
-        <source>%1: the file cannot be written: %2. Choose another folder or name.</source>
-        <translation>%1: Die Datei lässt sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
-    </message>
-    <message>
-        <source>there is no method %1; there is %2.</source>
-        <translation>es gibt kein Verfahren %1; es gibt %2.</translation>
-    </message>
-    <message>
-        <source>the method %1 chooses its own steps; give &quot;tolerance&quot; in place of &quot;h&quot;.</source>
-        <translation>das Verfahren %1 wählt seine Zeitschritte selbst; gib &quot;tolerance&quot; statt &quot;h&quot; an.</translation>
-    </message>
-    <message>
-        <source>the method %1 takes steps of one length; give &quot;h&quot; in place of &quot;tolerance&quot;.</source>
-        <translation>das Verfahren %1 macht Zeitschritte von einer Länge; gib &quot;h&quot; statt &quot;tolerance&quot; an.</translation>
-    </message>
     <message>
         <source>the file</source>
         <translation>die Datei</translation>
@@ -1570,14 +1289,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>hier gibt es keinen Körper %1; es gibt %2.</translation>
     </message>
     <message>
-        <source>Not saved: a number of this experiment is not finite, and files have no such number. Go back to a frame before that.</source>
-        <translation>Nicht gespeichert: Eine Zahl dieses Experiments ist nicht endlich, und Dateien kennen keine solche Zahl. Geh zurück zu einem Bild davor.</translation>
-    </message>
-    <message>
-        <source>Not saved: the step %1 is not installed any more.</source>
-        <translation>Nicht gespeichert: Der Schritt %1 ist nicht mehr installiert.</translation>
-    </message>
-    <message>
         <source>the step %1 has its sticks in &quot;scene&quot;; move &quot;links&quot; there and call it &quot;sticks&quot;.</source>
         <translation>der Schritt %1 hat seine Stäbe in &quot;scene&quot;; verschiebe &quot;links&quot; dorthin und nenne es &quot;sticks&quot;.</translation>
     </message>
@@ -1602,23 +1313,26 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>ein Text, der ihn von anderen unterscheidet</translation>
     </message>
     <message>
-        <source>frame %1 comes before the branch does, whose &quot;fork&quot; is %2; begin there or later.</source>
-        <translation>Bild %1 liegt vor dem Zweig, dessen &quot;fork&quot; %2 ist; beginne dort oder später.</translation>
+        <source>frame %1 is before the start of the branch, whose &quot;fork&quot; is %2; use frame %2 or a later one.</source>
+        <translation>Bild %1 liegt vor dem Anfang des Zweigs, dessen &quot;fork&quot; %2 ist; nimm Bild %2 oder ein späteres.</translation>
+    </message>
+</context>
+<context>
+    <name>ExperimentArgumentText</name>
+    <message>
+        <source>Reading %1</source>
+        <translation>Liest %1</translation>
     </message>
     <message>
-        <source>Not saved: there are more runs beside this one than a file can have: %1 with %2 events together. Delete some that you named or keep, in “Runs”.</source>
-        <translation>Nicht gespeichert: Neben diesem Lauf gibt es mehr, als eine Datei haben kann: %1 mit zusammen %2 Ereignissen. Lösche in „Läufe“ einige, die du benannt hast oder behältst.</translation>
-    </message>
-    <message>
-        <source>Not saved: the run has more input than a file can have. Start it again, or go back and change it earlier.</source>
-        <translation>Nicht gespeichert: Der Lauf hat mehr Eingaben, als eine Datei haben kann. Beginne ihn neu, oder geh zurück und ändere ihn früher.</translation>
+        <source>%1 is neither a file nor a step; name a step as LESSON/STEP, as &quot;springstep lessons&quot; lists them.</source>
+        <translation>%1 ist weder eine Datei noch ein Schritt; nenne einen Schritt als LESSON/STEP, wie &quot;springstep lessons&quot; sie auflistet.</translation>
     </message>
 </context>
 <context>
     <name>ExperimentInput</name>
     <message>
-        <source>the step %1 has no event %2; it knows %3.</source>
-        <translation>der Schritt %1 hat kein Ereignis %2; er kennt %3.</translation>
+        <source>the step %1 has no event %2; it has %3.</source>
+        <translation>der Schritt %1 hat kein Ereignis %2; er hat %3.</translation>
     </message>
     <message>
         <source>a body&apos;s name</source>
@@ -1630,26 +1344,26 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>ExperimentLine</name>
+    <name>ExperimentLineText</name>
     <message>
-        <source>The text begins as an experiment does, but it is not whole. Copy all of it, from “springstep:” to its end.</source>
+        <source>The text begins like an experiment, but it is incomplete. Copy all of it, from “springstep:” to its end.</source>
         <translation>Der Text beginnt wie ein Experiment, ist aber nicht vollständig. Kopiere ihn ganz, von „springstep:“ bis zum Ende.</translation>
     </message>
     <message>
-        <source>The text holds more than %1 MiB, which is the most for an experiment.</source>
-        <translation>Der Text enthält mehr als %1 MiB, und mehr darf ein Experiment nicht haben.</translation>
+        <source>The text is larger than %1 MiB, the maximum for an experiment.</source>
+        <translation>Der Text ist größer als %1 MiB, und mehr darf ein Experiment nicht haben.</translation>
     </message>
     <message>
-        <source>This run has so much input that it does not fit a message. Save it as a file (Ctrl+S), and send that.</source>
-        <translation>Dieser Lauf hat so viele Eingaben, dass er nicht in eine Nachricht passt. Speichere ihn als Datei (Strg+S) und verschicke diese.</translation>
+        <source>This run has too much input for a message. Save it as a file (Ctrl+S), and send that.</source>
+        <translation>Dieser Lauf hat zu viele Eingaben für eine Nachricht. Speichere ihn als Datei (Strg+S) und verschicke diese.</translation>
     </message>
     <message>
         <source>There is no text to paste. Copy an experiment first: it begins with “springstep:” or {.</source>
         <translation>Es gibt keinen Text zum Einfügen. Kopiere zuerst ein Experiment: Es beginnt mit „springstep:“ oder {.</translation>
     </message>
     <message>
-        <source>The text that was copied is no experiment: one begins with “springstep:” or {.</source>
-        <translation>Der kopierte Text ist kein Experiment: Eines beginnt mit „springstep:“ oder {.</translation>
+        <source>The copied text is not an experiment. An experiment begins with “springstep:” or {.</source>
+        <translation>Der kopierte Text ist kein Experiment. Ein Experiment beginnt mit „springstep:“ oder {.</translation>
     </message>
     <message>
         <source>The text is too long for an experiment in one line. Open it as a file.</source>
@@ -1661,7 +1375,30 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>ExperimentPoints</name>
+    <name>ExperimentMethodText</name>
+    <message>
+        <source>there is no method %1; there is %2.</source>
+        <translation>es gibt kein Verfahren %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>&quot;h&quot; is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, 1, 0.5, 0.25...</source>
+        <translation>&quot;h&quot; ist %1; möglich ist 0.000001 bis 100 Bilder, eine ganze Zahl oder 1 geteilt durch eine: 2, 1, 0.5, 0.25 ...</translation>
+    </message>
+    <message>
+        <source>&quot;tolerance&quot; is %1; it can be 1e-13 to 100 px.</source>
+        <translation>&quot;tolerance&quot; ist %1; möglich ist 1e-13 bis 100 px.</translation>
+    </message>
+    <message>
+        <source>the method %1 chooses its own steps; give &quot;tolerance&quot; instead of &quot;h&quot;.</source>
+        <translation>das Verfahren %1 wählt seine Zeitschritte selbst; gib &quot;tolerance&quot; statt &quot;h&quot; an.</translation>
+    </message>
+    <message>
+        <source>the method %1 has fixed steps; give &quot;h&quot; instead of &quot;tolerance&quot;.</source>
+        <translation>das Verfahren %1 hat feste Zeitschritte; gib &quot;h&quot; statt &quot;tolerance&quot; an.</translation>
+    </message>
+</context>
+<context>
+    <name>ExperimentPointsText</name>
     <message>
         <source>a point&apos;s name</source>
         <translation>der Name eines Punktes</translation>
@@ -1704,33 +1441,115 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>Film</name>
+    <name>ExperimentText</name>
     <message>
-        <source>The last frame, %1, comes before the first, %2. Swap them.</source>
-        <translation>Das letzte Bild, %1, kommt vor dem ersten, %2. Vertausche sie.</translation>
+        <source>%1: the file is larger than %2 MiB, the maximum for an experiment.</source>
+        <translation>%1: Die Datei ist größer als %2 MiB, und mehr darf ein Experiment nicht haben.</translation>
     </message>
     <message>
-        <source>A GIF shows at most %1 pictures a second, and this would be %2. Choose fewer, or PNG files.</source>
-        <translation>Ein GIF zeigt höchstens %1 Bilder pro Sekunde, und hier wären es %2. Wähle weniger oder PNG-Dateien.</translation>
+        <source>%1: this is a folder; give the file of an experiment.</source>
+        <translation>%1: Das ist ein Ordner; gib die Datei eines Experiments an.</translation>
     </message>
     <message>
-        <source>The run does not reach frame %1: it stops at frame %2. Begin the film earlier.</source>
-        <translation>Der Lauf kommt nicht bis Bild %1: Er hält bei Bild %2 an. Beginne den Film früher.</translation>
+        <source>%1: there is no such file; check its name and folder.</source>
+        <translation>%1: Diese Datei gibt es nicht; prüfe Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be read: %2.</source>
+        <translation>%1: Die Datei ließ sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder that has them.</source>
+        <translation>es gibt keine Lektion %1, denn es ist keine Lektion installiert; SPRINGSTEP_LESSONS kann den Ordner nennen, in dem sie sind.</translation>
+    </message>
+    <message>
+        <source>there is no lesson %1; there is %2.</source>
+        <translation>es gibt keine Lektion %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>the lesson %1 has no step %2; it has %3.</source>
+        <translation>die Lektion %1 hat keinen Schritt %2; sie hat %3.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
 </context>
 <context>
-    <name>FilmFile</name>
+    <name>ExperimentWriterText</name>
     <message>
-        <source>%1 cannot be written: %2. Make room, or choose another folder.</source>
-        <translation>%1 lässt sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+        <source>a number of this experiment is not finite, and a file cannot store such a number. Go back to an earlier frame.</source>
+        <translation>eine Zahl dieses Experiments ist nicht endlich, und eine Datei kann so eine Zahl nicht speichern. Geh zurück zu einem früheren Bild.</translation>
     </message>
     <message>
-        <source>%1 is no film&apos;s name: it ends in .webm or .gif, or, for a picture of each frame, in .png with %04d where the frame&apos;s number goes, such as walk_%04d.png.</source>
-        <translation>%1 ist kein Name für einen Film: Der endet auf .webm oder .gif oder, für eine Datei pro Bild, auf .png, mit %04d dort, wo die Nummer des Bildes hinkommt, zum Beispiel walk_%04d.png.</translation>
+        <source>the file would have too many other runs: it can have %1, with %2 events together. Delete some in “Runs”.</source>
+        <translation>die Datei hätte zu viele andere Läufe: Erlaubt sind %1 mit zusammen %2 Ereignissen. Lösche einige in „Läufe“.</translation>
+    </message>
+    <message>
+        <source>the step %1 is no longer installed. Install its lesson again.</source>
+        <translation>der Schritt %1 ist nicht mehr installiert. Installiere seine Lektion neu.</translation>
+    </message>
+    <message>
+        <source>the run has more input than a file can store. Restart it, or go back and continue from an earlier frame.</source>
+        <translation>der Lauf hat mehr Eingaben, als in eine Datei passen. Starte ihn neu, oder geh zurück und mach bei einem früheren Bild weiter.</translation>
     </message>
 </context>
 <context>
-    <name>FilmVerb</name>
+    <name>FileCommands</name>
+    <message>
+        <source>&amp;New: the step as published</source>
+        <translation>&amp;Neu: der Schritt wie veröffentlicht</translation>
+    </message>
+    <message>
+        <source>&amp;Open an experiment…</source>
+        <translation>Experiment ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Reco&amp;ver scenes…</source>
+        <translation>Szenen &amp;wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save the experiment</source>
+        <translation>Experiment &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of the scene…</source>
+        <translation>&amp;Bild der Szene …</translation>
+    </message>
+    <message>
+        <source>&amp;Film of the run…</source>
+        <translation>&amp;Film des Laufs …</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>The scene as it is shown, as PNG or SVG</source>
+        <translation>Die Szene, wie sie zu sehen ist, als PNG oder SVG</translation>
+    </message>
+    <message>
+        <source>The run as a video, an animated GIF or a PNG for each frame</source>
+        <translation>Der Lauf als Video, als animiertes GIF oder als ein PNG für jedes Bild</translation>
+    </message>
+</context>
+<context>
+    <name>FilmFileText</name>
+    <message>
+        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
+        <translation>%1 ließ sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>%1 is not a film&apos;s name: choose one that ends in .webm or .gif. For a picture of each frame, choose one that ends in .png and has %04d for the frame&apos;s number, such as walk_%04d.png.</source>
+        <translation>%1 ist kein Name für einen Film: Wähle einen, der auf .webm oder .gif endet. Für eine Datei pro Bild wähle einen, der auf .png endet und %04d für die Nummer des Bildes enthält, zum Beispiel walk_%04d.png.</translation>
+    </message>
+</context>
+<context>
+    <name>FilmText</name>
     <message>
         <source>Frame %1 of %2, %3 %</source>
         <translation>Bild %1 von %2, %3 %</translation>
@@ -1743,56 +1562,21 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Setting up the run</source>
         <translation>Bereitet den Lauf vor</translation>
     </message>
-</context>
-<context>
-    <name>FrameCaption</name>
     <message>
-        <source>pulls go straight onto the velocity, %1.</source>
-        <translation>Züge gehen gleich in die Geschwindigkeit ein, %1.</translation>
+        <source>The last frame, %1, comes before the first, %2. Swap them.</source>
+        <translation>Das letzte Bild, %1, kommt vor dem ersten, %2. Vertausche sie.</translation>
     </message>
     <message>
-        <source>accelerations are gathered, %1.</source>
-        <translation>Beschleunigungen werden gesammelt, %1.</translation>
+        <source>A GIF shows at most %1 pictures a second, and this would be %2. Choose fewer, or PNG files.</source>
+        <translation>Ein GIF zeigt höchstens %1 Bilder pro Sekunde, und hier wären es %2. Wähle weniger oder PNG-Dateien.</translation>
     </message>
     <message>
-        <source>velocities have changed, %1.</source>
-        <translation>Geschwindigkeiten haben sich geändert, %1.</translation>
+        <source>The run does not reach frame %1: it stops at frame %2. Begin the film earlier.</source>
+        <translation>Der Lauf kommt nicht bis Bild %1: Er hält bei Bild %2 an. Beginne den Film früher.</translation>
     </message>
     <message>
-        <source>%1 moved already, %2 not yet.</source>
-        <translation>schon bewegt: %1, noch nicht: %2.</translation>
-    </message>
-    <message>
-        <source>everything has moved, %1 to come.</source>
-        <translation>alles hat sich bewegt, „%1“ kommt noch.</translation>
-    </message>
-    <message>
-        <source>everything has moved.</source>
-        <translation>alles hat sich bewegt.</translation>
-    </message>
-    <message>
-        <source>Inside frame %1: %2 of %3 steps are done.</source>
-        <translation>Innerhalb von Bild %1: %2 von %3 Zeitschritten sind getan.</translation>
-    </message>
-    <message>
-        <source>nothing has moved in it yet</source>
-        <translation>in ihm hat sich noch nichts bewegt</translation>
-    </message>
-    <message>
-        <source>nothing has moved yet</source>
-        <translation>noch hat sich nichts bewegt</translation>
-    </message>
-    <message>
-        <source>Inside frame %1, step %2 of %3: %4</source>
-        <translation>Innerhalb von Bild %1, Zeitschritt %2 von %3: %4</translation>
-    </message>
-    <message>
-        <source>Inside frame %1: %2</source>
-        <translation>Innerhalb von Bild %1: %2</translation>
-    </message>
-    <message>
-        <source>%1 has moved things directly, not by a velocity.</source>
-        <translation>%1 hat Dinge direkt bewegt, nicht über eine Geschwindigkeit.</translation>
+        <source>--fps is for a film in one file; PNG files have no time in them. Leave it out.</source>
+        <translation>--fps ist für einen Film in einer Datei; PNG-Dateien enthalten keine Zeit. Lass es weg.</translation>
     </message>
 </context>
 <context>
@@ -1818,8 +1602,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Auf einen Pfeil am Rand klicken</translation>
     </message>
     <message>
-        <source>go to the body outside that it points to</source>
-        <translation>zu dem Körper außerhalb gehen, auf den er zeigt</translation>
+        <source>go to the body that it points to</source>
+        <translation>zu dem Körper gehen, auf den er zeigt</translation>
     </message>
     <message>
         <source>Wheel</source>
@@ -1834,24 +1618,24 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>[ und ]</translation>
     </message>
     <message>
-        <source>choose the body before or after</source>
-        <translation>den Körper davor oder danach wählen</translation>
+        <source>select the previous or the next body</source>
+        <translation>den vorigen oder den nächsten Körper auswählen</translation>
     </message>
     <message>
         <source>Alt and an arrow key</source>
         <translation>Alt und eine Pfeiltaste</translation>
     </message>
     <message>
-        <source>carry the chosen body 10 px</source>
-        <translation>den gewählten Körper 10 px tragen</translation>
+        <source>move the selected body 10 px</source>
+        <translation>den ausgewählten Körper 10 px bewegen</translation>
     </message>
     <message>
         <source>Press the background</source>
         <translation>Auf den Hintergrund drücken</translation>
     </message>
     <message>
-        <source>blow, steer or aim, where a step has that</source>
-        <translation>blasen, lenken oder zielen, wo ein Schritt das hat</translation>
+        <source>blow, steer or aim, in steps that have this</source>
+        <translation>blasen, lenken oder zielen, in Schritten, die das haben</translation>
     </message>
     <message>
         <source>Drag with the middle button</source>
@@ -1862,8 +1646,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Pfeiltasten</translation>
     </message>
     <message>
-        <source>steer, where a step has that</source>
-        <translation>lenken, wo ein Schritt das hat</translation>
+        <source>steer, in steps that have this</source>
+        <translation>lenken, in Schritten, die das haben</translation>
     </message>
     <message>
         <source>Alt, Shift and an arrow key</source>
@@ -1878,8 +1662,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Alt und Eingabe</translation>
     </message>
     <message>
-        <source>pointer button down or up</source>
-        <translation>Zeigertaste drücken oder loslassen</translation>
+        <source>press or release the pointer&apos;s button</source>
+        <translation>die Taste des Zeigers drücken oder loslassen</translation>
     </message>
     <message>
         <source>Drag an end of the ruler</source>
@@ -1910,28 +1694,28 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Auf die Punkte unter einem Ring klicken</translation>
     </message>
     <message>
-        <source>show the run that parts there beside this one; right-click: more</source>
-        <translation>den Lauf, der dort abzweigt, neben diesem zeigen; Rechtsklick: mehr</translation>
+        <source>compare with the run that branches off there; right-click: more</source>
+        <translation>mit dem Lauf vergleichen, der dort abzweigt; Rechtsklick: mehr</translation>
     </message>
     <message>
         <source>Shift and a click</source>
         <translation>Umschalt und ein Klick</translation>
     </message>
     <message>
-        <source>choose one part more, or one less</source>
-        <translation>ein Teil mehr wählen, oder eines weniger</translation>
+        <source>add a part to the selection, or remove it</source>
+        <translation>ein Teil zur Auswahl hinzunehmen oder daraus entfernen</translation>
     </message>
     <message>
-        <source>choose what is in the box</source>
-        <translation>wählen, was im Rahmen ist</translation>
+        <source>select all parts in the box</source>
+        <translation>alle Teile im Rahmen auswählen</translation>
     </message>
     <message>
         <source>Drag from point to point</source>
         <translation>Von Punkt zu Punkt ziehen</translation>
     </message>
     <message>
-        <source>tie them, with a spring or a stick in hand</source>
-        <translation>sie verbinden, mit einer Feder oder einem Stab in der Hand</translation>
+        <source>connect them, with the Spring or the Stick tool</source>
+        <translation>sie verbinden, mit dem Werkzeug Feder oder Stab</translation>
     </message>
     <message>
         <source>Arrow keys and Enter</source>
@@ -1942,24 +1726,24 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>das Werkzeug um 10 px bewegen, mit Umschalt um 1 px; es benutzen</translation>
     </message>
     <message>
-        <source>move what is chosen 10 px, with Shift 1 px</source>
-        <translation>das Gewählte um 10 px bewegen, mit Umschalt um 1 px</translation>
+        <source>move the selected parts 10 px, with Shift 1 px</source>
+        <translation>die ausgewählten Teile um 10 px bewegen, mit Umschalt um 1 px</translation>
     </message>
     <message>
         <source>{ and }</source>
         <translation>{ und }</translation>
     </message>
     <message>
-        <source>choose the spring or stick before or after</source>
-        <translation>die Feder oder den Stab davor oder danach wählen</translation>
+        <source>select the previous or the next spring or stick</source>
+        <translation>die vorige oder nächste Verbindung auswählen</translation>
     </message>
     <message>
         <source>Escape</source>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>end a row of links, put the tool away, choose nothing</source>
-        <translation>eine Reihe von Verbindungen beenden, das Werkzeug weglegen, nichts wählen</translation>
+        <source>end a row of links, put the tool away, clear the selection</source>
+        <translation>eine Reihe von Verbindungen beenden, das Werkzeug weglegen, die Auswahl aufheben</translation>
     </message>
     <message>
         <source>Drag the timeline</source>
@@ -1982,16 +1766,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Auf Zeitleiste, Phase, Diagramm oder Spur zeigen</translation>
     </message>
     <message>
-        <source>look at that moment; the run stays where it stands</source>
-        <translation>einen Blick auf diesen Moment werfen; der Lauf bleibt, wo er steht</translation>
+        <source>preview that moment; the run stays at its frame</source>
+        <translation>eine Vorschau dieses Moments zeigen; der Lauf bleibt bei seinem Bild</translation>
     </message>
     <message>
         <source>Alt and the underlined letter</source>
         <translation>Alt und der unterstrichene Buchstabe</translation>
     </message>
     <message>
-        <source>where a run has stopped by itself: use what mends it</source>
-        <translation>wo ein Lauf von selbst angehalten hat: nehmen, was ihn heilt</translation>
+        <source>use a remedy, when a run has failed</source>
+        <translation>ein Gegenmittel anwenden, wenn ein Lauf gescheitert ist</translation>
     </message>
     <message>
         <source>Drop a file on the window</source>
@@ -2022,8 +1806,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Die Namen über einem Diagramm</translation>
     </message>
     <message>
-        <source>menus of what it shows</source>
-        <translation>Menüs dafür, was es zeigt</translation>
+        <source>choose what it shows</source>
+        <translation>wählen, was es zeigt</translation>
     </message>
     <message>
         <source>Menu key, or right-click</source>
@@ -2054,16 +1838,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Links neben eine Zeile klicken, oder F9</translation>
     </message>
     <message>
-        <source>stop before its phase, or no longer</source>
-        <translation>vor ihrer Phase anhalten, oder nicht mehr</translation>
+        <source>set or remove a breakpoint before its phase</source>
+        <translation>einen Haltepunkt vor ihrer Phase setzen oder entfernen</translation>
     </message>
     <message>
         <source>Drag a dotted word</source>
         <translation>Ein gepunktetes Wort ziehen</translation>
     </message>
     <message>
-        <source>change that parameter; with Shift finely</source>
-        <translation>diesen Parameter ändern; mit Umschalt fein</translation>
+        <source>change that parameter; with Shift in small steps</source>
+        <translation>diesen Parameter ändern; mit Umschalt in kleinen Schritten</translation>
     </message>
     <message>
         <source>Double-click it, or F2</source>
@@ -2110,24 +1894,24 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>F8</translation>
     </message>
     <message>
-        <source>show the lines of the step before that are gone</source>
-        <translation>die Zeilen des Schritts davor zeigen, die weg sind</translation>
+        <source>show the lines that this step removed</source>
+        <translation>die Zeilen zeigen, die dieser Schritt entfernt hat</translation>
     </message>
     <message>
         <source>Ctrl+C</source>
         <translation>Strg+C</translation>
     </message>
     <message>
-        <source>copy what is selected, or the whole region</source>
-        <translation>das Ausgewählte kopieren, oder den ganzen Bereich</translation>
+        <source>copy the selection, or the whole region</source>
+        <translation>die Auswahl kopieren, oder den ganzen Bereich</translation>
     </message>
     <message>
         <source>Stop when…</source>
         <translation>Anhalten, wenn …</translation>
     </message>
     <message>
-        <source>the field below the code: stop when that comes true</source>
-        <translation>das Feld unter dem Code: anhalten, wenn das wahr wird</translation>
+        <source>the field below the code: stop when a condition becomes true</source>
+        <translation>das Feld unter dem Code: anhalten, wenn eine Bedingung wahr wird</translation>
     </message>
     <message>
         <source>walk through the points of a plot</source>
@@ -2146,26 +1930,26 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>+ und −, oder die Linie ziehen</translation>
     </message>
     <message>
-        <source>how far off is near enough</source>
-        <translation>wie viel Abweichung nah genug ist</translation>
+        <source>set the largest error that you accept</source>
+        <translation>den größten Fehler einstellen, den du hinnimmst</translation>
     </message>
 </context>
 <context>
-    <name>GifFile</name>
+    <name>GifFileText</name>
     <message>
-        <source>%1 cannot be written: %2. Make room, or choose another folder.</source>
-        <translation>%1 lässt sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
+        <translation>%1 ließ sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
-    <name>GroundLayer</name>
+    <name>GroundLayersText</name>
     <message>
         <source>%1&#x202f;px</source>
         <translation>%1&#x202f;px</translation>
     </message>
 </context>
 <context>
-    <name>GrowthTable</name>
+    <name>GrowthTableText</name>
     <message>
         <source>step [frames]</source>
         <translation>Zeitschritt [Bilder]</translation>
@@ -2182,12 +1966,91 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>In %1 wurde keine Lektion gefunden. Baue die Lektionen oder nenne ihren Ordner in SPRINGSTEP_LESSONS.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: name a folder that you may write to, and a file that ends in .png or .jpg.</source>
-        <translation>%1 lässt sich nicht schreiben: Nenne einen Ordner, in den du schreiben darfst, und eine Datei, die auf .png oder .jpg endet.</translation>
+        <source>%1 could not be written: give a folder that you may write to, and a name that ends in .png or .jpg.</source>
+        <translation>%1 ließ sich nicht schreiben: Nenne einen Ordner, in den du schreiben darfst, und einen Namen, der auf .png oder .jpg endet.</translation>
     </message>
 </context>
 <context>
-    <name>HardCases</name>
+    <name>HardCaseText</name>
+    <message>
+        <source>It moves one body after the other, so the pulls between them do not cancel.</source>
+        <translation>Es bewegt einen Körper nach dem anderen, darum heben sich die Züge zwischen ihnen nicht auf.</translation>
+    </message>
+    <message>
+        <source>It looks for the moment when a body leaves the walls, but here a body never leaves them.</source>
+        <translation>Es sucht den Moment, in dem ein Körper die Wände verlässt, aber hier verlässt er sie nie.</translation>
+    </message>
+    <message>
+        <source>It would need about %1 steps in a frame, but stops after %2.</source>
+        <translation>Es bräuchte etwa %1 Zeitschritte in einem Bild, hört aber nach %2 auf.</translation>
+    </message>
+    <message>
+        <source>Without damping, the errors of its steps add up: to %1 px in %2 frames at worst.</source>
+        <translation>Ohne Dämpfung summieren sich die Fehler seiner Zeitschritte: schlimmstenfalls auf %1 px in %2 Bildern.</translation>
+    </message>
+    <message>
+        <source>Because its steps may have errors of %1 px, it never comes fully to rest: it moves by up to %2 px a frame.</source>
+        <translation>Weil seine Zeitschritte Fehler von %1 px haben dürfen, kommt es nie ganz zur Ruhe: Es bewegt sich um bis zu %2 px pro Bild.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would swing from %3 px to %4 px, and farther.</source>
+        <translation>Mit einem Zeitschritt von %1 würde seine steifste Feder (Steifigkeit %2) von %3 px auf %4 px ausschlagen, und weiter.</translation>
+    </message>
+    <message>
+        <source>Its sticks are only tested with steps up to %1. With a step of %2, their errors are larger.</source>
+        <translation>Seine Stäbe werden nur mit Zeitschritten bis %1 geprüft. Mit einem Zeitschritt von %2 sind ihre Fehler größer.</translation>
+    </message>
+    <message>
+        <source>With a step of %1, its stiffest spring (stiffness %2) would not stop swinging: of %3 px, %4 px would be left after %5 frames.</source>
+        <translation>Mit einem Zeitschritt von %1 würde seine steifste Feder (Steifigkeit %2) nicht zur Ruhe kommen: Von %3 px wären nach %5 Bildern noch %4 px übrig.</translation>
+    </message>
+    <message>
+        <source>After frame %1, the position of %2 is no longer a finite number: it overflowed in &quot;%3&quot;.</source>
+        <translation>Nach Bild %1 ist die Position von %2 keine endliche Zahl mehr: Sie wurde in „%3“ zu groß.</translation>
+    </message>
+    <message>
+        <source>After frame %1, the method needs more steps for one frame than allowed.</source>
+        <translation>Nach Bild %1 braucht das Verfahren für ein Bild mehr Zeitschritte als erlaubt.</translation>
+    </message>
+    <message>
+        <source>At frame %1, %2 is more than %3 px away.</source>
+        <translation>Bei Bild %1 ist %2 mehr als %3 px entfernt.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the centre of mass has moved %2 px, although nothing pushed it.</source>
+        <translation>Bei Bild %1 hat sich der Schwerpunkt um %2 px bewegt, obwohl ihn nichts geschoben hat.</translation>
+    </message>
+    <message>
+        <source>At frame %1, the length of the stick between %2 and %3 is wrong by %4 px, more than the expected %5 px.</source>
+        <translation>Bei Bild %1 ist die Länge des Stabs zwischen %2 und %3 um %4 px falsch, mehr als die erwarteten %5 px.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 still moves %2 px a frame.</source>
+        <translation>Am Ende bewegt sich %1 immer noch um %2 px pro Bild.</translation>
+    </message>
+    <message>
+        <source>At the end, %1 is %2 px from where it should rest.</source>
+        <translation>Am Ende ist %1 um %2 px von dem Ort entfernt, an dem es ruhen sollte.</translation>
+    </message>
+    <message>
+        <source>At the end, the distance between %1 and %2 is wrong by %3 px.</source>
+        <translation>Am Ende ist der Abstand von %1 und %2 um %3 px falsch.</translation>
+    </message>
+    <message>
+        <source>A second run differs from the first one at frame %1.</source>
+        <translation>Ein zweiter Lauf unterscheidet sich bei Bild %1 vom ersten.</translation>
+    </message>
+    <message>
+        <source>This input should be rejected, but it was accepted.</source>
+        <translation>Diese Eingabe sollte abgelehnt werden, wurde aber angenommen.</translation>
+    </message>
+    <message>
+        <source>The run should stop and name the number that is not finite, but it does not.</source>
+        <translation>Der Lauf sollte anhalten und die Zahl nennen, die nicht endlich ist, tut es aber nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>HardCasesText</name>
     <message>
         <source>There is no case %1; there is %2.</source>
         <translation>Es gibt keinen Fall %1; es gibt %2.</translation>
@@ -2200,6 +2063,9 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>Stopped before every case was run.</source>
         <translation>Angehalten, bevor jeder Fall gelaufen war.</translation>
     </message>
+</context>
+<context>
+    <name>HardReportText</name>
     <message>
         <source>method</source>
         <translation>Verfahren</translation>
@@ -2207,10 +2073,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>claims</source>
         <translation>Zusage</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <translation>hält</translation>
     </message>
     <message>
         <source>frames</source>
@@ -2241,84 +2103,86 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>, und %1 davon halten nicht: %2.</translation>
     </message>
     <message>
-        <source>It moves one thing after the other, so pulls between them do not cancel out.</source>
-        <translation>Es bewegt eins nach dem anderen, darum heben sich die Züge dazwischen nicht auf.</translation>
-    </message>
-    <message>
-        <source>It looks for the moment in which a body is free of all walls, and here there is none.</source>
-        <translation>Es sucht den Moment, in dem ein Körper frei von allen Wänden ist, und den gibt es hier nicht.</translation>
-    </message>
-    <message>
-        <source>Nothing damps, so what its steps are off adds up: to %1 px in %2 frames at worst.</source>
-        <translation>Nichts dämpft, darum summiert sich die Abweichung seiner Zeitschritte: schlimmstenfalls auf %1 px in %2 Bildern.</translation>
-    </message>
-    <message>
-        <source>Steps that may be %1 px off keep it stirring by up to %2 px a frame.</source>
-        <translation>Zeitschritte, die um %1 px abweichen dürfen, halten es mit bis zu %2 px pro Bild in Unruhe.</translation>
-    </message>
-    <message>
-        <source>At a step of h %1 its stiffest spring (%2) would go from %3 px to %4 px, and farther.</source>
-        <translation>Bei einem Zeitschritt von h %1 ginge seine steifste Feder (%2) von %3 px auf %4 px und weiter.</translation>
-    </message>
-    <message>
-        <source>Its sticks are measured by steps of h %1: at %2 they err more.</source>
-        <translation>Seine Stäbe werden an Zeitschritten von h %1 gemessen: Bei %2 ist ihr Fehler größer.</translation>
-    </message>
-    <message>
-        <source>At a step of h %1 its stiffest spring (%2) would swing on: of %3 px, %4 px would be left after %5 frames.</source>
-        <translation>Bei einem Zeitschritt von h %1 würde seine steifste Feder (%2) weiterschwingen: Von %3 px wären nach %5 Bildern noch %4 px übrig.</translation>
-    </message>
-    <message>
-        <source>After frame %1 %2 is nowhere any more: &quot;%3&quot; gave a number without an end.</source>
-        <translation>Nach Bild %1 ist %2 nirgends mehr: „%3“ ergab eine Zahl ohne Ende.</translation>
-    </message>
-    <message>
-        <source>At frame %1 %2 is more than %3 px away.</source>
-        <translation>Bei Bild %1 ist %2 mehr als %3 px entfernt.</translation>
-    </message>
-    <message>
-        <source>At frame %1 the middle of all has gone %2 px, and nothing pushed it.</source>
-        <translation>Bei Bild %1 ist die Mitte von allem um %2 px gewandert, und nichts hat sie geschoben.</translation>
-    </message>
-    <message>
-        <source>At frame %1 the stick between %2 and %3 is %4 px wrong, and %5 px are possible.</source>
-        <translation>Bei Bild %1 ist der Stab zwischen %2 und %3 um %4 px falsch, und %5 px sind möglich.</translation>
-    </message>
-    <message>
-        <source>In the end %1 still goes %2 px a frame.</source>
-        <translation>Am Ende bewegt sich %1 immer noch um %2 px pro Bild.</translation>
-    </message>
-    <message>
-        <source>In the end %1 is %2 px from where it should rest.</source>
-        <translation>Am Ende ist %1 um %2 px von dem Ort entfernt, an dem es ruhen sollte.</translation>
-    </message>
-    <message>
-        <source>In the end the distance of %1 and %2 is %3 px wrong.</source>
-        <translation>Am Ende ist der Abstand von %1 und %2 um %3 px falsch.</translation>
-    </message>
-    <message>
-        <source>A second run differs from the first at frame %1.</source>
-        <translation>Ein zweiter Lauf unterscheidet sich vom ersten bei Bild %1.</translation>
-    </message>
-    <message>
-        <source>It should be refused, and is not.</source>
-        <translation>Es sollte abgelehnt werden und wird es nicht.</translation>
-    </message>
-    <message>
-        <source>It should end with a word about what is not finite, and does not.</source>
-        <translation>Es sollte mit einem Wort darüber enden, was nicht endlich ist, und tut es nicht.</translation>
-    </message>
-    <message>
-        <source>It would need about %1 steps a frame, and gives up at %2.</source>
-        <translation>Es bräuchte etwa %1 Zeitschritte pro Bild und gibt bei %2 auf.</translation>
-    </message>
-    <message>
-        <source>After frame %1 it needs more steps for a frame than it may take.</source>
-        <translation>Nach Bild %1 braucht es für ein Bild mehr Zeitschritte, als es darf.</translation>
+        <source>holds</source>
+        <translation>hält</translation>
     </message>
 </context>
 <context>
-    <name>JsonDocument</name>
+    <name>HelpCommands</name>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Show a &amp;hint</source>
+        <translation>T&amp;ipp zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>&amp;Glossar</translation>
+    </message>
+    <message>
+        <source>Take the &amp;tour</source>
+        <translation>&amp;Rundgang machen</translation>
+    </message>
+    <message>
+        <source>&amp;About Springstep</source>
+        <translation>Ü&amp;ber Springstep</translation>
+    </message>
+    <message>
+        <source>A hint for the next thing to try</source>
+        <translation>Ein Tipp, was als Nächstes auszuprobieren ist</translation>
+    </message>
+    <message>
+        <source>The words that the lessons teach</source>
+        <translation>Die Begriffe, die die Lektionen lehren</translation>
+    </message>
+    <message>
+        <source>A one-minute tour of this window</source>
+        <translation>Ein Rundgang durch dieses Fenster in einer Minute</translation>
+    </message>
+    <message>
+        <source>Version, licence and libraries</source>
+        <translation>Version, Lizenz und Bibliotheken</translation>
+    </message>
+</context>
+<context>
+    <name>HudText</name>
+    <message>
+        <source>%1 (before: %2)</source>
+        <translation>%1 (vorher: %2)</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
+    </message>
+    <message>
+        <source>your method</source>
+        <translation>dein Verfahren</translation>
+    </message>
+    <message>
+        <source>reference, ±%1</source>
+        <translation>Referenz, ±%1</translation>
+    </message>
+    <message>
+        <source>every %1 frames</source>
+        <translation>alle %1 Bilder</translation>
+    </message>
+    <message>
+        <source>rest length</source>
+        <translation>Ruhelänge</translation>
+    </message>
+    <message>
+        <source>velocity of %1&#x2009;px/frame</source>
+        <translation>Geschwindigkeit von %1&#x2009;px/Bild</translation>
+    </message>
+    <message>
+        <source>pull of %1&#x2009;px/frame²</source>
+        <translation>Zug von %1&#x2009;px/Bild²</translation>
+    </message>
+</context>
+<context>
+    <name>JsonDocumentText</name>
     <message>
         <source>%1 is too large for a number; the largest is %2.</source>
         <translation>%1 ist zu groß für eine Zahl; die größte ist %2.</translation>
@@ -2328,16 +2192,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>%1 ist zweimal angegeben; behalte eines davon.</translation>
     </message>
     <message>
-        <source>lists and objects stand more than %1 deep in each other here; an experiment needs 3.</source>
-        <translation>Listen und Objekte stehen hier mehr als %1-fach ineinander; ein Experiment braucht 3.</translation>
+        <source>lists and objects are nested more than %1 deep here; an experiment needs only 3 levels.</source>
+        <translation>Listen und Objekte sind hier mehr als %1-fach verschachtelt; ein Experiment braucht nur 3 Ebenen.</translation>
     </message>
     <message>
-        <source>an experiment has at most %1 values; here begins one more.</source>
-        <translation>ein Experiment hat höchstens %1 Werte; hier beginnt einer mehr.</translation>
+        <source>here begins one value too many; an experiment has at most %1 values.</source>
+        <translation>hier beginnt ein Wert zu viel; ein Experiment hat höchstens %1 Werte.</translation>
     </message>
     <message>
-        <source>the experiment ends before this; remove what follows its closing bracket.</source>
-        <translation>das Experiment endet davor; entferne, was nach seiner schließenden Klammer kommt.</translation>
+        <source>there is text after the end of the experiment; remove everything after its closing bracket.</source>
+        <translation>nach dem Ende des Experiments steht noch Text; entferne alles nach seiner schließenden Klammer.</translation>
     </message>
     <message>
         <source>a name in double quotes is expected here.</source>
@@ -2356,8 +2220,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>hier wird ein Komma oder ein schließendes ] erwartet.</translation>
     </message>
     <message>
-        <source>a text in double quotes is not well formed; it ends on its own line, and after a \ comes one of &quot; \ / b f n r t u.</source>
-        <translation>ein Text in doppelten Anführungszeichen ist nicht richtig gebildet; er endet in seiner eigenen Zeile, und nach einem \ kommt eines von &quot; \ / b f n r t u.</translation>
+        <source>a text in double quotes is not valid; it must end on its own line, and only &quot; \ / b f n r t u may follow a \.</source>
+        <translation>ein Text in doppelten Anführungszeichen ist nicht gültig; er muss in seiner eigenen Zeile enden, und nach einem \ darf nur &quot; \ / b f n r t u stehen.</translation>
     </message>
     <message>
         <source>a text has bytes that are not UTF-8; save the file as UTF-8.</source>
@@ -2384,8 +2248,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>%1: Zeile 1: Die Datei ist leer; ein Experiment beginnt mit {.</translation>
     </message>
     <message>
-        <source>the file ends here, in the middle; its end is missing.</source>
-        <translation>die Datei endet hier mittendrin; ihr Ende fehlt.</translation>
+        <source>the file ends here too early; the rest of the experiment is missing.</source>
+        <translation>die Datei endet hier zu früh; der Rest des Experiments fehlt.</translation>
     </message>
     <message>
         <source>%1: line %2: %3</source>
@@ -2393,10 +2257,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>JsonFields</name>
+    <name>JsonFieldsText</name>
     <message>
-        <source>%1 is %2; it takes %3.</source>
-        <translation>%1 ist %2; verlangt ist %3.</translation>
+        <source>%1 is %2; it must be %3.</source>
+        <translation>%1 ist %2; es muss %3 sein.</translation>
     </message>
     <message>
         <source>%1: line %2: %3</source>
@@ -2431,12 +2295,20 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>eine Liste in [ ]</translation>
     </message>
     <message>
-        <source>%1 is %2; it takes an object in { }.</source>
-        <translation>%1 ist %2; verlangt ist ein Objekt in { }.</translation>
+        <source>%1 is %2; it can be a whole number from %3 to %4.</source>
+        <translation>%1 ist %2; möglich ist eine ganze Zahl von %3 bis %4.</translation>
     </message>
     <message>
-        <source>%1 has no %2; it takes %3.</source>
-        <translation>%1 hat kein %2; verlangt ist %3.</translation>
+        <source>beyond 2^53</source>
+        <translation>mehr als 2^53</translation>
+    </message>
+    <message>
+        <source>%1 is %2; it must be an object in { }.</source>
+        <translation>%1 ist %2; es muss ein Objekt in { } sein.</translation>
+    </message>
+    <message>
+        <source>%1 has no %2; add it. It must be %3.</source>
+        <translation>%1 hat kein %2; füge es hinzu. Es muss %3 sein.</translation>
     </message>
     <message>
         <source>%1 has no field %2; there is %3.</source>
@@ -2444,7 +2316,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>LessonPlugin</name>
+    <name>LessonPluginText</name>
     <message>
         <source>It is not a lesson that can be used: %1.</source>
         <translation>Das ist keine brauchbare Lektion: %1.</translation>
@@ -2478,16 +2350,12 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>ihre Beschreibung zählt einen Schritt doppelt auf</translation>
     </message>
     <message>
-        <source>its description has no whole number &quot;order&quot;</source>
-        <translation>ihre Beschreibung hat keine ganze Zahl &quot;order&quot;</translation>
+        <source>the step %1 has no scene or no view</source>
+        <translation>der Schritt %1 hat keine Szene oder keine Ansicht</translation>
     </message>
     <message>
-        <source>the step %1 has no scene or no look</source>
-        <translation>der Schritt %1 hat keine Szene oder kein Aussehen</translation>
-    </message>
-    <message>
-        <source>the step %1 wants the method %2, which is not there</source>
-        <translation>der Schritt %1 will das Verfahren %2, das es nicht gibt</translation>
+        <source>the step %1 needs the method %2, which does not exist</source>
+        <translation>der Schritt %1 braucht das Verfahren %2, das es nicht gibt</translation>
     </message>
     <message>
         <source>the step %1 cannot start (%2)</source>
@@ -2498,12 +2366,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>ihr Code enthält keine Lektion</translation>
     </message>
     <message>
-        <source>its steps cannot be made (%1)</source>
-        <translation>ihre Schritte lassen sich nicht erstellen (%1)</translation>
+        <source>its steps could not be created (%1)</source>
+        <translation>ihre Schritte ließen sich nicht erstellen (%1)</translation>
     </message>
     <message>
-        <source>It cannot be loaded; build or install it again. The system says: %1.</source>
-        <translation>Sie lässt sich nicht laden; baue oder installiere sie neu. Das System sagt: %1.</translation>
+        <source>its description has no whole number &quot;order&quot;</source>
+        <translation>ihre Beschreibung hat keine ganze Zahl &quot;order&quot;</translation>
+    </message>
+    <message>
+        <source>It could not be loaded: %1. Build or install it again.</source>
+        <translation>Sie ließ sich nicht laden: %1. Baue oder installiere sie neu.</translation>
     </message>
     <message>
         <source>its description lists the steps %1, its code has %2</source>
@@ -2515,7 +2387,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>LessonsList</name>
+    <name>LessonsText</name>
     <message>
         <source>%1; one of %2</source>
         <translation>%1; eines von %2</translation>
@@ -2542,10 +2414,64 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>ParameterValue</name>
+    <name>Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>OptionValuesText</name>
+    <message>
+        <source>--%1 is %2; it can be %3 to %4.</source>
+        <translation>--%1 ist %2; möglich ist %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>--%1 is %2; it can be a whole number from 0 to %3.</source>
+        <translation>--%1 ist %2; möglich ist eine ganze Zahl von 0 bis %3.</translation>
+    </message>
+    <message>
+        <source>--size is %1; it can be WIDTHxHEIGHT in pixels, each from 100 to 9999, such as 1280x800.</source>
+        <translation>--size ist %1; möglich ist BREITExHÖHE in Pixeln, beides von 100 bis 9999, zum Beispiel 1280x800.</translation>
+    </message>
+    <message>
+        <source>--theme is %1; it can be &quot;light&quot;, &quot;dark&quot; or &quot;contrast&quot;.</source>
+        <translation>--theme ist %1; möglich ist &quot;light&quot;, &quot;dark&quot; oder &quot;contrast&quot;.</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterValueText</name>
     <message>
         <source>%1 is %2; it can be one of %3.</source>
         <translation>%1 ist %2; möglich ist eines von %3.</translation>
+    </message>
+    <message>
+        <source>the step %1 has no parameter %2; it has %3.</source>
+        <translation>der Schritt %1 hat keinen Parameter %2; er hat %3.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
     <message>
         <source>%1 is %2; it can be a whole number from %3 to %4.</source>
@@ -2557,48 +2483,176 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>PictureFile</name>
+    <name>PictureFileText</name>
     <message>
-        <source>%1 cannot be written: %2. Choose another folder or name.</source>
-        <translation>%1 lässt sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+        <source>%1 could not be written: %2. Choose another folder or name.</source>
+        <translation>%1 ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
 </context>
 <context>
-    <name>Position</name>
+    <name>PropertyRangesText</name>
     <message>
-        <source>step %1 of %2</source>
-        <translation>Zeitschritt %1 von %2</translation>
+        <source>x</source>
+        <translation>x</translation>
     </message>
     <message>
-        <source>%1 of %2 phases done</source>
-        <translation>%1 von %2 Phasen getan</translation>
+        <source>px</source>
+        <translation>px</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <source>How far to the right it starts.</source>
+        <translation>Wie weit rechts er beginnt.</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
+        <source>y</source>
+        <translation>y</translation>
     </message>
     <message>
-        <source>Frame %1</source>
-        <translation>Bild %1</translation>
+        <source>How far down it starts.</source>
+        <translation>Wie weit unten er beginnt.</translation>
     </message>
     <message>
-        <source>Frame %1, after %2, %3</source>
-        <translation>Bild %1, nach „%2“, %3</translation>
+        <source>Speed x</source>
+        <translation>Tempo x</translation>
+    </message>
+    <message>
+        <source>px/frame</source>
+        <translation>px/Bild</translation>
+    </message>
+    <message>
+        <source>How fast it starts to the right.</source>
+        <translation>Wie schnell er nach rechts startet.</translation>
+    </message>
+    <message>
+        <source>Speed y</source>
+        <translation>Tempo y</translation>
+    </message>
+    <message>
+        <source>How fast it starts downwards.</source>
+        <translation>Wie schnell er nach unten startet.</translation>
+    </message>
+    <message>
+        <source>Mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>How hard it is to move. Most bodies have 1.</source>
+        <translation>Wie schwer er sich bewegen lässt. Die meisten Körper haben 1.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Its width: walls stop its edge, and the wind pushes against it.</source>
+        <translation>Seine Breite: Wände halten seinen Rand auf, und der Wind drückt dagegen.</translation>
+    </message>
+    <message>
+        <source>Nailed</source>
+        <translation>Genagelt</translation>
+    </message>
+    <message>
+        <source>Whether it is fixed in place.</source>
+        <translation>Ob er an seinem Ort befestigt ist.</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>1/frame²</source>
+        <translation>1/Bild²</translation>
+    </message>
+    <message>
+        <source>How hard it pulls a body of mass 1: this share of the missing distance in each frame.</source>
+        <translation>Wie stark sie an einem Körper der Masse 1 zieht: um diesen Anteil des fehlenden Abstands in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>How far apart its two ends should be.</source>
+        <translation>Wie weit auseinander die zwei Enden sein sollen.</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>The share of a length error that its first end corrects; the other end corrects the rest.</source>
+        <translation>Der Anteil eines Längenfehlers, den das erste Ende korrigiert; das andere Ende korrigiert den Rest.</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>The angle of the foot, seen from its body: 0 is left of the body, 90 above it.</source>
+        <translation>Der Winkel des Fußes, vom Körper aus gesehen: 0 ist links vom Körper, 90 darüber.</translation>
+    </message>
+    <message>
+        <source>Leg</source>
+        <translation>Bein</translation>
+    </message>
+    <message>
+        <source>How long the legs of this gait group are.</source>
+        <translation>Wie lang die Beine dieser Ganggruppe sind.</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Absenkung</translation>
+    </message>
+    <message>
+        <source>How far below the body the legs of this gait group end.</source>
+        <translation>Wie weit unter dem Körper die Beine dieser Ganggruppe enden.</translation>
+    </message>
+    <message>
+        <source>Swing</source>
+        <translation>Schwung</translation>
+    </message>
+    <message>
+        <source>rad/frame</source>
+        <translation>rad/Bild</translation>
+    </message>
+    <message>
+        <source>How fast the clock of this gait group turns its legs. 0: they stand still. To walk, feet need ground.</source>
+        <translation>Wie schnell die Uhr dieser Ganggruppe ihre Beine dreht. 0: Sie stehen still. Zum Gehen brauchen Füße Boden.</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>rad</source>
+        <translation>rad</translation>
+    </message>
+    <message>
+        <source>The angle at which that clock starts. Groups with different angles step in turn.</source>
+        <translation>Der Winkel, bei dem diese Uhr beginnt. Gruppen mit verschiedenen Winkeln treten im Wechsel.</translation>
+    </message>
+    <message>
+        <source>Carries</source>
+        <translation>Trägt</translation>
+    </message>
+    <message>
+        <source>Whether the feet push the body back. If they do not, they cannot carry it.</source>
+        <translation>Ob die Füße den Körper zurückschieben. Sonst können sie ihn nicht tragen.</translation>
     </message>
 </context>
 <context>
-    <name>PullCard</name>
+    <name>PullCardText</name>
     <message>
         <source>px/frame²</source>
         <translation>px/Bild²</translation>
     </message>
 </context>
 <context>
-    <name>Quantity</name>
+    <name>QuantityText</name>
     <message>
         <source>time</source>
         <translation>Zeit</translation>
@@ -2652,12 +2706,12 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Abstand</translation>
     </message>
     <message>
-        <source>kinetic energy of all</source>
-        <translation>kinetische Energie von allem</translation>
+        <source>total kinetic energy</source>
+        <translation>gesamte kinetische Energie</translation>
     </message>
     <message>
-        <source>potential energy of all</source>
-        <translation>potenzielle Energie von allem</translation>
+        <source>total potential energy</source>
+        <translation>gesamte potenzielle Energie</translation>
     </message>
     <message>
         <source>total energy</source>
@@ -2676,35 +2730,35 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Wie weit unten er ist: y wächst nach unten, in der Szene und in Kurven</translation>
     </message>
     <message>
-        <source>How far it comes to the right in a frame</source>
-        <translation>Wie weit er in einem Bild nach rechts kommt</translation>
+        <source>How far it moves to the right in a frame</source>
+        <translation>Wie weit er sich in einem Bild nach rechts bewegt</translation>
     </message>
     <message>
-        <source>How far it comes down in a frame</source>
-        <translation>Wie weit er in einem Bild nach unten kommt</translation>
+        <source>How far it moves down in a frame</source>
+        <translation>Wie weit er sich in einem Bild nach unten bewegt</translation>
     </message>
     <message>
-        <source>How far it comes in a frame, whichever way</source>
-        <translation>Wie weit er in einem Bild kommt, egal wohin</translation>
+        <source>How far it moves in a frame, in any direction</source>
+        <translation>Wie weit er sich in einem Bild bewegt, egal in welche Richtung</translation>
     </message>
     <message>
-        <source>By how much its velocity to the right changed in the last frame</source>
+        <source>How much its velocity to the right changed in the last frame</source>
         <translation>Um wie viel sich seine Geschwindigkeit nach rechts im letzten Bild änderte</translation>
     </message>
     <message>
-        <source>By how much its velocity downwards changed in the last frame</source>
+        <source>How much its velocity downwards changed in the last frame</source>
         <translation>Um wie viel sich seine Geschwindigkeit nach unten im letzten Bild änderte</translation>
     </message>
     <message>
-        <source>By how much its velocity changed in the last frame, whichever way</source>
-        <translation>Um wie viel sich seine Geschwindigkeit im letzten Bild änderte, egal wohin</translation>
+        <source>How much its velocity changed in the last frame, in any direction</source>
+        <translation>Um wie viel sich seine Geschwindigkeit im letzten Bild änderte, egal in welche Richtung</translation>
     </message>
     <message>
         <source>Where it points: 0° is to the right, and 90° is down</source>
         <translation>Wohin er zeigt: 0° ist nach rechts, und 90° ist nach unten</translation>
     </message>
     <message>
-        <source>By how much its angle changes in a frame</source>
+        <source>How much its angle changes in a frame</source>
         <translation>Um wie viel sich sein Winkel in einem Bild ändert</translation>
     </message>
     <message>
@@ -2720,8 +2774,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Die Bewegungsenergie von allem zusammen</translation>
     </message>
     <message>
-        <source>What springs hold, and what lies high</source>
-        <translation>Was Federn halten und was in der Höhe liegt</translation>
+        <source>The energy stored in springs and in height</source>
+        <translation>Die Energie, die in Federn und in der Höhe steckt</translation>
     </message>
     <message>
         <source>Kinetic and potential energy of everything together</source>
@@ -2760,42 +2814,49 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>%1 %2 – %3</translation>
     </message>
     <message>
-        <source>Nothing here is called %1. The curve comes back with the next step that has one; or choose another body above.</source>
-        <translation>Hier heißt nichts %1. Die Kurve kommt mit dem nächsten Schritt zurück, der so etwas hat; oder wähle oben einen anderen Körper.</translation>
+        <source>There is no %1 in this step. Choose another body above. The curve returns in the next step that has %1.</source>
+        <translation>In diesem Schritt gibt es „%1“ nicht. Wähle oben einen anderen Körper. Im nächsten Schritt mit „%1“ kommt die Kurve zurück.</translation>
     </message>
     <message>
-        <source>Something else puts %1 where it goes, so it keeps no velocity. Its position can be plotted: choose that above.</source>
-        <translation>Etwas anderes setzt %1 dorthin, wo es hingehört, darum gibt es keine eigene Geschwindigkeit. Die Position hat eine Kurve: Wähle sie oben.</translation>
+        <source>%1 is moved from outside, so it has no velocity of its own. Choose its position above instead.</source>
+        <translation>%1 wird von außen bewegt und hat darum keine eigene Geschwindigkeit. Wähle oben stattdessen die Position.</translation>
     </message>
     <message>
-        <source>What this scene moves are points: they have no angle. Branches of a tree have one.</source>
-        <translation>Was diese Szene bewegt, sind Punkte: Sie haben keinen Winkel. Zweige eines Baums haben einen.</translation>
+        <source>This scene has only points, and points have no angle. Choose another quantity above.</source>
+        <translation>Diese Szene hat nur Punkte, und Punkte haben keinen Winkel. Wähle oben eine andere Größe.</translation>
     </message>
 </context>
 <context>
-    <name>ReferenceMarks</name>
+    <name>QuotingText</name>
+    <message>
+        <source>%1 and %2 more</source>
+        <translation>%1 und %2 weitere</translation>
+    </message>
+</context>
+<context>
+    <name>ReferenceMarksText</name>
     <message>
         <source>%1 off the reference here</source>
         <translation>%1 neben der Referenz hier</translation>
     </message>
 </context>
 <context>
-    <name>RestWords</name>
+    <name>RestText</name>
     <message>
-        <source>Everything rests: a frame costs nothing until something is touched.</source>
-        <translation>Alles ruht: Ein Bild kostet nichts, bis etwas berührt wird.</translation>
+        <source>Everything is at rest: a frame costs nothing until you touch something.</source>
+        <translation>Alles ruht: Ein Bild kostet nichts, bis du etwas anfasst.</translation>
     </message>
     <message>
-        <source>Nothing rests now: “%1” changes with the time.</source>
-        <translation>Jetzt ruht nichts: „%1“ ändert sich mit der Zeit.</translation>
+        <source>Nothing can rest now, because “%1” changes over time.</source>
+        <translation>Jetzt kann nichts ruhen, denn „%1“ ändert sich mit der Zeit.</translation>
     </message>
     <message>
-        <source>With a method that chooses its own steps, what rests costs as much as what moves.</source>
-        <translation>Bei einem Verfahren, das seine Zeitschritte selbst wählt, kostet das Ruhende so viel wie das Bewegte.</translation>
+        <source>With a method that chooses its own steps, bodies at rest cost as much as moving ones.</source>
+        <translation>Bei einem Verfahren, das seine Zeitschritte selbst wählt, kosten ruhende Körper so viel wie bewegte.</translation>
     </message>
     <message>
-        <source>What comes to rest costs nothing until it is touched.</source>
-        <translation>Was zur Ruhe kommt, kostet nichts, bis es berührt wird.</translation>
+        <source>Bodies at rest cost nothing until you touch them.</source>
+        <translation>Ruhende Körper kosten nichts, bis du sie anfasst.</translation>
     </message>
 </context>
 <context>
@@ -2806,35 +2867,155 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
+    <name>RunPositionText</name>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Zeitschritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 phases done</source>
+        <translation>%1 von %2 Phasen getan</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Frame %1, after %2, %3</source>
+        <translation>Bild %1, nach „%2“, %3</translation>
+    </message>
+</context>
+<context>
+    <name>SandboxPropertiesText</name>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>%1 springs</source>
+        <translation>%1 Federn</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>%1 sticks</source>
+        <translation>%1 Stäbe</translation>
+    </message>
+    <message>
+        <source>Foot of %1</source>
+        <translation>Fuß von %1</translation>
+    </message>
+    <message>
+        <source>Group</source>
+        <translation>Gruppe</translation>
+    </message>
+    <message>
+        <source>The gait group: its feet share one clock.</source>
+        <translation>Die Ganggruppe: Ihre Füße teilen sich eine Uhr.</translation>
+    </message>
+    <message>
+        <source>Gait group %1</source>
+        <translation>Ganggruppe %1</translation>
+    </message>
+</context>
+<context>
+    <name>SandboxText</name>
+    <message>
+        <source>the order in which points move (%1), because here all move at once</source>
+        <translation>die Reihenfolge, in der sich Punkte bewegen (%1), denn hier bewegen sich alle zugleich</translation>
+    </message>
+    <message>
+        <source>This is your own copy of the scene: change what you like.</source>
+        <translation>Das ist deine eigene Kopie der Szene: Ändere, was du magst.</translation>
+    </message>
+    <message>
+        <source>This is your own copy of the scene. It could not be copied completely. Missing: %1.</source>
+        <translation>Das ist deine eigene Kopie der Szene. Sie ließ sich nicht ganz kopieren. Es fehlt: %1.</translation>
+    </message>
+    <message>
+        <source>This scene has %1 points, but the sandbox allows only %2. Choose a smaller scene.</source>
+        <translation>Diese Szene hat %1 Punkte, aber der Sandkasten erlaubt nur %2. Wähle eine kleinere Szene.</translation>
+    </message>
+    <message>
+        <source>The sandbox cannot open this scene, because it has no branches with joints. Take another scene, or look at the examples in the sandbox.</source>
+        <translation>Der Sandkasten kann diese Szene nicht öffnen, denn er kennt keine Zweige mit Gelenken. Nimm eine andere Szene, oder sieh dir die Beispiele im Sandkasten an.</translation>
+    </message>
+    <message>
+        <source>This scene has flown apart: a point is more than %1 px away, or moves that far in a frame. Go back in time, and take the scene from there.</source>
+        <translation>Diese Szene ist auseinandergeflogen: Ein Punkt ist mehr als %1 px entfernt oder bewegt sich in einem Bild so weit. Geh in der Zeit zurück, und übernimm die Szene von dort.</translation>
+    </message>
+    <message>
+        <source>Take scene to sandbox</source>
+        <translation>Szene in den Sandkasten übernehmen</translation>
+    </message>
+    <message>
+        <source>Open example %1</source>
+        <translation>Beispiel %1 öffnen</translation>
+    </message>
+    <message>
+        <source>You can only build at the start of the run. Press Home to go there.</source>
+        <translation>Bauen kannst du nur am Anfang des Laufs. Drück Pos1, um dorthin zu gehen.</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Start new scene</source>
+        <translation>Neue Szene beginnen</translation>
+    </message>
+    <message>
+        <source>A new scene has one point, the fewest that a scene can have. Move it, or add parts to it.</source>
+        <translation>Eine neue Szene hat einen Punkt, weniger geht nicht. Verschieb ihn oder füg Teile hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>SceneExport</name>
+    <message>
+        <source>The picture of the scene is copied.</source>
+        <translation>Das Bild der Szene ist kopiert.</translation>
+    </message>
+    <message>
+        <source>Picture of the scene</source>
+        <translation>Bild der Szene</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg)</source>
+        <translation>Bilder (*.png *.svg)</translation>
+    </message>
+    <message>
+        <source>Could not save the picture: %1</source>
+        <translation>Das Bild ließ sich nicht speichern: %1</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Gespeichert als %1.</translation>
+    </message>
+</context>
+<context>
     <name>SceneOverlay</name>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
-    <message>
-        <source>your method</source>
-        <translation>dein Verfahren</translation>
-    </message>
-    <message>
-        <source>reference, ±%1</source>
-        <translation>Referenz, ±%1</translation>
-    </message>
-    <message>
-        <source>every %1 frames</source>
-        <translation>alle %1 Bilder</translation>
-    </message>
-    <message>
-        <source>velocity of %1&#x2009;px/frame</source>
-        <translation>Geschwindigkeit von %1&#x2009;px/Bild</translation>
-    </message>
-    <message>
-        <source>pull of %1&#x2009;px/frame²</source>
-        <translation>Zug von %1&#x2009;px/Bild²</translation>
-    </message>
-    <message>
-        <source>%1 (before: %2)</source>
-        <translation>%1 (vorher: %2)</translation>
-    </message>
     <message>
         <source>sum so far</source>
         <translation>Summe bisher</translation>
@@ -2843,32 +3024,51 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>sum of all pulls</source>
         <translation>Summe aller Züge</translation>
     </message>
+</context>
+<context>
+    <name>ScreenshotText</name>
     <message>
-        <source>length at rest</source>
-        <translation>Länge in Ruhe</translation>
+        <source>--mode is %1; it can be &quot;learn&quot; or &quot;measure&quot;.</source>
+        <translation>--mode ist %1; möglich ist &quot;learn&quot; oder &quot;measure&quot;.</translation>
+    </message>
+    <message>
+        <source>--stability is %1; it can be &quot;gauge&quot;, &quot;reasons&quot;, or a map: &quot;step&quot; or &quot;damping&quot;.</source>
+        <translation>--stability ist %1; möglich ist &quot;gauge&quot;, &quot;reasons&quot; oder eine Karte: &quot;step&quot; oder &quot;damping&quot;.</translation>
+    </message>
+    <message>
+        <source>%1 is not a step; name it as LESSON/STEP, as &quot;springstep lessons&quot; lists them.</source>
+        <translation>%1 ist kein Schritt; nenne ihn als LESSON/STEP, wie &quot;springstep lessons&quot; sie auflistet.</translation>
     </message>
 </context>
 <context>
-    <name>Sentences</name>
+    <name>SentencesText</name>
     <message>
-        <source>The step %1 does not fit: it can be 1 divided by a whole number, or a whole number, from 0.000001 to 100 frames.</source>
-        <translation>Der Zeitschritt %1 passt nicht: Möglich ist 1 geteilt durch eine ganze Zahl oder eine ganze Zahl, von 0.000001 bis 100 Bildern.</translation>
+        <source>The step %1 is not allowed. It can be a whole number of frames, or 1 divided by a whole number, from 0.000001 to 100 frames.</source>
+        <translation>Der Zeitschritt %1 ist nicht erlaubt. Möglich ist eine ganze Zahl von Bildern oder 1 geteilt durch eine ganze Zahl, von 0.000001 bis 100 Bildern.</translation>
     </message>
     <message>
-        <source>The tolerance %1 does not fit: it can be from 1e-13 to 100 px.</source>
-        <translation>Die Toleranz %1 passt nicht: Möglich ist 1e-13 bis 100 px.</translation>
+        <source>The tolerance %1 is not allowed. It can be from 1e-13 to 100 px.</source>
+        <translation>Die Toleranz %1 ist nicht erlaubt. Möglich ist 1e-13 bis 100 px.</translation>
     </message>
     <message>
-        <source>The method %1 chooses its steps itself: give it a tolerance in px in place of a step.</source>
-        <translation>Das Verfahren „%1“ wählt seine Zeitschritte selbst: Gib ihm eine Toleranz in px statt eines Zeitschritts.</translation>
+        <source>The method %1 chooses its own steps. Choose a tolerance in px instead of a step.</source>
+        <translation>Das Verfahren „%1“ wählt seine Zeitschritte selbst. Wähle eine Toleranz in px statt eines Zeitschritts.</translation>
     </message>
     <message>
-        <source>The method %1 takes steps of one length: give it a step in frames in place of a tolerance.</source>
-        <translation>Das Verfahren „%1“ macht Zeitschritte von einer Länge: Gib ihm einen Zeitschritt in Bildern statt einer Toleranz.</translation>
+        <source>Stopped at frame %1: your code has a mistake that stops the next frame.</source>
+        <translation>Bei Bild %1 angehalten: Dein Code hat einen Fehler, der das nächste Bild abbricht.</translation>
     </message>
     <message>
-        <source>%1 acts once a step, so that smaller steps make another motion from the first frame on.</source>
-        <translation>„%1“ wirkt einmal pro Zeitschritt, sodass kleinere Zeitschritte vom ersten Bild an eine andere Bewegung ergeben.</translation>
+        <source>Your code computes whole frames, so its step cannot be %1. Choose a step of 1 frame.</source>
+        <translation>Dein Code berechnet ganze Bilder, darum kann sein Zeitschritt nicht %1 sein. Wähle einen Zeitschritt von 1 Bild.</translation>
+    </message>
+    <message>
+        <source>The method %1 has fixed steps. Choose a step in frames instead of a tolerance.</source>
+        <translation>Das Verfahren „%1“ hat feste Zeitschritte. Wähle einen Zeitschritt in Bildern statt einer Toleranz.</translation>
+    </message>
+    <message>
+        <source>%1 acts once per step, so smaller steps give a different motion from the first frame on.</source>
+        <translation>„%1“ wirkt einmal pro Zeitschritt, darum ergeben kleinere Zeitschritte vom ersten Bild an eine andere Bewegung.</translation>
     </message>
     <message>
         <source>There is nothing to compare with after frame %1.</source>
@@ -2879,44 +3079,48 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Das Verfahren „%1“ kann „%2“ nicht berechnen: Wähle ein anderes Verfahren oder schalte diesen Effekt aus.</translation>
     </message>
     <message>
-        <source>The method %1 cannot compute this scene: parts of it go only where they are put, and have no velocity. Choose another method.</source>
-        <translation>Das Verfahren „%1“ kann diese Szene nicht berechnen: Teile von ihr gehen nur dorthin, wo man sie hinsetzt, und haben keine Geschwindigkeit. Wähle ein anderes Verfahren.</translation>
+        <source>The method %1 cannot compute this scene, because parts of it have no velocity of their own. Choose another method.</source>
+        <translation>Das Verfahren „%1“ kann diese Szene nicht berechnen, denn Teile von ihr haben keine eigene Geschwindigkeit. Wähle ein anderes Verfahren.</translation>
     </message>
     <message>
-        <source>Nothing in this scene can move: leave at least one body free.</source>
-        <translation>In dieser Szene kann sich nichts bewegen: Lass mindestens einen Körper frei.</translation>
+        <source>Nothing in this scene can move. Leave at least one body free.</source>
+        <translation>In dieser Szene kann sich nichts bewegen. Lass mindestens einen Körper frei.</translation>
     </message>
     <message>
-        <source>This scene has %1 points. Up to %2 are computed with every method: what a few of them tell about methods holds for more of the same.</source>
-        <translation>Diese Szene hat %1 Punkte. Bis zu %2 werden mit jedem Verfahren berechnet: Was wenige von ihnen über Verfahren sagen, gilt auch für mehr davon.</translation>
+        <source>This scene has %1 points, and at most %2 can be measured with every method. Measure a smaller scene of the same kind: its results are valid for this one, too.</source>
+        <translation>Diese Szene hat %1 Punkte, und höchstens %2 lassen sich mit jedem Verfahren messen. Miss eine kleinere Szene dieser Art: Ihre Ergebnisse gelten auch für diese.</translation>
     </message>
     <message>
         <source>This tree would have more than %1 branches: make its slope smaller than %2, or its smallest branch larger than %3.</source>
         <translation>Dieser Baum hätte mehr als %1 Zweige: Mach seine Verjüngung kleiner als %2 oder seinen kleinsten Zweig größer als %3.</translation>
     </message>
     <message>
-        <source>Stick %1 ends at p%2, and there is no such point: there are %3, and the first is p0.</source>
-        <translation>Stab %1 endet bei p%2, und diesen Punkt gibt es nicht: Es sind %3, und der erste ist p0.</translation>
+        <source>Stick %1 ends at p%2, but there is no such point. There are %3 points, and the first is p0.</source>
+        <translation>Stab %1 endet bei p%2, aber diesen Punkt gibt es nicht. Es gibt %3 Punkte, und der erste ist p0.</translation>
     </message>
     <message>
-        <source>The event %1 before frame %2 has a number that is infinite or none at all: give it a finite one.</source>
-        <translation>Das Ereignis %1 vor Bild %2 hat eine Zahl, die unendlich oder gar keine ist: Gib ihm eine endliche.</translation>
+        <source>Spring %1 ends at p%2, but there is no such point. There are %3 points, and the first is p0.</source>
+        <translation>Feder %1 endet bei p%2, aber diesen Punkt gibt es nicht. Es gibt %3 Punkte, und der erste ist p0.</translation>
     </message>
     <message>
-        <source>The start of %1 has a number that is infinite or none at all: give it a finite one.</source>
-        <translation>Der Start von %1 hat eine Zahl, die unendlich oder gar keine ist: Gib ihm eine endliche.</translation>
+        <source>The event %1 before frame %2 has a value that is infinite or not a number. Give it a finite number.</source>
+        <translation>Das Ereignis %1 vor Bild %2 hat einen Wert, der unendlich oder keine Zahl ist. Gib ihm eine endliche Zahl.</translation>
     </message>
     <message>
-        <source>This does not fit together: %1.</source>
-        <translation>Das passt nicht zusammen: %1.</translation>
+        <source>The start of %1 has a value that is infinite or not a number. Give it a finite number.</source>
+        <translation>Der Start von %1 hat einen Wert, der unendlich oder keine Zahl ist. Gib ihm eine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>These settings do not fit together: %1.</source>
+        <translation>Diese Einstellungen passen nicht zusammen: %1.</translation>
     </message>
     <message>
         <source>The spring of %1</source>
         <translation>Die Feder von %1</translation>
     </message>
     <message>
-        <source>What pulls %1 (%2)</source>
-        <translation>Was an %1 zieht (%2)</translation>
+        <source>The force on %1 (%2)</source>
+        <translation>Die Kraft auf %1 (%2)</translation>
     </message>
     <message>
         <source>%1 – %2</source>
@@ -2927,40 +3131,36 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Die Feder %1</translation>
     </message>
     <message>
-        <source>Stopped at frame %1: the method needs too many steps for the next one.</source>
-        <translation>Angehalten bei Bild %1: Für das nächste braucht das Verfahren zu viele Zeitschritte.</translation>
+        <source>Stopped at frame %1: the method needs too many steps for the next frame.</source>
+        <translation>Angehalten bei Bild %1: Für das nächste Bild braucht das Verfahren zu viele Zeitschritte.</translation>
     </message>
     <message>
-        <source>%1 pulls hardest.</source>
-        <translation>%1 zieht am stärksten.</translation>
+        <source>%1 is strongest.</source>
+        <translation>%1 ist am stärksten.</translation>
     </message>
     <message>
-        <source>What is pulled hardest is %1.</source>
-        <translation>Am stärksten gezogen wird %1.</translation>
+        <source>The strongest force acts on %1.</source>
+        <translation>Die stärkste Kraft wirkt auf %1.</translation>
     </message>
     <message>
-        <source>Try a larger tolerance, or a method whose steps all have one length.</source>
-        <translation>Versuch es mit einer größeren Toleranz oder mit einem Verfahren, dessen Zeitschritte alle gleich lang sind.</translation>
+        <source>Try a larger tolerance, or a method with fixed steps.</source>
+        <translation>Versuch es mit einer größeren Toleranz oder mit einem Verfahren mit festen Zeitschritten.</translation>
     </message>
     <message>
-        <source>Stopped at frame %1: in the next one a number is not finite.</source>
-        <translation>Angehalten bei Bild %1: Im nächsten ist eine Zahl nicht endlich.</translation>
+        <source>Stopped at frame %1: in the next frame, a number is not finite.</source>
+        <translation>Angehalten bei Bild %1: Im nächsten Bild ist eine Zahl nicht endlich.</translation>
     </message>
     <message>
-        <source>Stopped at frame %1: in the next one “%2” is too far or too fast for any number (not finite).</source>
-        <translation>Angehalten bei Bild %1: Im nächsten ist „%2“ zu weit weg oder zu schnell für jede Zahl (nicht endlich).</translation>
+        <source>Stopped at frame %1: in the next frame, “%2” is too far away or too fast for a number (not finite).</source>
+        <translation>Angehalten bei Bild %1: Im nächsten Bild ist „%2“ zu weit weg oder zu schnell für eine Zahl (nicht endlich).</translation>
     </message>
     <message>
         <source>It began in “%1”.</source>
         <translation>Begonnen hat es in „%1“.</translation>
     </message>
-    <message>
-        <source>Spring %1 ends at p%2, and there is no such point: there are %3, and the first is p0.</source>
-        <translation>Feder %1 endet bei p%2, und diesen Punkt gibt es nicht: Es sind %3, und der erste ist p0.</translation>
-    </message>
 </context>
 <context>
-    <name>StabilityWords</name>
+    <name>StabilityText</name>
     <message>
         <source>%1 × the limit</source>
         <translation>%1 × die Grenze</translation>
@@ -2974,8 +3174,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>%1&#x2009;Bilder</translation>
     </message>
     <message>
-        <source>%1 decides it.</source>
-        <translation>%1 entscheidet das.</translation>
+        <source>%1 sets the limit.</source>
+        <translation>%1 bestimmt die Grenze.</translation>
     </message>
     <message>
         <source>Past the limit it swings to the other side at each step, farther each time.</source>
@@ -2990,32 +3190,32 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Jenseits der Grenze treibt alles davon, schneller und schneller: Ein Ende bewegt sich vor dem anderen, darum heben sich ihre Züge nicht auf.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Damping holds every step.&lt;/b&gt; However long, nothing swings up here.</source>
-        <translation>&lt;b&gt;Die Dämpfung hält jeden Zeitschritt.&lt;/b&gt; Wie lang er auch ist, hier schaukelt sich nichts auf.</translation>
+        <source>&lt;b&gt;Every step is stable, because of the damping.&lt;/b&gt; However long it is, no swing grows here.</source>
+        <translation>&lt;b&gt;Durch die Dämpfung ist jeder Zeitschritt stabil.&lt;/b&gt; Wie lang er auch ist, hier schaukelt sich nichts auf.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;No step holds.&lt;/b&gt; This one is so short that growth is too slow to tell.</source>
-        <translation>&lt;b&gt;Kein Zeitschritt hält.&lt;/b&gt; Dieser ist so kurz, dass das Wachsen zu langsam ist, um es zu sehen.</translation>
+        <source>&lt;b&gt;No step is stable.&lt;/b&gt; This one is so short that the growth is too slow to notice.</source>
+        <translation>&lt;b&gt;Kein Zeitschritt ist stabil.&lt;/b&gt; Dieser ist so kurz, dass man das langsame Wachsen nicht bemerkt.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;No shorter step holds.&lt;/b&gt; Damping holds one as long as this.</source>
-        <translation>&lt;b&gt;Kein kürzerer Zeitschritt hält.&lt;/b&gt; Einen so langen wie diesen hält die Dämpfung.</translation>
+        <source>&lt;b&gt;No shorter step is stable.&lt;/b&gt; This one is, because of the damping.</source>
+        <translation>&lt;b&gt;Kein kürzerer Zeitschritt ist stabil.&lt;/b&gt; Dieser ist es durch die Dämpfung.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;No step holds.&lt;/b&gt; With this method and so little damping, small disturbances %1, and at any shorter step they still grow.</source>
-        <translation>&lt;b&gt;Kein Zeitschritt hält.&lt;/b&gt; Kleine Störungen %1 mit diesem Verfahren und so wenig Dämpfung, und auch bei jedem kürzeren Zeitschritt wachsen sie.</translation>
+        <source>&lt;b&gt;No step is stable.&lt;/b&gt; With this method and so little damping, small disturbances %1. They also grow with any shorter step.</source>
+        <translation>&lt;b&gt;Kein Zeitschritt ist stabil.&lt;/b&gt; Kleine Störungen %1 mit diesem Verfahren und so wenig Dämpfung. Auch bei jedem kürzeren Zeitschritt wachsen sie.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1, and held all the same.&lt;/b&gt; From %2 on steps are too long, but damping holds one as long as this.</source>
-        <translation>&lt;b&gt;%1, und trotzdem gehalten.&lt;/b&gt; Ab %2 sind Zeitschritte zu lang, aber einen so langen wie diesen hält die Dämpfung.</translation>
+        <source>&lt;b&gt;%1, but still stable.&lt;/b&gt; Steps longer than %2 are unstable, but this one is so long that the damping makes it stable again.</source>
+        <translation>&lt;b&gt;%1, aber trotzdem stabil.&lt;/b&gt; Zeitschritte über %2 sind instabil, aber dieser ist so lang, dass ihn die Dämpfung wieder stabil macht.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1.&lt;/b&gt; Small disturbances %2. Steps up to %3 hold.</source>
-        <translation>&lt;b&gt;%1.&lt;/b&gt; Kleine Störungen %2. Zeitschritte bis %3 halten.</translation>
+        <source>&lt;b&gt;%1.&lt;/b&gt; Small disturbances %2. Steps up to %3 are stable.</source>
+        <translation>&lt;b&gt;%1.&lt;/b&gt; Kleine Störungen %2. Zeitschritte bis %3 sind stabil.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1.&lt;/b&gt; Steps up to %2 hold here.</source>
-        <translation>&lt;b&gt;%1.&lt;/b&gt; Zeitschritte bis %2 halten hier.</translation>
+        <source>&lt;b&gt;%1.&lt;/b&gt; Steps up to %2 are stable here.</source>
+        <translation>&lt;b&gt;%1.&lt;/b&gt; Zeitschritte bis %2 sind hier stabil.</translation>
     </message>
     <message>
         <source>grow more than a million times a frame</source>
@@ -3042,52 +3242,68 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>keine Feder wirkt</translation>
     </message>
     <message>
-        <source>not known here</source>
-        <translation>hier nicht bekannt</translation>
+        <source>unknown here</source>
+        <translation>hier unbekannt</translation>
     </message>
     <message>
         <source>too many points</source>
         <translation>zu viele Punkte</translation>
     </message>
     <message>
-        <source>held by damping</source>
-        <translation>durch Dämpfung gehalten</translation>
+        <source>stable by damping</source>
+        <translation>stabil durch Dämpfung</translation>
     </message>
     <message>
-        <source>just held</source>
-        <translation>gerade noch gehalten</translation>
+        <source>just stable</source>
+        <translation>gerade noch stabil</translation>
     </message>
     <message>
-        <source>no step holds</source>
-        <translation>kein Zeitschritt hält</translation>
+        <source>no stable step</source>
+        <translation>kein Zeitschritt stabil</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1 has no such limit.&lt;/b&gt; A long step stays bounded however stiff the springs; it is only less exact. How exact it should be bounds the step.</source>
-        <translation>&lt;b&gt;„%1“ hat keine solche Grenze.&lt;/b&gt; Ein langer Zeitschritt bleibt beschränkt, wie steif die Federn auch sind; er ist nur weniger genau. Wie genau es sein soll, begrenzt den Zeitschritt.</translation>
+        <source>&lt;b&gt;%1 has no such limit.&lt;/b&gt; Long steps are stable, however stiff the springs are; they are only less accurate. Choose the step for the accuracy that you want.</source>
+        <translation>&lt;b&gt;„%1“ hat keine solche Grenze.&lt;/b&gt; Lange Zeitschritte sind stabil, wie steif die Federn auch sind; sie sind nur weniger genau. Wähle den Zeitschritt nach der Genauigkeit, die du brauchst.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1 keeps its own steps short enough.&lt;/b&gt; Its tolerance, %2, bounds them.</source>
+        <source>&lt;b&gt;%1 keeps its own steps short enough.&lt;/b&gt; Its tolerance, %2, limits them.</source>
         <translation>&lt;b&gt;„%1“ hält seine Zeitschritte selbst kurz genug.&lt;/b&gt; Seine Toleranz, %2, begrenzt sie.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;No springs act here.&lt;/b&gt; What acts has no stiffness, so no step is too long for it.</source>
-        <translation>&lt;b&gt;Hier wirkt keine Feder.&lt;/b&gt; Was wirkt, hat keine Steifigkeit, also ist kein Zeitschritt dafür zu lang.</translation>
+        <source>&lt;b&gt;No springs act here.&lt;/b&gt; The other effects have no stiffness, so no step is too long for them.</source>
+        <translation>&lt;b&gt;Hier wirkt keine Feder.&lt;/b&gt; Die anderen Effekte haben keine Steifigkeit, also ist kein Zeitschritt für sie zu lang.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Not known here.&lt;/b&gt; The pulls in this state are no finite numbers.</source>
-        <translation>&lt;b&gt;Hier nicht bekannt.&lt;/b&gt; Die Züge in diesem Zustand sind keine endlichen Zahlen.</translation>
+        <source>&lt;b&gt;Unknown here.&lt;/b&gt; The pulls in this state are not finite numbers.</source>
+        <translation>&lt;b&gt;Hier unbekannt.&lt;/b&gt; Die Züge in diesem Zustand sind keine endlichen Zahlen.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Too many points.&lt;/b&gt; With more than %1 of them it would take too long to find the stiffest swing. Where nobody feels anybody, a few of them tell it for all.</source>
-        <translation>&lt;b&gt;Zu viele Punkte.&lt;/b&gt; Bei mehr als %1 davon würde es zu lange dauern, die steifste Schwingung zu finden. Wo niemand jemanden spürt, sagen wenige es für alle.</translation>
+        <source>&lt;b&gt;Too many points.&lt;/b&gt; With more than %1 of them, finding the limit would take too long. If the creatures do not touch each other, look at only a few of them: their limit is the same.</source>
+        <translation>&lt;b&gt;Zu viele Punkte.&lt;/b&gt; Bei mehr als %1 würde es zu lange dauern, die Grenze zu finden. Wenn die Figuren einander nicht berühren, sieh dir nur wenige davon an: Ihre Grenze ist dieselbe.</translation>
     </message>
     <message>
-        <source>Not part of this: %1. They act by jumps, once a step, and have no stiffness.</source>
-        <translation>Nicht Teil davon: %1. Sie wirken in Sprüngen, einmal pro Zeitschritt, und haben keine Steifigkeit.</translation>
+        <source>Not included: %1. They act in jumps, once per step, and have no stiffness.</source>
+        <translation>Nicht berücksichtigt: %1. Sie wirken in Sprüngen, einmal pro Zeitschritt, und haben keine Steifigkeit.</translation>
     </message>
     <message>
-        <source>%1 Sticks that bear weight err less by smaller steps than by more passes.</source>
-        <translation>%1 Stäbe, die Gewicht tragen, werden durch kleinere Zeitschritte genauer als durch mehr Durchgänge.</translation>
+        <source>%1 For sticks that carry weight, smaller steps help more than more passes.</source>
+        <translation>%1 Bei Stäben, die Gewicht tragen, helfen kleinere Zeitschritte mehr als mehr Durchgänge.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Sticks keep their lengths.&lt;/b&gt; None was wrong by more than %1&#x2009;px in the last %2 frames.</source>
+        <translation>&lt;b&gt;Die Stäbe halten ihre Länge.&lt;/b&gt; In den letzten %2 Bildern war keiner um mehr als %1&#x2009;px falsch.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Sticks are up to %1&#x2009;px too long:&lt;/b&gt; %2 – %3 in the last %4 frames.</source>
+        <translation>&lt;b&gt;Stäbe sind bis zu %1&#x2009;px zu lang:&lt;/b&gt; %2 – %3 in den letzten %4 Bildern.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Sticks are up to %1&#x2009;px too short:&lt;/b&gt; %2 – %3 in the last %4 frames.</source>
+        <translation>&lt;b&gt;Stäbe sind bis zu %1&#x2009;px zu kurz:&lt;/b&gt; %2 – %3 in den letzten %4 Bildern.</translation>
+    </message>
+    <message>
+        <source>%1 Neither shorter steps nor more passes halve this error. Perhaps the lengths contradict each other.</source>
+        <translation>%1 Weder kürzere Zeitschritte noch mehr Durchgänge halbieren diesen Fehler. Vielleicht widersprechen sich die Längen.</translation>
     </message>
     <message>
         <source>Use a &amp;step of %1</source>
@@ -3101,38 +3317,6 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>&amp;Damp more: %1 %2</source>
         <translation>Mehr &amp;dämpfen: %1 %2</translation>
     </message>
-    <message>
-        <source>&amp;Use %1</source>
-        <translation>%1 &amp;nehmen</translation>
-    </message>
-    <message>
-        <source>then at %1</source>
-        <translation>dann bei %1</translation>
-    </message>
-    <message>
-        <source>keeps its own steps</source>
-        <translation>hält seine Zeitschritte selbst kurz</translation>
-    </message>
-    <message>
-        <source>has no such limit</source>
-        <translation>hat keine solche Grenze</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Sticks fit.&lt;/b&gt; None was more than %1&#x2009;px wrong in the last %2 frames.</source>
-        <translation>&lt;b&gt;Die Stäbe passen.&lt;/b&gt; Keiner war in den letzten %2 Bildern mehr als %1&#x2009;px falsch.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Sticks are up to %1&#x2009;px too long:&lt;/b&gt; %2 – %3 in the last %4 frames.</source>
-        <translation>&lt;b&gt;Stäbe sind bis zu %1&#x2009;px zu lang:&lt;/b&gt; %2 – %3 in den letzten %4 Bildern.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Sticks are up to %1&#x2009;px too short:&lt;/b&gt; %2 – %3 in the last %4 frames.</source>
-        <translation>&lt;b&gt;Stäbe sind bis zu %1&#x2009;px zu kurz:&lt;/b&gt; %2 – %3 in den letzten %4 Bildern.</translation>
-    </message>
-    <message>
-        <source>%1 Neither shorter steps nor more passes make that half as much: perhaps they cannot all have their lengths at once.</source>
-        <translation>%1 Weder kürzere Zeitschritte noch mehr Durchgänge machen es halb so schlimm: Vielleicht können nicht alle zugleich ihre Länge haben.</translation>
-    </message>
     <message numerus="yes">
         <source>Use %n &amp;passes</source>
         <translation>
@@ -3141,16 +3325,32 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         </translation>
     </message>
     <message>
-        <source>then sticks are up to %1&#x2009;px wrong</source>
-        <translation>dann sind Stäbe bis zu %1&#x2009;px falsch</translation>
+        <source>&amp;Use %1</source>
+        <translation>%1 &amp;nehmen</translation>
     </message>
     <message>
-        <source>then damping holds every step</source>
-        <translation>dann hält die Dämpfung jeden Zeitschritt</translation>
+        <source>sticks are then wrong by up to %1&#x2009;px</source>
+        <translation>dann sind Stäbe um bis zu %1&#x2009;px falsch</translation>
+    </message>
+    <message>
+        <source>then at %1</source>
+        <translation>dann bei %1</translation>
+    </message>
+    <message>
+        <source>every step is then stable, because of the damping</source>
+        <translation>dann ist durch die Dämpfung jeder Zeitschritt stabil</translation>
+    </message>
+    <message>
+        <source>chooses its own steps</source>
+        <translation>wählt seine Zeitschritte selbst</translation>
+    </message>
+    <message>
+        <source>has no such limit</source>
+        <translation>hat keine solche Grenze</translation>
     </message>
 </context>
 <context>
-    <name>StepWords</name>
+    <name>StepText</name>
     <message>
         <source>1/%1 frame</source>
         <translation>1/%1 Bild</translation>
@@ -3169,11 +3369,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     </message>
 </context>
 <context>
-    <name>Terminal</name>
-    <message>
-        <source>Frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
-    </message>
+    <name>TerminalText</name>
     <message>
         <source>springstep: there is not enough memory for this; close other programs, or give it a smaller experiment.</source>
         <translation>springstep: Der Speicher reicht nicht; schließe andere Programme, oder gib ein kleineres Experiment an.</translation>
@@ -3186,128 +3382,301 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>%1… %2 s</source>
         <translation>%1 … %2 s</translation>
     </message>
-</context>
-<context>
-    <name>Text</name>
     <message>
-        <source>Measured %1 %</source>
-        <translation>%1 % gemessen</translation>
-    </message>
-    <message>
-        <source>Measured %1 times</source>
-        <translation>%1-mal gemessen</translation>
-    </message>
-    <message>
-        <source>--%1 is %2; it can be a whole number from 0 to %3.</source>
-        <translation>--%1 ist %2; möglich ist eine ganze Zahl von 0 bis %3.</translation>
-    </message>
-    <message>
-        <source>&quot;h&quot; is %1; it can be 0.000001 to 100 frames, a whole number or 1 divided by one: 2, 1, 0.5, 0.25...</source>
-        <translation>&quot;h&quot; ist %1; möglich ist 0.000001 bis 100 Bilder, eine ganze Zahl oder 1 geteilt durch eine: 2, 1, 0.5, 0.25 ...</translation>
-    </message>
-    <message>
-        <source>&quot;tolerance&quot; is %1; it can be 1e-13 to 100 px.</source>
-        <translation>&quot;tolerance&quot; ist %1; möglich ist 1e-13 bis 100 px.</translation>
-    </message>
-    <message>
-        <source>%1 is %2; it can be a whole number from %3 to %4.</source>
-        <translation>%1 ist %2; möglich ist eine ganze Zahl von %3 bis %4.</translation>
-    </message>
-    <message>
-        <source>beyond 2^53</source>
-        <translation>mehr als 2^53</translation>
-    </message>
-    <message>
-        <source>the step %1 has no parameter %2; it has %3.</source>
-        <translation>der Schritt %1 hat keinen Parameter %2; er hat %3.</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>keine</translation>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
     </message>
 </context>
 <context>
-    <name>Trace</name>
+    <name>TraceText</name>
     <message>
-        <source>The rows cannot be written: %1. Make room, or write to another place.</source>
-        <translation>Die Zeilen lassen sich nicht schreiben: %1. Schaffe Platz oder schreibe an einen anderen Ort.</translation>
+        <source>Setting up the run</source>
+        <translation>Bereitet den Lauf vor</translation>
+    </message>
+    <message>
+        <source>The rows could not be written: %1. Free some disk space, or write to another folder.</source>
+        <translation>Die Zeilen ließen sich nicht schreiben: %1. Schaffe Platz, oder schreibe in einen anderen Ordner.</translation>
     </message>
     <message>
         <source>Stopped at frame %1 of %2.</source>
         <translation>Angehalten bei Bild %1 von %2.</translation>
     </message>
+</context>
+<context>
+    <name>VerbsText</name>
     <message>
-        <source>Setting up the run</source>
-        <translation>Bereitet den Lauf vor</translation>
+        <source>Prints the result as JSON.</source>
+        <translation>Gibt das Ergebnis als JSON aus.</translation>
+    </message>
+    <message>
+        <source>Width and height in pixels, each from 100 to 9999.</source>
+        <translation>Breite und Höhe in Pixeln, jeweils von 100 bis 9999.</translation>
+    </message>
+    <message>
+        <source>light, dark or contrast.</source>
+        <translation>light, dark oder contrast.</translation>
+    </message>
+    <message>
+        <source>The experiment.</source>
+        <translation>Das Experiment.</translation>
+    </message>
+    <message>
+        <source>The experiment or the step of a lesson.</source>
+        <translation>Das Experiment oder der Schritt einer Lektion.</translation>
+    </message>
+    <message>
+        <source>Lists lessons, steps, parameters and methods.</source>
+        <translation>Listet Lektionen, Schritte, Parameter und Verfahren auf.</translation>
+    </message>
+    <message>
+        <source>Computes the run of an experiment and writes every frame as CSV.</source>
+        <translation>Berechnet den Lauf eines Experiments und schreibt jedes Bild als CSV.</translation>
+    </message>
+    <message>
+        <source>Measures the error of each method on a scene, and its cost.</source>
+        <translation>Misst den Fehler jedes Verfahrens für eine Szene und seine Kosten.</translation>
+    </message>
+    <message>
+        <source>Also draws error against time, as an SVG file.</source>
+        <translation>Zeichnet außerdem den Fehler über der Zeit, als SVG-Datei.</translation>
+    </message>
+    <message>
+        <source>Also names the cheapest method and step with an error of at most E px.</source>
+        <translation>Nennt außerdem das billigste Verfahren mit seinem Schritt, dessen Fehler höchstens E px ist.</translation>
+    </message>
+    <message>
+        <source>The number of frames to compute (default: the file&apos;s, at most 1000, or 200 for a step).</source>
+        <translation>Die Zahl der Bilder, die berechnet werden (Vorgabe: die der Datei, höchstens 1000, oder 200 für einen Schritt).</translation>
+    </message>
+    <message>
+        <source>Runs every hard case with every method. The exit code is 1 if a method fails a case that it claims.</source>
+        <translation>Rechnet jeden schwierigen Fall mit jedem Verfahren. Der Exit-Code ist 1, wenn ein Verfahren an einem Fall scheitert, den es zusagt.</translation>
+    </message>
+    <message>
+        <source>Runs this case only.</source>
+        <translation>Rechnet nur diesen Fall.</translation>
+    </message>
+    <message>
+        <source>Runs the cases at full size. Some take hours.</source>
+        <translation>Rechnet die Fälle in voller Größe. Manche dauern Stunden.</translation>
+    </message>
+    <message>
+        <source>Measures the time of a frame, and of each effect in it.</source>
+        <translation>Misst die Zeit eines Bildes und die jedes Effekts darin.</translation>
+    </message>
+    <message>
+        <source>Measures the frames after frame N.</source>
+        <translation>Misst die Bilder nach Bild N.</translation>
+    </message>
+    <message>
+        <source>Draws the window as a learner sees it.</source>
+        <translation>Zeichnet das Fenster, wie Lernende es sehen.</translation>
+    </message>
+    <message>
+        <source>The step to open.</source>
+        <translation>Der Schritt, der geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>The picture to write.</source>
+        <translation>Das Bild, das geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Goes to frame N.</source>
+        <translation>Geht zu Bild N.</translation>
+    </message>
+    <message>
+        <source>Stops after P phases inside the next frame.</source>
+        <translation>Hält nach P Phasen im nächsten Bild an.</translation>
+    </message>
+    <message>
+        <source>learn or measure.</source>
+        <translation>learn oder measure.</translation>
+    </message>
+    <message>
+        <source>Shows where energy went.</source>
+        <translation>Zeigt, wohin die Energie ging.</translation>
+    </message>
+    <message>
+        <source>Shows the cost of each effect.</source>
+        <translation>Zeigt die Kosten jedes Effekts.</translation>
+    </message>
+    <message>
+        <source>Shows the plots.</source>
+        <translation>Zeigt die Diagramme.</translation>
+    </message>
+    <message>
+        <source>gauge, reasons, or a map: step or damping.</source>
+        <translation>gauge, reasons oder eine Karte: step oder damping.</translation>
+    </message>
+    <message>
+        <source>Makes a film of the run of an experiment: a WebM video, an animated GIF, or a PNG for each frame.</source>
+        <translation>Macht aus dem Lauf eines Experiments einen Film: ein WebM-Video, ein animiertes GIF oder ein PNG für jedes Bild.</translation>
+    </message>
+    <message>
+        <source>The film: OUT.webm, OUT.gif, or OUT_%04d.png, where %04d stands for the number of the frame.</source>
+        <translation>Der Film: OUT.webm, OUT.gif oder OUT_%04d.png, wobei %04d für die Nummer des Bildes steht.</translation>
+    </message>
+    <message>
+        <source>The first frame.</source>
+        <translation>Das erste Bild.</translation>
+    </message>
+    <message>
+        <source>The last frame (default: the file&apos;s number of frames).</source>
+        <translation>Das letzte Bild (Vorgabe: die Bilderzahl der Datei).</translation>
+    </message>
+    <message>
+        <source>Frames per second, up to 50 in a GIF and 120 in a video (default 30). Not for PNG files.</source>
+        <translation>Bilder pro Sekunde, bis 50 in einem GIF und bis 120 in einem Video (Vorgabe 30). Nicht für PNG-Dateien.</translation>
     </message>
 </context>
 <context>
-    <name>WebmFile</name>
+    <name>ViewCommands</name>
     <message>
-        <source>%1 cannot be written: %2. Make room, or choose another folder.</source>
-        <translation>%1 lässt sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+        <source>L&amp;earn</source>
+        <translation>Le&amp;rnen</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>&amp;Build</source>
+        <translation>&amp;Bauen</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the scene</source>
+        <translation>Szene ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt body outside</source>
+        <translation>Nächster Körper a&amp;ußerhalb</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Lektionen</translation>
+    </message>
+    <message>
+        <source>Lessons &amp;as a narrow strip</source>
+        <translation>Lektionen nur als &amp;Zeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Code and parameters</source>
+        <translation>&amp;Code und Parameter</translation>
+    </message>
+    <message>
+        <source>E&amp;nergy</source>
+        <translation>&amp;Energie</translation>
+    </message>
+    <message>
+        <source>Effec&amp;ts</source>
+        <translation>E&amp;ffekte</translation>
+    </message>
+    <message>
+        <source>&amp;Plots</source>
+        <translation>D&amp;iagramme</translation>
+    </message>
+    <message>
+        <source>&amp;Stability of the step</source>
+        <translation>&amp;Stabilität des Zeitschritts</translation>
+    </message>
+    <message>
+        <source>&amp;Unlock: panels can be moved</source>
+        <translation>&amp;Entsperren: Leisten lassen sich verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hoher Kontrast</translation>
+    </message>
+    <message>
+        <source>Less mo&amp;vement</source>
+        <translation>&amp;Weniger Bewegung</translation>
+    </message>
+    <message>
+        <source>Scene onl&amp;y</source>
+        <translation>&amp;Nur die Szene</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>V&amp;ollbild</translation>
+    </message>
+    <message>
+        <source>Lessons, scene and code</source>
+        <translation>Lektionen, Szene und Code</translation>
+    </message>
+    <message>
+        <source>The error and the cost of each method for this scene</source>
+        <translation>Fehler und Kosten jedes Verfahrens für diese Szene</translation>
+    </message>
+    <message>
+        <source>Build your own scene from points, springs, sticks and feet</source>
+        <translation>Eine eigene Szene aus Punkten, Federn, Stäben und Füßen bauen</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole scene with all bodies, and keep them in view</source>
+        <translation>Die ganze Szene mit allen Körpern zeigen und sie im Bild behalten</translation>
+    </message>
+    <message>
+        <source>Bring a body that is outside the picture into view</source>
+        <translation>Einen Körper, der außerhalb des Bildes ist, ins Bild holen</translation>
+    </message>
+    <message>
+        <source>Show only the symbols of the lessons, to save space</source>
+        <translation>Nur die Zeichen der Lektionen zeigen, um Platz zu sparen</translation>
+    </message>
+    <message>
+        <source>Where energy and momentum went</source>
+        <translation>Wohin Energie und Impuls gingen</translation>
+    </message>
+    <message>
+        <source>The cost of each effect in the scene, with a switch for each</source>
+        <translation>Die Kosten jedes Effekts in der Szene, mit einem Schalter für jeden</translation>
+    </message>
+    <message>
+        <source>Curves of any quantity of any body</source>
+        <translation>Kurven jeder Größe jedes Körpers</translation>
+    </message>
+    <message>
+        <source>Drag a panel by its title to another place</source>
+        <translation>Ein Bedienfeld an seinem Titel an einen anderen Platz ziehen</translation>
+    </message>
+    <message>
+        <source>Moves the panels back to their original places, in this mode only</source>
+        <translation>Stellt die Leisten an ihre ursprünglichen Plätze zurück, nur in dieser Anordnung</translation>
+    </message>
+    <message>
+        <source>Panels and menus open without animation, and wind is drawn as a still picture. Only the simulation moves</source>
+        <translation>Leisten und Menüs öffnen sich ohne Animation, und Wind wird als Standbild gezeichnet. Nur die Simulation bewegt sich</translation>
+    </message>
+    <message>
+        <source>Show only the scene and its timeline. Press again to bring the panels back</source>
+        <translation>Nur die Szene und ihre Zeitleiste zeigen. Noch einmal drücken holt die Leisten zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
     </message>
 </context>
 <context>
-    <name>Words</name>
+    <name>WebmFileText</name>
     <message>
-        <source>%1 and %2 more</source>
-        <translation>%1 und %2 weitere</translation>
-    </message>
-</context>
-<context>
-    <name>Workshop</name>
-    <message>
-        <source>This is your own copy of the scene: change what you like.</source>
-        <translation>Das ist deine eigene Kopie der Szene: Ändere, was du magst.</translation>
-    </message>
-    <message>
-        <source>This is your own copy of the scene. What could not be taken along: %1.</source>
-        <translation>Das ist deine eigene Kopie der Szene. Was nicht mitkommen konnte: %1.</translation>
-    </message>
-    <message>
-        <source>This scene has %1 points; one that you build can have %2.</source>
-        <translation>Diese Szene hat %1 Punkte; eine, die du baust, kann %2 haben.</translation>
-    </message>
-    <message>
-        <source>This scene cannot be built from points: its branches turn in their joints. Take another one, or open the sandbox and look at its examples.</source>
-        <translation>Diese Szene lässt sich nicht aus Punkten bauen: Ihre Zweige drehen sich in ihren Gelenken. Nimm eine andere, oder öffne den Sandkasten und sieh dir seine Beispiele an.</translation>
-    </message>
-    <message>
-        <source>This scene has flown apart: a point is farther away than %1 px, or that fast. Go back in time, and take it from there.</source>
-        <translation>Diese Szene ist auseinandergeflogen: Ein Punkt ist weiter weg als %1 px oder so schnell. Geh in der Zeit zurück und nimm sie von dort.</translation>
-    </message>
-    <message>
-        <source>Building happens at the start of the run: press Home to go there.</source>
-        <translation>Gebaut wird am Anfang des Laufs: Drück Pos1, um dorthin zu gehen.</translation>
-    </message>
-    <message>
-        <source>the order in which points move (%1), as here all move at once</source>
-        <translation>die Reihenfolge, in der sich Punkte bewegen (%1), denn hier bewegen sich alle zugleich</translation>
-    </message>
-    <message>
-        <source>Take over scene</source>
-        <translation>Szene übernehmen</translation>
-    </message>
-    <message>
-        <source>Open example %1</source>
-        <translation>Beispiel %1 öffnen</translation>
-    </message>
-    <message>
-        <source>Add %1</source>
-        <translation>%1 hinzufügen</translation>
-    </message>
-    <message>
-        <source>Remove %1</source>
-        <translation>%1 entfernen</translation>
-    </message>
-    <message>
-        <source>Start new scene</source>
-        <translation>Neue Szene beginnen</translation>
-    </message>
-    <message>
-        <source>A new scene has one point: the least that a scene can have. Move it, or build on from it.</source>
-        <translation>Eine neue Szene hat einen Punkt: Weniger geht nicht. Verschieb ihn oder bau von ihm aus weiter.</translation>
+        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
+        <translation>%1 ließ sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
     </message>
 </context>
 <context>
@@ -3392,8 +3761,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Fehler und Zeit</translation>
     </message>
     <message>
-        <source>How far off each method is, and what it costs</source>
-        <translation>Wie weit jedes Verfahren abweicht und was es kostet</translation>
+        <source>The error of each method, and its cost</source>
+        <translation>Der Fehler jedes Verfahrens und seine Kosten</translation>
     </message>
     <message>
         <source>Over the run</source>
@@ -3412,8 +3781,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Wie schnell der Fehler mit dem Zeitschritt schrumpft</translation>
     </message>
     <message>
-        <source>How far the measurement is</source>
-        <translation>Wie weit die Messung ist</translation>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
     </message>
     <message>
         <source>Use it</source>
@@ -3440,8 +3809,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Messen</translation>
     </message>
     <message>
-        <source>Stop; what was measured until now stays</source>
-        <translation>Anhalten; was bis jetzt gemessen ist, bleibt</translation>
+        <source>Cancel; the results so far stay</source>
+        <translation>Abbrechen; die Ergebnisse bis jetzt bleiben</translation>
     </message>
     <message>
         <source>Compute the scene with every method, and time it</source>
@@ -3456,20 +3825,20 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Zeiten sind Mediane wiederholter, verschränkter Läufe; die Striche zeigen ihre Streuung.</translation>
     </message>
     <message>
-        <source>Cancelled. What was measured until then is shown.</source>
-        <translation>Abgebrochen. Gezeigt wird, was bis dahin gemessen war.</translation>
+        <source>Cancelled. The results so far are shown.</source>
+        <translation>Abgebrochen. Die Ergebnisse bis dahin sind zu sehen.</translation>
     </message>
     <message>
-        <source>The scene has changed. It is measured as soon as it stays the same.</source>
-        <translation>Die Szene hat sich geändert. Gemessen wird, sobald sie gleich bleibt.</translation>
+        <source>The scene has changed. Measuring starts when you stop changing it.</source>
+        <translation>Die Szene hat sich geändert. Gemessen wird, sobald du sie nicht mehr änderst.</translation>
     </message>
     <message>
         <source>Not measured yet.</source>
         <translation>Noch nicht gemessen.</translation>
     </message>
     <message>
-        <source>How far off is each way of computing this scene, and what does it cost? Every method runs it at many steps, against a reference that is far more exact.</source>
-        <translation>Wie weit weicht jede Art, diese Szene zu berechnen, ab, und was kostet sie? Jedes Verfahren rechnet sie mit vielen Zeitschritten, gegen eine Referenz, die weit genauer ist.</translation>
+        <source>How accurate is each method for this scene, and what does it cost? Every method computes it with many steps, and is compared with a far more accurate reference.</source>
+        <translation>Wie genau ist jedes Verfahren für diese Szene, und was kostet es? Jedes Verfahren berechnet sie mit vielen Zeitschritten und wird mit einer weit genaueren Referenz verglichen.</translation>
     </message>
     <message>
         <source>Use %1</source>
@@ -3488,39 +3857,19 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Alle Verfahren zeigen</translation>
     </message>
     <message>
-        <source>Only the method of this step and the two that tell most beside it</source>
-        <translation>Nur das Verfahren dieses Schritts und die zwei, die daneben am meisten sagen</translation>
+        <source>Only the method of this step, and the two most useful to compare it with</source>
+        <translation>Nur das Verfahren dieses Schritts und die zwei, mit denen sich der Vergleich am meisten lohnt</translation>
     </message>
     <message>
-        <source>Every method that was measured, two more plots of them, and remarks</source>
-        <translation>Jedes gemessene Verfahren, zwei weitere Diagramme davon, und Anmerkungen</translation>
+        <source>All measured methods, with two more plots and with remarks</source>
+        <translation>Alle gemessenen Verfahren, mit zwei weiteren Diagrammen und Anmerkungen</translation>
     </message>
 </context>
 <context>
     <name>app::ArrangeMenu</name>
     <message>
-        <source>Drag this panel to where it is to stand</source>
-        <translation>Zieh diese Leiste dorthin, wo sie stehen soll</translation>
-    </message>
-    <message>
         <source>A&amp;rrange panels</source>
         <translation>Leisten &amp;verschieben</translation>
-    </message>
-    <message>
-        <source>&amp;Unlock: panels can be moved</source>
-        <translation>&amp;Entsperren: Leisten lassen sich verschieben</translation>
-    </message>
-    <message>
-        <source>Drag a panel by its title to where it is to stand</source>
-        <translation>Zieh eine Leiste an ihrem Titel dorthin, wo sie stehen soll</translation>
-    </message>
-    <message>
-        <source>As &amp;at first</source>
-        <translation>Wie am &amp;Anfang</translation>
-    </message>
-    <message>
-        <source>Puts the panels back to where they stood at first, in this preset alone</source>
-        <translation>Stellt die Leisten zurück, wie sie am Anfang standen, nur in dieser Anordnung</translation>
     </message>
     <message>
         <source>to the &amp;left</source>
@@ -3534,6 +3883,10 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <source>&amp;below the picture</source>
         <translation>&amp;unter das Bild</translation>
     </message>
+    <message>
+        <source>Drag this panel to its new place</source>
+        <translation>Zieh diese Leiste an ihren neuen Platz</translation>
+    </message>
 </context>
 <context>
     <name>app::Attempts</name>
@@ -3542,8 +3895,23 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>halte hier an: Drück die **Leertaste**.</translation>
     </message>
     <message>
-        <source>it is too far off, or a frame takes too long. Try another method or step.</source>
-        <translation>es ist zu weit daneben, oder ein Bild dauert zu lang. Versuche ein anderes Verfahren oder einen anderen Zeitschritt.</translation>
+        <source>the error is too large, or a frame takes too long. Try another method or step.</source>
+        <translation>der Fehler ist zu groß, oder ein Bild dauert zu lang. Versuche ein anderes Verfahren oder einen anderen Zeitschritt.</translation>
+    </message>
+</context>
+<context>
+    <name>app::Autosave</name>
+    <message>
+        <source>the folder %1 could not be created</source>
+        <translation>der Ordner %1 ließ sich nicht anlegen</translation>
+    </message>
+    <message>
+        <source>a file in %1 could not be locked</source>
+        <translation>eine Datei in %1 ließ sich nicht sperren</translation>
+    </message>
+    <message>
+        <source>Could not save a backup of your work: %1. Free some disk space, or save it as a file.</source>
+        <translation>Deine Arbeit ließ sich nicht automatisch sichern: %1. Schaffe dort Platz, oder speichere sie als Datei.</translation>
     </message>
 </context>
 <context>
@@ -3553,16 +3921,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Zwei Läufe</translation>
     </message>
     <message>
-        <source>Farthest off</source>
-        <translation>Am weitesten weg</translation>
+        <source>Largest distance</source>
+        <translation>Größter Abstand</translation>
     </message>
     <message>
-        <source>At each frame the body that is farthest from where it is in the other run</source>
-        <translation>Bei jedem Bild der Körper, der am weitesten von seinem Ort im anderen Lauf entfernt ist</translation>
+        <source>In each frame, the body that is farthest from its place in the other run</source>
+        <translation>In jedem Bild der Körper, der am weitesten von seinem Ort im anderen Lauf entfernt ist</translation>
     </message>
     <message>
-        <source>Only the body that is chosen in the picture</source>
-        <translation>Nur der Körper, der in der Szene gewählt ist</translation>
+        <source>Only the body that is selected in the picture</source>
+        <translation>Nur der Körper, der in der Szene ausgewählt ist</translation>
     </message>
     <message>
         <source>Runs</source>
@@ -3583,6 +3951,67 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
     <message>
         <source>this one and “%1”</source>
         <translation>dieser und „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>app::BreakpointList</name>
+    <message>
+        <source>when</source>
+        <translation>wenn</translation>
+    </message>
+    <message>
+        <source>Stop when</source>
+        <translation>Anhalten, wenn</translation>
+    </message>
+    <message>
+        <source>Stops the run as soon as this is true, even inside a frame.
+You can use x, y, vx, vy of bodies, frame, phase, and all parameters;
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
+Press Enter to add it.</source>
+        <translation>Hält den Lauf an, sobald das wahr ist, auch innerhalb eines Bildes.
+Du kannst x, y, vx, vy von Körpern, frame, phase und alle Parameter verwenden;
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
+Drück Eingabe, um es hinzuzufügen.</translation>
+    </message>
+    <message>
+        <source>always, or when…</source>
+        <translation>immer, oder wenn …</translation>
+    </message>
+    <message>
+        <source>Condition of breakpoint %1</source>
+        <translation>Bedingung des Haltepunkts %1</translation>
+    </message>
+    <message>
+        <source>Stops before this line&apos;s phase if this is true. Press Enter to apply.</source>
+        <translation>Hält vor der Phase dieser Zeile an, wenn das wahr ist. Drück Eingabe zum Übernehmen.</translation>
+    </message>
+    <message>
+        <source>Stops when this becomes true. Press Enter to apply.</source>
+        <translation>Hält an, wenn das wahr wird. Drück Eingabe zum Übernehmen.</translation>
+    </message>
+    <message>
+        <source>Stop before this line (%1)</source>
+        <translation>Vor dieser Zeile anhalten (%1)</translation>
+    </message>
+    <message>
+        <source>Stop when this becomes true</source>
+        <translation>Anhalten, wenn das wahr wird</translation>
+    </message>
+    <message>
+        <source>Breakpoint %1 %2</source>
+        <translation>Haltepunkt %1 %2</translation>
+    </message>
+    <message>
+        <source>Remove this breakpoint</source>
+        <translation>Diesen Haltepunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the breakpoint %1 %2</source>
+        <translation>Den Haltepunkt %1 %2 entfernen</translation>
+    </message>
+    <message>
+        <source>Stop when… (%1.y &gt; 300)</source>
+        <translation>Anhalten, wenn … (%1.y &gt; 300)</translation>
     </message>
 </context>
 <context>
@@ -3608,8 +4037,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Zwei Füße müssen sich gegenüberstehen. Klick auf das Kreuz rechts.</translation>
     </message>
     <message>
-        <source>Now the numbers of the feet. Press Choose (V).</source>
-        <translation>Nun die Zahlen der Füße. Drück Wählen (V).</translation>
+        <source>Now set the numbers of the feet. Press Select (V).</source>
+        <translation>Nun zu den Zahlen der Füße. Drück Auswahl (V).</translation>
     </message>
     <message>
         <source>Click one of the feet.</source>
@@ -3659,7 +4088,7 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Zu Bild 0 gehen, wo sich die Szene ändern lässt (Pos1)</translation>
     </message>
     <message>
-        <source>Acts on everything</source>
+        <source>Effects on everything</source>
         <translation>Wirkt auf alles</translation>
     </message>
     <message>
@@ -3667,88 +4096,88 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Beispiele</translation>
     </message>
     <message>
-        <source>Ten scenes to start from; undo brings yours back</source>
-        <translation>Zehn Szenen als Anfang; Rückgängig bringt deine zurück</translation>
+        <source>Ten scenes to start from. Undo brings yours back</source>
+        <translation>Zehn Szenen als Anfang. Rückgängig bringt deine zurück</translation>
     </message>
     <message>
         <source>New</source>
         <translation>Neu</translation>
     </message>
     <message>
-        <source>A scene with one point; undo brings yours back</source>
-        <translation>Eine Szene mit einem Punkt; Rückgängig bringt deine zurück</translation>
+        <source>A scene with one point. Undo brings yours back</source>
+        <translation>Eine Szene mit einem Punkt. Rückgängig bringt deine zurück</translation>
     </message>
     <message>
         <source>Lessons</source>
         <translation>Lektionen</translation>
     </message>
     <message>
-        <source>Back to the lessons; what you built stays here (F5)</source>
-        <translation>Zurück zu den Lektionen; was du gebaut hast, bleibt hier (F5)</translation>
+        <source>Back to the lessons; your scene stays here (F5)</source>
+        <translation>Zurück zu den Lektionen; deine Szene bleibt hier (F5)</translation>
     </message>
     <message>
         <source>points %1, links %2</source>
         <translation>Punkte %1, Verbindungen %2</translation>
     </message>
     <message>
-        <source>The scene plays. Building happens at the start of the run.</source>
-        <translation>Die Szene läuft. Gebaut wird am Anfang des Laufs.</translation>
+        <source>The scene is playing. You can only build at the start of the run.</source>
+        <translation>Die Szene läuft. Bauen kannst du nur am Anfang des Laufs.</translation>
     </message>
     <message>
-        <source>You are at frame %1. Building happens at the start of the run.</source>
-        <translation>Du bist bei Bild %1. Gebaut wird am Anfang des Laufs.</translation>
+        <source>You are at frame %1. You can only build at the start of the run.</source>
+        <translation>Du bist bei Bild %1. Bauen kannst du nur am Anfang des Laufs.</translation>
     </message>
     <message>
-        <source>Click where a point shall be.</source>
-        <translation>Klicke dorthin, wo ein Punkt sein soll.</translation>
+        <source>Click where you want a point.</source>
+        <translation>Klicke dorthin, wo du einen Punkt haben willst.</translation>
     </message>
     <message>
-        <source>Click a point to nail it down or to free it, or where a nail shall be.</source>
-        <translation>Klicke auf einen Punkt, um ihn festzunageln oder zu lösen, oder dorthin, wo ein Nagel sein soll.</translation>
+        <source>Click a point to nail it down or to free it, or click where you want a nail.</source>
+        <translation>Klicke auf einen Punkt, um ihn festzunageln oder zu lösen, oder dorthin, wo du einen Nagel haben willst.</translation>
     </message>
     <message>
-        <source>Click a part to choose it, drag it to move it, or draw a box round several.</source>
-        <translation>Klicke auf ein Teil, um es zu wählen, zieh es, um es zu verschieben, oder zieh einen Rahmen um mehrere.</translation>
+        <source>Click a part to select it, drag it to move it, or draw a box around several.</source>
+        <translation>Klicke auf ein Teil, um es auszuwählen, zieh es, um es zu verschieben, oder zieh einen Rahmen um mehrere.</translation>
     </message>
     <message>
         <source>New gait group</source>
         <translation>Neue Ganggruppe</translation>
     </message>
     <message>
-        <source>Gives this foot a gait group of its own, with a clock of its own</source>
+        <source>Gives this foot its own gait group, with its own clock</source>
         <translation>Gibt diesem Fuß eine eigene Ganggruppe mit eigener Uhr</translation>
     </message>
     <message>
-        <source>Click where it ends; the next goes on from there. Esc: begin elsewhere.</source>
+        <source>Click where it ends; the next one starts there. Esc: start somewhere else.</source>
         <translation>Klicke, wo das andere Ende hinkommt; von dort geht es weiter. Esc: woanders beginnen.</translation>
     </message>
     <message>
-        <source>Click each of its feet, or where one shall be. Esc: another body.</source>
-        <translation>Klicke auf jeden seiner Füße oder dorthin, wo einer sein soll. Esc: ein anderer Körper.</translation>
+        <source>Click each of its feet, or where you want one. Esc: another body.</source>
+        <translation>Klicke auf jeden seiner Füße oder dorthin, wo du einen haben willst. Esc: ein anderer Körper.</translation>
     </message>
     <message>
-        <source>Click a body, then each of its feet, or where one shall be.</source>
-        <translation>Klicke auf einen Körper, dann auf jeden seiner Füße oder dorthin, wo einer sein soll.</translation>
+        <source>Click a body, then each of its feet, or where you want one.</source>
+        <translation>Klicke auf einen Körper, dann auf jeden seiner Füße oder dorthin, wo du einen haben willst.</translation>
     </message>
     <message>
         <source>First build: a walker</source>
         <translation>Erstes Bauen: ein Läufer</translation>
     </message>
     <message>
-        <source>Build a creature that walks, in ten clicks. It begins with a new scene; undo brings yours back</source>
-        <translation>Bau mit zehn Klicks ein Wesen, das geht. Es beginnt mit einer neuen Szene; Rückgängig bringt deine zurück</translation>
+        <source>Build a creature that walks, in ten clicks. It starts with a new scene. Undo brings yours back</source>
+        <translation>Bau mit zehn Klicks ein Wesen, das geht. Es beginnt mit einer neuen Szene. Rückgängig bringt deine zurück</translation>
     </message>
     <message>
-        <source>Drag from one point to another: that makes one spring. With clicks, each spring goes on from the last.</source>
-        <translation>Zieh von einem Punkt zum anderen: Das macht eine Feder. Mit Klicks geht jede Feder von der letzten aus weiter.</translation>
+        <source>Drag from point to point to make one spring. With clicks, each spring starts where the last one ends.</source>
+        <translation>Zieh von Punkt zu Punkt: Das macht eine Feder. Mit Klicks beginnt jede Feder dort, wo die letzte endet.</translation>
     </message>
     <message>
-        <source>Drag from one point to another: that makes one stick. With clicks, each stick goes on from the last.</source>
-        <translation>Zieh von einem Punkt zum anderen: Das macht einen Stab. Mit Klicks geht jeder Stab vom letzten aus weiter.</translation>
+        <source>Drag from point to point to make one stick. With clicks, each stick starts where the last one ends.</source>
+        <translation>Zieh von Punkt zu Punkt: Das macht einen Stab. Mit Klicks beginnt jeder Stab dort, wo der letzte endet.</translation>
     </message>
     <message>
-        <source>On ground, Swing makes it walk. Feet opposite each other need opposite angles: 0° and 180°.</source>
-        <translation>Auf Boden lässt Schwung es gehen. Füße, die sich gegenüberstehen, brauchen gegenüberliegende Winkel: 0° und 180°.</translation>
+        <source>On the ground, Swing makes it walk. Opposite feet need opposite angles: 0° and 180°.</source>
+        <translation>Auf dem Boden lässt Schwung es gehen. Gegenüberliegende Füße brauchen gegenüberliegende Winkel: 0° und 180°.</translation>
     </message>
 </context>
 <context>
@@ -3773,8 +4202,8 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
 <context>
     <name>app::CodePanel</name>
     <message>
-        <source>Lines that the step before does not have. Click to go through them.</source>
-        <translation>Zeilen, die der vorige Schritt nicht hat. Klicke, um sie durchzugehen.</translation>
+        <source>Lines that are new in this step. Click to go through them.</source>
+        <translation>Zeilen, die in diesem Schritt neu sind. Klicke, um sie durchzugehen.</translation>
     </message>
     <message>
         <source>Copy the shown code, with its files&apos; names</source>
@@ -3805,12 +4234,12 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>%1 neu</translation>
     </message>
     <message>
-        <source>%1 Enter takes it, Esc leaves it as it was.</source>
-        <translation>%1 Eingabe übernimmt, Esc lässt es, wie es war.</translation>
+        <source>%1 Press Enter to apply, Esc to cancel.</source>
+        <translation>%1 Eingabe übernimmt, Esc bricht ab.</translation>
     </message>
     <message>
-        <source>No number is known of “%1”.</source>
-        <translation>Von „%1“ ist keine Zahl bekannt.</translation>
+        <source>“%1” has no known value.</source>
+        <translation>„%1“ hat keinen bekannten Wert.</translation>
     </message>
     <message>
         <source>Of %1, in “%2”.</source>
@@ -3853,16 +4282,16 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>Bis hierher laufen</translation>
     </message>
     <message>
-        <source>Take the stop away</source>
+        <source>Remove breakpoint</source>
         <translation>Haltepunkt entfernen</translation>
     </message>
     <message>
-        <source>Stop here</source>
-        <translation>Hier anhalten</translation>
+        <source>Set breakpoint</source>
+        <translation>Haltepunkt setzen</translation>
     </message>
     <message>
-        <source>Stop here when…</source>
-        <translation>Hier anhalten, wenn …</translation>
+        <source>Set breakpoint when…</source>
+        <translation>Haltepunkt mit Bedingung …</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -3873,24 +4302,24 @@ Verben; jedes hat sein eigenes --help, und keines braucht einen Bildschirm:
         <translation>„%1“ kopieren</translation>
     </message>
     <message>
-        <source>Copy all that is shown</source>
-        <translation>Alles Gezeigte kopieren</translation>
+        <source>Copy all shown code</source>
+        <translation>Allen gezeigten Code kopieren</translation>
     </message>
     <message>
-        <source>Lines that only the step before has. Click to see them struck through where they were, or no longer (F8 in the code).</source>
-        <translation>Zeilen, die nur der Schritt davor hat. Ein Klick zeigt sie durchgestrichen, wo sie standen, oder nicht mehr (F8 im Code).</translation>
+        <source>Lines that this step removed. Click to show or hide them, struck through at their old places (F8 in the code).</source>
+        <translation>Zeilen, die dieser Schritt entfernt hat. Ein Klick zeigt oder verbirgt sie, durchgestrichen an ihrem alten Platz (F8 im Code).</translation>
     </message>
     <message>
-        <source>1 line gone</source>
-        <translation>1 Zeile weg</translation>
+        <source>1 line removed</source>
+        <translation>1 Zeile entfernt</translation>
     </message>
     <message>
-        <source>%1 lines gone</source>
-        <translation>%1 Zeilen weg</translation>
+        <source>%1 lines removed</source>
+        <translation>%1 Zeilen entfernt</translation>
     </message>
     <message>
-        <source>Every line of the step before is still here.</source>
-        <translation>Jede Zeile des Schritts davor ist noch da.</translation>
+        <source>This step removed no lines.</source>
+        <translation>Dieser Schritt hat keine Zeile entfernt.</translation>
     </message>
 </context>
 <context>
@@ -3906,92 +4335,72 @@ Click to fold or unfold (Enter)</source>
 Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
-        <source>Up and Down go from line to line. Enter runs to a line, or folds at a heading. F9 sets a stop, F2 changes a parameter, Ctrl+I tells a value, Ctrl+C copies.</source>
-        <translation>Pfeil hoch und Pfeil runter gehen von Zeile zu Zeile. Eingabe läuft bis zu einer Zeile oder klappt bei einer Überschrift ein und aus. F9 setzt einen Haltepunkt, F2 ändert einen Parameter, Strg+I nennt einen Wert, Strg+C kopiert.</translation>
+        <source>Up and Down go from line to line. Enter runs to a line, or folds a section at its heading. F9 sets a breakpoint, F2 changes a parameter, Ctrl+I shows a value, Ctrl+C copies.</source>
+        <translation>Pfeil hoch und Pfeil runter gehen von Zeile zu Zeile. Eingabe läuft bis zu einer Zeile oder klappt an einer Überschrift einen Abschnitt ein und aus. F9 setzt einen Haltepunkt, F2 ändert einen Parameter, Strg+I zeigt einen Wert, Strg+C kopiert.</translation>
     </message>
     <message>
-        <source>The run stops before this line&apos;s phase. Click to take the stop away (F9).</source>
+        <source>The run stops before this line&apos;s phase. Click to remove the breakpoint (F9).</source>
         <translation>Der Lauf hält vor der Phase dieser Zeile an. Ein Klick entfernt den Haltepunkt (F9).</translation>
     </message>
     <message>
-        <source>Click to stop before this line&apos;s phase (F9)</source>
-        <translation>Ein Klick lässt den Lauf vor der Phase dieser Zeile anhalten (F9)</translation>
+        <source>Click to set a breakpoint before this line&apos;s phase (F9)</source>
+        <translation>Ein Klick setzt einen Haltepunkt vor der Phase dieser Zeile (F9)</translation>
     </message>
     <message>
         <source>New in this step. %1</source>
         <translation>Neu in diesem Schritt. %1</translation>
     </message>
     <message>
-        <source>The step before has this line; here it is gone.</source>
-        <translation>Der Schritt davor hat diese Zeile; hier ist sie weg.</translation>
+        <source>The previous step has this line; this step removed it.</source>
+        <translation>Der vorige Schritt hat diese Zeile; dieser Schritt hat sie entfernt.</translation>
     </message>
     <message>
-        <source>These lines add up what was computed above. They are the same for every force.
+        <source>These lines add up the values computed above. They are the same for every force.
 Click to fold or unfold (Enter)</source>
-        <translation>Diese Zeilen addieren, was darüber berechnet wurde. Sie sind für jede Kraft dieselben.
+        <translation>Diese Zeilen addieren die Werte, die darüber berechnet wurden. Sie sind für jede Kraft dieselben.
 Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
-    <name>app::Commands</name>
+    <name>app::ComparisonRuns</name>
     <message>
-        <source>Experiments</source>
-        <translation>Experimente</translation>
+        <source>before: %1</source>
+        <translation>vorher: %1</translation>
     </message>
     <message>
-        <source>Pictures and films</source>
-        <translation>Bilder und Filme</translation>
+        <source>after: %1</source>
+        <translation>nachher: %1</translation>
     </message>
     <message>
-        <source>Changes</source>
-        <translation>Änderungen</translation>
+        <source>Computing “%1” again: frame %2 of %3. Press Esc to stop.</source>
+        <translation>„%1“ wird noch einmal berechnet: Bild %2 von %3. Drück Esc, um anzuhalten.</translation>
     </message>
     <message>
-        <source>Time</source>
-        <translation>Zeit</translation>
+        <source>Stopped: “%1” is not shown. You can show it again in “Runs”.</source>
+        <translation>Angehalten: „%1“ ist nicht zu sehen. In „Läufe“ kannst du ihn wieder zeigen.</translation>
     </message>
     <message>
-        <source>Other runs</source>
-        <translation>Andere Läufe</translation>
+        <source>Keep run</source>
+        <translation>Lauf behalten</translation>
     </message>
     <message>
-        <source>Steps</source>
-        <translation>Schritte</translation>
+        <source>Stop keeping run</source>
+        <translation>Lauf nicht mehr behalten</translation>
     </message>
     <message>
-        <source>Picture</source>
-        <translation>Szene</translation>
+        <source>Rename run</source>
+        <translation>Lauf umbenennen</translation>
     </message>
     <message>
-        <source>Window</source>
-        <translation>Fenster</translation>
-    </message>
-    <message>
-        <source>Build</source>
-        <translation>Bauen</translation>
-    </message>
-    <message>
-        <source>Plots</source>
-        <translation>Diagramme</translation>
-    </message>
-    <message>
-        <source>Code</source>
-        <translation>Code</translation>
-    </message>
-    <message>
-        <source>Accuracy</source>
-        <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <source>Delete run</source>
+        <translation>Lauf löschen</translation>
     </message>
 </context>
 <context>
     <name>app::CursorPlot</name>
     <message>
-        <source>%1. Looking at %2</source>
-        <translation>%1. Ein Blick auf %2</translation>
+        <source>%1. Under the mouse: %2</source>
+        <translation>%1. Unter der Maus: %2</translation>
     </message>
 </context>
 <context>
@@ -4026,46 +4435,85 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::EditCommands</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the experiment as text</source>
+        <translation>Experiment als Text &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste an experiment</source>
+        <translation>Experiment &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Copy the p&amp;icture of the scene</source>
+        <translation>&amp;Bild der Szene kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo in this step</source>
+        <translation>In diesem Schritt gibt es nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>There is nothing to redo</source>
+        <translation>Es gibt nichts zu wiederholen</translation>
+    </message>
+</context>
+<context>
     <name>app::EffectHeads</name>
     <message>
         <source>Effect</source>
         <translation>Effekt</translation>
     </message>
     <message>
-        <source>What acts in this scene, in the order in which it runs.</source>
-        <translation>Was in dieser Szene wirkt, in der Reihenfolge, in der es läuft.</translation>
+        <source>The effects of this scene, in the order in which they run.</source>
+        <translation>Die Effekte dieser Szene, in der Reihenfolge, in der sie laufen.</translation>
     </message>
     <message>
         <source>µs a frame</source>
         <translation>µs/Bild</translation>
     </message>
     <message>
-        <source>Microseconds, millionths of a second, that each frame of the run spends on it. ± is how far half of the rounds are apart.</source>
-        <translation>Mikrosekunden, millionstel Sekunden, die jedes Bild des Laufs dafür braucht. ± sagt, wie weit die Hälfte der Durchgänge auseinanderliegt.</translation>
+        <source>Microseconds (millionths of a second) that each frame of the run spends on it. About half of the measurements are within the ±.</source>
+        <translation>Mikrosekunden (millionstel Sekunden), die jedes Bild des Laufs dafür braucht. Etwa die Hälfte der Messungen liegt innerhalb des ±.</translation>
     </message>
     <message>
         <source>µs a point</source>
         <translation>µs/Punkt</translation>
     </message>
     <message>
-        <source>The same for each point that it works on.</source>
-        <translation>Dasselbe für jeden Punkt, an dem er arbeitet.</translation>
+        <source>The same for each point that it acts on.</source>
+        <translation>Dasselbe für jeden Punkt, auf den er wirkt.</translation>
     </message>
     <message>
         <source>runs</source>
         <translation>Male</translation>
     </message>
     <message>
-        <source>How often a frame computes it: some methods look several times.</source>
-        <translation>Wie oft ein Bild ihn berechnet: Manche Verfahren schauen mehrmals hin.</translation>
+        <source>How often a frame computes it. Some methods compute it several times.</source>
+        <translation>Wie oft ein Bild ihn berechnet. Manche Verfahren berechnen ihn mehrmals.</translation>
     </message>
     <message>
         <source>points</source>
         <translation>Punkte</translation>
     </message>
     <message>
-        <source>How many points it works on.</source>
-        <translation>An wie vielen Punkten er arbeitet.</translation>
+        <source>How many points it acts on.</source>
+        <translation>Auf wie viele Punkte er wirkt.</translation>
     </message>
 </context>
 <context>
@@ -4090,8 +4538,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
 <context>
     <name>app::EffectList</name>
     <message>
-        <source>The effects of the scene, and what each costs</source>
-        <translation>Die Effekte der Szene und was jeder kostet</translation>
+        <source>The effects of the scene and their costs</source>
+        <translation>Die Effekte der Szene und ihre Kosten</translation>
     </message>
 </context>
 <context>
@@ -4105,12 +4553,12 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Effekte neu &amp;messen</translation>
     </message>
     <message>
-        <source>Measure what a frame costs where the run is now (%1)</source>
-        <translation>Messen, was ein Bild kostet, wo der Lauf gerade ist (%1)</translation>
-    </message>
-    <message>
         <source>Measure again</source>
         <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Measure what a frame costs where the run is now</source>
+        <translation>Messen, was ein Bild kostet, wo der Lauf gerade ist</translation>
     </message>
 </context>
 <context>
@@ -4143,8 +4591,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Masse × Geschwindigkeit von allem zusammen, und was das geändert hat</translation>
     </message>
     <message>
-        <source>Everything here turns in place, held by the ground: only what goes somewhere has momentum to count.</source>
-        <translation>Alles dreht sich hier am Ort, vom Boden gehalten: Nur was irgendwohin geht, hat einen Impuls, den man zählen kann.</translation>
+        <source>Everything here turns in place, held by the ground. So there is no momentum to count: choose a scene with moving bodies.</source>
+        <translation>Alles dreht sich hier am Ort, vom Boden gehalten. Darum gibt es keinen Impuls zu zählen: Wähle eine Szene mit bewegten Körpern.</translation>
     </message>
     <message>
         <source>frame %1 to %2</source>
@@ -4186,8 +4634,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Impuls</translation>
     </message>
     <message>
-        <source>A press or a drag goes to a frame, and the arrow keys go on by one</source>
-        <translation>Drücken oder Ziehen führt zu einem Bild, die Pfeiltasten gehen um eines weiter</translation>
+        <source>Click or drag to go to a frame; the arrow keys move by one frame</source>
+        <translation>Klicken oder Ziehen führt zu einem Bild; die Pfeiltasten gehen ein Bild weiter</translation>
     </message>
     <message>
         <source>frame %1: %2</source>
@@ -4224,40 +4672,36 @@ Klick klappt ein oder aus (Eingabe)</translation>
 <context>
     <name>app::ExperimentFiles</name>
     <message>
-        <source>Experiment not opened: %1 Your scene is unchanged.</source>
-        <translation>Experiment nicht geöffnet: %1 Deine Szene ist unverändert.</translation>
+        <source>Could not open the experiment: %1 Your scene is unchanged.</source>
+        <translation>Das Experiment ließ sich nicht öffnen: %1 Deine Szene ist unverändert.</translation>
     </message>
     <message>
-        <source>Experiment not saved: %1</source>
-        <translation>Experiment nicht gespeichert: %1</translation>
+        <source>Could not save the experiment: %1</source>
+        <translation>Das Experiment ließ sich nicht speichern: %1</translation>
     </message>
     <message>
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
     </message>
     <message>
-        <source>What you did in “%1” is not saved.</source>
-        <translation>Was du in „%1“ getan hast, ist nicht gespeichert.</translation>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1 hat ungespeicherte Änderungen.</translation>
     </message>
     <message>
-        <source>%1 has changes that are not saved.</source>
-        <translation>%1 hat Änderungen, die nicht gespeichert sind.</translation>
+        <source>Save</source>
+        <translation>Speichern</translation>
     </message>
     <message>
-        <source>Save it first</source>
-        <translation>Erst speichern</translation>
+        <source>Save the changes, then continue</source>
+        <translation>Änderungen speichern, dann weiter</translation>
     </message>
     <message>
-        <source>Save it, then go on</source>
-        <translation>Speichern und dann weiter</translation>
+        <source>Discard changes</source>
+        <translation>Änderungen verwerfen</translation>
     </message>
     <message>
-        <source>Go on without</source>
-        <translation>Ohne weiter</translation>
-    </message>
-    <message>
-        <source>Go on; what was not saved is gone</source>
-        <translation>Weiter; was nicht gespeichert war, ist weg</translation>
+        <source>Continue without saving: your changes are lost</source>
+        <translation>Ohne Speichern weiter: Deine Änderungen gehen verloren</translation>
     </message>
     <message>
         <source>Open an experiment</source>
@@ -4272,28 +4716,24 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Experiment speichern</translation>
     </message>
     <message>
-        <source>The step as it is published.</source>
-        <translation>Der Schritt, wie er veröffentlicht ist.</translation>
+        <source>The step has its published state again.</source>
+        <translation>Der Schritt ist wieder wie veröffentlicht.</translation>
     </message>
     <message>
         <source>&amp;%1  %2</source>
         <translation>&amp;%1  %2</translation>
     </message>
     <message>
-        <source>No file yet</source>
-        <translation>Noch keine Datei</translation>
+        <source>No recent files</source>
+        <translation>Keine Dateien</translation>
     </message>
     <message>
-        <source>Experiments that you open or save will be listed here</source>
-        <translation>Experimente, die du öffnest oder speicherst, stehen dann hier</translation>
+        <source>Experiments that you open or save are listed here</source>
+        <translation>Hier stehen Experimente, die du öffnest oder speicherst</translation>
     </message>
     <message>
-        <source>%1 is not there any more, and was taken out of the list. If you moved it, open it from where it is now.</source>
-        <translation>%1 ist nicht mehr da und wurde aus der Liste genommen. Wenn du die Datei verschoben hast, öffne sie dort, wo sie jetzt ist.</translation>
-    </message>
-    <message>
-        <source>Experiment not copied: %1</source>
-        <translation>Experiment nicht kopiert: %1</translation>
+        <source>Could not copy the experiment: %1</source>
+        <translation>Das Experiment ließ sich nicht kopieren: %1</translation>
     </message>
     <message numerus="yes">
         <source>Copied: %n character(s), in one line.</source>
@@ -4315,8 +4755,27 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>&amp;Ohne Speichern schließen</translation>
     </message>
     <message>
-        <source>&amp;Stay</source>
-        <translation>&amp;Bleiben</translation>
+        <source>“%1” has unsaved changes.</source>
+        <translation>„%1“ hat ungespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Could not find %1, so it was removed from the list. If you moved it, open it from its new place.</source>
+        <translation>%1 wurde nicht gefunden und deshalb aus der Liste entfernt. Wenn du die Datei verschoben hast, öffne sie an ihrem neuen Ort.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>app::FailureNotice</name>
+    <message>
+        <source>Searching for a remedy…</source>
+        <translation>Sucht nach Abhilfe …</translation>
+    </message>
+    <message>
+        <source>No smaller step and no other method was found to be stable. Go back, and undo the change that caused this.</source>
+        <translation>Weder ein kleinerer Zeitschritt noch ein anderes Verfahren erwies sich als stabil. Geh zurück und nimm die Änderung zurück, die das verursacht hat.</translation>
     </message>
 </context>
 <context>
@@ -4326,8 +4785,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Film vom Lauf</translation>
     </message>
     <message>
-        <source>How much of the film is made</source>
-        <translation>Wie viel vom Film gemacht ist</translation>
+        <source>Progress of the film</source>
+        <translation>Fortschritt des Films</translation>
     </message>
     <message>
         <source>First frame</source>
@@ -4350,8 +4809,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Bilder pro Sekunde</translation>
     </message>
     <message>
-        <source>How fast the film plays: 30 is as fast as the window does</source>
-        <translation>Wie schnell der Film läuft: 30 ist so schnell wie im Fenster</translation>
+        <source>The speed of the film: 30 is as fast as in the window</source>
+        <translation>Das Tempo des Films: 30 ist so schnell wie im Fenster</translation>
     </message>
     <message>
         <source>&amp;First frame</source>
@@ -4374,44 +4833,44 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Film e&amp;rstellen</translation>
     </message>
     <message>
-        <source>Make the film; the window can be used meanwhile</source>
-        <translation>Den Film erstellen; das Fenster ist derweil benutzbar</translation>
+        <source>Make the film; you can use the window meanwhile</source>
+        <translation>Den Film erstellen; das Fenster kannst du derweil benutzen</translation>
     </message>
     <message>
-        <source>Looking at its colours…</source>
-        <translation>Sieht sich die Farben an …</translation>
+        <source>Choosing its colours…</source>
+        <translation>Farben werden ausgewählt …</translation>
     </message>
     <message>
         <source>Frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
     </message>
     <message>
-        <source>%1 is made, up to where the run stops. %2</source>
-        <translation>%1 ist fertig, bis dahin, wo der Lauf anhält. %2</translation>
+        <source>%1 is saved, up to the frame where the run stops. %2</source>
+        <translation>%1 ist gespeichert, bis zu dem Bild, bei dem der Lauf anhält. %2</translation>
     </message>
     <message>
-        <source>%1 is made.</source>
-        <translation>%1 ist fertig.</translation>
+        <source>%1 is saved.</source>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
-        <source>Stopped. No file was written.</source>
-        <translation>Angehalten. Keine Datei wurde geschrieben.</translation>
+        <source>Cancelled. No file was written.</source>
+        <translation>Abgebrochen. Keine Datei wurde geschrieben.</translation>
     </message>
     <message>
-        <source>Stopped. The pictures up to frame %1 are there.</source>
-        <translation>Angehalten. Die Bilder bis Bild %1 sind da.</translation>
+        <source>Cancelled. The pictures up to frame %1 are saved.</source>
+        <translation>Abgebrochen. Die Bilder bis Bild %1 sind gespeichert.</translation>
     </message>
     <message>
-        <source>S&amp;top</source>
-        <translation>An&amp;halten</translation>
+        <source>Ca&amp;ncel</source>
+        <translation>Abbre&amp;chen</translation>
     </message>
     <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Give the film up (Esc)</source>
-        <translation>Den Film aufgeben (Esc)</translation>
+        <source>Cancel the film (Esc)</source>
+        <translation>Den Film abbrechen (Esc)</translation>
     </message>
     <message>
         <source>Close this page (Esc)</source>
@@ -4426,11 +4885,11 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>E&amp;rsetzen</translation>
     </message>
     <message>
-        <source>Make the film, and write over what is there</source>
-        <translation>Den Film erstellen und überschreiben, was schon da ist</translation>
+        <source>Make the film, and overwrite the existing file</source>
+        <translation>Den Film erstellen und die vorhandene Datei überschreiben</translation>
     </message>
     <message>
-        <source>A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes a picture of each frame, with its number in place of %04d.</source>
+        <source>A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes a picture of each frame, with its number instead of %04d.</source>
         <translation>Ein Name, der auf .webm oder .gif endet, ergibt eine Datei. Ein Name wie walk_%04d.png ergibt für jedes Bild eine Datei, mit seiner Nummer anstelle von %04d.</translation>
     </message>
 </context>
@@ -4441,8 +4900,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Datei</translation>
     </message>
     <message>
-        <source>Where the film goes</source>
-        <translation>Wohin der Film kommt</translation>
+        <source>Where to save the film</source>
+        <translation>Wohin der Film gespeichert wird</translation>
     </message>
     <message>
         <source>&amp;Choose…</source>
@@ -4453,12 +4912,12 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Einen Ordner und einen Namen wählen</translation>
     </message>
     <message>
-        <source>%1 is there already. Replace it, or give another name.</source>
-        <translation>%1 gibt es schon. Ersetze die Datei oder gib einen anderen Namen an.</translation>
+        <source>%1 already exists. Replace it, or choose another name.</source>
+        <translation>%1 gibt es schon. Ersetze die Datei oder wähle einen anderen Namen.</translation>
     </message>
     <message>
-        <source>Such pictures are there already, as %1. Replace them, or give another name.</source>
-        <translation>Solche Bilder gibt es schon, etwa %1. Ersetze sie oder gib einen anderen Namen an.</translation>
+        <source>Such pictures already exist, for example %1. Replace them, or choose another name.</source>
+        <translation>Solche Bilder gibt es schon, zum Beispiel %1. Ersetze sie oder wähle einen anderen Namen.</translation>
     </message>
     <message>
         <source>Film of the run</source>
@@ -4500,8 +4959,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Form</translation>
     </message>
     <message>
-        <source>How wide the pictures are beside their height; the height follows the width</source>
-        <translation>Wie breit die Bilder im Verhältnis zu ihrer Höhe sind; die Höhe folgt der Breite</translation>
+        <source>The width of the pictures compared with their height; the height follows the width</source>
+        <translation>Die Breite der Bilder im Verhältnis zu ihrer Höhe; die Höhe folgt der Breite</translation>
     </message>
     <message>
         <source>Height: %1 pixels</source>
@@ -4527,8 +4986,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Füße am Boden, und um wie viele px jeder rutscht</translation>
     </message>
     <message>
-        <source>Which foot stands when. Click to go to that frame</source>
-        <translation>Welcher Fuß wann steht. Ein Klick führt zu diesem Bild</translation>
+        <source>The times when each foot is on the ground. Click to go to that frame</source>
+        <translation>Die Zeiten, in denen jeder Fuß am Boden ist. Ein Klick führt zu diesem Bild</translation>
     </message>
     <message>
         <source>%1 is in the air at frame %2</source>
@@ -4542,10 +5001,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
 <context>
     <name>app::FrameCounter</name>
     <message>
-        <source>Go to a frame (Ctrl+G)</source>
-        <translation>Zu einem Bild gehen (Strg+G)</translation>
-    </message>
-    <message>
         <source>%1 %2</source>
         <translation>%1 %2</translation>
     </message>
@@ -4558,8 +5013,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Zu Bild gehen</translation>
     </message>
     <message>
-        <source>Enter goes there, Escape leaves</source>
-        <translation>Eingabe geht hin, Esc verlässt das Feld</translation>
+        <source>Press Enter to go there, Esc to cancel</source>
+        <translation>Eingabe geht hin, Esc bricht ab</translation>
     </message>
     <message>
         <source>A frame is a whole number from 0 to %1.</source>
@@ -4585,16 +5040,16 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Das Glossar durchsuchen</translation>
     </message>
     <message>
-        <source>Part of a word, or of what it means</source>
-        <translation>Teil eines Begriffs oder dessen, was er bedeutet</translation>
+        <source>Part of a word, or of its meaning</source>
+        <translation>Teil eines Begriffs oder seiner Bedeutung</translation>
     </message>
     <message>
         <source>Words</source>
         <translation>Begriffe</translation>
     </message>
     <message>
-        <source>No word is found for “%1”. Try a part of it.</source>
-        <translation>Zu „%1“ ist kein Begriff zu finden. Versuch es mit einem Teil davon.</translation>
+        <source>No word found for “%1”. Try only a part of it.</source>
+        <translation>Kein Begriff zu „%1“ gefunden. Versuch es nur mit einem Teil davon.</translation>
     </message>
 </context>
 <context>
@@ -4616,8 +5071,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>%1: Störungen %2</translation>
     </message>
     <message>
-        <source>%1: it holds</source>
-        <translation>%1: Es hält</translation>
+        <source>%1: stable</source>
+        <translation>%1: stabil</translation>
     </message>
     <message>
         <source>a step of %1</source>
@@ -4625,7 +5080,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>%1
-A click or Enter uses k %2 and %3</source>
+Click or press Enter to use k %2 and %3</source>
         <translation>%1
 Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
@@ -4634,16 +5089,16 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Die Karte wird berechnet.</translation>
     </message>
     <message>
-        <source>You are at %1. Arrow keys walk over the map, Enter uses a place.</source>
-        <translation>Du bist bei %1. Pfeiltasten gehen über die Karte, Eingabe übernimmt einen Ort.</translation>
+        <source>You are at %1. The arrow keys move over the map, and Enter uses the values at a place.</source>
+        <translation>Du bist bei %1. Die Pfeiltasten gehen über die Karte, Eingabe übernimmt die Werte eines Orts.</translation>
     </message>
     <message>
-        <source>grows</source>
-        <translation>wächst</translation>
+        <source>unstable</source>
+        <translation>instabil</translation>
     </message>
     <message>
-        <source>holds</source>
-        <translation>hält</translation>
+        <source>stable</source>
+        <translation>stabil</translation>
     </message>
     <message>
         <source>you are here</source>
@@ -4654,7 +5109,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zeitschritt, Bilder</translation>
     </message>
     <message>
-        <source>damp, kept a frame</source>
+        <source>damp, kept per frame</source>
         <translation>damp, pro Bild behalten</translation>
     </message>
     <message>
@@ -4681,8 +5136,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Neu beginnen</translation>
     </message>
     <message>
-        <source>Begin the first build again with a new scene; undo brings this one back</source>
-        <translation>Das erste Bauen mit einer neuen Szene noch einmal beginnen; Rückgängig bringt diese zurück</translation>
+        <source>Restart the first build with a new scene. Undo brings this one back</source>
+        <translation>Das erste Bauen mit einer neuen Szene noch einmal beginnen. Rückgängig bringt diese zurück</translation>
     </message>
     <message>
         <source>Leave</source>
@@ -4713,120 +5168,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
-    <name>app::KeptList</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1: %2 (not installed)</source>
-        <translation>%1: %2 (nicht installiert)</translation>
-    </message>
-    <message>
-        <source>Recover</source>
-        <translation>Wiederherstellen</translation>
-    </message>
-    <message>
-        <source>Delete</source>
-        <translation>Löschen</translation>
-    </message>
-    <message>
-        <source>Recover scenes</source>
-        <translation>Szenen wiederherstellen</translation>
-    </message>
-    <message>
-        <source>These scenes were not saved. Recover one to go on with it.</source>
-        <translation>Diese Szenen wurden nicht gespeichert. Stell eine wieder her, um damit weiterzumachen.</translation>
-    </message>
-    <message>
-        <source>Scene</source>
-        <translation>Szene</translation>
-    </message>
-    <message>
-        <source>Frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>Last changed</source>
-        <translation>Zuletzt geändert</translation>
-    </message>
-    <message>
-        <source>Scenes that were not saved</source>
-        <translation>Szenen, die nicht gespeichert wurden</translation>
-    </message>
-    <message>
-        <source>Go on with the selected scene (Return)</source>
-        <translation>Mit der ausgewählten Szene weitermachen (Eingabe)</translation>
-    </message>
-    <message>
-        <source>Delete the selected scene for good (Del)</source>
-        <translation>Die ausgewählte Szene endgültig löschen (Entf)</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Keep them all for later (Esc)</source>
-        <translation>Alle für später behalten (Esc)</translation>
-    </message>
-    <message>
-        <source>damaged</source>
-        <translation>beschädigt</translation>
-    </message>
-</context>
-<context>
-    <name>app::KeptOffer</name>
-    <message>
-        <source>“%1: %2”</source>
-        <translation>„%1: %2“</translation>
-    </message>
-    <message>
-        <source>Springstep was ended by something else. Your scene of %1 from %2 is here.</source>
-        <translation>Springstep wurde von außen beendet. Deine Szene zu %1 (%2) ist noch da.</translation>
-    </message>
-    <message>
-        <source>Your scene of %1 from %2 was not saved. It is here.</source>
-        <translation>Deine Szene zu %1 (%2) war nicht gespeichert. Sie ist noch da.</translation>
-    </message>
-    <message>
-        <source>Open it</source>
-        <translation>Öffnen</translation>
-    </message>
-    <message>
-        <source>Go on with it</source>
-        <translation>Damit weitermachen</translation>
-    </message>
-    <message>
-        <source>Forget it</source>
-        <translation>Vergessen</translation>
-    </message>
-    <message>
-        <source>Delete it; it will not be offered again</source>
-        <translation>Sie löschen; sie wird nicht noch einmal angeboten</translation>
-    </message>
-    <message>
-        <source>Springstep was ended by something else. %1 scenes that were not saved are here.</source>
-        <translation>Springstep wurde von etwas anderem beendet. Hier sind %1 Szenen, die nicht gespeichert wurden.</translation>
-    </message>
-    <message>
-        <source>%1 scenes that were not saved are here.</source>
-        <translation>Hier sind %1 Szenen, die nicht gespeichert wurden.</translation>
-    </message>
-    <message>
-        <source>Show them</source>
-        <translation>Anzeigen</translation>
-    </message>
-    <message>
-        <source>Shows a list, from which each can be recovered or deleted</source>
-        <translation>Zeigt eine Liste, aus der man jede wiederherstellen oder löschen kann</translation>
-    </message>
-    <message>
-        <source>There is no scene to recover.</source>
-        <translation>Es gibt keine Szene zum Wiederherstellen.</translation>
-    </message>
-</context>
-<context>
     <name>app::KeyCaps</name>
     <message>
         <source>Page Up</source>
@@ -4851,6 +5192,21 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>or</source>
         <translation>oder</translation>
+    </message>
+</context>
+<context>
+    <name>app::LanguageMenu</name>
+    <message>
+        <source>Lan&amp;guage</source>
+        <translation>Spr&amp;ache</translation>
+    </message>
+    <message>
+        <source>&amp;System language</source>
+        <translation>&amp;Systemsprache</translation>
+    </message>
+    <message>
+        <source>Springstep will use %1 after a restart.</source>
+        <translation>Nach einem Neustart verwendet Springstep %1.</translation>
     </message>
 </context>
 <context>
@@ -4880,7 +5236,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zurück zum Text (Esc)</translation>
     </message>
     <message>
-        <source>Show all lessons in place of the text</source>
+        <source>Show all lessons instead of the text</source>
         <translation>Alle Lektionen statt des Textes zeigen</translation>
     </message>
 </context>
@@ -4922,8 +5278,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Was du gelernt hast</translation>
     </message>
     <message>
-        <source>What the steps of this lesson taught, and what is still to try</source>
-        <translation>Was die Schritte dieser Lektion gelehrt haben, und was noch auszuprobieren ist</translation>
+        <source>A summary of this lesson, and the things that are still to try</source>
+        <translation>Eine Zusammenfassung dieser Lektion und das, was noch auszuprobieren ist</translation>
     </message>
     <message>
         <source>%1: what you learnt</source>
@@ -4952,146 +5308,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
 <context>
     <name>app::MainWindow</name>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation>&amp;Datei</translation>
-    </message>
-    <message>
-        <source>&amp;Edit</source>
-        <translation>&amp;Bearbeiten</translation>
-    </message>
-    <message>
-        <source>&amp;Run</source>
-        <translation>&amp;Lauf</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>&amp;Ansicht</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Hilfe</translation>
-    </message>
-    <message>
-        <source>&amp;Keys and mouse</source>
-        <translation>&amp;Tasten und Maus</translation>
-    </message>
-    <message>
-        <source>&amp;Open an experiment…</source>
-        <translation>Experiment ö&amp;ffnen …</translation>
-    </message>
-    <message>
-        <source>&amp;Save the experiment</source>
-        <translation>Experiment &amp;speichern</translation>
-    </message>
-    <message>
-        <source>Save &amp;as…</source>
-        <translation>Speichern &amp;unter …</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Beenden</translation>
-    </message>
-    <message>
-        <source>&amp;Play or pause</source>
-        <translation>&amp;Abspielen oder anhalten</translation>
-    </message>
-    <message>
-        <source>Next &amp;frame</source>
-        <translation>Nächstes &amp;Bild</translation>
-    </message>
-    <message>
-        <source>Frame &amp;back</source>
-        <translation>Bild &amp;zurück</translation>
-    </message>
-    <message>
-        <source>&amp;Next phase</source>
-        <translation>&amp;Nächste Phase</translation>
-    </message>
-    <message>
-        <source>P&amp;hase back</source>
-        <translation>&amp;Phase zurück</translation>
-    </message>
-    <message>
-        <source>To the &amp;end of what was computed</source>
-        <translation>Zum &amp;Ende des Berechneten</translation>
-    </message>
-    <message>
-        <source>S&amp;lower</source>
-        <translation>&amp;Langsamer</translation>
-    </message>
-    <message>
-        <source>Faste&amp;r</source>
-        <translation>S&amp;chneller</translation>
-    </message>
-    <message>
-        <source>Start the step &amp;afresh</source>
-        <translation>Schritt neu be&amp;ginnen</translation>
-    </message>
-    <message>
-        <source>Forget the &amp;old run</source>
-        <translation>Alten Lauf &amp;vergessen</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt step</source>
-        <translation>Nächster Sch&amp;ritt</translation>
-    </message>
-    <message>
-        <source>Pre&amp;vious step</source>
-        <translation>Vor&amp;iger Schritt</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;in</source>
-        <translation>Ver&amp;größern</translation>
-    </message>
-    <message>
-        <source>Zoom &amp;out</source>
-        <translation>Ver&amp;kleinern</translation>
-    </message>
-    <message>
-        <source>&amp;Fit the scene</source>
-        <translation>Szene ein&amp;passen</translation>
-    </message>
-    <message>
-        <source>Show the whole stage with all bodies, and stay with them (Ctrl+0)</source>
-        <translation>Die ganze Bühne mit allen Körpern zeigen und bei ihnen bleiben (Strg+0)</translation>
-    </message>
-    <message>
-        <source>Ne&amp;xt body outside</source>
-        <translation>Nächster Körper a&amp;ußerhalb</translation>
-    </message>
-    <message>
-        <source>Bring a body that is outside of the picture into view (O)</source>
-        <translation>Einen Körper, der außerhalb des Bildes ist, ins Bild holen (O)</translation>
-    </message>
-    <message>
-        <source>&amp;Lessons</source>
-        <translation>&amp;Lektionen</translation>
-    </message>
-    <message>
-        <source>&amp;Code and parameters</source>
-        <translation>&amp;Code und Parameter</translation>
-    </message>
-    <message>
-        <source>What each effect of the scene costs, with a switch for each (Ctrl+4)</source>
-        <translation>Was jeder Effekt der Szene kostet, mit einem Schalter für jeden (Strg+4)</translation>
-    </message>
-    <message>
-        <source>&amp;Stability of the step</source>
-        <translation>&amp;Stabilität des Zeitschritts</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>&amp;Dunkel</translation>
-    </message>
-    <message>
-        <source>F&amp;ull screen</source>
-        <translation>V&amp;ollbild</translation>
-    </message>
-    <message>
         <source>Accuracy</source>
         <translation>Genauigkeit</translation>
     </message>
@@ -5108,82 +5324,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Code</translation>
     </message>
     <message>
-        <source>Saved as %1.</source>
-        <translation>Gespeichert als %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>&amp;Rückgängig</translation>
-    </message>
-    <message>
-        <source>&amp;Redo</source>
-        <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>&amp;Undo: %1</source>
-        <translation>&amp;Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>&amp;Redo: %1</source>
-        <translation>&amp;Wiederholen: %1</translation>
-    </message>
-    <message>
-        <source>Nothing was changed in this step that could be undone (Ctrl+Z)</source>
-        <translation>In diesem Schritt wurde nichts geändert, was sich rückgängig machen ließe (Strg+Z)</translation>
-    </message>
-    <message>
-        <source>Undo: %1 (Ctrl+Z)</source>
-        <translation>Rückgängig: %1 (Strg+Z)</translation>
-    </message>
-    <message>
-        <source>Nothing was undone (Ctrl+Shift+Z)</source>
-        <translation>Nichts wurde rückgängig gemacht (Strg+Umschalt+Z)</translation>
-    </message>
-    <message>
-        <source>Redo: %1 (Ctrl+Shift+Z)</source>
-        <translation>Wiederholen: %1 (Strg+Umschalt+Z)</translation>
-    </message>
-    <message>
-        <source>Lan&amp;guage</source>
-        <translation>Spr&amp;ache</translation>
-    </message>
-    <message>
-        <source>As the &amp;system has it</source>
-        <translation>Wie das &amp;System</translation>
-    </message>
-    <message>
-        <source>Springstep speaks %1 from its next start on.</source>
-        <translation>Ab dem nächsten Start spricht Springstep %1.</translation>
-    </message>
-    <message>
-        <source>L&amp;earn</source>
-        <translation>Le&amp;rnen</translation>
-    </message>
-    <message>
-        <source>Lessons, scene and code</source>
-        <translation>Lektionen, Szene und Code</translation>
-    </message>
-    <message>
-        <source>&amp;Measure</source>
-        <translation>&amp;Messen</translation>
-    </message>
-    <message>
-        <source>What accuracy costs in time, on this scene</source>
-        <translation>Was Genauigkeit an Zeit kostet, in dieser Szene</translation>
-    </message>
-    <message>
-        <source>E&amp;nergy</source>
-        <translation>&amp;Energie</translation>
-    </message>
-    <message>
-        <source>Effec&amp;ts</source>
-        <translation>E&amp;ffekte</translation>
-    </message>
-    <message>
-        <source>&amp;New: the step as published</source>
-        <translation>&amp;Neu: der Schritt wie veröffentlicht</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
@@ -5192,304 +5332,12 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Diagramme</translation>
     </message>
     <message>
-        <source>Less mo&amp;vement</source>
-        <translation>&amp;Weniger Bewegung</translation>
-    </message>
-    <message>
-        <source>&amp;High contrast</source>
-        <translation>&amp;Hoher Kontrast</translation>
-    </message>
-    <message>
-        <source>Si&amp;ze of text and controls</source>
-        <translation>Größe von &amp;Text und Bedienelementen</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;%</source>
-        <translation>%1&#x2009;%</translation>
-    </message>
-    <message>
-        <source>This screen is too small for the scene with its time at that size</source>
-        <translation>Für die Szene mit ihrer Zeit ist dieser Bildschirm bei dieser Größe zu klein</translation>
-    </message>
-    <message>
-        <source>At its next start, Springstep is drawn at %1&#x2009;%.</source>
-        <translation>Ab dem nächsten Start wird Springstep mit %1&#x2009;% gezeichnet.</translation>
-    </message>
-    <message>
-        <source>Scene onl&amp;y</source>
-        <translation>&amp;Nur die Szene</translation>
-    </message>
-    <message>
-        <source>Nothing but the scene and its time; again brings the panels back (F11)</source>
-        <translation>Nichts als die Szene und ihre Zeit; noch einmal holt die Leisten zurück (F11)</translation>
-    </message>
-    <message>
         <source>Two runs</source>
         <translation>Zwei Läufe</translation>
     </message>
     <message>
-        <source>Choose among the other runs…</source>
-        <translation>Unter den anderen Läufen wählen …</translation>
-    </message>
-    <message>
-        <source>Show one beside, go back to it, keep, name or delete it</source>
-        <translation>Einen daneben zeigen, zu ihm zurückgehen, ihn behalten, benennen oder löschen</translation>
-    </message>
-    <message>
-        <source>&amp;Compare two runs</source>
-        <translation>Z&amp;wei Läufe vergleichen</translation>
-    </message>
-    <message>
-        <source>How far this run and the one beside it are apart, frame by frame</source>
-        <translation>Wie weit dieser Lauf und der daneben auseinander sind, Bild für Bild</translation>
-    </message>
-    <message>
-        <source>Choose and move parts</source>
-        <translation>Teile wählen und bewegen</translation>
-    </message>
-    <message>
-        <source>Choose</source>
-        <translation>Wählen</translation>
-    </message>
-    <message>
-        <source>Choose parts, and drag them to where they shall be</source>
-        <translation>Teile wählen und dorthin ziehen, wo sie sein sollen</translation>
-    </message>
-    <message>
-        <source>Add points</source>
-        <translation>Punkte hinzufügen</translation>
-    </message>
-    <message>
-        <source>Point</source>
-        <translation>Punkt</translation>
-    </message>
-    <message>
-        <source>Add a body with a mass and a size</source>
-        <translation>Einen Körper mit Masse und Größe hinzufügen</translation>
-    </message>
-    <message>
-        <source>Nail points down</source>
-        <translation>Punkte festnageln</translation>
-    </message>
-    <message>
-        <source>Nail</source>
-        <translation>Nagel</translation>
-    </message>
-    <message>
-        <source>Fix a point where it is, or free it</source>
-        <translation>Einen Punkt festmachen, wo er ist, oder ihn lösen</translation>
-    </message>
-    <message>
-        <source>Add springs</source>
-        <translation>Federn hinzufügen</translation>
-    </message>
-    <message>
-        <source>Spring</source>
-        <translation>Feder</translation>
-    </message>
-    <message>
-        <source>Tie two points: a spring pulls and pushes them to its length</source>
-        <translation>Zwei Punkte verbinden: Eine Feder zieht und schiebt sie auf ihre Länge</translation>
-    </message>
-    <message>
-        <source>Add sticks</source>
-        <translation>Stäbe hinzufügen</translation>
-    </message>
-    <message>
-        <source>Stick</source>
-        <translation>Stab</translation>
-    </message>
-    <message>
-        <source>Tie two points: a stick keeps its length</source>
-        <translation>Zwei Punkte verbinden: Ein Stab behält seine Länge</translation>
-    </message>
-    <message>
-        <source>Add feet</source>
-        <translation>Füße hinzufügen</translation>
-    </message>
-    <message>
-        <source>Foot</source>
-        <translation>Fuß</translation>
-    </message>
-    <message>
-        <source>Give a body a foot, which belongs at an angle from it</source>
-        <translation>Einem Körper einen Fuß geben, der in einem Winkel zu ihm gehört</translation>
-    </message>
-    <message>
-        <source>&amp;Take this scene to the sandbox</source>
-        <translation>Diese Szene in den Sandkasten &amp;mitnehmen</translation>
-    </message>
-    <message>
-        <source>&amp;Delete what is chosen</source>
-        <translation>Auswahl &amp;löschen</translation>
-    </message>
-    <message>
-        <source>Dup&amp;licate what is chosen</source>
-        <translation>Auswahl &amp;verdoppeln</translation>
-    </message>
-    <message>
-        <source>Choose &amp;all</source>
-        <translation>&amp;Alles wählen</translation>
-    </message>
-    <message>
-        <source>No sandbox is installed</source>
-        <translation>Es ist kein Sandkasten installiert</translation>
-    </message>
-    <message>
-        <source>This scene is in the sandbox</source>
-        <translation>Diese Szene ist im Sandkasten</translation>
-    </message>
-    <message>
-        <source>Take this scene to the sandbox, to build on (Ctrl+B)</source>
-        <translation>Diese Szene in den Sandkasten mitnehmen, um daran weiterzubauen (Strg+B)</translation>
-    </message>
-    <message>
-        <source>&amp;Export</source>
-        <translation>E&amp;xportieren</translation>
-    </message>
-    <message>
-        <source>&amp;Picture of the scene…</source>
-        <translation>&amp;Bild der Szene …</translation>
-    </message>
-    <message>
-        <source>The scene as it is shown, as PNG or SVG</source>
-        <translation>Die Szene, wie sie zu sehen ist, als PNG oder SVG</translation>
-    </message>
-    <message>
-        <source>&amp;Film of the run…</source>
-        <translation>&amp;Film des Laufs …</translation>
-    </message>
-    <message>
-        <source>The run as an animated GIF or a PNG for each frame</source>
-        <translation>Der Lauf als animiertes GIF oder ein PNG für jedes Bild</translation>
-    </message>
-    <message>
-        <source>The picture of the scene is copied.</source>
-        <translation>Das Bild der Szene ist kopiert.</translation>
-    </message>
-    <message>
-        <source>Picture of the scene</source>
-        <translation>Bild der Szene</translation>
-    </message>
-    <message>
-        <source>Pictures (*.png *.svg)</source>
-        <translation>Bilder (*.png *.svg)</translation>
-    </message>
-    <message>
-        <source>Picture not saved: %1</source>
-        <translation>Bild nicht gespeichert: %1</translation>
-    </message>
-    <message>
         <source>%1[*] – Springstep</source>
         <translation>%1[*] – Springstep</translation>
-    </message>
-    <message>
-        <source>&amp;Copy the experiment as text</source>
-        <translation>Experiment als Text &amp;kopieren</translation>
-    </message>
-    <message>
-        <source>&amp;Paste an experiment</source>
-        <translation>Experiment &amp;einfügen</translation>
-    </message>
-    <message>
-        <source>Copy the p&amp;icture of the scene</source>
-        <translation>&amp;Bild der Szene kopieren</translation>
-    </message>
-    <message>
-        <source>Show a &amp;hint</source>
-        <translation>T&amp;ipp zeigen</translation>
-    </message>
-    <message>
-        <source>A hint for the next thing to try (H)</source>
-        <translation>Ein Tipp, was als Nächstes auszuprobieren ist (H)</translation>
-    </message>
-    <message>
-        <source>&amp;Glossary</source>
-        <translation>&amp;Glossar</translation>
-    </message>
-    <message>
-        <source>The words that the lessons teach (Shift+F1)</source>
-        <translation>Die Begriffe, die die Lektionen lehren (Umschalt+F1)</translation>
-    </message>
-    <message>
-        <source>Take the &amp;tour</source>
-        <translation>&amp;Rundgang machen</translation>
-    </message>
-    <message>
-        <source>A minute with what there is in this window</source>
-        <translation>Eine Minute mit dem, was es in diesem Fenster gibt</translation>
-    </message>
-    <message>
-        <source>The picture</source>
-        <translation>Die Szene</translation>
-    </message>
-    <message>
-        <source>This is what a lesson is about. Drag anything in it, and let go on the way to throw it.</source>
-        <translation>Darum geht es in einer Lektion. Zieh an etwas darin, und lass unterwegs los, um es zu werfen.</translation>
-    </message>
-    <message>
-        <source>Play and stop</source>
-        <translation>Abspielen und anhalten</translation>
-    </message>
-    <message>
-        <source>**Space** plays, and stops anywhere. **→** goes on by one frame, **←** goes back.</source>
-        <translation>**Leertaste** spielt ab und hält überall an. **→** geht ein Bild weiter, **←** geht eines zurück.</translation>
-    </message>
-    <message>
-        <source>All of the run is kept</source>
-        <translation>Der ganze Lauf bleibt</translation>
-    </message>
-    <message>
-        <source>Drag here to go back in time. Change something there, and the old run stays as a ghost.</source>
-        <translation>Zieh hier, um in der Zeit zurückzugehen. Ändere dort etwas, und der alte Lauf bleibt als Geist.</translation>
-    </message>
-    <message>
-        <source>Inside a frame</source>
-        <translation>In einem Bild</translation>
-    </message>
-    <message>
-        <source>A frame is made of phases: springs pull, damping takes its share, things move. **Shift+→** goes from one to the next.</source>
-        <translation>Ein Bild besteht aus Phasen: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich. **Umschalt+→** geht von einer zur nächsten.</translation>
-    </message>
-    <message>
-        <source>The code that runs</source>
-        <translation>Der Code, der läuft</translation>
-    </message>
-    <message>
-        <source>These very lines compute the picture. Beside them stand the values of this moment.</source>
-        <translation>Genau diese Zeilen berechnen die Szene. Neben ihnen stehen die Werte dieses Augenblicks.</translation>
-    </message>
-    <message>
-        <source>Numbers to change</source>
-        <translation>Zahlen zum Ändern</translation>
-    </message>
-    <message>
-        <source>Move a slider, or type any number. The arrow behind it brings it back.</source>
-        <translation>Bewege einen Schieber, oder tippe irgendeine Zahl. Der Pfeil dahinter bringt sie zurück.</translation>
-    </message>
-    <message>
-        <source>Try this</source>
-        <translation>Probier es aus</translation>
-    </message>
-    <message>
-        <source>Springstep ticks what it sees you do. A lamp has a hint, and words with dots under them are explained when you click them.</source>
-        <translation>Springstep hakt ab, was es dich tun sieht. Eine Lampe hat einen Tipp, und Wörter mit Punkten darunter werden erklärt, wenn du sie anklickst.</translation>
-    </message>
-    <message>
-        <source>&amp;Build</source>
-        <translation>&amp;Bauen</translation>
-    </message>
-    <message>
-        <source>A scene of your own: points, springs, sticks, feet</source>
-        <translation>Eine eigene Szene: Punkte, Federn, Stäbe, Füße</translation>
-    </message>
-    <message>
-        <source>&amp;Plots</source>
-        <translation>D&amp;iagramme</translation>
-    </message>
-    <message>
-        <source>Curves of any quantity of any body (Ctrl+5)</source>
-        <translation>Kurven jeder Größe jedes Körpers (Strg+5)</translation>
     </message>
     <message>
         <source>Stability</source>
@@ -5504,60 +5352,20 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>The panels stand as they did at first.</source>
-        <translation>Die Leisten stehen wieder wie am Anfang.</translation>
-    </message>
-    <message>
-        <source>Where energy and momentum went (Ctrl+3)</source>
-        <translation>Wohin Energie und Impuls gingen (Strg+3)</translation>
-    </message>
-    <message>
-        <source>Panels and menus come and go at once, wind is drawn still; only what is computed moves</source>
-        <translation>Leisten und Menüs kommen und gehen sofort, Wind wird als Standbild gezeichnet; nur was berechnet wird, bewegt sich</translation>
-    </message>
-    <message>
-        <source>Lessons &amp;as a narrow strip</source>
-        <translation>Lektionen nur als &amp;Zeichen</translation>
-    </message>
-    <message>
-        <source>The marks of the lessons alone, and more room for the rest (Ctrl+Shift+1)</source>
-        <translation>Nur die Zeichen der Lektionen, und mehr Platz für den Rest (Strg+Umschalt+1)</translation>
-    </message>
-    <message>
-        <source>Start again now</source>
+        <source>Restart now</source>
         <translation>Jetzt neu starten</translation>
-    </message>
-    <message>
-        <source>Text, buttons and the picture; the window opens again with all that is in it</source>
-        <translation>Text, Knöpfe und Szene; das Fenster öffnet sich neu mit allem, was darin ist</translation>
     </message>
     <message>
         <source>%1 A film is being made.</source>
         <translation>%1 Gerade entsteht ein Film.</translation>
     </message>
     <message>
-        <source>Stops the film; everything else stays</source>
+        <source>Cancels the film; everything else is kept</source>
         <translation>Bricht den Film ab; alles andere bleibt</translation>
     </message>
     <message>
-        <source>&amp;About Springstep</source>
-        <translation>Ü&amp;ber Springstep</translation>
-    </message>
-    <message>
-        <source>Version, licence, and what it is built with</source>
-        <translation>Version, Lizenz und verwendete Bibliotheken</translation>
-    </message>
-    <message>
-        <source>Reco&amp;ver scenes…</source>
-        <translation>Szenen &amp;wiederherstellen…</translation>
-    </message>
-    <message>
-        <source>Re&amp;start</source>
-        <translation>Neu s&amp;tarten</translation>
-    </message>
-    <message>
-        <source>Repea&amp;t the run, with all that was done in it</source>
-        <translation>Den Lauf wieder&amp;holen, mit allem, was darin getan wurde</translation>
+        <source>The panels are back in their original places.</source>
+        <translation>Die Leisten stehen wieder an ihren ursprünglichen Plätzen.</translation>
     </message>
 </context>
 <context>
@@ -5582,8 +5390,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Name des Laufs</translation>
     </message>
     <message>
-        <source>Return takes this name, Escape leaves the one before</source>
-        <translation>Eingabe übernimmt diesen Namen, Esc lässt den vorigen</translation>
+        <source>Press Return to apply, Esc to cancel</source>
+        <translation>Eingabe übernimmt, Esc bricht ab</translation>
     </message>
 </context>
 <context>
@@ -5647,8 +5455,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>%1, %2</translation>
     </message>
     <message>
-        <source>The numbers were not saved as %1: %2. Choose another folder, or make room.</source>
-        <translation>Die Zahlen wurden nicht als %1 gespeichert: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
+        <source>Could not save the numbers as %1: %2. Choose another folder, or free some disk space.</source>
+        <translation>Die Zahlen ließen sich nicht als %1 speichern: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
     </message>
 </context>
 <context>
@@ -5658,8 +5466,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Fehler über dem Zeitschritt: die gemessene Ordnung</translation>
     </message>
     <message>
-        <source>%1: %2, as stated</source>
-        <translation>%1: %2, wie angegeben</translation>
+        <source>%1: %2, as expected</source>
+        <translation>%1: %2, wie erwartet</translation>
     </message>
     <message>
         <source>%1: %2 of %3</source>
@@ -5670,16 +5478,16 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zeitschritt, Bilder (feiner →)</translation>
     </message>
     <message>
-        <source>how far off at most, px</source>
-        <translation>größte Abweichung, px</translation>
+        <source>largest error, px</source>
+        <translation>größter Fehler, px</translation>
     </message>
     <message>
-        <source>← more exact</source>
+        <source>← more accurate</source>
         <translation>← genauer</translation>
     </message>
     <message>
-        <source>A step %1 times as short makes the error %2 times as small: order %3 here, %4 stated</source>
-        <translation>Ein Zeitschritt, %1-mal so kurz, macht den Fehler %2-mal so klein: Ordnung %3 hier, %4 angegeben</translation>
+        <source>A step %1 times as short makes the error %2 times as small: order %3 here, %4 expected</source>
+        <translation>Ein %1-mal so kurzer Zeitschritt macht den Fehler %2-mal so klein: Ordnung %3 hier, %4 erwartet</translation>
     </message>
 </context>
 <context>
@@ -5697,16 +5505,16 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Beispiele</translation>
     </message>
     <message>
-        <source>Pictures of what other values make of this step</source>
-        <translation>Bilder davon, was andere Werte aus diesem Schritt machen</translation>
+        <source>Pictures of this step with other values</source>
+        <translation>Bilder dieses Schritts mit anderen Werten</translation>
     </message>
     <message>
-        <source>Set every parameter back to what this step begins with</source>
-        <translation>Jeden Parameter auf das setzen, womit dieser Schritt beginnt</translation>
+        <source>Reset every parameter to its start value in this step</source>
+        <translation>Jeden Parameter auf seinen Anfangswert in diesem Schritt zurücksetzen</translation>
     </message>
     <message>
-        <source>Nothing to reset: every parameter is as this step begins with.</source>
-        <translation>Nichts zurückzusetzen: Jeder Parameter ist so, wie dieser Schritt beginnt.</translation>
+        <source>Nothing to reset: every parameter has its start value.</source>
+        <translation>Nichts zurückzusetzen: Jeder Parameter hat seinen Anfangswert.</translation>
     </message>
     <message>
         <source>Show fewer parameters</source>
@@ -5736,11 +5544,11 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>%1, Schieber</translation>
     </message>
     <message>
-        <source>Back to %1</source>
+        <source>Reset to %1</source>
         <translation>Zurück auf %1</translation>
     </message>
     <message>
-        <source>%1 back to %2</source>
+        <source>Reset %1 to %2</source>
         <translation>%1 zurück auf %2</translation>
     </message>
     <message>
@@ -5753,34 +5561,49 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
-    <name>app::PlotCard</name>
+    <name>app::Playback</name>
     <message>
-        <source>What is plotted</source>
-        <translation>Was aufgetragen wird</translation>
+        <source>The run plays while you drag. Press Space to stop it.</source>
+        <translation>Der Lauf spielt, während du ziehst. Drück die Leertaste, um ihn anzuhalten.</translation>
     </message>
     <message>
-        <source>Against what: time, or another quantity</source>
-        <translation>Worüber: über der Zeit oder einer anderen Größe</translation>
+        <source>The run is paused. Press Space to play from here.</source>
+        <translation>Der Lauf ist angehalten. Drück die Leertaste, um von hier aus abzuspielen.</translation>
+    </message>
+    <message>
+        <source>Too much to compute at 30 frames a second: the run plays more slowly. Its numbers stay the same.</source>
+        <translation>Zu viel zu berechnen für 30 Bilder pro Sekunde: Der Lauf spielt langsamer. Seine Zahlen bleiben dieselben.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PlotCard</name>
+    <message>
+        <source>Plotted quantity</source>
+        <translation>Aufgetragene Größe</translation>
+    </message>
+    <message>
+        <source>The other axis: time, or another quantity</source>
+        <translation>Die andere Achse: Zeit oder eine andere Größe</translation>
     </message>
     <message>
         <source>Save, copy, keep or remove this plot</source>
         <translation>Dieses Diagramm speichern, kopieren, festhalten oder entfernen</translation>
     </message>
     <message>
-        <source>What can be done with this plot</source>
-        <translation>Was sich mit diesem Diagramm tun lässt</translation>
+        <source>Actions for this plot</source>
+        <translation>Aktionen für dieses Diagramm</translation>
     </message>
     <message>
         <source>against</source>
         <translation>über</translation>
     </message>
     <message>
-        <source>&amp;Keep to %1</source>
-        <translation>Bei %1 &amp;bleiben</translation>
+        <source>&amp;Pin to %1</source>
+        <translation>An %1 an&amp;heften</translation>
     </message>
     <message>
-        <source>Off: it follows the body that is selected in the picture</source>
-        <translation>Aus: Es folgt dem Körper, der in der Szene gewählt ist</translation>
+        <source>If off, the plot follows the body that is selected in the picture</source>
+        <translation>Wenn aus, folgt das Diagramm dem Körper, der in der Szene ausgewählt ist</translation>
     </message>
     <message>
         <source>&amp;Fewer frames	+</source>
@@ -5826,8 +5649,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Gespeichert als %1.</translation>
     </message>
     <message>
-        <source>The picture was not saved as %1: %2. Choose another folder, or make room.</source>
-        <translation>Das Bild wurde nicht als %1 gespeichert: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
+        <source>Could not save the picture as %1: %2. Choose another folder, or free some disk space.</source>
+        <translation>Das Bild ließ sich nicht als %1 speichern: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
     </message>
     <message>
         <source>The picture is copied: paste it anywhere.</source>
@@ -5850,20 +5673,20 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Tabellen (*.csv)</translation>
     </message>
     <message>
-        <source>There are no numbers to save: this plot shows nothing here.</source>
-        <translation>Es gibt keine Zahlen zu speichern: Dieses Diagramm zeigt hier nichts.</translation>
+        <source>There are no numbers to save, because this plot is empty. Play the run first.</source>
+        <translation>Es gibt keine Zahlen zu speichern, denn dieses Diagramm ist leer. Spiel erst den Lauf ab.</translation>
     </message>
     <message>
-        <source>Left off: nothing was saved.</source>
+        <source>Cancelled: nothing was saved.</source>
         <translation>Abgebrochen: Nichts wurde gespeichert.</translation>
     </message>
     <message>
-        <source>All that is counted or measured here, with all digits</source>
-        <translation>Alles, was hier gezählt oder gemessen ist, mit allen Stellen</translation>
+        <source>All values that are counted or measured here, with all digits</source>
+        <translation>Alle Werte, die hier gezählt oder gemessen sind, mit allen Stellen</translation>
     </message>
     <message>
-        <source>The numbers were not saved as %1: %2. Choose another folder, or make room.</source>
-        <translation>Die Zahlen wurden nicht als %1 gespeichert: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
+        <source>Could not save the numbers as %1: %2. Choose another folder, or free some disk space.</source>
+        <translation>Die Zahlen ließen sich nicht als %1 speichern: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
     </message>
 </context>
 <context>
@@ -5892,19 +5715,19 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Ein Diagramm hinzufügen</translation>
     </message>
     <message>
-        <source>Nothing is plotted. &lt;b&gt;Add&lt;/b&gt;, above, has curves to begin with: how far down a body is, how fast it goes, or one quantity against another.</source>
-        <translation>Es gibt noch kein Diagramm. &lt;b&gt;Neu&lt;/b&gt;, oben, hat Kurven für den Anfang: wie tief ein Körper ist, wie schnell er geht, oder eine Größe über einer anderen.</translation>
+        <source>There is no plot yet. &lt;b&gt;Add&lt;/b&gt;, above, has curves to start with: the position of a body, its speed, or one quantity against another.</source>
+        <translation>Es gibt noch kein Diagramm. &lt;b&gt;Neu&lt;/b&gt;, oben, hat Kurven für den Anfang: die Position eines Körpers, sein Tempo oder eine Größe über einer anderen.</translation>
     </message>
     <message>
-        <source>How much of the numbers is written</source>
-        <translation>Wie viel von den Zahlen geschrieben ist</translation>
+        <source>Progress of saving</source>
+        <translation>Fortschritt des Speicherns</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Leave off; nothing is saved then</source>
+        <source>Cancel; nothing is saved then</source>
         <translation>Abbrechen; dann wird nichts gespeichert</translation>
     </message>
     <message>
@@ -5932,8 +5755,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Drehtempo über Winkel</translation>
     </message>
     <message>
-        <source>Anything else: add one, and choose what it shows</source>
-        <translation>Alles andere: eines hinzufügen und wählen, was es zeigt</translation>
+        <source>For anything else, add a plot and choose what it shows</source>
+        <translation>Für alles andere: ein Diagramm hinzufügen und wählen, was es zeigt</translation>
     </message>
     <message>
         <source>The names above a plot are menus</source>
@@ -5949,14 +5772,21 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::Presentation</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
     <name>app::PresetGallery</name>
     <message>
         <source>Presets</source>
         <translation>Beispiele</translation>
     </message>
     <message>
-        <source>%1 Starts this step anew.</source>
-        <translation>%1 Beginnt diesen Schritt neu.</translation>
+        <source>%1 Restarts this step.</source>
+        <translation>%1 Startet diesen Schritt neu.</translation>
     </message>
 </context>
 <context>
@@ -5966,7 +5796,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>%1 Von %2 bis %3.</translation>
     </message>
     <message>
-        <source>differ</source>
+        <source>different</source>
         <translation>verschieden</translation>
     </message>
     <message>
@@ -5989,8 +5819,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>… und %1 weitere</translation>
     </message>
     <message>
-        <source>Select one in the picture, then keep the plot to it</source>
-        <translation>Wähle einen in der Szene, und lass das Diagramm dann bei ihm bleiben</translation>
+        <source>Select one in the picture, then pin the plot to it</source>
+        <translation>Wähle einen in der Szene aus, und hefte das Diagramm dann an ihn an</translation>
     </message>
     <message>
         <source>distance to</source>
@@ -6024,8 +5854,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>%1: %2 bei Bild %3</translation>
     </message>
     <message>
-        <source>Play, or step a frame: then a curve begins here.</source>
-        <translation>Spiele ab, oder geh ein Bild weiter: Dann beginnt hier eine Kurve.</translation>
+        <source>Play, or step one frame, to start a curve here.</source>
+        <translation>Spiele ab, oder geh ein Bild weiter, damit hier eine Kurve beginnt.</translation>
     </message>
     <message>
         <source>frame</source>
@@ -6045,346 +5875,305 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
-    <name>app::RemedySearch</name>
-    <message>
-        <source>Computes the run again with that, up to this frame. What you did is kept, and the old run stays as a ghost.</source>
-        <translation>Berechnet den Lauf damit noch einmal, bis zu diesem Bild. Was du getan hast, bleibt, und der alte Lauf bleibt als Geist.</translation>
-    </message>
-    <message>
-        <source>Not tried out: that would take long.</source>
-        <translation>Nicht ausprobiert: Das würde lange dauern.</translation>
-    </message>
-    <message numerus="yes">
-        <source>Tried out: it holds for %n frames.</source>
-        <translation>
-            <numerusform>Ausprobiert: Es hält %n Bild lang.</numerusform>
-            <numerusform>Ausprobiert: Es hält %n Bilder lang.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>app::RunPlot</name>
-    <message>
-        <source>Error over the run</source>
-        <translation>Fehler über den Lauf</translation>
-    </message>
-    <message>
-        <source>frame</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>how far off, px</source>
-        <translation>Abweichung, px</translation>
-    </message>
-    <message>
-        <source>← more exact</source>
-        <translation>← genauer</translation>
-    </message>
-    <message>
-        <source>Frame %1: %2 off</source>
-        <translation>Bild %1: %2 Abweichung</translation>
-    </message>
-</context>
-<context>
-    <name>app::RunsMenu</name>
-    <message>
-        <source>Other r&amp;uns</source>
-        <translation>An&amp;dere Läufe</translation>
-    </message>
-    <message>
-        <source>No other run yet</source>
-        <translation>Noch kein anderer Lauf</translation>
-    </message>
-    <message>
-        <source>Go back in time and change something: the run as it was stays as another run.</source>
-        <translation>Geh in der Zeit zurück und ändere etwas: Der Lauf, wie er war, bleibt als anderer Lauf.</translation>
-    </message>
-    <message>
-        <source>Show none &amp;beside</source>
-        <translation>&amp;Keinen daneben zeigen</translation>
-    </message>
-    <message>
-        <source>Only this run is seen; the others stay in this menu</source>
-        <translation>Nur dieser Lauf ist zu sehen; die anderen bleiben in diesem Menü</translation>
-    </message>
-    <message>
-        <source>&amp;Compare in numbers</source>
-        <translation>In &amp;Zahlen vergleichen</translation>
-    </message>
-    <message>
-        <source>How far the two runs are apart, frame by frame</source>
-        <translation>Wie weit die zwei Läufe auseinander sind, Bild für Bild</translation>
-    </message>
-    <message>
-        <source>&amp;Show beside</source>
-        <translation>&amp;Daneben zeigen</translation>
-    </message>
-    <message>
-        <source>As a ghost in the picture, and as dots in the timeline</source>
-        <translation>Als Geist in der Szene und als Punkte in der Zeitleiste</translation>
-    </message>
-    <message>
-        <source>&amp;Go back to it</source>
-        <translation>&amp;Zu ihm zurückgehen</translation>
-    </message>
-    <message>
-        <source>It is the run again, exactly as it was; this run becomes another run</source>
-        <translation>Er ist wieder der Lauf, genau wie er war; dieser wird ein anderer Lauf</translation>
-    </message>
-    <message>
-        <source>&amp;Keep</source>
-        <translation>&amp;Behalten</translation>
-    </message>
-    <message>
-        <source>It stays until you delete it. Of those that are not kept, the last %1 stay.</source>
-        <translation>Er bleibt, bis du ihn löschst. Von denen, die du nicht behältst, bleiben die letzten %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Rename…</source>
-        <translation>&amp;Umbenennen …</translation>
-    </message>
-    <message>
-        <source>Give this run a name of your own</source>
-        <translation>Diesem Lauf einen eigenen Namen geben</translation>
-    </message>
-    <message>
-        <source>&amp;Delete</source>
-        <translation>&amp;Löschen</translation>
-    </message>
-    <message>
-        <source>It is gone, unless you undo this</source>
-        <translation>Er ist weg, es sei denn, du machst das rückgängig</translation>
-    </message>
-</context>
-<context>
-    <name>app::SceneBar</name>
-    <message>
-        <source>How the run is computed from one step to the next</source>
-        <translation>Wie der Lauf von einem Zeitschritt zum nächsten berechnet wird</translation>
-    </message>
-    <message>
-        <source>How much time one step of the method covers</source>
-        <translation>Wie viel Zeit ein Zeitschritt des Verfahrens umfasst</translation>
-    </message>
-    <message>
-        <source>What the picture shows besides the creature</source>
-        <translation>Was die Szene außer der Figur zeigt</translation>
-    </message>
-    <message>
-        <source>Zoom to 100&#x2009;%</source>
-        <translation>Auf 100&#x2009;% zoomen</translation>
-    </message>
-    <message>
-        <source>Show the whole stage with all bodies, and stay with them (Ctrl+0)</source>
-        <translation>Die ganze Bühne mit allen Körpern zeigen und bei ihnen bleiben (Strg+0)</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Fit</source>
-        <translation>Einpassen</translation>
-    </message>
-    <message>
-        <source>The error that each of the method&apos;s own steps may make</source>
-        <translation>Der Fehler, den jeder eigene Zeitschritt des Verfahrens machen darf</translation>
-    </message>
-    <message>
-        <source>Trails</source>
-        <translation>Spuren</translation>
-    </message>
-    <message>
-        <source>Velocity arrows</source>
-        <translation>Geschwindigkeitspfeile</translation>
-    </message>
-    <message>
-        <source>Grid</source>
-        <translation>Gitter</translation>
-    </message>
-    <message>
-        <source>Explaining lines</source>
-        <translation>Erklärende Linien</translation>
-    </message>
-    <message>
-        <source>Eyes</source>
-        <translation>Augen</translation>
-    </message>
-    <message>
-        <source>Ghost</source>
-        <translation>Geist</translation>
-    </message>
-    <message>
-        <source>Onion skins</source>
-        <translation>Zwiebelschalen</translation>
-    </message>
-    <message>
-        <source>Reference</source>
-        <translation>Referenz</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Verfahren</translation>
-    </message>
-    <message>
-        <source>Tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
-        <source>Step</source>
-        <translation>Zeitschritt</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;%</source>
-        <translation>%1&#x2009;%</translation>
-    </message>
-    <message>
-        <source>Zoom %1</source>
-        <translation>Zoom %1</translation>
-    </message>
-    <message>
-        <source>Pulls of all forces</source>
-        <translation>Züge aller Kräfte</translation>
-    </message>
-    <message>
-        <source>Ruler</source>
-        <translation>Lineal</translation>
-    </message>
-    <message>
-        <source>Clock</source>
-        <translation>Uhr</translation>
-    </message>
-    <message>
-        <source>Rest lengths</source>
-        <translation>Ruhelängen</translation>
-    </message>
-</context>
-<context>
-    <name>app::SceneCard</name>
-    <message>
-        <source>Done: all there is to try here. Page Down opens the next step.</source>
-        <translation>Fertig: alles, was es hier zu probieren gibt. Bild ab öffnet den nächsten Schritt.</translation>
-    </message>
-    <message>
-        <source>Done: all there is to try here.</source>
-        <translation>Fertig: alles, was es hier zu probieren gibt.</translation>
-    </message>
+    <name>app::RecoveryList</name>
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
-</context>
-<context>
-    <name>app::SceneKeeper</name>
     <message>
-        <source>the folder %1 cannot be made</source>
-        <translation>der Ordner %1 lässt sich nicht anlegen</translation>
+        <source>%1: %2 (not installed)</source>
+        <translation>%1: %2 (nicht installiert)</translation>
     </message>
     <message>
-        <source>no file can be locked in %1</source>
-        <translation>in %1 lässt sich keine Datei sperren</translation>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>What you do is not kept against a crash: %1. Make room there, or save as a file.</source>
-        <translation>Was du tust, ist nicht gegen einen Absturz gesichert: %1. Schaffe dort Platz, oder speichere in eine Datei.</translation>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
-</context>
-<context>
-    <name>app::SceneView</name>
     <message>
-        <source>%1: outside of the picture. Click, or press O, to bring it into view.</source>
-        <translation>%1: außerhalb des Bildes. Ein Klick oder die Taste O holt es ins Bild.</translation>
+        <source>Recover scenes</source>
+        <translation>Szenen wiederherstellen</translation>
+    </message>
+    <message>
+        <source>These scenes were not saved. Recover one to continue with it.</source>
+        <translation>Diese Szenen wurden nicht gespeichert. Stell eine wieder her, um damit weiterzumachen.</translation>
     </message>
     <message>
         <source>Scene</source>
         <translation>Szene</translation>
     </message>
     <message>
-        <source>Beside it: %1</source>
-        <translation>Daneben: %1</translation>
+        <source>Frames</source>
+        <translation>Bilder</translation>
     </message>
     <message>
-        <source>frame %1 = %2&#x2009;s</source>
-        <translation>Bild %1 = %2&#x2009;s</translation>
+        <source>Last changed</source>
+        <translation>Zuletzt geändert</translation>
     </message>
     <message>
-        <source>Only a look: this is frame %1.</source>
-        <translation>Nur ein Blick: Das ist Bild %1.</translation>
+        <source>Scenes that were not saved</source>
+        <translation>Szenen, die nicht gespeichert wurden</translation>
     </message>
     <message>
-        <source>Only a look. %1</source>
-        <translation>Nur ein Blick. %1</translation>
+        <source>Continue with the selected scene (Return)</source>
+        <translation>Mit der ausgewählten Szene weitermachen (Eingabe)</translation>
     </message>
     <message>
-        <source>The hand of the recorded run is at %1, %2</source>
-        <translation>Die Hand des aufgezeichneten Laufs ist bei %1, %2</translation>
+        <source>Delete the selected scene for good (Del)</source>
+        <translation>Die ausgewählte Szene endgültig löschen (Entf)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Keep them all for later (Esc)</source>
+        <translation>Alle für später behalten (Esc)</translation>
+    </message>
+    <message>
+        <source>damaged</source>
+        <translation>beschädigt</translation>
     </message>
 </context>
 <context>
-    <name>app::Session</name>
+    <name>app::RecoveryPrompt</name>
     <message>
-        <source>your hand</source>
-        <translation>deine Hand</translation>
+        <source>“%1: %2”</source>
+        <translation>„%1: %2“</translation>
     </message>
     <message>
-        <source>before: %1</source>
-        <translation>vorher: %1</translation>
+        <source>Springstep did not close normally. Your scene of %1 from %2 can be recovered.</source>
+        <translation>Springstep wurde nicht normal beendet. Deine Szene zu %1 (%2) lässt sich wiederherstellen.</translation>
     </message>
     <message>
-        <source>the pointer</source>
-        <translation>der Zeiger</translation>
+        <source>Your scene of %1 from %2 was not saved. It can be recovered.</source>
+        <translation>Deine Szene zu %1 (%2) wurde nicht gespeichert. Sie lässt sich wiederherstellen.</translation>
     </message>
     <message>
-        <source>the target</source>
-        <translation>das Ziel</translation>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>the keys</source>
-        <translation>die Tasten</translation>
+        <source>Continue with this scene</source>
+        <translation>Mit dieser Szene weitermachen</translation>
     </message>
     <message>
-        <source>%1 off</source>
-        <translation>%1 aus</translation>
+        <source>Delete</source>
+        <translation>Löschen</translation>
     </message>
     <message>
-        <source>%1 on</source>
-        <translation>%1 an</translation>
+        <source>Delete this scene for good</source>
+        <translation>Diese Szene endgültig löschen</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
+        <source>Springstep did not close normally. %1 unsaved scenes can be recovered.</source>
+        <translation>Springstep wurde nicht normal beendet. %1 ungespeicherte Szenen lassen sich wiederherstellen.</translation>
     </message>
     <message>
-        <source>Too much to compute for 30 frames a second: it plays slower than that. The run stays the same.</source>
-        <translation>Zu viel zu berechnen für 30 Bilder pro Sekunde: Es läuft langsamer ab. Der Lauf bleibt derselbe.</translation>
+        <source>%1 unsaved scenes can be recovered.</source>
+        <translation>%1 ungespeicherte Szenen lassen sich wiederherstellen.</translation>
     </message>
     <message>
-        <source>Start afresh</source>
-        <translation>Neu beginnen</translation>
+        <source>Show them</source>
+        <translation>Anzeigen</translation>
     </message>
     <message>
-        <source>undone: %1</source>
-        <translation>rückgängig: %1</translation>
+        <source>Shows a list, from which each can be recovered or deleted</source>
+        <translation>Zeigt eine Liste, aus der man jede wiederherstellen oder löschen kann</translation>
     </message>
     <message>
-        <source>Undone: %1.</source>
-        <translation>Rückgängig: %1.</translation>
+        <source>There is no scene to recover.</source>
+        <translation>Es gibt keine Szene zum Wiederherstellen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::RemedySearch</name>
+    <message>
+        <source>Computes the run again with this change, up to this frame. Your input is kept, and the old run stays as a ghost.</source>
+        <translation>Berechnet den Lauf mit dieser Änderung noch einmal, bis zu diesem Bild. Deine Eingaben bleiben, und der alte Lauf bleibt als Geist.</translation>
     </message>
     <message>
-        <source>The run as it was stays beside this one, as “%1”.</source>
-        <translation>Der Lauf, wie er war, bleibt neben diesem, als „%1“.</translation>
+        <source>Not tested: that would take too long.</source>
+        <translation>Nicht geprüft: Das würde zu lange dauern.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Tested: it is stable for %n frames.</source>
+        <translation>
+            <numerusform>Geprüft: %n Bild lang stabil.</numerusform>
+            <numerusform>Geprüft: %n Bilder lang stabil.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>app::RunCommands</name>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Abspielen oder anhalten</translation>
     </message>
     <message>
-        <source>after: %1</source>
-        <translation>nachher: %1</translation>
+        <source>Next &amp;frame</source>
+        <translation>Nächstes &amp;Bild</translation>
     </message>
     <message>
-        <source>Computing “%1” again: frame %2 of %3. Esc stops.</source>
-        <translation>„%1“ wird noch einmal berechnet: Bild %2 von %3. Esc hält an.</translation>
+        <source>Frame &amp;back</source>
+        <translation>Bild &amp;zurück</translation>
     </message>
     <message>
-        <source>Stopped: “%1” is not shown. It can be shown again from “Runs”.</source>
-        <translation>Angehalten: „%1“ ist nicht zu sehen. Über „Läufe“ lässt er sich wieder zeigen.</translation>
+        <source>&amp;Next phase</source>
+        <translation>&amp;Nächste Phase</translation>
+    </message>
+    <message>
+        <source>P&amp;hase back</source>
+        <translation>&amp;Phase zurück</translation>
+    </message>
+    <message>
+        <source>Re&amp;start</source>
+        <translation>Neu s&amp;tarten</translation>
+    </message>
+    <message>
+        <source>Repea&amp;t the run with the same input</source>
+        <translation>Den Lauf mit denselben Eingaben wieder&amp;holen</translation>
+    </message>
+    <message>
+        <source>To th&amp;e last computed frame</source>
+        <translation>Zum l&amp;etzten berechneten Bild</translation>
+    </message>
+    <message>
+        <source>Go to frame…</source>
+        <translation>Zu Bild gehen …</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>Faste&amp;r</source>
+        <translation>S&amp;chneller</translation>
+    </message>
+    <message>
+        <source>Reset run &amp;and parameters</source>
+        <translation>La&amp;uf und Parameter zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Delete the &amp;old run</source>
+        <translation>Alten Lauf lö&amp;schen</translation>
+    </message>
+    <message>
+        <source>Choose another run…</source>
+        <translation>Anderen Lauf wählen …</translation>
+    </message>
+    <message>
+        <source>&amp;Compare two runs</source>
+        <translation>Z&amp;wei Läufe vergleichen</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt step</source>
+        <translation>Nächster Sch&amp;ritt</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious step</source>
+        <translation>Vor&amp;iger Schritt</translation>
+    </message>
+    <message>
+        <source>One phase forward</source>
+        <translation>Eine Phase weiter</translation>
+    </message>
+    <message>
+        <source>One phase back</source>
+        <translation>Eine Phase zurück</translation>
+    </message>
+    <message>
+        <source>Go to a frame</source>
+        <translation>Zu einem Bild gehen</translation>
+    </message>
+    <message>
+        <source>The distance between the two runs, frame by frame</source>
+        <translation>Der Abstand der zwei Läufe, Bild für Bild</translation>
+    </message>
+    <message>
+        <source>This is frame 0, the first frame.</source>
+        <translation>Das ist Bild 0, das erste Bild.</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>One frame forward</source>
+        <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Hier anhalten</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>%1 repeats this run instead, with the same input.</source>
+        <translation>%1 wiederholt stattdessen diesen Lauf, mit denselben Eingaben.</translation>
+    </message>
+    <message>
+        <source>Other runs: none yet</source>
+        <translation>Andere Läufe: noch keiner</translation>
+    </message>
+    <message>
+        <source>Other runs: one</source>
+        <translation>Andere Läufe: einer</translation>
+    </message>
+    <message>
+        <source>Other runs: %1</source>
+        <translation>Andere Läufe: %1</translation>
+    </message>
+    <message>
+        <source>To the start of this frame</source>
+        <translation>Zum Anfang dieses Bildes</translation>
+    </message>
+    <message>
+        <source>To the end of this frame</source>
+        <translation>Zum Ende dieses Bildes</translation>
+    </message>
+    <message>
+        <source>Starts a new run from frame 0, with the current parameters.</source>
+        <translation>Startet einen neuen Lauf ab Bild 0, mit den jetzigen Parametern.</translation>
+    </message>
+    <message>
+        <source>Go back in time and change something: the old run then appears here.</source>
+        <translation>Geh in der Zeit zurück und ändere etwas: Der alte Lauf erscheint dann hier.</translation>
+    </message>
+</context>
+<context>
+    <name>app::RunEditor</name>
+    <message>
+        <source>The old run stays beside this one as “%1”.</source>
+        <translation>Der alte Lauf bleibt als „%1“ neben diesem.</translation>
+    </message>
+    <message>
+        <source>Choose “%1”</source>
+        <translation>„%1“ wählen</translation>
+    </message>
+    <message>
+        <source>Reset run and parameters</source>
+        <translation>Lauf und Parameter zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Restart</source>
+        <translation>Neu starten</translation>
+    </message>
+    <message>
+        <source>the restart</source>
+        <translation>Neustart</translation>
+    </message>
+    <message>
+        <source>A new run. The old one is in “Runs”; Undo (Ctrl+Z) brings it back.</source>
+        <translation>Ein neuer Lauf. Der alte steht in „Läufe“; Rückgängig (Strg+Z) bringt ihn zurück.</translation>
     </message>
     <message>
         <source>the first run</source>
@@ -6395,28 +6184,16 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zurück zu „%1“</translation>
     </message>
     <message>
-        <source>This is “%1” again. The run that you left is a branch now.</source>
-        <translation>Das ist wieder „%1“. Der Lauf, den du verlassen hast, ist jetzt einer der anderen Läufe.</translation>
+        <source>“%1” is the current run again. The run that you left is now in “Runs”.</source>
+        <translation>„%1“ ist wieder der aktuelle Lauf. Der Lauf, den du verlassen hast, steht jetzt in „Läufe“.</translation>
     </message>
     <message>
-        <source>Keep run</source>
-        <translation>Lauf behalten</translation>
+        <source>Undone: %1.</source>
+        <translation>Rückgängig: %1.</translation>
     </message>
     <message>
-        <source>Stop keeping run</source>
-        <translation>Lauf nicht mehr behalten</translation>
-    </message>
-    <message>
-        <source>Rename run</source>
-        <translation>Lauf umbenennen</translation>
-    </message>
-    <message>
-        <source>Delete run</source>
-        <translation>Lauf löschen</translation>
-    </message>
-    <message>
-        <source>Drag %1</source>
-        <translation>%1 ziehen</translation>
+        <source>Redone: %1.</source>
+        <translation>Wiederholt: %1.</translation>
     </message>
     <message>
         <source>Change %1</source>
@@ -6443,731 +6220,232 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>einer Abhilfe</translation>
     </message>
     <message>
-        <source>Move pointer</source>
-        <translation>Zeiger bewegen</translation>
+        <source>%1 off</source>
+        <translation>%1 aus</translation>
     </message>
     <message>
-        <source>Set target</source>
-        <translation>Ziel setzen</translation>
-    </message>
-    <message>
-        <source>Press arrow keys</source>
-        <translation>Pfeiltasten drücken</translation>
-    </message>
-    <message>
-        <source>Choose “%1”</source>
-        <translation>„%1“ wählen</translation>
-    </message>
-    <message>
-        <source>Redone: %1.</source>
-        <translation>Wiederholt: %1.</translation>
-    </message>
-    <message>
-        <source>Restart</source>
-        <translation>Neu starten</translation>
-    </message>
-    <message>
-        <source>the restart</source>
-        <translation>Neustart</translation>
-    </message>
-    <message>
-        <source>A fresh run. The run as it was is under “Runs”, and undo (Ctrl+Z) brings it back.</source>
-        <translation>Ein frischer Lauf. Der Lauf von vorher steht unter „Läufe“, und Rückgängig (Strg+Z) bringt ihn zurück.</translation>
-    </message>
-    <message>
-        <source>Time runs while your hand moves things. Space stops it.</source>
-        <translation>Die Zeit läuft, während deine Hand etwas bewegt. Die Leertaste hält sie an.</translation>
-    </message>
-    <message>
-        <source>Time stands still. Space lets it run from here.</source>
-        <translation>Die Zeit steht still. Die Leertaste lässt sie von hier aus laufen.</translation>
+        <source>%1 on</source>
+        <translation>%1 an</translation>
     </message>
 </context>
 <context>
-    <name>app::SpeedButton</name>
+    <name>app::RunPlot</name>
     <message>
-        <source>Playing speed (− and +). It never changes the step</source>
-        <translation>Abspieltempo (− und +). Den Zeitschritt ändert es nie</translation>
+        <source>Error over the run</source>
+        <translation>Fehler über den Lauf</translation>
     </message>
     <message>
-        <source>%1×</source>
-        <translation>%1×</translation>
+        <source>frame</source>
+        <translation>Bild</translation>
     </message>
     <message>
-        <source>Playing speed %1, %2</source>
-        <translation>Abspieltempo %1, %2</translation>
+        <source>error, px</source>
+        <translation>Fehler, px</translation>
     </message>
     <message>
-        <source>%1 frames/s</source>
-        <translation>%1 Bilder/s</translation>
-    </message>
-</context>
-<context>
-    <name>app::SpotPlot</name>
-    <message>
-        <source>Points: %1. Arrow keys walk through them, Enter uses one.</source>
-        <translation>Punkte: %1. Pfeiltasten gehen durch sie hindurch, Eingabe verwendet einen.</translation>
-    </message>
-</context>
-<context>
-    <name>app::StabilityGauge</name>
-    <message>
-        <source>Stability</source>
-        <translation>Stabilität</translation>
-    </message>
-    <message>
-        <source>Click for the reasons, and for what would mend it (Ctrl+L).</source>
-        <translation>Ein Klick zeigt die Gründe und was helfen würde (Strg+L).</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;% of the limit</source>
-        <translation>%1&#x2009;% der Grenze</translation>
-    </message>
-    <message>
-        <source>Looking at frame %1: %2</source>
-        <translation>Ein Blick auf Bild %1: %2</translation>
-    </message>
-</context>
-<context>
-    <name>app::StabilityPanel</name>
-    <message>
-        <source>Stability</source>
-        <translation>Stabilität</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
-        <source>Close, and show what was here before (Ctrl+L)</source>
-        <translation>Schließen und zeigen, was vorher hier war (Strg+L)</translation>
-    </message>
-    <message>
-        <source>What would help</source>
-        <translation>Was helfen würde</translation>
-    </message>
-    <message>
-        <source>Map</source>
-        <translation>Karte</translation>
-    </message>
-    <message>
-        <source>Stiffness and step</source>
-        <translation>k und Zeitschritt</translation>
-    </message>
-    <message>
-        <source>Which stiffness and which step hold, all else as it is; again to close</source>
-        <translation>Welche Steifigkeit und welcher Zeitschritt halten, alles andere wie jetzt; noch einmal, um zu schließen</translation>
-    </message>
-    <message>
-        <source>Stiffness and damping</source>
-        <translation>k und Dämpfung</translation>
-    </message>
-    <message>
-        <source>Which stiffness and which damping hold, all else as it is; again to close</source>
-        <translation>Welche Steifigkeit und welche Dämpfung halten, alles andere wie jetzt; noch einmal, um zu schließen</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>There is no map for this step: it has no stiffness k to change.</source>
-        <translation>Für diesen Schritt gibt es keine Karte: Er hat keine Steifigkeit k, die man ändern könnte.</translation>
-    </message>
-    <message>
-        <source>There is no map here: no springs act, so any stiffness and any step hold.</source>
-        <translation>Hier gibt es keine Karte: Es wirkt keine Feder, also hält jede Steifigkeit und jeder Zeitschritt.</translation>
-    </message>
-    <message>
-        <source>There is no map for this method: no stiffness is too much for its step.</source>
-        <translation>Für dieses Verfahren gibt es keine Karte: Keine Steifigkeit ist zu viel für seinen Zeitschritt.</translation>
-    </message>
-</context>
-<context>
-    <name>app::StatusFigures</name>
-    <message>
-        <source>How many points the scene has: each body, foot or joint is one</source>
-        <translation>Wie viele Punkte die Szene hat: Jeder Körper, jeder Fuß und jedes Gelenk ist einer</translation>
-    </message>
-    <message>
-        <source>How often a frame computes all forces: that is its work</source>
-        <translation>Wie oft ein Bild alle Kräfte berechnet: Das ist seine Arbeit</translation>
-    </message>
-    <message>
-        <source>What computing a frame of this scene takes on this machine, in the middle of many runs</source>
-        <translation>Was es auf diesem Rechner kostet, ein Bild dieser Szene zu berechnen, im Mittel vieler Läufe</translation>
-    </message>
-    <message>
-        <source>How far the body that is worst off ever is from the exact motion, over these frames</source>
-        <translation>Wie weit der ungenaueste Körper in diesen Bildern höchstens von der exakten Bewegung abweicht</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 Punkt</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
-    </message>
-    <message>
-        <source>%1 a frame</source>
-        <translation>%1 pro Bild</translation>
-    </message>
-    <message>
-        <source>%1 off over %2 frames</source>
-        <translation>%1 daneben in %2 Bildern</translation>
-    </message>
-    <message>
-        <source>forces once a frame</source>
-        <translation>Kräfte einmal/Bild</translation>
-    </message>
-    <message>
-        <source>forces %1 times a frame</source>
-        <translation>Kräfte %1-mal/Bild</translation>
-    </message>
-    <message>
-        <source>forces %1 times a frame until now</source>
-        <translation>Kräfte bisher %1-mal/Bild</translation>
-    </message>
-</context>
-<context>
-    <name>app::StatusLine</name>
-    <message>
-        <source>A look inside frame %1. The run stays where it is.</source>
-        <translation>Ein Blick in Bild %1 hinein. Der Lauf bleibt, wo er ist.</translation>
-    </message>
-    <message>
-        <source>A look at frame %1. The run stays at frame %2.</source>
-        <translation>Ein Blick auf Bild %1. Der Lauf bleibt bei Bild %2.</translation>
-    </message>
-    <message>
-        <source>Everything rests. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
-        <translation>Alles ruht. Fass etwas an, oder drück die &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
-    </message>
-    <message>
-        <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
-        <translation>Läuft. Drück die &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
-    </message>
-    <message>
-        <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
-        <translation>Innerhalb von Bild %1, nach „%2“. &lt;b&gt;Umschalt+→&lt;/b&gt; nächste Phase, &lt;b&gt;→&lt;/b&gt; nächstes Bild.</translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
-        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
-    </message>
-</context>
-<context>
-    <name>app::StepMenu</name>
-    <message>
-        <source>Other:</source>
-        <translation>Andere:</translation>
-    </message>
-    <message>
-        <source>px</source>
-        <translation>px</translation>
-    </message>
-    <message>
-        <source>frames</source>
-        <translation>Bilder</translation>
-    </message>
-    <message>
-        <source>From 1e-13 to 100 px; Enter takes it</source>
-        <translation>Von 1e-13 bis 100 px; Eingabe übernimmt</translation>
-    </message>
-    <message>
-        <source>1 divided by a whole number, or a whole number, in frames; Enter takes it</source>
-        <translation>1 geteilt durch eine ganze Zahl oder eine ganze Zahl, in Bildern; Eingabe übernimmt</translation>
-    </message>
-    <message>
-        <source>Other tolerance, in px</source>
-        <translation>Andere Toleranz, in px</translation>
-    </message>
-    <message>
-        <source>Other step, in frames</source>
-        <translation>Anderer Zeitschritt, in Bildern</translation>
-    </message>
-</context>
-<context>
-    <name>app::StopList</name>
-    <message>
-        <source>when</source>
-        <translation>wenn</translation>
-    </message>
-    <message>
-        <source>Stop when</source>
-        <translation>Anhalten, wenn</translation>
-    </message>
-    <message>
-        <source>Stops the run as soon as this comes true, also inside a frame.
-There are x, y, vx, vy of bodies, frame, phase, and all parameters;
-+ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
-Enter adds it.</source>
-        <translation>Hält den Lauf an, sobald das wahr wird, auch innerhalb eines Bildes.
-Es gibt x, y, vx, vy von Körpern, frame, phase und alle Parameter;
-+ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
-Eingabe fügt es hinzu.</translation>
-    </message>
-    <message>
-        <source>always, or when…</source>
-        <translation>immer, oder wenn …</translation>
-    </message>
-    <message>
-        <source>Condition of the stop %1</source>
-        <translation>Bedingung des Haltepunkts %1</translation>
-    </message>
-    <message>
-        <source>Stops before this line&apos;s phase where this holds. Enter keeps what you typed.</source>
-        <translation>Hält vor der Phase dieser Zeile an, wo das gilt. Eingabe behält, was du getippt hast.</translation>
-    </message>
-    <message>
-        <source>Stops where this comes true. Enter keeps what you typed.</source>
-        <translation>Hält an, wo das wahr wird. Eingabe behält, was du getippt hast.</translation>
-    </message>
-    <message>
-        <source>Whether to stop before this line (%1)</source>
-        <translation>Ob vor dieser Zeile angehalten wird (%1)</translation>
-    </message>
-    <message>
-        <source>Whether to stop when this comes true</source>
-        <translation>Ob angehalten wird, wenn das wahr wird</translation>
-    </message>
-    <message>
-        <source>Stop %1 %2</source>
-        <translation>Haltepunkt %1 %2</translation>
-    </message>
-    <message>
-        <source>Take this stop away</source>
-        <translation>Diesen Haltepunkt entfernen</translation>
-    </message>
-    <message>
-        <source>Take the stop %1 %2 away</source>
-        <translation>Den Haltepunkt %1 %2 entfernen</translation>
-    </message>
-    <message>
-        <source>Stop when… (%1.y &gt; 300)</source>
-        <translation>Anhalten, wenn … (%1.y &gt; 300)</translation>
-    </message>
-</context>
-<context>
-    <name>app::StopNotice</name>
-    <message>
-        <source>Trying out what would mend it…</source>
-        <translation>Was würde es heilen? Wird ausprobiert …</translation>
-    </message>
-    <message>
-        <source>No smaller step and no other method was found to hold. Go back, and change what made it so.</source>
-        <translation>Kein kleinerer Zeitschritt und kein anderes Verfahren hielt stand. Geh zurück und ändere, was dazu geführt hat.</translation>
-    </message>
-</context>
-<context>
-    <name>app::SummaryPage</name>
-    <message>
-        <source>Back to the step</source>
-        <translation>Zurück zum Schritt</translation>
-    </message>
-    <message>
-        <source>%1: what you learnt</source>
-        <translation>%1: was du gelernt hast</translation>
-    </message>
-    <message>
-        <source>Next: %1</source>
-        <translation>Weiter: %1</translation>
-    </message>
-    <message>
-        <source>The last lesson</source>
-        <translation>Die letzte Lektion</translation>
-    </message>
-    <message>
-        <source>No lesson comes after this one.</source>
-        <translation>Danach kommt keine Lektion mehr.</translation>
-    </message>
-    <message>
-        <source>Bring the ticks back</source>
-        <translation>Häkchen zurückholen</translation>
-    </message>
-    <message>
-        <source>Start this lesson over</source>
-        <translation>Lektion neu beginnen</translation>
-    </message>
-    <message>
-        <source>Ticks everything again that was ticked before</source>
-        <translation>Hakt alles wieder ab, was vorher abgehakt war</translation>
-    </message>
-    <message>
-        <source>Takes its ticks away. They can be brought back.</source>
-        <translation>Nimmt ihre Häkchen weg. Sie lassen sich zurückholen.</translation>
-    </message>
-    <message>
-        <source>Nothing is ticked in this lesson yet.</source>
-        <translation>In dieser Lektion ist noch nichts abgehakt.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 things tried.</source>
-        <translation>%1 von %2 Dingen ausprobiert.</translation>
-    </message>
-    <message>
-        <source>Still to try: %1</source>
-        <translation>Noch auszuprobieren: %1</translation>
-    </message>
-    <message>
-        <source>**Next: %1.** %2</source>
-        <translation>**Weiter: %1.** %2</translation>
-    </message>
-</context>
-<context>
-    <name>app::TimelineStrip</name>
-    <message>
-        <source>%1: phase %2 of %3. Click to run to it.</source>
-        <translation>%1: Phase %2 von %3. Ein Klick läuft bis dorthin.</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
-        <source>Timeline</source>
-        <translation>Zeitleiste</translation>
-    </message>
-    <message>
-        <source>%1 other runs part from this one at frame %2. Click to choose one.</source>
-        <translation>%1 andere Läufe zweigen bei Bild %2 von diesem ab. Ein Klick, um einen zu wählen.</translation>
-    </message>
-    <message>
-        <source>Another run: %1. Click to show it beside this one, right-click for more.</source>
-        <translation>Ein anderer Lauf: %1. Ein Klick zeigt ihn neben diesem, ein Rechtsklick mehr.</translation>
-    </message>
-    <message>
-        <source>Beside this run: %1. Right-click for what you can do with it.</source>
-        <translation>Neben diesem Lauf: %1. Ein Rechtsklick zeigt, was sich damit tun lässt.</translation>
-    </message>
-    <message>
-        <source>%1. Looking at: %2</source>
-        <translation>%1. Ein Blick auf: %2</translation>
-    </message>
-    <message>
-        <source>Left and Right: one frame. With Shift: one phase. Home: restart. With Shift: repeat the run. End: the last computed frame. Menu: the other runs.</source>
-        <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: neu starten. Mit Umschalt: den Lauf wiederholen. Ende: das letzte berechnete Bild. Menü: die anderen Läufe.</translation>
-    </message>
-</context>
-<context>
-    <name>app::Tour</name>
-    <message>
-        <source>Skip</source>
-        <translation>Überspringen</translation>
-    </message>
-    <message>
-        <source>Back</source>
-        <translation>Zurück</translation>
-    </message>
-    <message>
-        <source>Ends the tour (Esc). It is in the Help menu.</source>
-        <translation>Beendet den Rundgang (Esc). Er steht im Menü „Hilfe“.</translation>
-    </message>
-    <message>
-        <source>The card before</source>
-        <translation>Die Karte davor</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>Done</source>
-        <translation>Fertig</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
-        <source>Ends the tour (Enter)</source>
-        <translation>Beendet den Rundgang (Eingabe)</translation>
-    </message>
-    <message>
-        <source>The next card (Enter)</source>
-        <translation>Die nächste Karte (Eingabe)</translation>
-    </message>
-</context>
-<context>
-    <name>app::TransportBar</name>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
-        <source>Go to frame…</source>
-        <translation>Zu Bild gehen …</translation>
-    </message>
-    <message>
-        <source>going to %1… Esc stops</source>
-        <translation>geht zu %1 … Esc hält an</translation>
-    </message>
-    <message>
-        <source>going to %1…</source>
-        <translation>geht zu %1 …</translation>
-    </message>
-    <message>
-        <source>· %1</source>
-        <translation>· %1</translation>
-    </message>
-    <message>
-        <source>This is frame 0: nothing comes before it.</source>
-        <translation>Das ist Bild 0: Davor kommt nichts.</translation>
-    </message>
-    <message>
-        <source>Home</source>
-        <translation>Pos1</translation>
-    </message>
-    <message>
-        <source>One phase back</source>
-        <translation>Eine Phase zurück</translation>
-    </message>
-    <message>
-        <source>Shift+←</source>
-        <translation>Umschalt+←</translation>
-    </message>
-    <message>
-        <source>Back to the start of this frame</source>
-        <translation>Zurück zum Anfang dieses Bildes</translation>
-    </message>
-    <message>
-        <source>One frame back</source>
-        <translation>Ein Bild zurück</translation>
-    </message>
-    <message>
-        <source>←</source>
-        <translation>←</translation>
-    </message>
-    <message>
-        <source>On to the end of this frame</source>
-        <translation>Weiter zum Ende dieses Bildes</translation>
-    </message>
-    <message>
-        <source>One frame forward</source>
-        <translation>Ein Bild weiter</translation>
-    </message>
-    <message>
-        <source>→</source>
-        <translation>→</translation>
-    </message>
-    <message>
-        <source>One phase forward</source>
-        <translation>Eine Phase weiter</translation>
-    </message>
-    <message>
-        <source>Shift+→</source>
-        <translation>Umschalt+→</translation>
-    </message>
-    <message>
-        <source>Stop here</source>
-        <translation>Hier anhalten</translation>
-    </message>
-    <message>
-        <source>Esc</source>
-        <translation>Esc</translation>
-    </message>
-    <message>
-        <source>Pause</source>
-        <translation>Pause</translation>
-    </message>
-    <message>
-        <source>Play</source>
-        <translation>Abspielen</translation>
-    </message>
-    <message>
-        <source>Space</source>
-        <translation>Leertaste</translation>
-    </message>
-    <message>
-        <source>Other runs: none yet</source>
-        <translation>Andere Läufe: noch keiner</translation>
-    </message>
-    <message>
-        <source>Other runs: one</source>
-        <translation>Andere Läufe: einer</translation>
-    </message>
-    <message>
-        <source>Other runs: %1</source>
-        <translation>Andere Läufe: %1</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+R</source>
-        <translation>Strg+Umschalt+R</translation>
-    </message>
-    <message>
-        <source>Go back in time and change something: the run as it was stays, and is found here.</source>
-        <translation>Geh in der Zeit zurück und ändere etwas: Der Lauf, wie er war, bleibt und ist hier zu finden.</translation>
-    </message>
-    <message>
-        <source>· looking: %1</source>
-        <translation>· Blick: %1</translation>
-    </message>
-    <message>
-        <source>· looking at frame %1</source>
-        <translation>· Blick auf Bild %1</translation>
-    </message>
-    <message>
-        <source>· at %1</source>
-        <translation>· bei %1</translation>
-    </message>
-    <message>
-        <source>Restart</source>
-        <translation>Neu starten</translation>
-    </message>
-    <message>
-        <source>A fresh run from frame 0, with the parameters as they are now.</source>
-        <translation>Ein frischer Lauf ab Bild 0, mit den Parametern, wie sie jetzt sind.</translation>
-    </message>
-    <message>
-        <source>Shift+Home repeats this run instead, with all that was done in it.</source>
-        <translation>Umschalt+Pos1 wiederholt stattdessen diesen Lauf, mit allem, was darin getan wurde.</translation>
-    </message>
-</context>
-<context>
-    <name>app::TryBox</name>
-    <message>
-        <source>Hint: %1</source>
-        <translation>Tipp: %1</translation>
-    </message>
-    <message>
-        <source>Put the hint away</source>
-        <translation>Den Tipp weglegen</translation>
-    </message>
-    <message>
-        <source>Show a hint (H)</source>
-        <translation>Einen Tipp zeigen (H)</translation>
-    </message>
-    <message>
-        <source>Put the answer away</source>
-        <translation>Antwort weglegen</translation>
-    </message>
-    <message>
-        <source>Show the answer</source>
-        <translation>Antwort zeigen</translation>
-    </message>
-    <message>
-        <source>Answer: %1</source>
-        <translation>Antwort: %1</translation>
-    </message>
-    <message>
-        <source>**Still to do:** %1</source>
-        <translation>**Noch zu tun:** %1</translation>
-    </message>
-</context>
-<context>
-    <name>app::TryRow</name>
-    <message>
-        <source>Springstep ticks this when it sees you do it.</source>
-        <translation>Springstep hakt das ab, wenn es sieht, dass du es tust.</translation>
-    </message>
-    <message>
-        <source>%1 done</source>
-        <translation>%1 geschafft</translation>
-    </message>
-    <message>
-        <source>%1 not yet</source>
-        <translation>%1 noch nicht</translation>
-    </message>
-</context>
-<context>
-    <name>app::WhyButton</name>
-    <message>
-        <source>Fold the answer</source>
-        <translation>Antwort zuklappen</translation>
-    </message>
-    <message>
-        <source>Show the answer</source>
-        <translation>Antwort zeigen</translation>
-    </message>
-    <message>
-        <source>open</source>
-        <translation>aufgeklappt</translation>
-    </message>
-    <message>
-        <source>folded</source>
-        <translation>zugeklappt</translation>
-    </message>
-</context>
-<context>
-    <name>app::WordCard</name>
-    <message>
-        <source>Taught in</source>
-        <translation>Gelehrt in</translation>
-    </message>
-    <message>
-        <source>All words</source>
-        <translation>Alle Begriffe</translation>
-    </message>
-</context>
-<context>
-    <name>app::WorkPrecisionPlot</name>
-    <message>
-        <source>you are here</source>
-        <translation>du bist hier</translation>
-    </message>
-    <message>
-        <source>The front: nothing is
-as exact for less.</source>
-        <translation>Die Bestlinie: Nichts ist
-für weniger so genau.</translation>
-    </message>
-    <message>
-        <source>Error against time</source>
-        <translation>Fehler und Zeit</translation>
-    </message>
-    <message>
-        <source>time to compute a frame, µs</source>
-        <translation>Zeit zum Berechnen eines Bildes, µs</translation>
-    </message>
-    <message>
-        <source>forces computed a frame (times come next)</source>
-        <translation>berechnete Kräfte pro Bild (Zeiten folgen)</translation>
-    </message>
-    <message>
-        <source>how far off at most, px</source>
-        <translation>größte Abweichung, px</translation>
-    </message>
-    <message>
-        <source>← faster</source>
-        <translation>← schneller</translation>
-    </message>
-    <message>
-        <source>← more exact</source>
+        <source>← more accurate</source>
         <translation>← genauer</translation>
     </message>
     <message>
-        <source>A frame is on the screen
-for %1&#x2009;µs (30 a second)</source>
-        <translation>Ein Bild steht %1&#x2009;µs
-auf dem Schirm (30 pro Sekunde)</translation>
+        <source>Frame %1: error %2</source>
+        <translation>Bild %1: Fehler %2</translation>
     </message>
 </context>
 <context>
-    <name>app::Workbench</name>
+    <name>app::RunsMenu</name>
     <message>
-        <source>Building happens at the start of the run: press Home to go there.</source>
-        <translation>Gebaut wird am Anfang des Laufs: Drück Pos1, um dorthin zu gehen.</translation>
+        <source>Other r&amp;uns</source>
+        <translation>An&amp;dere Läufe</translation>
     </message>
     <message>
-        <source>There is no room for more of this kind: delete something first.</source>
-        <translation>Für mehr von dieser Art ist kein Platz: Lösche erst etwas.</translation>
+        <source>No other run yet</source>
+        <translation>Noch kein anderer Lauf</translation>
     </message>
     <message>
-        <source>This point is a foot already: it can be the foot of one body.</source>
-        <translation>Dieser Punkt ist schon ein Fuß: Er kann der Fuß eines einzigen Körpers sein.</translation>
+        <source>Go back in time and change something: the old run then stays as another run.</source>
+        <translation>Geh in der Zeit zurück und ändere etwas: Der alte Lauf bleibt dann als anderer Lauf.</translation>
     </message>
     <message>
-        <source>A scene needs at least one point that can move: leave one.</source>
-        <translation>Eine Szene braucht mindestens einen Punkt, der sich bewegen kann: Lass einen übrig.</translation>
+        <source>&amp;Hide the other run</source>
+        <translation>Den anderen Lauf &amp;verbergen</translation>
     </message>
     <message>
-        <source>There is no room for a copy of all that: choose fewer parts, or delete some first.</source>
-        <translation>Für eine Kopie von all dem ist kein Platz: Wähle weniger Teile oder lösche erst welche.</translation>
+        <source>Shows only this run; the others stay in this menu</source>
+        <translation>Zeigt nur diesen Lauf; die anderen bleiben in diesem Menü</translation>
+    </message>
+    <message>
+        <source>&amp;Compare in numbers</source>
+        <translation>In &amp;Zahlen vergleichen</translation>
+    </message>
+    <message>
+        <source>The distance between the two runs, frame by frame</source>
+        <translation>Der Abstand der zwei Läufe, Bild für Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Show beside</source>
+        <translation>&amp;Daneben zeigen</translation>
+    </message>
+    <message>
+        <source>As a ghost in the picture, and as dots in the timeline</source>
+        <translation>Als Geist in der Szene und als Punkte in der Zeitleiste</translation>
+    </message>
+    <message>
+        <source>&amp;Go back to it</source>
+        <translation>&amp;Zu ihm zurückgehen</translation>
+    </message>
+    <message>
+        <source>Makes it the current run again, exactly as it was; this run becomes another run</source>
+        <translation>Macht ihn wieder zum aktuellen Lauf, genau wie er war; dieser wird ein anderer Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Keeps this run until you delete it. Of the other runs, only the last %1 stay.</source>
+        <translation>Behält diesen Lauf, bis du ihn löschst. Von den anderen bleiben nur die letzten %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Rename…</source>
+        <translation>&amp;Umbenennen …</translation>
+    </message>
+    <message>
+        <source>Give this run another name</source>
+        <translation>Diesem Lauf einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Deletes this run; Undo brings it back</source>
+        <translation>Löscht diesen Lauf; Rückgängig bringt ihn zurück</translation>
+    </message>
+</context>
+<context>
+    <name>app::SandboxCommands</name>
+    <message>
+        <source>&amp;Take this scene to the sandbox</source>
+        <translation>Diese Szene in den Sandkasten überneh&amp;men</translation>
+    </message>
+    <message>
+        <source>&amp;Delete selection</source>
+        <translation>Auswahl &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Dup&amp;licate selection</source>
+        <translation>Auswahl &amp;verdoppeln</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Continue building this scene in the sandbox</source>
+        <translation>An dieser Szene im Sandkasten weiterbauen</translation>
+    </message>
+    <message>
+        <source>Select and move parts</source>
+        <translation>Teile auswählen und bewegen</translation>
+    </message>
+    <message>
+        <source>Select</source>
+        <translation>Auswahl</translation>
+    </message>
+    <message>
+        <source>Add points</source>
+        <translation>Punkte hinzufügen</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Add a body with a mass and a size</source>
+        <translation>Einen Körper mit Masse und Größe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Nail points down</source>
+        <translation>Punkte festnageln</translation>
+    </message>
+    <message>
+        <source>Nail</source>
+        <translation>Nagel</translation>
+    </message>
+    <message>
+        <source>Fix a point in place, or free it</source>
+        <translation>Einen Punkt an seinem Ort befestigen oder ihn lösen</translation>
+    </message>
+    <message>
+        <source>Add springs</source>
+        <translation>Federn hinzufügen</translation>
+    </message>
+    <message>
+        <source>Spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Connect two points with a spring, which pulls and pushes them to its length</source>
+        <translation>Zwei Punkte mit einer Feder verbinden, die sie auf ihre Länge zieht und schiebt</translation>
+    </message>
+    <message>
+        <source>Add sticks</source>
+        <translation>Stäbe hinzufügen</translation>
+    </message>
+    <message>
+        <source>Stick</source>
+        <translation>Stab</translation>
+    </message>
+    <message>
+        <source>Connect two points with a stick, which keeps its length</source>
+        <translation>Zwei Punkte mit einem Stab verbinden, der seine Länge behält</translation>
+    </message>
+    <message>
+        <source>Add feet</source>
+        <translation>Füße hinzufügen</translation>
+    </message>
+    <message>
+        <source>Foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Give a body a foot, at an angle from the body</source>
+        <translation>Einem Körper einen Fuß geben, in einem Winkel zum Körper</translation>
+    </message>
+    <message>
+        <source>The sandbox is not installed</source>
+        <translation>Der Sandkasten ist nicht installiert</translation>
+    </message>
+    <message>
+        <source>This scene is already in the sandbox</source>
+        <translation>Diese Szene ist schon im Sandkasten</translation>
+    </message>
+    <message>
+        <source>Select parts, and drag them to another place</source>
+        <translation>Teile auswählen und an einen anderen Ort ziehen</translation>
+    </message>
+</context>
+<context>
+    <name>app::SandboxEditor</name>
+    <message>
+        <source>You can only build at the start of the run. Press Home to go there.</source>
+        <translation>Bauen kannst du nur am Anfang des Laufs. Drück Pos1, um dorthin zu gehen.</translation>
+    </message>
+    <message>
+        <source>The scene has too many of this kind. Delete some first.</source>
+        <translation>Die Szene hat zu viele von dieser Art. Lösche erst welche.</translation>
+    </message>
+    <message>
+        <source>This point is already a foot, and a point can be the foot of only one body. Choose another point.</source>
+        <translation>Dieser Punkt ist schon ein Fuß, und ein Punkt kann nur der Fuß eines einzigen Körpers sein. Wähle einen anderen Punkt.</translation>
+    </message>
+    <message>
+        <source>A scene needs at least one point that can move. Leave one free.</source>
+        <translation>Eine Szene braucht mindestens einen Punkt, der sich bewegen kann. Lass einen übrig.</translation>
+    </message>
+    <message>
+        <source>With this copy, the scene would have too many parts. Select fewer parts, or delete some first.</source>
+        <translation>Mit dieser Kopie hätte die Szene zu viele Teile. Wähle weniger aus oder lösche erst welche.</translation>
     </message>
     <message>
         <source>%1 parts</source>
@@ -7224,6 +6502,745 @@ auf dem Schirm (30 pro Sekunde)</translation>
     <message>
         <source>Add gait group</source>
         <translation>Ganggruppe hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>app::SceneBar</name>
+    <message>
+        <source>How the run is computed from one step to the next</source>
+        <translation>Wie der Lauf von einem Zeitschritt zum nächsten berechnet wird</translation>
+    </message>
+    <message>
+        <source>How much time one step of the method covers</source>
+        <translation>Wie viel Zeit ein Zeitschritt des Verfahrens umfasst</translation>
+    </message>
+    <message>
+        <source>Choose what the picture shows besides the creature</source>
+        <translation>Auswählen, was die Szene außer der Figur zeigt</translation>
+    </message>
+    <message>
+        <source>Zoom to 100&#x2009;%</source>
+        <translation>Auf 100&#x2009;% zoomen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Trails</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Velocity arrows</source>
+        <translation>Geschwindigkeitspfeile</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Guide lines</source>
+        <translation>Hilfslinien</translation>
+    </message>
+    <message>
+        <source>Eyes</source>
+        <translation>Augen</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Geist</translation>
+    </message>
+    <message>
+        <source>Onion skins</source>
+        <translation>Zwiebelschalen</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Zeitschritt</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;%</source>
+        <translation>%1&#x2009;%</translation>
+    </message>
+    <message>
+        <source>Zoom %1</source>
+        <translation>Zoom %1</translation>
+    </message>
+    <message>
+        <source>All pulls</source>
+        <translation>Alle Züge</translation>
+    </message>
+    <message>
+        <source>Ruler</source>
+        <translation>Lineal</translation>
+    </message>
+    <message>
+        <source>Clock</source>
+        <translation>Uhr</translation>
+    </message>
+    <message>
+        <source>Rest lengths</source>
+        <translation>Ruhelängen</translation>
+    </message>
+    <message>
+        <source>The largest error that the method allows in each of its steps</source>
+        <translation>Der größte Fehler, den das Verfahren in jedem seiner Zeitschritte zulässt</translation>
+    </message>
+</context>
+<context>
+    <name>app::SceneCard</name>
+    <message>
+        <source>Done! You have tried everything here. Page Down opens the next step.</source>
+        <translation>Fertig! Du hast hier alles ausprobiert. Bild ab öffnet den nächsten Schritt.</translation>
+    </message>
+    <message>
+        <source>Done! You have tried everything here.</source>
+        <translation>Fertig! Du hast hier alles ausprobiert.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::SceneView</name>
+    <message>
+        <source>%1: outside of the picture. Click, or press O, to bring it into view.</source>
+        <translation>%1: außerhalb des Bildes. Ein Klick oder die Taste O holt es ins Bild.</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Beside it: %1</source>
+        <translation>Daneben: %1</translation>
+    </message>
+    <message>
+        <source>frame %1 = %2&#x2009;s</source>
+        <translation>Bild %1 = %2&#x2009;s</translation>
+    </message>
+    <message>
+        <source>The hand of the recorded run is at %1, %2</source>
+        <translation>Die Hand des aufgezeichneten Laufs ist bei %1, %2</translation>
+    </message>
+    <message>
+        <source>Preview. %1</source>
+        <translation>Vorschau. %1</translation>
+    </message>
+    <message>
+        <source>Preview of frame %1.</source>
+        <translation>Vorschau von Bild %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SizeMenu</name>
+    <message>
+        <source>Si&amp;ze of text and controls</source>
+        <translation>Größe von &amp;Text und Bedienelementen</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;%</source>
+        <translation>%1&#x2009;%</translation>
+    </message>
+    <message>
+        <source>Changes text, buttons and the scene. The window opens again with all its contents</source>
+        <translation>Ändert Text, Knöpfe und Szene. Das Fenster öffnet sich neu mit allem, was darin ist</translation>
+    </message>
+    <message>
+        <source>At that size, this screen is too small for the scene and its timeline</source>
+        <translation>Bei dieser Größe ist dieser Bildschirm für die Szene und ihre Zeitleiste zu klein</translation>
+    </message>
+    <message>
+        <source>Springstep will be drawn at %1&#x2009;% after a restart.</source>
+        <translation>Nach einem Neustart wird Springstep mit %1&#x2009;% gezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SpeedButton</name>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>Playing speed %1, %2</source>
+        <translation>Abspieltempo %1, %2</translation>
+    </message>
+    <message>
+        <source>%1 frames/s</source>
+        <translation>%1 Bilder/s</translation>
+    </message>
+</context>
+<context>
+    <name>app::StabilityGauge</name>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Click for the reasons and the remedies (Ctrl+L).</source>
+        <translation>Ein Klick zeigt die Gründe und Gegenmittel (Strg+L).</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;% of the limit</source>
+        <translation>%1&#x2009;% der Grenze</translation>
+    </message>
+    <message>
+        <source>Preview of frame %1: %2</source>
+        <translation>Vorschau von Bild %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::StabilityPanel</name>
+    <message>
+        <source>Stability</source>
+        <translation>Stabilität</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close, and show the previous panel (Ctrl+L)</source>
+        <translation>Schließen und die vorige Leiste zeigen (Strg+L)</translation>
+    </message>
+    <message>
+        <source>Remedies</source>
+        <translation>Gegenmittel</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Stiffness and step</source>
+        <translation>k und Zeitschritt</translation>
+    </message>
+    <message>
+        <source>Shows which stiffness and step are stable, with everything else unchanged. Click again to close</source>
+        <translation>Zeigt, welche Steifigkeit und welcher Zeitschritt stabil sind; alles andere bleibt gleich. Noch ein Klick schließt die Karte</translation>
+    </message>
+    <message>
+        <source>Stiffness and damping</source>
+        <translation>k und Dämpfung</translation>
+    </message>
+    <message>
+        <source>Shows which stiffness and damping are stable, with everything else unchanged. Click again to close</source>
+        <translation>Zeigt, welche Steifigkeit und welche Dämpfung stabil sind; alles andere bleibt gleich. Noch ein Klick schließt die Karte</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>There is no map for this step: it has no stiffness k to change.</source>
+        <translation>Für diesen Schritt gibt es keine Karte: Er hat keine Steifigkeit k, die man ändern könnte.</translation>
+    </message>
+    <message>
+        <source>There is no map here: no springs act, so every stiffness and every step is stable.</source>
+        <translation>Hier gibt es keine Karte: Es wirkt keine Feder, also ist jede Steifigkeit und jeder Zeitschritt stabil.</translation>
+    </message>
+    <message>
+        <source>There is no map for this method: it is stable at every stiffness.</source>
+        <translation>Für dieses Verfahren gibt es keine Karte: Es ist bei jeder Steifigkeit stabil.</translation>
+    </message>
+</context>
+<context>
+    <name>app::StatusFigures</name>
+    <message>
+        <source>How many points the scene has: each body, foot or joint is one</source>
+        <translation>Wie viele Punkte die Szene hat: Jeder Körper, jeder Fuß und jedes Gelenk ist einer</translation>
+    </message>
+    <message>
+        <source>How often a frame computes all forces. The cost of a frame depends on this</source>
+        <translation>Wie oft ein Bild alle Kräfte berechnet. Davon hängt ab, was ein Bild kostet</translation>
+    </message>
+    <message>
+        <source>The time to compute a frame of this scene on this machine (the median of many runs)</source>
+        <translation>Die Zeit, die dieser Rechner für ein Bild dieser Szene braucht (Median vieler Läufe)</translation>
+    </message>
+    <message>
+        <source>The largest distance of any body from the exact motion, over these frames</source>
+        <translation>Der größte Abstand eines Körpers von der exakten Bewegung, in diesen Bildern</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 a frame</source>
+        <translation>%1 pro Bild</translation>
+    </message>
+    <message>
+        <source>error %1 over %2 frames</source>
+        <translation>Fehler %1 in %2 Bildern</translation>
+    </message>
+    <message>
+        <source>forces once a frame</source>
+        <translation>Kräfte einmal/Bild</translation>
+    </message>
+    <message>
+        <source>forces %1 times a frame</source>
+        <translation>Kräfte %1-mal/Bild</translation>
+    </message>
+    <message>
+        <source>forces %1 times a frame so far</source>
+        <translation>Kräfte bisher %1-mal/Bild</translation>
+    </message>
+</context>
+<context>
+    <name>app::StatusLine</name>
+    <message>
+        <source>Preview inside frame %1. The run does not move.</source>
+        <translation>Vorschau in Bild %1 hinein. Der Lauf bleibt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>Preview of frame %1. The run stays at frame %2.</source>
+        <translation>Vorschau von Bild %1. Der Lauf bleibt bei Bild %2.</translation>
+    </message>
+    <message>
+        <source>Everything is at rest. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
+        <translation>Alles ruht. Fass etwas an, oder drück die &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
+    </message>
+    <message>
+        <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
+        <translation>Läuft. Drück die &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
+    </message>
+    <message>
+        <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
+        <translation>Innerhalb von Bild %1, nach „%2“. &lt;b&gt;Umschalt+→&lt;/b&gt; nächste Phase, &lt;b&gt;→&lt;/b&gt; nächstes Bild.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
+        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
+    </message>
+</context>
+<context>
+    <name>app::StepMenu</name>
+    <message>
+        <source>Other:</source>
+        <translation>Andere:</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>From 1e-13 to 100 px; press Enter to apply</source>
+        <translation>Von 1e-13 bis 100 px; Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>A whole number of frames, or 1 divided by a whole number; press Enter to apply</source>
+        <translation>Eine ganze Zahl von Bildern oder 1 geteilt durch eine ganze Zahl; Eingabe übernimmt</translation>
+    </message>
+    <message>
+        <source>Other tolerance, in px</source>
+        <translation>Andere Toleranz, in px</translation>
+    </message>
+    <message>
+        <source>Other step, in frames</source>
+        <translation>Anderer Zeitschritt, in Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>app::StudyPlot</name>
+    <message>
+        <source>Points: %1. The arrow keys go through them, and Enter uses one.</source>
+        <translation>Punkte: %1. Die Pfeiltasten gehen sie durch, Eingabe verwendet einen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::SummaryPage</name>
+    <message>
+        <source>Back to the step</source>
+        <translation>Zurück zum Schritt</translation>
+    </message>
+    <message>
+        <source>%1: what you learnt</source>
+        <translation>%1: was du gelernt hast</translation>
+    </message>
+    <message>
+        <source>Next: %1</source>
+        <translation>Weiter: %1</translation>
+    </message>
+    <message>
+        <source>The last lesson</source>
+        <translation>Die letzte Lektion</translation>
+    </message>
+    <message>
+        <source>No lesson comes after this one.</source>
+        <translation>Danach kommt keine Lektion mehr.</translation>
+    </message>
+    <message>
+        <source>Restore the ticks</source>
+        <translation>Häkchen zurückholen</translation>
+    </message>
+    <message>
+        <source>Restart this lesson</source>
+        <translation>Lektion neu beginnen</translation>
+    </message>
+    <message>
+        <source>Ticks everything again that you had done before</source>
+        <translation>Hakt alles wieder ab, was du schon geschafft hattest</translation>
+    </message>
+    <message>
+        <source>Removes the ticks of this lesson. You can restore them.</source>
+        <translation>Entfernt die Häkchen dieser Lektion. Du kannst sie wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Nothing is ticked in this lesson yet.</source>
+        <translation>In dieser Lektion ist noch nichts abgehakt.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 things tried.</source>
+        <translation>%1 von %2 Dingen ausprobiert.</translation>
+    </message>
+    <message>
+        <source>Still to try: %1</source>
+        <translation>Noch auszuprobieren: %1</translation>
+    </message>
+    <message>
+        <source>**Next: %1.** %2</source>
+        <translation>**Weiter: %1.** %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::TimelineStrip</name>
+    <message>
+        <source>%1: phase %2 of %3. Click to run to it.</source>
+        <translation>%1: Phase %2 von %3. Ein Klick läuft bis dorthin.</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>%1 other runs branch off from this one at frame %2. Click to choose one.</source>
+        <translation>%1 andere Läufe zweigen bei Bild %2 von diesem ab. Ein Klick, um einen zu wählen.</translation>
+    </message>
+    <message>
+        <source>Another run: %1. Click to show it beside this one, right-click for more.</source>
+        <translation>Ein anderer Lauf: %1. Ein Klick zeigt ihn neben diesem, ein Rechtsklick mehr.</translation>
+    </message>
+    <message>
+        <source>Beside this run: %1. Right-click for more.</source>
+        <translation>Neben diesem Lauf: %1. Ein Rechtsklick zeigt mehr.</translation>
+    </message>
+    <message>
+        <source>Left and Right: one frame. With Shift: one phase. Home: restart. With Shift: repeat the run. End: the last computed frame. Menu: the other runs.</source>
+        <translation>Links und Rechts: ein Bild. Mit Umschalt: eine Phase. Pos1: neu starten. Mit Umschalt: den Lauf wiederholen. Ende: das letzte berechnete Bild. Menü: die anderen Läufe.</translation>
+    </message>
+    <message>
+        <source>%1. Preview: %2</source>
+        <translation>%1. Vorschau: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::Tour</name>
+    <message>
+        <source>Skip</source>
+        <translation>Überspringen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Ends the tour (Esc). It is in the Help menu.</source>
+        <translation>Beendet den Rundgang (Esc). Er steht im Menü „Hilfe“.</translation>
+    </message>
+    <message>
+        <source>The previous card</source>
+        <translation>Die vorige Karte</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Ends the tour (Enter)</source>
+        <translation>Beendet den Rundgang (Eingabe)</translation>
+    </message>
+    <message>
+        <source>The next card (Enter)</source>
+        <translation>Die nächste Karte (Eingabe)</translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation>Die Szene</translation>
+    </message>
+    <message>
+        <source>This is the scene of the lesson. Drag anything in it. Let go while moving to throw it.</source>
+        <translation>Das ist die Szene der Lektion. Zieh an etwas darin. Lass in Bewegung los, um es zu werfen.</translation>
+    </message>
+    <message>
+        <source>Play and stop</source>
+        <translation>Abspielen und anhalten</translation>
+    </message>
+    <message>
+        <source>**Space** plays and stops the run. **→** goes one frame forward, **←** one frame back.</source>
+        <translation>**Leertaste** spielt den Lauf ab und hält ihn an. **→** geht ein Bild weiter, **←** ein Bild zurück.</translation>
+    </message>
+    <message>
+        <source>The whole run is kept</source>
+        <translation>Der ganze Lauf bleibt</translation>
+    </message>
+    <message>
+        <source>Drag here to go back in time. Change something there, and the old run stays as a ghost.</source>
+        <translation>Zieh hier, um in der Zeit zurückzugehen. Ändere dort etwas, und der alte Lauf bleibt als Geist.</translation>
+    </message>
+    <message>
+        <source>Inside a frame</source>
+        <translation>In einem Bild</translation>
+    </message>
+    <message>
+        <source>A frame is made of phases: springs pull, damping takes its share, things move. **Shift+→** goes from one to the next.</source>
+        <translation>Ein Bild besteht aus Phasen: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich. **Umschalt+→** geht von einer zur nächsten.</translation>
+    </message>
+    <message>
+        <source>The code that runs</source>
+        <translation>Der Code, der läuft</translation>
+    </message>
+    <message>
+        <source>These lines compute the scene. Beside them are the current values.</source>
+        <translation>Diese Zeilen berechnen die Szene. Neben ihnen stehen die aktuellen Werte.</translation>
+    </message>
+    <message>
+        <source>Numbers to change</source>
+        <translation>Zahlen zum Ändern</translation>
+    </message>
+    <message>
+        <source>Move a slider, or type any number. The arrow beside it resets the number.</source>
+        <translation>Bewege einen Schieber, oder tippe irgendeine Zahl. Der Pfeil daneben setzt sie zurück.</translation>
+    </message>
+    <message>
+        <source>Try this</source>
+        <translation>Probier es aus</translation>
+    </message>
+    <message>
+        <source>Springstep ticks each task when it sees you do it. Click a lamp for a hint, or a dotted word for its meaning.</source>
+        <translation>Springstep hakt jede Aufgabe ab, wenn es sieht, dass du sie erledigst. Klick auf eine Lampe für einen Tipp oder auf ein gepunktetes Wort für seine Bedeutung.</translation>
+    </message>
+</context>
+<context>
+    <name>app::TransportBar</name>
+    <message>
+        <source>going to %1… Esc stops</source>
+        <translation>geht zu %1 … Esc hält an</translation>
+    </message>
+    <message>
+        <source>going to %1…</source>
+        <translation>geht zu %1 …</translation>
+    </message>
+    <message>
+        <source>· %1</source>
+        <translation>· %1</translation>
+    </message>
+    <message>
+        <source>· at %1</source>
+        <translation>· bei %1</translation>
+    </message>
+    <message>
+        <source>Playing speed (%1 and %2). It never changes the step</source>
+        <translation>Abspieltempo (%1 und %2). Den Zeitschritt ändert es nie</translation>
+    </message>
+    <message>
+        <source>· preview: %1</source>
+        <translation>· Vorschau: %1</translation>
+    </message>
+    <message>
+        <source>· preview of frame %1</source>
+        <translation>· Vorschau auf Bild %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::TryBox</name>
+    <message>
+        <source>Hint: %1</source>
+        <translation>Tipp: %1</translation>
+    </message>
+    <message>
+        <source>Hide the hint</source>
+        <translation>Den Tipp verbergen</translation>
+    </message>
+    <message>
+        <source>Show a hint (H)</source>
+        <translation>Einen Tipp zeigen (H)</translation>
+    </message>
+    <message>
+        <source>Hide the answer</source>
+        <translation>Antwort verbergen</translation>
+    </message>
+    <message>
+        <source>Show the answer</source>
+        <translation>Antwort zeigen</translation>
+    </message>
+    <message>
+        <source>Answer: %1</source>
+        <translation>Antwort: %1</translation>
+    </message>
+    <message>
+        <source>**Still to do:** %1</source>
+        <translation>**Noch zu tun:** %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::TryRow</name>
+    <message>
+        <source>Springstep ticks this when it sees you do it.</source>
+        <translation>Springstep hakt das ab, wenn es sieht, dass du es tust.</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 geschafft</translation>
+    </message>
+    <message>
+        <source>%1 not yet</source>
+        <translation>%1 noch nicht</translation>
+    </message>
+</context>
+<context>
+    <name>app::UserInput</name>
+    <message>
+        <source>your hand</source>
+        <translation>deine Hand</translation>
+    </message>
+    <message>
+        <source>Drag %1</source>
+        <translation>%1 ziehen</translation>
+    </message>
+    <message>
+        <source>Move pointer</source>
+        <translation>Zeiger bewegen</translation>
+    </message>
+    <message>
+        <source>the pointer</source>
+        <translation>der Zeiger</translation>
+    </message>
+    <message>
+        <source>Set target</source>
+        <translation>Ziel setzen</translation>
+    </message>
+    <message>
+        <source>the target</source>
+        <translation>das Ziel</translation>
+    </message>
+    <message>
+        <source>Press arrow keys</source>
+        <translation>Pfeiltasten drücken</translation>
+    </message>
+    <message>
+        <source>the keys</source>
+        <translation>die Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>app::WhyButton</name>
+    <message>
+        <source>Hide the answer</source>
+        <translation>Antwort verbergen</translation>
+    </message>
+    <message>
+        <source>Show the answer</source>
+        <translation>Antwort zeigen</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>aufgeklappt</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>zugeklappt</translation>
+    </message>
+</context>
+<context>
+    <name>app::WordCard</name>
+    <message>
+        <source>Taught in</source>
+        <translation>Gelehrt in</translation>
+    </message>
+    <message>
+        <source>All words</source>
+        <translation>Alle Begriffe</translation>
+    </message>
+</context>
+<context>
+    <name>app::WorkPrecisionPlot</name>
+    <message>
+        <source>you are here</source>
+        <translation>du bist hier</translation>
+    </message>
+    <message>
+        <source>The front: nothing cheaper
+is as accurate.</source>
+        <translation>Die Bestlinie: Nichts
+Billigeres ist so genau.</translation>
+    </message>
+    <message>
+        <source>Error against time</source>
+        <translation>Fehler und Zeit</translation>
+    </message>
+    <message>
+        <source>time to compute a frame, µs</source>
+        <translation>Zeit zum Berechnen eines Bildes, µs</translation>
+    </message>
+    <message>
+        <source>forces computed per frame (times follow)</source>
+        <translation>berechnete Kräfte pro Bild (Zeiten folgen)</translation>
+    </message>
+    <message>
+        <source>largest error, px</source>
+        <translation>größter Fehler, px</translation>
+    </message>
+    <message>
+        <source>← faster</source>
+        <translation>← schneller</translation>
+    </message>
+    <message>
+        <source>← more accurate</source>
+        <translation>← genauer</translation>
+    </message>
+    <message>
+        <source>A frame is on the screen
+for %1&#x2009;µs (30 a second)</source>
+        <translation>Ein Bild steht %1&#x2009;µs
+auf dem Schirm (30 pro Sekunde)</translation>
     </message>
 </context>
 <context>
@@ -7345,16 +7362,16 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Wände</translation>
     </message>
     <message>
-        <source>Done by the hand</source>
-        <translation>Von der Hand geleistet</translation>
+        <source>Done by dragging</source>
+        <translation>Durch Ziehen geleistet</translation>
     </message>
     <message>
-        <source>Changed with a number</source>
-        <translation>Mit einer Zahl geändert</translation>
+        <source>Changed with a parameter</source>
+        <translation>Durch einen Parameter geändert</translation>
     </message>
     <message>
-        <source>Done by what drives</source>
-        <translation>Von Antrieben geleistet</translation>
+        <source>Done by clocks and steering</source>
+        <translation>Durch Uhr und Steuerung</translation>
     </message>
     <message>
         <source>Done by wind</source>
@@ -7369,8 +7386,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Von der Schwerkraft gegeben</translation>
     </message>
     <message>
-        <source>Given by what stands fast</source>
-        <translation>Von Feststehendem gegeben</translation>
+        <source>Given by fixed places</source>
+        <translation>Von festen Orten gegeben</translation>
     </message>
     <message>
         <source>Lost by damping</source>
@@ -7389,19 +7406,19 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Drift des Verfahrens</translation>
     </message>
     <message>
-        <source>pressed into one px</source>
+        <source>squeezed into one pixel</source>
         <translation>in einen Pixel gepresst</translation>
     </message>
     <message>
-        <source>Twelve feet stand within 1 px of their body, on springs of stiffness a million that are 50 px long: pressed together they turn over at a touch.</source>
-        <translation>Zwölf Füße stehen innerhalb von 1 px um ihren Körper, an Federn der Steifigkeit eine Million, die 50 px lang sind: So zusammengepresst, überschlagen sie sich bei jeder Berührung.</translation>
+        <source>Twelve feet stand within 1 px of their body, on springs of stiffness one million that are 50 px long. Squeezed like this, they flip over at the slightest touch.</source>
+        <translation>Zwölf Füße stehen höchstens 1 px von ihrem Körper entfernt, an Federn der Steifigkeit eine Million, die 50 px lang sind. So zusammengepresst, schlagen sie bei der kleinsten Berührung um.</translation>
     </message>
     <message>
         <source>the pair that runs away</source>
         <translation>das Paar, das davonläuft</translation>
     </message>
     <message>
-        <source>A foot and a body pull each other, but one after the other: so the pair drives itself on, though nothing pushes it.</source>
+        <source>A foot and a body pull each other, but one after the other. So the pair drives itself forward, although nothing pushes it.</source>
         <translation>Ein Fuß und ein Körper ziehen einander, aber nacheinander: So treibt sich das Paar selbst an, obwohl nichts es schiebt.</translation>
     </message>
     <message>
@@ -7409,8 +7426,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>sechzig Füße</translation>
     </message>
     <message>
-        <source>Each foot alone is soft, but sixty together pull the body too hard for a step.</source>
-        <translation>Jeder Fuß für sich ist weich, aber sechzig zusammen ziehen zu stark am Körper für einen Zeitschritt.</translation>
+        <source>Each foot has a soft spring, but sixty together pull the body too hard for one step.</source>
+        <translation>Jeder Fuß hat eine weiche Feder, aber sechzig zusammen ziehen zu stark am Körper für einen Zeitschritt.</translation>
     </message>
     <message>
         <source>a hundred feet</source>
@@ -7441,80 +7458,80 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>alles an einem Ort</translation>
     </message>
     <message>
-        <source>Body and feet begin in one place, where no spring has a direction.</source>
-        <translation>Körper und Füße beginnen an einem Ort, wo keine Feder eine Richtung hat.</translation>
+        <source>Body and feet start in the same place, where no spring has a direction.</source>
+        <translation>Körper und Füße beginnen am selben Ort, wo keine Feder eine Richtung hat.</translation>
     </message>
     <message>
         <source>all on one line</source>
         <translation>alles auf einer Linie</translation>
     </message>
     <message>
-        <source>Body and feet stand in line, so nothing pulls them off it.</source>
-        <translation>Körper und Füße stehen in einer Linie, also zieht nichts sie davon weg.</translation>
+        <source>Body and feet stand on one line, so nothing pulls them off it.</source>
+        <translation>Körper und Füße stehen auf einer Linie, also zieht nichts sie davon weg.</translation>
     </message>
     <message>
         <source>springs without a length</source>
         <translation>Federn ohne Länge</translation>
     </message>
     <message>
-        <source>Springs of length 0 pull all points into one place, where their directions are lost.</source>
-        <translation>Federn der Länge 0 ziehen alle Punkte an einen Ort, wo ihre Richtungen verloren gehen.</translation>
+        <source>Springs of length 0 pull all points to one place, where the springs have no direction.</source>
+        <translation>Federn der Länge 0 ziehen alle Punkte an einen Ort, wo die Federn keine Richtung haben.</translation>
     </message>
     <message>
         <source>thrown into a corner</source>
         <translation>in eine Ecke geworfen</translation>
     </message>
     <message>
-        <source>A body comes into a corner at a million px a frame: in one step it would be two thousand rooms away.</source>
-        <translation>Ein Körper kommt mit einer Million px pro Bild in eine Ecke: In einem Zeitschritt wäre er zweitausend Räume weit weg.</translation>
+        <source>A body flies into a corner at a million px a frame. In one step, it would fly through two thousand rooms.</source>
+        <translation>Ein Körper fliegt mit einer Million px pro Bild in eine Ecke. In einem Zeitschritt würde er durch zweitausend Räume fliegen.</translation>
     </message>
     <message>
         <source>walls closer than the body</source>
         <translation>Wände enger als der Körper</translation>
     </message>
     <message>
-        <source>The body is 30 px wide and the room 15: wherever it is, it is in a wall.</source>
-        <translation>Der Körper ist 30 px breit und der Raum 15: Wo er auch ist, er steckt in einer Wand.</translation>
+        <source>The body is 30 px wide but the room only 15 px. Wherever the body is, it is inside a wall.</source>
+        <translation>Der Körper ist 30 px breit, der Raum aber nur 15 px. Wo der Körper auch ist, er steckt in einer Wand.</translation>
     </message>
     <message>
         <source>a million times the gravity</source>
         <translation>das Millionenfache der Schwerkraft</translation>
     </message>
     <message>
-        <source>All falls at a million px a frame, each frame, onto a floor that gives nothing back.</source>
-        <translation>Alles fällt mit einer Million px pro Bild, in jedem Bild, auf einen Boden, der nichts zurückgibt.</translation>
+        <source>In each frame, gravity makes everything a million px a frame faster, above a floor without bounce.</source>
+        <translation>Die Schwerkraft macht alles in jedem Bild um eine Million px pro Bild schneller, über einem Boden ohne Abprall.</translation>
     </message>
     <message>
         <source>grabbed and let go</source>
         <translation>gegriffen und losgelassen</translation>
     </message>
     <message>
-        <source>A hand takes the body for one frame and lets it go.</source>
-        <translation>Eine Hand nimmt den Körper für ein Bild und lässt ihn los.</translation>
+        <source>The body is grabbed for one frame and let go.</source>
+        <translation>Der Körper wird für ein Bild gegriffen und losgelassen.</translation>
     </message>
     <message>
         <source>torn away</source>
         <translation>weggerissen</translation>
     </message>
     <message>
-        <source>A hand takes the body a billion px away in one frame, and lets it go.</source>
-        <translation>Eine Hand nimmt den Körper in einem Bild eine Milliarde px weit weg und lässt ihn los.</translation>
+        <source>The body is dragged a billion px away in one frame and let go.</source>
+        <translation>Der Körper wird in einem Bild eine Milliarde px weit weggezogen und losgelassen.</translation>
     </message>
     <message>
         <source>torn away on stiff springs</source>
         <translation>an steifen Federn weggerissen</translation>
     </message>
     <message>
-        <source>The same on springs of stiffness a million.</source>
-        <translation>Dasselbe an Federn der Steifigkeit eine Million.</translation>
+        <source>The same, with springs of stiffness one million.</source>
+        <translation>Dasselbe, mit Federn der Steifigkeit eine Million.</translation>
     </message>
     <message>
         <source>legs that flip</source>
         <translation>Beine, die umschlagen</translation>
     </message>
     <message>
-        <source>The gait turns by half a circle each frame: a step sees two places of it only.</source>
-        <translation>Der Gang dreht sich in jedem Bild um einen halben Kreis: Ein Zeitschritt sieht nur zwei Orte davon.</translation>
+        <source>The gait turns by half a circle in each frame, so the steps see only two of its positions.</source>
+        <translation>Der Gang dreht sich in jedem Bild um einen halben Kreis, darum sehen die Zeitschritte nur zwei seiner Stellungen.</translation>
     </message>
     <message>
         <source>legs that whirl</source>
@@ -7525,24 +7542,24 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Der Gang dreht sich 159&#x2009;155-mal in einem Bild.</translation>
     </message>
     <message>
-        <source>a hand that is nowhere</source>
-        <translation>eine Hand, die nirgends ist</translation>
+        <source>a drag to nowhere</source>
+        <translation>ein Ziehen ins Nirgendwo</translation>
     </message>
     <message>
-        <source>The hand moves to a place that is not a number.</source>
-        <translation>Die Hand geht an einen Ort, der keine Zahl ist.</translation>
+        <source>The body is dragged to a position that is not a number.</source>
+        <translation>Der Körper wird an einen Ort gezogen, der keine Zahl ist.</translation>
     </message>
     <message>
-        <source>a pointer at the end of the world</source>
-        <translation>ein Zeiger am Ende der Welt</translation>
+        <source>a pointer infinitely far away</source>
+        <translation>ein unendlich ferner Zeiger</translation>
     </message>
     <message>
-        <source>The pointer goes to a place that is infinitely far away.</source>
+        <source>The pointer moves to a position that is infinitely far away.</source>
         <translation>Der Zeiger geht an einen Ort, der unendlich weit weg ist.</translation>
     </message>
     <message>
-        <source>an endless stiffness</source>
-        <translation>eine endlose Steifigkeit</translation>
+        <source>an infinite stiffness</source>
+        <translation>eine unendliche Steifigkeit</translation>
     </message>
     <message>
         <source>The stiffness is set to infinity.</source>
@@ -7581,24 +7598,24 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>plötzlich steif</translation>
     </message>
     <message>
-        <source>In the middle of a run the stiffness goes from 0.2 to a million.</source>
-        <translation>Mitten in einem Lauf geht die Steifigkeit von 0,2 auf eine Million.</translation>
+        <source>In the middle of the run, the stiffness jumps from 0.2 to one million.</source>
+        <translation>Mitten im Lauf springt die Steifigkeit von 0,2 auf eine Million.</translation>
     </message>
     <message>
         <source>just below the limit</source>
         <translation>knapp unter der Grenze</translation>
     </message>
     <message>
-        <source>A spring that one step a frame can just follow: stiffness 3.99, where the limit is 4.</source>
-        <translation>Eine Feder, der ein Zeitschritt pro Bild gerade noch folgen kann: Steifigkeit 3,99, wo die Grenze 4 ist.</translation>
+        <source>With one step a frame, the limit is a stiffness of 4. This spring has 3.99.</source>
+        <translation>Bei einem Zeitschritt pro Bild ist die Grenze die Steifigkeit 4. Diese Feder hat 3,99.</translation>
     </message>
     <message>
         <source>at the limit</source>
         <translation>an der Grenze</translation>
     </message>
     <message>
-        <source>At stiffness 4 the foot comes to the other side in one step, with all its speed: it goes farther each time.</source>
-        <translation>Bei Steifigkeit 4 kommt der Fuß in einem Zeitschritt auf die andere Seite, mit all seinem Tempo: Jedes Mal geht er weiter.</translation>
+        <source>At stiffness 4, each step takes the foot to the other side at full speed, so it swings farther each time.</source>
+        <translation>Bei Steifigkeit 4 bringt jeder Zeitschritt den Fuß mit vollem Tempo auf die andere Seite, darum schwingt er jedes Mal weiter.</translation>
     </message>
     <message>
         <source>just above the limit</source>
@@ -7629,40 +7646,40 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>fast starr</translation>
     </message>
     <message>
-        <source>A spring of stiffness 1e9 is as good as a stick.</source>
-        <translation>Eine Feder der Steifigkeit 1e9 ist so gut wie ein Stab.</translation>
+        <source>A spring of stiffness 1e9 behaves almost like a stick.</source>
+        <translation>Eine Feder der Steifigkeit 1e9 verhält sich fast wie ein Stab.</translation>
     </message>
     <message>
-        <source>nearly rigid, and nothing slows it</source>
-        <translation>fast starr, und nichts bremst sie</translation>
+        <source>nearly rigid, without damping</source>
+        <translation>fast starr, ohne Dämpfung</translation>
     </message>
     <message>
-        <source>The same without damping: it may swing for ever, but no farther than it began.</source>
-        <translation>Dasselbe ohne Dämpfung: Sie darf ewig schwingen, aber nicht weiter, als sie begann.</translation>
+        <source>The same without damping: it may swing for ever, but no farther than at the start.</source>
+        <translation>Dasselbe ohne Dämpfung: Sie darf ewig schwingen, aber nicht weiter als am Anfang.</translation>
     </message>
     <message>
-        <source>damping that stops all</source>
+        <source>damping that stops everything</source>
         <translation>Dämpfung, die alles anhält</translation>
     </message>
     <message>
-        <source>With damping 0 no velocity is left: nothing may move.</source>
-        <translation>Mit Dämpfung 0 bleibt keine Geschwindigkeit übrig: Nichts darf sich bewegen.</translation>
+        <source>With damping 0, no velocity is left, so nothing may move.</source>
+        <translation>Mit Dämpfung 0 bleibt keine Geschwindigkeit übrig, also darf sich nichts bewegen.</translation>
     </message>
     <message>
         <source>no damping</source>
         <translation>keine Dämpfung</translation>
     </message>
     <message>
-        <source>With damping 1 nothing is lost: the foot swings for ever, and no farther.</source>
-        <translation>Mit Dämpfung 1 geht nichts verloren: Der Fuß schwingt ewig, und nicht weiter.</translation>
+        <source>With damping 1, nothing is lost: the foot swings for ever, but never farther.</source>
+        <translation>Mit Dämpfung 1 geht nichts verloren: Der Fuß schwingt ewig, aber nie weiter.</translation>
     </message>
     <message>
-        <source>next to nothing is left</source>
-        <translation>fast nichts bleibt übrig</translation>
+        <source>almost no velocity left</source>
+        <translation>fast keine Geschwindigkeit übrig</translation>
     </message>
     <message>
-        <source>Damping of 1e-300 leaves numbers that are nearly too small to write.</source>
-        <translation>Eine Dämpfung von 1e-300 lässt Zahlen übrig, die fast zu klein zum Schreiben sind.</translation>
+        <source>A damping of 1e-300 leaves velocities that are almost too small to be stored.</source>
+        <translation>Eine Dämpfung von 1e-300 lässt Geschwindigkeiten übrig, die fast zu klein zum Speichern sind.</translation>
     </message>
     <message>
         <source>a fly and a mountain</source>
@@ -7677,7 +7694,7 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>auch der Berg schwingt</translation>
     </message>
     <message>
-        <source>The spring is stiff enough to move the heavy body, and so a hundred million times too stiff for the light one.</source>
+        <source>The spring is stiff enough to move the heavy body, and therefore a hundred million times too stiff for the light one.</source>
         <translation>Die Feder ist steif genug, den schweren Körper zu bewegen, und darum für den leichten hundert Millionen Mal zu steif.</translation>
     </message>
     <message>
@@ -7685,16 +7702,16 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Stäbe, die sich widersprechen</translation>
     </message>
     <message>
-        <source>Three sticks of lengths 1, 1 and 10 make no triangle: whatever moves, one is wrong.</source>
-        <translation>Drei Stäbe der Längen 1, 1 und 10 ergeben kein Dreieck: Was sich auch bewegt, einer ist falsch.</translation>
+        <source>Three sticks of lengths 1, 1 and 10 cannot form a triangle. Wherever the points move, at least one length is wrong.</source>
+        <translation>Drei Stäbe der Längen 1, 1 und 10 können kein Dreieck bilden. Wohin sich die Punkte auch bewegen, mindestens eine Länge ist falsch.</translation>
     </message>
     <message>
         <source>a chain that is too short</source>
         <translation>eine zu kurze Kette</translation>
     </message>
     <message>
-        <source>A chain of a thousand links between two nails is a tenth too short: no link can be right.</source>
-        <translation>Eine Kette aus tausend Gliedern zwischen zwei Nägeln ist um ein Zehntel zu kurz: Kein Glied kann richtig sein.</translation>
+        <source>A chain of a thousand links between two nails is a tenth too short, so its links cannot keep their lengths.</source>
+        <translation>Eine Kette aus tausend Gliedern zwischen zwei Nägeln ist um ein Zehntel zu kurz, darum können ihre Glieder ihre Länge nicht halten.</translation>
     </message>
     <message>
         <source>a chain too heavy for its sticks</source>
@@ -7709,8 +7726,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>eine schwere Kette in kleinen Zeitschritten</translation>
     </message>
     <message>
-        <source>The same chain and the same work: in place of 20 passes a frame 20 steps of one pass each. Its links err a ninth as much.</source>
-        <translation>Dieselbe Kette und dieselbe Arbeit: statt 20 Durchgängen pro Bild 20 Zeitschritte mit je einem Durchgang. Der Fehler ihrer Glieder ist ein Neuntel so groß.</translation>
+        <source>The same chain and the same work, but with 20 steps of one pass each instead of 20 passes a frame. The errors of its links are a ninth as large.</source>
+        <translation>Dieselbe Kette und dieselbe Arbeit, aber mit 20 Zeitschritten zu je einem Durchgang statt 20 Durchgängen pro Bild. Die Fehler ihrer Glieder sind ein Neuntel so groß.</translation>
     </message>
     <message>
         <source>a stick without a length</source>
@@ -7725,8 +7742,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>ein Stab zwischen zwei Nägeln</translation>
     </message>
     <message>
-        <source>A stick that is too short between two points that stand fast: neither gives way.</source>
-        <translation>Ein zu kurzer Stab zwischen zwei Punkten, die feststehen: Keiner gibt nach.</translation>
+        <source>A stick between two fixed points is too short, and neither point can move.</source>
+        <translation>Ein Stab zwischen zwei festen Punkten ist zu kurz, und keiner der Punkte kann sich bewegen.</translation>
     </message>
     <message>
         <source>the tail goes through the lead</source>
@@ -7741,16 +7758,16 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>der Schwanz ist in der Spitze</translation>
     </message>
     <message>
-        <source>Lead and tail begin in one place, on a soft stick that has no direction there.</source>
-        <translation>Spitze und Schwanz beginnen an einem Ort, an einem weichen Stab, der dort keine Richtung hat.</translation>
+        <source>Lead and tail start in the same place, on a soft stick that has no direction there.</source>
+        <translation>Spitze und Schwanz beginnen am selben Ort, an einem weichen Stab, der dort keine Richtung hat.</translation>
     </message>
     <message>
         <source>a target beyond the horizon</source>
         <translation>ein Ziel hinter dem Horizont</translation>
     </message>
     <message>
-        <source>The target is a billion px away, and the motor pulls the harder the farther it is.</source>
-        <translation>Das Ziel ist eine Milliarde px weit weg, und je weiter, desto stärker zieht der Motor.</translation>
+        <source>The target is a billion px away, and the motor pulls harder the farther away it is.</source>
+        <translation>Das Ziel ist eine Milliarde px weit weg, und der Motor zieht umso stärker, je weiter es weg ist.</translation>
     </message>
     <message>
         <source>points</source>
@@ -7761,39 +7778,39 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>zehn Millionen Bilder</translation>
     </message>
     <message>
-        <source>A foot swings for nearly four days of playing, and nothing slows it: no error may add up.</source>
-        <translation>Ein Fuß schwingt fast vier Tage Spielzeit lang, und nichts bremst ihn: Kein Fehler darf sich summieren.</translation>
+        <source>A foot swings without damping for ten million frames, almost four days of playing. Its errors must not add up.</source>
+        <translation>Ein Fuß schwingt ohne Dämpfung zehn Millionen Bilder lang, fast vier Tage Spielzeit. Seine Fehler dürfen sich nicht summieren.</translation>
     </message>
     <message>
         <source>a million frames at rest</source>
         <translation>eine Million Bilder in Ruhe</translation>
     </message>
     <message>
-        <source>What has come to rest keeps velocities that are nearly too small to write, and must keep still.</source>
-        <translation>Was zur Ruhe gekommen ist, behält Geschwindigkeiten, die fast zu klein zum Schreiben sind, und muss still bleiben.</translation>
+        <source>At rest, bodies still have velocities that are almost too small to be stored, but they must not move.</source>
+        <translation>In Ruhe haben Körper noch Geschwindigkeiten, die fast zu klein zum Speichern sind, aber sie dürfen sich nicht bewegen.</translation>
     </message>
     <message>
         <source>a million steps a frame</source>
         <translation>eine Million Zeitschritte pro Bild</translation>
     </message>
     <message>
-        <source>Steps of a millionth of a frame: what each adds is nearly lost in rounding.</source>
-        <translation>Zeitschritte von einem millionstel Bild: Was jeder hinzufügt, geht fast im Runden verloren.</translation>
+        <source>Each step is a millionth of a frame, so its small change is almost lost in rounding.</source>
+        <translation>Jeder Zeitschritt ist ein millionstel Bild, darum geht seine kleine Änderung fast im Runden verloren.</translation>
     </message>
     <message>
         <source>a third of a frame</source>
         <translation>ein Drittel Bild</translation>
     </message>
     <message>
-        <source>Three steps a frame, of a length that no binary number is equal to.</source>
-        <translation>Drei Zeitschritte pro Bild, von einer Länge, der keine Binärzahl gleich ist.</translation>
+        <source>Three steps a frame: no binary number is exactly a third.</source>
+        <translation>Drei Zeitschritte pro Bild: Keine Binärzahl ist genau ein Drittel.</translation>
     </message>
     <message>
         <source>a hundred frames in a step</source>
         <translation>hundert Bilder in einem Zeitschritt</translation>
     </message>
     <message>
-        <source>One step leaps over seven swings of the spring.</source>
+        <source>One step skips seven swings of the spring.</source>
         <translation>Ein Zeitschritt überspringt sieben Schwingungen der Feder.</translation>
     </message>
     <message>
@@ -7801,16 +7818,16 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>kein Abstand, durch den man teilen könnte</translation>
     </message>
     <message>
-        <source>In the printed formula the pointer can be at distance 0: it divides by that, and the run must end with a word about it.</source>
-        <translation>In der gedruckten Formel kann der Zeiger den Abstand 0 haben: Sie teilt durch ihn, und der Lauf muss mit einem Wort darüber enden.</translation>
+        <source>The printed formula divides by the distance of the pointer, which can be 0. Then the run must stop with a message.</source>
+        <translation>Die gedruckte Formel teilt durch den Abstand des Zeigers, der 0 sein kann. Dann muss der Lauf mit einer Meldung anhalten.</translation>
     </message>
     <message>
         <source>the pointer on the root</source>
         <translation>der Zeiger auf der Wurzel</translation>
     </message>
     <message>
-        <source>The trunk turns to a pointer that is exactly where it begins.</source>
-        <translation>Der Stamm dreht sich zu einem Zeiger, der genau dort ist, wo er beginnt.</translation>
+        <source>The trunk turns towards a pointer that is exactly at its root.</source>
+        <translation>Der Stamm dreht sich zu einem Zeiger, der genau an seiner Wurzel ist.</translation>
     </message>
     <message>
         <source>sixteen forks</source>
@@ -7821,8 +7838,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Jeder Zweig gabelt sich in zwei so große wie er selbst, sechzehnmal: 131&#x2009;071 Zweige im Wind.</translation>
     </message>
     <message>
-        <source>a tree without an end</source>
-        <translation>ein Baum ohne Ende</translation>
+        <source>a tree that never ends</source>
+        <translation>ein Baum, der nie endet</translation>
     </message>
     <message>
         <source>Branches that are as large as their parents never get small enough to stop forking.</source>
@@ -7849,16 +7866,16 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Wind ohne Abstand</translation>
     </message>
     <message>
-        <source>What resists the wind is the distance to the pointer, and it is 0.</source>
-        <translation>Was dem Wind widersteht, ist der Abstand zum Zeiger, und der ist 0.</translation>
+        <source>The distance to the pointer resists the wind, and here it is 0.</source>
+        <translation>Der Abstand zum Zeiger widersteht dem Wind, und hier ist er 0.</translation>
     </message>
     <message>
         <source>branches</source>
         <translation>Zweige</translation>
     </message>
     <message>
-        <source>steps of its own</source>
-        <translation>eigene Zeitschritte</translation>
+        <source>adaptive steps</source>
+        <translation>adaptive Zeitschritte</translation>
     </message>
     <message>
         <source>Backward Euler</source>
@@ -7877,8 +7894,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Explizites Euler</translation>
     </message>
     <message>
-        <source>solve for the new place</source>
-        <translation>nach dem neuen Ort auflösen</translation>
+        <source>solve for new positions</source>
+        <translation>nach neuen Positionen auflösen</translation>
     </message>
     <message>
         <source>Implicit midpoint</source>
@@ -7925,8 +7942,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Veröffentlicht</translation>
     </message>
     <message>
-        <source>try a place</source>
-        <translation>einen Ort probieren</translation>
+        <source>trial step</source>
+        <translation>Probeschritt</translation>
     </message>
     <message>
         <source>Midpoint</source>
@@ -7953,8 +7970,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Hält Gelenke davon ab, sich zu weit zu beugen: Ein Knie beugt sich nicht nach vorn.</translation>
     </message>
     <message>
-        <source>Shifts the swimmer back before it goes to a new target, as a cat draws back before it leaps.</source>
-        <translation>Schiebt den Schwimmer zurück, bevor er zu einem neuen Ziel startet, so wie eine Katze vor dem Sprung zurückweicht.</translation>
+        <source>Moves the swimmer back a little before it starts towards a new target, like a cat before it jumps.</source>
+        <translation>Schiebt den Schwimmer ein wenig zurück, bevor er zu einem neuen Ziel startet, wie eine Katze vor dem Sprung.</translation>
     </message>
     <message>
         <source>Keeps the area of the body: what gets longer gets thinner.</source>
@@ -7969,16 +7986,16 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Nimmt jeder Geschwindigkeit in jedem Bild einen Anteil, damit die Dinge zur Ruhe kommen.</translation>
     </message>
     <message>
-        <source>Turns the angle that swings the legs on, a little each frame: the beat of the walk.</source>
-        <translation>Dreht den Winkel, der die Beine schwingt, in jedem Bild ein wenig weiter: der Takt des Gehens.</translation>
+        <source>Advances the angle of the legs a little in each frame: the rhythm of the walk.</source>
+        <translation>Dreht den Winkel der Beine in jedem Bild ein wenig weiter: der Takt des Gehens.</translation>
     </message>
     <message>
-        <source>Pulls everything down, and everything alike.</source>
-        <translation>Zieht alles nach unten, und alles gleich.</translation>
+        <source>Pulls everything down equally.</source>
+        <translation>Zieht alles gleich stark nach unten.</translation>
     </message>
     <message>
-        <source>Keeps the feet from sinking in, and from slipping where it holds them.</source>
-        <translation>Hält die Füße davon ab, einzusinken und dort zu rutschen, wo er sie hält.</translation>
+        <source>Keeps feet from sinking into the ground, and from slipping unless it is icy.</source>
+        <translation>Hält Füße davon ab, in den Boden einzusinken und zu rutschen, außer auf Eis.</translation>
     </message>
     <message>
         <source>Lets a gust run outwards from the pointer, so that near branches feel it first.</source>
@@ -7993,8 +8010,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Zieht jeden Fuß an einen eigenen Ort, vom Körper aus gesehen.</translation>
     </message>
     <message>
-        <source>Pulls the swimmer to its target, as a spring does.</source>
-        <translation>Zieht den Schwimmer zu seinem Ziel, so wie eine Feder es tut.</translation>
+        <source>Pulls the swimmer to its target, like a spring.</source>
+        <translation>Zieht den Schwimmer zu seinem Ziel, wie eine Feder.</translation>
     </message>
     <message>
         <source>Pulls a foot to a place beside the body.</source>
@@ -8005,28 +8022,28 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Zieht einen Fuß an einen festen Ort.</translation>
     </message>
     <message>
-        <source>Carries a point to where the pointer is.</source>
-        <translation>Trägt einen Punkt dorthin, wo der Zeiger ist.</translation>
+        <source>Moves a point to the pointer.</source>
+        <translation>Bewegt einen Punkt zum Zeiger.</translation>
     </message>
     <message>
-        <source>Pushes apart what comes too close, so that creatures do not walk through each other.</source>
-        <translation>Schiebt auseinander, was sich zu nahe kommt, damit Figuren nicht durcheinander hindurchgehen.</translation>
+        <source>Pushes bodies apart that come too close, so that creatures do not walk through each other.</source>
+        <translation>Schiebt Körper auseinander, die sich zu nahe kommen, damit Figuren nicht durcheinander hindurchgehen.</translation>
     </message>
     <message>
-        <source>Keep two points a length apart: they pull when it is more, and push when it is less.</source>
-        <translation>Hält zwei Punkte eine Länge auseinander: Zieht, wenn es mehr ist, und schiebt, wenn es weniger ist.</translation>
+        <source>Keep two points a length apart: they pull when the distance is longer, and push when it is shorter.</source>
+        <translation>Hält zwei Punkte eine Länge auseinander: Zieht, wenn der Abstand größer ist, und schiebt, wenn er kleiner ist.</translation>
     </message>
     <message>
-        <source>Turns each branch a part of the way back to where it grew.</source>
-        <translation>Dreht jeden Zweig ein Stück des Wegs dorthin zurück, wo er wuchs.</translation>
+        <source>Turns each branch part of the way back to its direction at rest.</source>
+        <translation>Dreht jeden Zweig ein Stück zurück zu seiner Richtung in Ruhe.</translation>
     </message>
     <message>
         <source>Keep a point near its distance, but let it lag behind for a while.</source>
         <translation>Hält einen Punkt nahe an seinem Abstand, lässt ihn aber eine Weile nachhängen.</translation>
     </message>
     <message>
-        <source>Slows the tail, and more so across the body than along it, as water does.</source>
-        <translation>Bremst den Schwanz, und zwar quer zum Körper mehr als längs, so wie Wasser es tut.</translation>
+        <source>Slows the tail as water does: more across the body than along it.</source>
+        <translation>Bremst den Schwanz, wie Wasser es tut: quer zum Körper mehr als längs.</translation>
     </message>
     <message>
         <source>Lets the arrow keys and the pointer set how fast the legs swing.</source>
@@ -8037,20 +8054,20 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Gibt jedem Paar von Punkten seine Länge zurück, indem er sie bewegt: Ein Stab dehnt sich nicht.</translation>
     </message>
     <message>
-        <source>Bend each joint back: the harder, the farther a branch has turned from where it grew.</source>
-        <translation>Biegt jedes Gelenk zurück: je stärker, desto weiter sich ein Zweig von dort gedreht hat, wo er wuchs.</translation>
+        <source>Bend each joint back: the farther a branch has turned from its direction at rest, the harder.</source>
+        <translation>Biegt jedes Gelenk zurück: je weiter sich ein Zweig aus seiner Richtung in Ruhe gedreht hat, desto stärker.</translation>
     </message>
     <message>
-        <source>Makes a creature that meets a wall walk the other way.</source>
-        <translation>Lässt eine Figur, die auf eine Wand trifft, in die andere Richtung gehen.</translation>
+        <source>Makes a creature turn round when it meets a wall.</source>
+        <translation>Lässt eine Figur umkehren, wenn sie auf eine Wand trifft.</translation>
     </message>
     <message>
         <source>Turns every branch to the pointer while its button is down.</source>
         <translation>Dreht jeden Zweig zum Zeiger, solange dessen Taste gedrückt ist.</translation>
     </message>
     <message>
-        <source>Put back what has gone past a wall or the floor, and turn its velocity round.</source>
-        <translation>Setzt zurück, was über eine Wand oder den Boden hinaus ist, und kehrt seine Geschwindigkeit um.</translation>
+        <source>Put back points that have gone past a wall or the floor, and reverse their velocity.</source>
+        <translation>Setzt Punkte zurück, die über eine Wand oder den Boden hinaus sind, und kehrt ihre Geschwindigkeit um.</translation>
     </message>
     <message>
         <source>Turns the branches away from the pointer while its button is down.</source>
@@ -8061,19 +8078,19 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>der Körper %1</translation>
     </message>
     <message>
-        <source>Blows everything sideways, wide bodies more, and swells and ebbs.</source>
-        <translation>Bläst alles zur Seite, breite Körper mehr, und schwillt an und ab.</translation>
+        <source>Blows everything sideways, wide bodies more strongly, and can come in gusts.</source>
+        <translation>Bläst alles zur Seite, breite Körper stärker, und kann in Böen kommen.</translation>
     </message>
     <message>
         <source>ramp</source>
         <translation>Rampe</translation>
     </message>
     <message>
-        <source>Keeps everything on one side of a straight line, which leans as you like.</source>
-        <translation>Hält alles auf einer Seite einer Geraden, die so schräg liegt, wie du willst.</translation>
+        <source>Keeps everything on one side of a straight line at any angle.</source>
+        <translation>Hält alles auf einer Seite einer Geraden in beliebigem Winkel.</translation>
     </message>
     <message>
-        <source>Keeps everything between two walls and above a floor, with friction and without a bounce.</source>
+        <source>Keeps everything between two walls and above a floor, with friction and without bounce.</source>
         <translation>Hält alles zwischen zwei Wänden und über einem Boden, mit Reibung und ohne Abprall.</translation>
     </message>
     <message>
@@ -8089,8 +8106,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Alles an einem Ort</translation>
     </message>
     <message>
-        <source>Torn by a hand</source>
-        <translation>Von einer Hand gerissen</translation>
+        <source>Grabbed and dragged</source>
+        <translation>Gegriffen und gezogen</translation>
     </message>
     <message>
         <source>Walls and walking</source>
@@ -8117,8 +8134,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Lange Läufe</translation>
     </message>
     <message>
-        <source>Input that is refused</source>
-        <translation>Eingaben, die abgelehnt werden</translation>
+        <source>Invalid input</source>
+        <translation>Ungültige Eingaben</translation>
     </message>
     <message>
         <source>1/frame²</source>
@@ -8181,7 +8198,7 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Wie stark zwei Körper schieben: dieser Anteil des fehlenden Abstands, in jedem Bild.</translation>
     </message>
     <message>
-        <source>How much a wall’s push holds back what slides along it. 0: like ice.</source>
+        <source>How much a wall slows things that slide along it. 0: like ice.</source>
         <translation>Wie stark eine Wand bremst, was an ihr entlanggleitet. 0: wie Eis.</translation>
     </message>
     <message>
@@ -8225,8 +8242,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Rechte Wand</translation>
     </message>
     <message>
-        <source>The share by which the wind swells and ebbs.</source>
-        <translation>Der Anteil, um den der Wind an- und abschwillt.</translation>
+        <source>The share by which the strength of the wind changes.</source>
+        <translation>Der Anteil, um den sich die Stärke des Windes ändert.</translation>
     </message>
     <message>
         <source>The share of its speed that a body keeps at a wall.</source>
@@ -8341,7 +8358,7 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>Ladungen</translation>
     </message>
     <message>
-        <source>Push points with like charges apart, and pull unlike ones together: the harder, the closer they are.</source>
+        <source>Push points with like charges apart, and pull unlike ones together: the closer they are, the harder.</source>
         <translation>Stoßen Punkte mit gleicher Ladung voneinander ab und ziehen ungleiche zueinander: je näher, desto stärker.</translation>
     </message>
     <message>
@@ -8363,6 +8380,14 @@ auf dem Schirm (30 pro Sekunde)</translation>
     <message>
         <source>branch</source>
         <translation>Zweig</translation>
+    </message>
+    <message>
+        <source>your code</source>
+        <translation>dein Code</translation>
+    </message>
+    <message>
+        <source>Your code</source>
+        <translation>Dein Code</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>StabilityWords</name>
+    <name>StabilityText</name>
     <message numerus="yes">
         <source>Use %n &amp;passes</source>
         <translation>
@@ -24,10 +24,10 @@
 <context>
     <name>app::RemedySearch</name>
     <message numerus="yes">
-        <source>Tried out: it holds for %n frames.</source>
+        <source>Tested: it is stable for %n frames.</source>
         <translation>
-            <numerusform>Tried out: it holds for %n frame.</numerusform>
-            <numerusform>Tried out: it holds for %n frames.</numerusform>
+            <numerusform>Tested: it is stable for %n frame.</numerusform>
+            <numerusform>Tested: it is stable for %n frames.</numerusform>
         </translation>
     </message>
 </context>

@@ -1,5 +1,6 @@
 #include "checks.h"
 
+#include "lessons/accuracy/text.h"
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
 #include "sim/run/script/composed_interval.h"
@@ -18,11 +19,6 @@ using sim::Values;
 namespace accuracy {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Accuracy)
-};
 
 /// Returns the length of the method's steps in frames. Infinite for adaptive steps.
 double stepLength(const Timeline &run)

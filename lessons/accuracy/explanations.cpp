@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/accuracy/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace accuracy {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Accuracy)
-};
-
-}
 
 Explanation bigStepExplanation()
 {

@@ -2,6 +2,7 @@
 
 #include "checks.h"
 #include "explanations.h"
+#include "lessons/accuracy/text.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/creature_view.h"
 #include "scenes.h"
@@ -17,11 +18,6 @@ using namespace lessons;
 namespace accuracy {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Accuracy)
-};
 
 /// Returns a step with the settings that all steps of this lesson share. It shows the exact motion in the
 /// scene and measures the error.

@@ -1,5 +1,6 @@
 #include "view.h"
 
+#include "lessons/accuracy/text.h"
 #include "lessons/api/view/acting.h"
 #include "lessons/api/view/creature_view.h"
 #include "scenes.h"
@@ -22,11 +23,6 @@ using sim::Values;
 namespace accuracy {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Accuracy)
-};
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 constexpr double minShown = 0.05; ///< px, smallest error that is shown with a line

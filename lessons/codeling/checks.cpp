@@ -3,6 +3,7 @@
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
+#include "lessons/codeling/text.h"
 #include "scenes.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
@@ -18,11 +19,6 @@ using sim::Timeline;
 namespace codeling {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Codeling)
-};
 
 /// Returns whether a click has set a target, up to the cursor.
 bool hasClicked(const Timeline &run)

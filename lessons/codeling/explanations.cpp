@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/codeling/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace codeling {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Codeling)
-};
-
-}
 
 Explanation motorExplanation()
 {

@@ -1,6 +1,7 @@
 #include "parameters.h"
 
 #include "lessons/api/parameters.h"
+#include "lessons/codeling/text.h"
 
 #include <QCoreApplication>
 
@@ -9,11 +10,6 @@ using lessons::Parameter;
 namespace codeling {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Codeling)
-};
 
 /// Completes a parameter with the range from 0 to 1.
 Parameter share(Parameter parameter)

@@ -2,6 +2,7 @@
 
 #include "checks.h"
 #include "explanations.h"
+#include "lessons/codeling/text.h"
 #include "parameters.h"
 #include "scenes.h"
 #include "view.h"
@@ -13,11 +14,6 @@ using namespace lessons;
 namespace codeling {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Codeling)
-};
 
 /// Returns a step with the settings that all steps of this lesson share. `id` is also the marker of its
 /// set-up function.

@@ -1,6 +1,7 @@
 #include "view.h"
 
 #include "lessons/api/view/acting.h"
+#include "lessons/codeling/text.h"
 #include "scenes.h"
 #include "sim/effects/drivers/motor.h"
 
@@ -13,11 +14,6 @@ using namespace lessons;
 namespace codeling {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(Codeling)
-};
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
 

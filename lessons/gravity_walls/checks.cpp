@@ -2,6 +2,7 @@
 
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/creature.h"
+#include "lessons/gravity_walls/text.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
 
@@ -15,11 +16,6 @@ using sim::Timeline;
 namespace gravity_walls {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(GravityWalls)
-};
 
 /// Returns whether the edge of a dynamic point touches the left (else the right) wall. With `atRest`, its
 /// velocity across the wall must be 0, too.

@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/gravity_walls/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace gravity_walls {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(GravityWalls)
-};
-
-}
 
 Explanation wallsExplanation()
 {

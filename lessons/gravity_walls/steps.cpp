@@ -5,6 +5,7 @@
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/acting.h"
 #include "lessons/api/view/creature_view.h"
+#include "lessons/gravity_walls/text.h"
 #include "scenes.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/scene/scene.h"
@@ -17,11 +18,6 @@ using namespace lessons;
 namespace gravity_walls {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(GravityWalls)
-};
 
 View roomView(const sim::Scene &scene, const sim::Values &)
 {

@@ -1,6 +1,7 @@
 #include "cases.h"
 
 #include "lessons/api/parameters.h"
+#include "lessons/hard_cases/text.h"
 #include "sim/analysis/accuracy/study_run.h"
 #include "sim/catalogue/hard_cases.h"
 #include "sim/catalogue/judge.h"
@@ -21,11 +22,6 @@ using namespace lessons;
 namespace hard_cases {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(HardCases)
-};
 
 constexpr double maxLevels = 12.0; ///< of forks; 8191 branches
 

@@ -3,6 +3,7 @@
 #include "cases.h"
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
+#include "lessons/hard_cases/text.h"
 #include "scenes.h"
 #include "sim/pipeline/method.h"
 #include "sim/run/timeline.h"
@@ -21,11 +22,6 @@ using sim::Timeline;
 namespace hard_cases {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(HardCases)
-};
 
 /// Returns whether the method has a stability limit: its steps can be too long for stiff springs.
 bool hasLimit(const Timeline &run)

@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/hard_cases/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace hard_cases {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(HardCases)
-};
-
-}
 
 Explanation limitExplanation()
 {

@@ -5,6 +5,7 @@
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/creature_view.h"
+#include "lessons/hard_cases/text.h"
 #include "scenes.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
@@ -17,11 +18,6 @@ using namespace lessons;
 namespace hard_cases {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(HardCases)
-};
 
 /// Returns a step whose run is drawn on `stage` beside that of `companion`.
 Step newStep(const char *id, const QString &title, const QRectF &stage, const Companion &companion)

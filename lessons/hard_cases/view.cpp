@@ -3,6 +3,7 @@
 #include "lessons/api/creature.h"
 #include "lessons/api/view/creature_view.h"
 #include "lessons/api/view/tree_view.h"
+#include "lessons/hard_cases/text.h"
 #include "scenes.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/ground.h"
@@ -19,11 +20,6 @@ using namespace lessons;
 namespace hard_cases {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(HardCases)
-};
 
 constexpr double lightRadius = 6.0;  ///< px
 constexpr double heavyRadius = 20.0; ///< px

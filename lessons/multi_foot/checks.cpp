@@ -2,6 +2,7 @@
 
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
+#include "lessons/multi_foot/text.h"
 #include "sim/run/timeline.h"
 
 #include <QCoreApplication>
@@ -12,11 +13,6 @@ using sim::Timeline;
 namespace multi_foot {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(MultiFoot)
-};
 
 bool isFoot(const std::string &name)
 {

@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/multi_foot/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace multi_foot {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(MultiFoot)
-};
-
-}
 
 Explanation twoFeetExplanation()
 {

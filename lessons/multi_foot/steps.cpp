@@ -4,6 +4,7 @@
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/creature_view.h"
+#include "lessons/multi_foot/text.h"
 #include "scenes.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
@@ -15,11 +16,6 @@ using namespace lessons;
 namespace multi_foot {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(MultiFoot)
-};
 
 View viewWithLegs(const sim::Scene &scene, const sim::Values &)
 {

@@ -3,6 +3,7 @@
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
+#include "lessons/rigid_constraint/text.h"
 #include "scenes.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
@@ -18,11 +19,6 @@ using sim::Timeline;
 namespace rigid_constraint {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
-};
 
 /// Returns the distance of the pointer from the start of p0, in px. 0 before the first pointer event.
 double pointerDistance(const Timeline &run)

@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/rigid_constraint/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace rigid_constraint {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
-};
-
-}
 
 Explanation pairExplanation()
 {

@@ -3,6 +3,7 @@
 #include "checks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
+#include "lessons/rigid_constraint/text.h"
 #include "scenes.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
@@ -15,11 +16,6 @@ using namespace lessons;
 namespace rigid_constraint {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
-};
 
 Parameter length(double defaultValue)
 {

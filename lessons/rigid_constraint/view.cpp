@@ -1,6 +1,7 @@
 #include "view.h"
 
 #include "lessons/api/view/acting.h"
+#include "lessons/rigid_constraint/text.h"
 #include "scenes.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/contacts/room_limits.h"
@@ -16,11 +17,6 @@ using namespace lessons;
 namespace rigid_constraint {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(RigidConstraint)
-};
 
 View sticksView(const sim::Scene &scene)
 {

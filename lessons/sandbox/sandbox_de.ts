@@ -88,12 +88,12 @@
         <translation>Selbst bauen</translation>
     </message>
     <message>
-        <source>Here you build the scene. Choose a tool, then click in the picture: **points** are bodies with a mass and a size, a **nail** holds one where it is. **Springs** and **sticks** go from one point to another. A **foot** hangs on a body at an angle of its own, and feet of one group swing to one clock.
+        <source>Here you build your own scene. Choose a tool, then click in the picture. **Points** are bodies with a mass and a size. A **nail** fixes a point in place. **Springs** and **sticks** connect two points. A **foot** belongs to a body, at an angle that you set. Feet in one gait group share one clock.
 
-What acts on the whole scene, as gravity or wind, you choose below. Building happens at the start of the run: play to see what your scene does, and come back to go on building.</source>
-        <translation>Hier baust du die Szene. Wähle ein Werkzeug, dann klick in die Szene: **Punkte** sind Körper mit einer Masse und einer Größe, ein **Nagel** hält einen, wo er ist. **Federn** und **Stäbe** gehen von einem Punkt zum anderen. Ein **Fuß** hängt in einem eigenen Winkel an einem Körper, und Füße einer Gruppe schwingen nach einer Uhr.
+Below, you switch on effects that act on the whole scene, such as gravity or wind. You can only build at the start of the run. Press **Space** to see what your scene does, and **Home** to go back and continue building.</source>
+        <translation>Hier baust du deine eigene Szene. Wähle ein Werkzeug, dann klick in die Szene. **Punkte** sind Körper mit einer Masse und einer Größe. Ein **Nagel** befestigt einen Punkt an seinem Ort. **Federn** und **Stäbe** verbinden zwei Punkte. Ein **Fuß** gehört zu einem Körper, in einem Winkel, den du einstellst. Die Füße einer Ganggruppe teilen sich eine Uhr.
 
-Was auf die ganze Szene wirkt, wie Schwerkraft oder Wind, wählst du unten. Gebaut wird am Anfang des Laufs: Spiele ab, um zu sehen, was deine Szene tut, und komm zurück, um weiterzubauen.</translation>
+Unten schaltest du Effekte ein, die auf die ganze Szene wirken, wie Schwerkraft oder Wind. Bauen kannst du nur am Anfang des Laufs. Drück die **Leertaste**, um zu sehen, was deine Szene tut, und **Pos1**, um zurückzugehen und weiterzubauen.</translation>
     </message>
     <message>
         <source>Crystal</source>

@@ -2,6 +2,7 @@
 
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
+#include "lessons/single_spring/text.h"
 #include "sim/base/direction.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
@@ -19,11 +20,6 @@ using sim::Timeline;
 namespace single_spring {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SingleSpring)
-};
 
 sim::Vec2 centreOf(const Timeline &run)
 {

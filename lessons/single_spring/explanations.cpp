@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/single_spring/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace single_spring {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SingleSpring)
-};
-
-}
 
 Explanation dragExplanation()
 {

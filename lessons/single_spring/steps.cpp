@@ -3,6 +3,7 @@
 #include "checks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
+#include "lessons/single_spring/text.h"
 #include "scenes.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
@@ -15,11 +16,6 @@ using namespace lessons;
 namespace single_spring {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SingleSpring)
-};
 
 /// Returns a step with the settings that all steps of this lesson share. `id` is also the marker of its
 /// set-up function.

@@ -2,6 +2,7 @@
 
 #include "lessons/api/view/acting.h"
 #include "lessons/api/view/creature_view.h"
+#include "lessons/single_spring/text.h"
 #include "scenes.h"
 #include "sim/base/direction.h"
 #include "sim/effects/pairs/spring.h"
@@ -18,11 +19,6 @@ using lessons::Overlay;
 namespace single_spring {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SingleSpring)
-};
 
 /// Returns a number in the learner's locale, with a typographic minus sign.
 QString number(double value, int decimals)

@@ -1,6 +1,7 @@
 #include "checks.h"
 
 #include "lessons/api/checks/run_queries.h"
+#include "lessons/swaying_tree/text.h"
 #include "scenes.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
@@ -17,11 +18,6 @@ using sim::Timeline;
 namespace swaying_tree {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SwayingTree)
-};
 
 const sim::Scene &sceneOf(const Timeline &run)
 {

@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/swaying_tree/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace swaying_tree {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SwayingTree)
-};
-
-}
 
 Explanation trunkExplanation()
 {

@@ -1,4 +1,5 @@
 #include "parameters.h"
+#include "lessons/swaying_tree/text.h"
 
 #include <QCoreApplication>
 
@@ -6,15 +7,6 @@ using lessons::Parameter;
 using lessons::Preset;
 
 namespace swaying_tree {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SwayingTree)
-};
-
-}
 
 Parameter formula()
 {

@@ -4,6 +4,7 @@
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/tree_view.h"
+#include "lessons/swaying_tree/text.h"
 #include "parameters.h"
 #include "scenes.h"
 #include "view.h"
@@ -15,11 +16,6 @@ using namespace lessons;
 namespace swaying_tree {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SwayingTree)
-};
 
 /// Returns a step with the settings that all steps of this lesson share. `grow` makes the tree for the view.
 /// `id` is also the marker of the set-up function.

@@ -1,6 +1,7 @@
 #include "view.h"
 
 #include "lessons/api/view/acting.h"
+#include "lessons/swaying_tree/text.h"
 #include "scenes.h"
 #include "sim/base/direction.h"
 #include "sim/effects/drivers/turn_to_pointer.h"
@@ -26,11 +27,6 @@ using sim::Vec2;
 namespace swaying_tree {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(SwayingTree)
-};
 
 /// Returns the pointer's position while its button is down.
 const std::optional<Vec2> &pressed(const sim::State &state)

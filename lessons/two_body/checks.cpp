@@ -2,6 +2,7 @@
 
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
+#include "lessons/two_body/text.h"
 #include "scenes.h"
 #include "sim/run/timeline.h"
 
@@ -16,11 +17,6 @@ using sim::Timeline;
 namespace two_body {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(TwoBody)
-};
 
 /// Returns the length of the leg just before the last drag released it, in px. Without a finished drag, it is
 /// the current length.

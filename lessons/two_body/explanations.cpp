@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/two_body/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace two_body {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(TwoBody)
-};
-
-}
 
 Explanation mutualExplanation()
 {

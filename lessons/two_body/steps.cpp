@@ -3,6 +3,7 @@
 #include "checks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
+#include "lessons/two_body/text.h"
 #include "scenes.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
@@ -14,11 +15,6 @@ using namespace lessons;
 namespace two_body {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(TwoBody)
-};
 
 Step newStep(const char *id, const QString &title)
 {

@@ -4,6 +4,7 @@
 #include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/creature.h"
+#include "lessons/walking_gait/text.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
 #include "view.h"
@@ -20,11 +21,6 @@ using sim::Timeline;
 namespace walking_gait {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
-};
 
 /// Returns how far right of the body the last drag moved foot 0, in px. Minus infinity if it moved another
 /// body or is not finished.

@@ -1,19 +1,11 @@
 #include "explanations.h"
+#include "lessons/walking_gait/text.h"
 
 #include <QCoreApplication>
 
 using lessons::Explanation;
 
 namespace walking_gait {
-
-namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
-};
-
-}
 
 Explanation bonesExplanation()
 {

@@ -1,6 +1,7 @@
 #include "parameters.h"
 
 #include "lessons/api/parameters.h"
+#include "lessons/walking_gait/text.h"
 
 #include <QCoreApplication>
 
@@ -9,11 +10,6 @@ using namespace lessons;
 namespace walking_gait {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
-};
 
 /// Completes an integer of 2 or more.
 Parameter count(Parameter parameter)

@@ -3,6 +3,7 @@
 #include "checks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
+#include "lessons/walking_gait/text.h"
 #include "parameters.h"
 #include "scenes.h"
 #include "sim/scene/scene.h"
@@ -16,11 +17,6 @@ using namespace lessons;
 namespace walking_gait {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
-};
 
 Step newStep(const char *id, const QString &title)
 {

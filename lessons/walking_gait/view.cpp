@@ -3,6 +3,7 @@
 #include "lessons/api/creature.h"
 #include "lessons/api/view/acting.h"
 #include "lessons/api/view/creature_view.h"
+#include "lessons/walking_gait/text.h"
 #include "sim/effects/contacts/ground.h"
 #include "sim/effects/contacts/walls.h"
 #include "sim/effects/springs/leg_spring.h"
@@ -22,11 +23,6 @@ using sim::Values;
 namespace walking_gait {
 
 namespace {
-
-struct Text
-{
-    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
-};
 
 constexpr double noFloor = 1e4; ///< px, far below the stage
 

@@ -35,14 +35,14 @@ std::vector<HardCase> hardCases()
         {SIM_TEXT("Stiff springs"), hard::stiffSprings},
         {SIM_TEXT("Many feet on one body"), hard::manyFeet},
         {SIM_TEXT("All in one place"), hard::coincidentPoints},
-        {SIM_TEXT("Torn by a hand"), hard::suddenDrags},
+        {SIM_TEXT("Grabbed and dragged"), hard::suddenDrags},
         {SIM_TEXT("Walls and walking"), hard::wallsAndWalking},
         {SIM_TEXT("Sticks that contradict"), hard::rigidSticks},
         {SIM_TEXT("Swimmers"), hard::swimmers},
         {SIM_TEXT("Trees in wind"), hard::windyTrees},
         {SIM_TEXT("Unusual steps"), hard::unusualSteps},
         {SIM_TEXT("Long runs"), hard::longRuns},
-        {SIM_TEXT("Input that is refused"), hard::invalidInput},
+        {SIM_TEXT("Invalid input"), hard::invalidInput},
     };
     std::vector<HardCase> all;
     for (const Family &family : families) {

@@ -11,7 +11,7 @@ namespace sim {
 
 namespace {
 
-std::string text(double value)
+std::string numberText(double value)
 {
     std::ostringstream stream;
     stream.precision(3);
@@ -52,14 +52,14 @@ public:
         const std::string when = std::to_string(frame);
         for (int i = 0; i < state.pointCount(); ++i) {
             if (!(length(state.positionOf(i) - m_hardCase.bound.from) <= m_hardCase.bound.reach))
-                return Error(
-                    "hard-too-far",
-                    {{"frame", when}, {"body", nameOf(scene, i)}, {"reach", text(m_hardCase.bound.reach)}});
+                return Error("hard-too-far", {{"frame", when},
+                                              {"body", nameOf(scene, i)},
+                                              {"reach", numberText(m_hardCase.bound.reach)}});
         }
         if (m_hardCase.bound.drift) {
             const double drift = length(centreOfMass(state) - m_start);
             if (!(drift <= *m_hardCase.bound.drift))
-                return Error("hard-drifts", {{"frame", when}, {"drift", text(drift)}});
+                return Error("hard-drifts", {{"frame", when}, {"drift", numberText(drift)}});
         }
         return m_hardCase.stickError ? checkSticks(scene, state, when) : std::nullopt;
     }
@@ -73,8 +73,8 @@ private:
         return Error("hard-stick", {{"frame", when},
                                     {"a", nameOf(scene, worst.a)},
                                     {"b", nameOf(scene, worst.b)},
-                                    {"error", text(std::abs(worst.error))},
-                                    {"most", text(*m_hardCase.stickError)}});
+                                    {"error", numberText(std::abs(worst.error))},
+                                    {"most", numberText(*m_hardCase.stickError)}});
     }
 
     const HardCase &m_hardCase;
@@ -89,19 +89,20 @@ std::optional<Error> checkRest(const Rest &rest, const Scene &scene, const State
     for (int i = 0; i < state.pointCount(); ++i) {
         const double speed = length(state.positionOf(i) - before.positionOf(i)) / framesPerOutput;
         if (!(speed <= rest.speed))
-            return Error("hard-moves", {{"body", nameOf(scene, i)}, {"speed", text(speed)}});
+            return Error("hard-moves", {{"body", nameOf(scene, i)}, {"speed", numberText(speed)}});
     }
     for (const RestPosition &expected : rest.places) {
         const double difference = length(state.positionOf(scene.find(expected.body)) - expected.x);
         if (!(difference <= expected.within))
-            return Error("hard-elsewhere", {{"body", expected.body}, {"off", text(difference)}});
+            return Error("hard-elsewhere", {{"body", expected.body}, {"off", numberText(difference)}});
     }
     for (const RestDistance &expected : rest.distances) {
         const Vec2 apart =
             state.positionOf(scene.find(expected.a)) - state.positionOf(scene.find(expected.b));
         const double difference = std::abs(length(apart) - expected.length);
         if (!(difference <= expected.within))
-            return Error("hard-length", {{"a", expected.a}, {"b", expected.b}, {"off", text(difference)}});
+            return Error("hard-length",
+                         {{"a", expected.a}, {"b", expected.b}, {"off", numberText(difference)}});
     }
     return {};
 }

@@ -52,6 +52,8 @@ Scene noLengthStick(const Values &values);
 /// Values: damp, gravity.
 Scene fixedStick(const Values &values);
 
+/// Where the trunks of these trees begin, px.
+inline constexpr Vec2 treeRoot = {275.0, 400.0};
 /// Returns a tree that turns with the wind. Values: levels, slope, base_length, ease, formula (0: corrected,
 /// 1: published), by (0: ease, 1: distance, 2: thickness), wind, turned (degrees, initial bend of the trunk).
 Scene windyTree(const Values &values);

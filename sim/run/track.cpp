@@ -23,7 +23,9 @@ struct Failure
 /// Returns the failure in `state`, if any.
 std::optional<Failure> failureOf(const State &state)
 {
-    // First, because rejected attempts of a stuck method may have left numbers that are not finite.
+    if (state.stepFailed)
+        return Failure{StopReason::stepFailed, state.pointCount()};
+    // Before the numbers, because rejected attempts of a stuck method may have left numbers that are not finite.
     if (const int point = firstStuckPoint(state); point >= 0)
         return Failure{StopReason::tooManySteps, point};
     if (const int point = firstNonFinitePoint(state); point >= 0)
@@ -187,7 +189,7 @@ bool Track::runOneStep(const Pipeline &pipeline, State &state, const std::vector
 
 Track::Progress Track::endOutputStep(const ShouldContinue &shouldContinue)
 {
-    const bool isGood = firstStuckPoint(m_now) < 0 && isFinite(m_now, m_pool);
+    const bool isGood = !m_now.stepFailed && firstStuckPoint(m_now) < 0 && isFinite(m_now, m_pool);
     if (!isGood)
         return recordStop(shouldContinue);
     m_at = {m_at.frame + framesPerOutput(), 0};

@@ -30,6 +30,7 @@ struct Cursor
 enum class StopReason {
     notFinite,    ///< a number stopped being finite
     tooManySteps, ///< an adaptive method exceeded its step budget for one frame
+    stepFailed,   ///< the method could not compute the step; see State::stepFailed
 };
 
 /// Where and why a run ends.

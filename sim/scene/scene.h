@@ -1,8 +1,10 @@
 #pragma once
 
+#include "sim/forward.h"
 #include "sim/scene/effect.h"
 #include "sim/scene/state.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,9 @@ struct Scene
     std::vector<std::string> names; ///< per point: the name that files and events use
     std::vector<Group> groups;      ///< in update order; every point that can move is in one
     std::vector<EffectPtr> effects; ///< in the order in which they act
+    /// The parameters from which it was built, for methods that read them by name. sceneOf() sets it; null for
+    /// a scene that was built directly.
+    std::shared_ptr<const Values> values = {};
 
     /// Returns the index of the point called `name`, or -1.
     int find(const std::string &name) const;

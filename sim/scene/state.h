@@ -17,6 +17,10 @@ struct Hold
 {
     int point = -1; ///< -1: none
     Vec2 hand;      ///< px, position of the pointer
+    /// px and px/frame, motion of the point before the input of the current output step moved it to `hand`.
+    /// For methods that are programs and move a held point themselves.
+    Vec2 positionBefore = {};
+    Vec2 velocityBefore = {};
 };
 
 /// Whether each steering key is down.
@@ -91,6 +95,11 @@ struct State
     Eigen::ArrayXd gait;      ///< rad, per gait clock
     Eigen::ArrayXd gaitSpeed; ///< rad/frame, per gait clock
     GustExtent gustExtent;
+    /// Bytes that a method remembers from step to step besides the columns above, for example the variables of
+    /// a program. Only that method knows their layout. Empty for most methods.
+    std::vector<std::byte> memory;
+    /// Whether the method could not compute the current step. The run ends before it.
+    bool stepFailed = false;
     std::int64_t frame = 0; ///< the frame that is being computed, or the last one computed
     InputState input;
     Hold hold;
@@ -172,6 +181,9 @@ void visitBytes(const State &state, Visit &&visit)
     array(state.gaitSpeed);
     scalar(state.gustExtent.front);
     scalar(state.gustExtent.tail);
+    scalar(state.memory.size());
+    visit(state.memory.data(), state.memory.size());
+    scalar(state.stepFailed);
     scalar(state.frame);
     const InputState &input = state.input;
     scalar(input.pointer.has_value());
@@ -186,6 +198,8 @@ void visitBytes(const State &state, Visit &&visit)
         scalar(key);
     scalar(state.hold.point);
     vector(state.hold.hand);
+    vector(state.hold.positionBefore);
+    vector(state.hold.velocityBefore);
 }
 
 /// Returns whether two states are equal in every bit (so 0 differs from -0, and NaN equals itself).

@@ -1,10 +1,10 @@
-// What exactness costs: a creature in the air through the ordinary pipeline, against the solvers of Boost's odeint and
-// of SUNDIALS with a right-hand side written by hand. See creature_in_air.h.
+// The cost of accuracy: a creature in the air through the usual pipeline, compared with hand-written
+// equations in Boost's odeint and in SUNDIALS. See creature_in_air.h.
 
-#include "creature_in_air.h"
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
-#include "support.h"
+#include "tests/bench/peers/creature_in_air.h"
+#include "tests/sim/support/support.h"
 
 #include "sim/effects/drags/damping.h"
 #include "sim/methods/methods.h"
@@ -25,7 +25,7 @@ sim::Scene scene()
     return creature;
 }
 
-/// The phases that the app runs, one after the other.
+/// Our pipeline, as the app runs it.
 class Pipelined : public air::Solver
 {
 public:
@@ -38,17 +38,17 @@ public:
         m_pipeline = sim::compose(prepared, *method, step);
     }
 
-    void run(air::Course &course) override
+    void run(air::MeasureSeries &series) override
     {
         sim::State state = m_start;
-        write(state, course[0]);
+        write(state, series[0]);
         for (std::size_t frame = 1; frame <= air::frames; ++frame) {
             state.frame = static_cast<std::int64_t>(frame);
             for (int step = 0; step < m_pipeline.step.stepsPerOutput; ++step) {
                 for (const sim::Phase &phase : m_pipeline.phases)
                     phase.run(state);
             }
-            write(state, course[frame]);
+            write(state, series[frame]);
         }
     }
 
@@ -62,7 +62,7 @@ private:
     sim::Pipeline m_pipeline;
 };
 
-/// Every method enters, with steps of 1/n frame or by tolerance.
+/// Enters every method, with steps of 1/n frame or with tolerances.
 int enterAll()
 {
     std::vector<double> steps;
@@ -86,10 +86,10 @@ void race(benchmark::State &run, const std::string &team, double target)
         run.SkipWithError("nobody of this team is here, or exact enough");
         return;
     }
-    air::Course course{};
+    air::MeasureSeries series{};
     for (auto _ : run) {
-        champion.solver->run(course);
-        benchmark::DoNotOptimize(course);
+        champion.solver->run(series);
+        benchmark::DoNotOptimize(series);
     }
     run.SetLabel(champion.name);
     run.counters["per_frame"] = benchmark::Counter(static_cast<double>(run.iterations()) * air::frames,

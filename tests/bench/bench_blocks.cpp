@@ -1,7 +1,7 @@
-// A crowd, one step: pass by pass over all points, in blocks of islands that stay in the cache, and in blocks that two
-// threads share. The threads are measured by the clock on the wall, the others by the processor's.
+// One step of a crowd: pass by pass over all points, in cache blocks of islands, and in blocks that two
+// threads share. Times are processor time, except for the threads, which are measured by wall-clock time.
 
-#include "crowd.h"
+#include "tests/bench/scenes/crowd.h"
 
 #include "sim/methods/methods.h"
 #include "sim/pipeline/run_step.h"
@@ -10,7 +10,7 @@
 
 namespace {
 
-/// A crowd by semi-implicit Euler, and where it is. A run begins anew every bench::crowd::frames frames.
+/// A crowd and its run by semi-implicit Euler. The run restarts every bench::crowd::frames frames.
 struct Crowd
 {
     explicit Crowd(int creatures) : scene(bench::crowd::inTheRoom(creatures))
@@ -58,7 +58,7 @@ void inBlocks(benchmark::State &run, int creatures, int threads)
     run.counters["blocks"] = static_cast<double>(crowd.pipeline.blocks.size());
 }
 
-/// How large a block should be.
+/// Measures a step with blocks of different sizes.
 void bySize(benchmark::State &run, int creatures)
 {
     Crowd crowd(creatures);

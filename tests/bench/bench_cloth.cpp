@@ -2,7 +2,7 @@
 // conjugate gradients spring by spring and by Eigen's with an assembled matrix. Both use the same Jacobian,
 // tolerance and diagonal preconditioner.
 
-#include "support.h"
+#include "tests/sim/support/support.h"
 
 #include "sim/methods/implicit/solvers/conjugate_gradients.h"
 #include "sim/methods/methods.h"
@@ -29,7 +29,7 @@ struct System
     Eigen::VectorXd right;
 };
 
-/// Of a cloth that is drawn out, each point somewhere near its place: no two rows are alike.
+/// Returns the system of a stretched cloth whose points are shifted randomly, so that no two rows are equal.
 System drawnOut()
 {
     sim::Scene scene = cloth::hung(side, k, 1.0);
@@ -83,7 +83,7 @@ void clothEigen(benchmark::State &run)
     const System system = drawnOut();
     for (auto _ : run) {
         const auto matrix = matrixOf(system);
-        // Both halves: what Eigen's documentation advises for speed.
+        // Upper and lower triangle, as Eigen's documentation recommends for speed.
         Eigen::ConjugateGradient<Eigen::SparseMatrix<double, Eigen::RowMajor>, Eigen::Lower | Eigen::Upper>
             solver;
         solver.setTolerance(tolerance);
@@ -118,13 +118,13 @@ void frames(benchmark::State &run, const sim::Scene &scene, const char *id)
     run.SetComplexityN(state.pointCount());
 }
 
-/// By semi-implicit Euler.
+/// Measures a frame by semi-implicit Euler.
 void clothExplicit(benchmark::State &run)
 {
     frames(run, cloth::hung(static_cast<int>(run.range(0)), cloth::soft, cloth::calm), "semi_implicit_euler");
 }
 
-/// By backward Euler, near rest, as most frames are.
+/// Measures a frame by backward Euler near rest, like most frames.
 void clothImplicit(benchmark::State &run)
 {
     frames(run, cloth::hung(static_cast<int>(run.range(0)), k, 0.5), "backward_euler");

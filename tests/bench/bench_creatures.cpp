@@ -1,7 +1,7 @@
-// A frame of many creatures through scene and pipeline. What can be reached by hand is in bench_limits.cpp, what others
-// take in peer_*.cpp.
+// A frame of many creatures through scene and pipeline. For comparison, bench_limits.cpp measures
+// hand-written code and peer_*.cpp measures other engines.
 
-#include "crowd_runs.h"
+#include "tests/bench/scenes/crowd_runs.h"
 
 namespace {
 

@@ -1,6 +1,6 @@
-// What painting costs: the whole scene view, 1280 x 800 px, into an image. Time between two pictures is not in it, only
-// painting. Besides the mean each row has the frame times by percentile, in ms: 16.7 is 60 pictures a second. All are
-// processor time, so that a machine with other things to do does not add to them.
+// The cost of painting the whole scene view, 1280 x 800 px, into an image. Time between two repaints does not
+// count. Each row also has percentiles of the frame times in ms; 16.7 is 60 pictures a second. All times are
+// processor time, which does not depend on the load of the machine.
 
 #include "lessons/api/creature.h"
 #include "lessons/api/view/creature_view.h"
@@ -10,10 +10,11 @@
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/effects/springs/radial_spring.h"
-#include "tests/app/look_scenes.h"
-#include "tests/app/scene_bench.h"
+#include "tests/app/scene/drawn_scenes.h"
+#include "tests/app/scene/scene_support.h"
 
 #include <QApplication>
+#include <QSettings>
 #include <QTemporaryDir>
 
 #include <benchmark/benchmark.h>
@@ -23,15 +24,15 @@
 
 namespace {
 
-constexpr int pictures = 200; ///< of each row
+constexpr int pictures = 200; ///< per row
 
-/// Paints the view as often as the row wants, another moment each time, and tells how long pictures took.
-void paint(benchmark::State &bench, SceneBench &scene)
+/// Paints the view as often as the row asks, at another moment each time, and reports the times.
+void paint(benchmark::State &bench, SceneFixture &scene)
 {
     QImage image(1280, 800, QImage::Format_RGB32);
     std::vector<double> times; // ms
     for (auto _ : bench) {
-        scene.session.frameForward();
+        scene.session.playback().frameForward();
         const double start = sim::threadCpuSeconds();
         scene.view.viewport()->render(&image);
         const double took = sim::threadCpuSeconds() - start;
@@ -48,12 +49,13 @@ void paint(benchmark::State &bench, SceneBench &scene)
     bench.counters["max"] = times.back();
 }
 
-/// A tree of 2^(forks + 1) - 1 branches, `percent` of its size at first; another moment of its sway each time.
+/// Paints a tree of 2^(forks + 1) - 1 branches, `enlarged` times its first size, at another moment of its
+/// sway each time.
 void paintTree(benchmark::State &bench, int forks, double enlarged)
 {
-    look_scenes::Tree tree = look_scenes::tree(forks);
-    look_scenes::letSway(tree);
-    SceneBench scene({look_scenes::step("tree", tree.scene, tree.look)});
+    drawn_scenes::Tree tree = drawn_scenes::tree(forks);
+    drawn_scenes::letSway(tree);
+    SceneFixture scene({drawn_scenes::step("tree", tree.scene, tree.view)});
     scene.view.resize(1280, 800);
     for (; enlarged > 1.0; enlarged /= 1.25)
         scene.view.zoomIn();
@@ -79,14 +81,14 @@ void paintFarTree(benchmark::State &bench)
     paintTree(bench, static_cast<int>(bench.range(0)), 0.25);
 }
 
-/// The same view with nothing in it but the sky.
+/// Paints the same view with only the sky.
 void paintSky(benchmark::State &bench)
 {
     paintTree(bench, 0, 1.0);
 }
 
-/// Creatures of six points, with legs, each falling in a room that all of them fill. `across`: how many of the room's
-/// widths the view is wide.
+/// Paints creatures of six points with legs that fall in one room and fill it. `across`: the width of the
+/// view in room widths.
 void paintCreatures(benchmark::State &bench, int count, double across)
 {
     constexpr int feet = 5;
@@ -107,10 +109,10 @@ void paintCreatures(benchmark::State &bench, int count, double across)
     scenes::add<sim::Gravity>(scene, 0.5);
     scenes::add<sim::Damping>(scene, 0.9);
     scenes::add<sim::Walls>(scene, room, scenes::halfWidths(scene));
-    lessons::View look = lessons::crowdByPartsView(scene, count);
-    look.room = room;
-    look.stage = QRectF(room.left, room.floor - 360.0 * size, 500.0 * size, 380.0 * size);
-    SceneBench bed({look_scenes::step("creatures", scene, look)});
+    lessons::View view = lessons::crowdByPartsView(scene, count);
+    view.room = room;
+    view.stage = QRectF(room.left, room.floor - 360.0 * size, 500.0 * size, 380.0 * size);
+    SceneFixture bed({drawn_scenes::step("creatures", scene, view)});
     bed.view.resize(1280, 800);
     bed.view.fit();
     for (; across < 1.0; across *= 1.25)
@@ -156,8 +158,9 @@ int main(int argc, char **argv)
 {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     QApplication application(argc, argv);
-    QTemporaryDir settings;
-    useOwnSettings(settings);
+    const QTemporaryDir settings;
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;

@@ -1,10 +1,10 @@
 // One whole frame of a creature with five feet, gravity and walls: through the pipeline, through the timeline
-// with its keyframes, and by a loop over plain doubles. Runs start again before the points rest: velocities of points
-// at rest get so small that a processor computes them much more slowly.
+// with its keyframes, and by a loop over plain doubles. Runs restart before the points rest, because the tiny
+// velocities at rest are denormal numbers, which processors compute slowly.
 
-#include "crowd_numbers.h"
-#include "plain_creature.h"
-#include "support.h"
+#include "tests/bench/peers/plain_creature.h"
+#include "tests/bench/scenes/crowd_numbers.h"
+#include "tests/sim/support/support.h"
 
 #include "sim/pipeline/run_step.h"
 
@@ -55,7 +55,7 @@ void pipeline(benchmark::State &run, const std::string &method)
     }
 }
 
-/// With every frame kept (a large budget) or none (0).
+/// Measures a frame with all keyframes (a large budget) or none (a budget of 0).
 void track(benchmark::State &run, const std::string &method, std::size_t budget)
 {
     constexpr int tenMinutes = 18'000;

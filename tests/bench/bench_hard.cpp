@@ -1,7 +1,7 @@
-// What hard scenes cost, by size: many feet on one body by a method that holds them, a chain of sticks that is too
-// short, and many creatures at once within a tight error.
+// The cost of hard scenes by size: many feet on one body with a stable method, a chain of sticks that is too
+// short, and many creatures at once with a small tolerance.
 
-#include "crowd.h"
+#include "tests/bench/scenes/crowd.h"
 
 #include "sim/catalogue/scenes.h"
 #include "sim/methods/methods.h"
@@ -11,7 +11,7 @@
 
 namespace {
 
-/// A frame of `scene`, in runs of 50 frames from the start: what lies still costs less.
+/// Measures a frame of `scene` in runs of 50 frames, because points at rest cost less.
 void frames(benchmark::State &run, const sim::Scene &scene, const char *id, sim::StepSize step)
 {
     constexpr int length = 50;
@@ -51,14 +51,14 @@ void chain(benchmark::State &run)
     frames(run, sim::hard::stretchedChain(values), "semi_implicit_euler", sim::StepSize::ofLength(1.0));
 }
 
-/// Each takes the steps that it needs.
+/// Each creature takes its own adaptive steps.
 void exactCreatures(benchmark::State &run)
 {
     frames(run, bench::crowd::inTheAir(static_cast<int>(run.range(0))), "rkn86",
            sim::StepSize::withTolerance(1e-6));
 }
 
-/// The same where each meets walls on its own.
+/// The same, with wall contacts at different times.
 void exactCrowd(benchmark::State &run)
 {
     frames(run, bench::crowd::inTheRoom(static_cast<int>(run.range(0))), "rkn86",

@@ -1,6 +1,7 @@
-// Reaching any frame of a ten-minute run that was computed once, against computing it from the start.
+// Seeking any frame of a ten-minute run that has been computed before, compared with computing it from the
+// start.
 
-#include "support.h"
+#include "tests/sim/support/support.h"
 
 #include <benchmark/benchmark.h>
 
@@ -17,7 +18,7 @@ sim::Script creature()
     return support::script(support::sample("creature in a room"), "published");
 }
 
-/// In a run of as many frames as the benchmark's argument says.
+/// Seeks within a run of as many frames as the benchmark's argument.
 void seekWithin(benchmark::State &run, std::size_t budget)
 {
     using Clock = std::chrono::steady_clock;
@@ -61,7 +62,7 @@ void computeStraight(benchmark::State &run)
     run.SetComplexityN(frames);
 }
 
-/// The live values beside the code, which the window asks for after each frame.
+/// Computes the live values beside the code, which the window needs after each frame.
 void liveValues(benchmark::State &run)
 {
     sim::Timeline timeline(creature());
@@ -70,7 +71,7 @@ void liveValues(benchmark::State &run)
         benchmark::DoNotOptimize(timeline.track().explainPhases("body"));
 }
 
-/// A frame on, as playing does.
+/// Advances by one frame, as playback does.
 void playFrame(benchmark::State &run)
 {
     sim::Timeline timeline(creature());

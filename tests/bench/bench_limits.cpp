@@ -1,9 +1,10 @@
-// What one reaches by hand, for the processor at hand alone: limit_*.h, and the loop of plain_crowd.h. Each is first
-// compared with what the pipeline computes: a limit that does something else is none.
+// The speed of hand-written code that is optimised for this processor alone: limit_*.h and the loop of
+// plain_crowd.h. Each result is first compared with the pipeline's, because a limit that computes something
+// else would be meaningless.
 
-#include "by_hand.h"
-#include "support.h"
-#include "tree_scenes.h"
+#include "tests/bench/peers/by_hand.h"
+#include "tests/bench/scenes/tree_scenes.h"
+#include "tests/sim/support/support.h"
 
 #include "sim/scenes/cloth.h"
 
@@ -20,7 +21,8 @@ const benchmark::internal::Benchmark *const entered[] = {
         {"creatures_in_air_loop", crowd::inTheAir, by_hand::creaturesInAir, 1e-9, by_hand::missing()}),
 };
 
-/// Whether `limit` can run here, and is where the pipeline is after some frames; says why not.
+/// Returns whether `limit` can run on this machine and agrees with the pipeline after some frames. Reports
+/// the reason if not.
 template <class Limit>
 bool isRight(benchmark::State &run, const Limit &limit, const sim::State &right)
 {

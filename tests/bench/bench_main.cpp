@@ -1,4 +1,4 @@
-// Google Benchmark's own main(), with what the table says of the machine.
+// Google Benchmark's own main(), plus the machine data for the table.
 
 #include <benchmark/benchmark.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-/// As the system calls it; "an unknown processor" where it does not say.
+/// Returns the processor's name as the system reports it, or "an unknown processor".
 std::string processor()
 {
     std::ifstream info("/proc/cpuinfo");

@@ -1,13 +1,15 @@
-// What a long play costs with every panel open: how long a turn of the window's event loop ever takes, and what memory
-// grows besides the keyframes: bench_play [--from N] [--frames N] [--speed F] [--size WxH]... [LESSON/STEP[,PARAMETER=VALUE]...]...
-// It plays at twice the usual speed, 60 frames and 60 pictures a second, so that 36 000 frames are ten minutes. Panels
-// that are tabs of each other come to the front in turn. Times are processor time of this thread, so that a machine with
-// other things to do does not add to them, and what passed by the clock beside it.
+// The cost of long playback with all panels open: the longest turn of the window's event loop, and the growth
+// of memory besides the keyframes: bench_play [--from N] [--frames N] [--speed F] [--size WxH]...
+// [LESSON/STEP[,PARAMETER=VALUE]...]...
+//
+// It plays at twice the usual speed, 60 frames and 60 pictures a second, so that 36 000 frames are ten
+// minutes. Panels that share a tab bar take turns in front. Times are processor time of this thread, which
+// does not depend on the load of the machine, with wall-clock time beside it.
 
-#include "app/model/lesson_library.h"
+#include "app/model/catalog/lesson_library.h"
 #include "app/ui/window/main_window.h"
-#include "every_panel.h"
-#include "slow_events.h"
+#include "tests/bench/every_panel.h"
+#include "tests/bench/slow_events.h"
 
 #include <QCommandLineParser>
 #include <QElapsedTimer>
@@ -34,7 +36,7 @@ constexpr double tooLong = 50.0;  ///< ms
 constexpr qint64 settling = 2000; ///< ms
 constexpr double mebi = 1 << 20;
 
-/// Resident memory of this program in MiB.
+/// Returns the resident memory of this program, MiB.
 double resident()
 {
     QFile file("/proc/self/statm");
@@ -53,15 +55,15 @@ struct Memory
 
 struct Play
 {
-    std::vector<Took> frames; ///< all turns from one in which a frame is computed to before the next
-    Took turn;                ///< the longest one
-    Took arranging;           ///< the longest one in which other tabs come to the front
+    std::vector<Took> frames; ///< one entry per turn that computes a frame, up to the next such turn
+    Took turn;                ///< the longest turn
+    Took arranging;           ///< the longest turn that brings other tabs to the front
     std::vector<Memory> memory;
     QSize window;
-    QStringList slow; ///< what took the most in turns that took too long
+    QStringList slow; ///< the most expensive events of turns that took too long
 };
 
-/// The next tab of each stack of panels comes to the front.
+/// Brings the next tab of each tab bar to the front.
 void turnTabs(const MainWindow &window)
 {
     for (QTabBar *tabs : window.findChildren<QTabBar *>(QString(), Qt::FindDirectChildrenOnly)) {
@@ -100,19 +102,19 @@ QString said(const QList<WatchedApplication::Delivery> &deliveries)
 struct Plan
 {
     QSize size; ///< of the window
-    std::int64_t from =
-        0; ///< the frame at which it begins to play: what was before is computed, and read by the panels
-    std::int64_t frames = 0; ///< the last one
-    double speed = 2.0;      ///< times the usual one
+    /// The frame at which playback starts. The run before it is computed first, and read by the panels.
+    std::int64_t from = 0;
+    std::int64_t frames = 0; ///< the last frame
+    double speed = 2.0;      ///< factor on the usual speed
 };
 
-/// Goes to a frame, and waits until the panels have read what is before it.
+/// Goes to a frame, and waits until the panels have read the run up to it.
 void goTo(Session &session, std::int64_t frame)
 {
-    session.goTo({frame, 0});
+    session.playback().goTo({frame, 0});
     QElapsedTimer clock;
-    for (clock.start(); session.goingTo() || clock.elapsed() < settling; QThread::usleep(500)) {
-        if (session.goingTo())
+    for (clock.start(); session.playback().goal() || clock.elapsed() < settling; QThread::usleep(500)) {
+        if (session.playback().goal())
             clock.restart();
         QApplication::processEvents();
     }
@@ -128,11 +130,12 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, const
     play.window = window.size();
     goTo(session, plan.from);
     play.memory.push_back(memoryNow(session));
-    session.setSpeed(plan.speed);
-    session.play();
+    session.playback().setSpeed(plan.speed);
+    session.playback().play();
     std::int64_t turned = plan.from;
     std::int64_t noted = plan.from;
-    while (session.timeline().computed() < plan.frames && session.isPlaying() && !session.isResting()) {
+    while (session.timeline().computed() < plan.frames && session.playback().isPlaying() &&
+           !session.playback().isWaiting()) {
         const std::int64_t before = session.timeline().cursor().frame;
         const bool turns = before >= turned + framesOfATab;
         application.slowest();
@@ -156,7 +159,7 @@ Play play(Session &session, Theme &theme, WatchedApplication &application, const
         QThread::usleep(500);
     }
     play.memory.push_back(memoryNow(session));
-    session.pause();
+    session.playback().pause();
     return play;
 }
 

@@ -1,10 +1,12 @@
-// How long it takes until the window shows another moment of a long run: bench_scrub [--frames N] [--moves N]
-// [LESSON/STEP[,PARAMETER=VALUE]...]... Of each step twice: moments drawn at random, with the window as it opens, 1280 x
-// 800 px, painted whole; and the head of the timeline dragged to and fro with the mouse, with every panel open and seen,
-// 1920 x 1080 px, where each repaints what has changed in it. Times are processor time of this thread, so that a machine
-// with other things to do does not add to them.
+// How long the window takes to show another moment of a long run: bench_scrub [--frames N] [--moves N]
+// [LESSON/STEP[,PARAMETER=VALUE]...]...
+//
+// Measures each step twice. First, random moments with the window as it opens, 1280 x 800 px, painted as a
+// whole. Second, the playhead dragged to and fro with the mouse, 1920 x 1080 px, with every panel visible,
+// where each panel repaints only its changes. Times are processor time of this thread, which does not depend
+// on the load of the machine.
 
-#include "app/model/lesson_library.h"
+#include "app/model/catalog/lesson_library.h"
 #include "app/ui/energy/energy_panel.h"
 #include "app/ui/energy/energy_plot.h"
 #include "app/ui/plots/plot_card.h"
@@ -12,9 +14,9 @@
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/window/main_window.h"
-#include "every_panel.h"
 #include "sim/base/cpu_clock.h"
-#include "slow_events.h"
+#include "tests/bench/every_panel.h"
+#include "tests/bench/slow_events.h"
 
 #include <QCommandLineParser>
 #include <QMouseEvent>
@@ -35,7 +37,7 @@ namespace {
 
 constexpr std::int64_t tenMinutes = 10 * 60 * 30; ///< frames
 constexpr double aPicture = 1.0 / 60.0;           ///< s
-constexpr int turnsAfterwards = 6; ///< of the event loop, in which panels read what they have not read yet
+constexpr int turnsAfterwards = 6; ///< turns of the event loop in which panels finish reading the run
 constexpr int settlingTurns = 500;
 constexpr int stride = 3; ///< px between two moves of the mouse
 
@@ -47,7 +49,7 @@ void turn(int times)
 
 void waitThere(const Session &session)
 {
-    while (session.goingTo())
+    while (session.playback().goal())
         QApplication::processEvents();
 }
 
@@ -70,12 +72,12 @@ QString percentiles(std::vector<double> seconds)
 /// Computes a run, and waits until the panels have read it.
 void compute(Session &session, MainWindow &window, std::int64_t frames)
 {
-    session.goTo({frames, 0});
+    session.playback().goTo({frames, 0});
     waitThere(session);
     const auto *energy = window.findChild<EnergyPanel *>();
     const auto isReading = [&] {
-        const bool counts = energy->isVisible() && !energy->course().whyNot();
-        return (counts && energy->course().last() < session.timeline().computed()) ||
+        const bool counts = energy->isVisible() && !energy->series().whyNot();
+        return (counts && energy->series().last() < session.timeline().computed()) ||
                !window.plots().isSettled();
     };
     for (int i = 0; i < settlingTurns || isReading(); ++i) {
@@ -103,7 +105,7 @@ void jump(Session &session, Theme &theme, const Plan &plan, QTextStream &out)
     QImage image(window.size(), QImage::Format_RGB32);
     for (int i = 0; i < plan.moves; ++i) {
         const double start = sim::threadCpuSeconds();
-        session.goTo({anywhere(random), 0});
+        session.playback().goTo({anywhere(random), 0});
         waitThere(session);
         seeking.push_back(sim::threadCpuSeconds() - start);
         window.render(&image);
@@ -114,7 +116,7 @@ void jump(Session &session, Theme &theme, const Plan &plan, QTextStream &out)
         << "\n  jumping, seeking and painting it all:  " << percentiles(all) << Qt::endl;
 }
 
-/// Tells when widgets have been painted.
+/// An application that records when widgets have been painted.
 class Eyes : public WatchedApplication
 {
 public:
@@ -125,12 +127,13 @@ public:
         m_unseen = widgets;
         m_seen.reset();
     }
-    /// When all of them were painted, at the end of painting the window; nothing as long as they are not.
+    /// Returns when the window's painting ended in which the last of these widgets was painted. Empty until
+    /// then.
     std::optional<double> seen() const { return m_seen; }
 
     bool notify(QObject *receiver, QEvent *event) override
     {
-        const QEvent::Type type = event->type(); // it may be gone afterwards
+        const QEvent::Type type = event->type(); // the event may be deleted afterwards
         if (type == QEvent::Paint)
             m_unseen.erase(receiver);
         const bool answer = WatchedApplication::notify(receiver, event);
@@ -144,7 +147,7 @@ private:
     std::optional<double> m_seen;
 };
 
-/// What shows the moment in pictures.
+/// Returns the widgets that show the moment.
 std::set<QObject *> viewsOf(MainWindow &window)
 {
     std::set<QObject *> views{window.findChild<TimelineStrip *>(),
@@ -174,7 +177,7 @@ void drag(Session &session, Theme &theme, Eyes &application, const Plan &plan, Q
     compute(session, window, plan.frames);
     auto &timeline = *window.findChild<TimelineStrip *>();
     const double left = timeline.axis().xOf(0), right = timeline.axis().xOf(session.timeline().computed());
-    constexpr double onTrack = 25.0; // px from above
+    constexpr double onTrack = 25.0; // px from the top
     const std::set<QObject *> views = viewsOf(window);
     std::vector<double> seen, read;
     QStringList slow;
@@ -231,7 +234,7 @@ int main(int count, char **arguments)
     QTextStream out(stdout);
     for (const QString &one : steps) {
         openStep(session, one);
-        session.goTo({plan.frames, 0});
+        session.playback().goTo({plan.frames, 0});
         waitThere(session);
         out << one << ": " << session.timeline().state().pointCount() << " points, "
             << session.timeline().track().keyframeCount() << " moments kept of "

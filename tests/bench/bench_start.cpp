@@ -1,5 +1,6 @@
-// How long a learner waits for the window: from the start of the program to the moment when its first picture is painted
-// and the window answers. Each start is a process of its own, by the clock: what else the machine does adds to it.
+// How long a learner waits for the window: from the start of the program until the window is first painted
+// and responds. Each start is a new process and is measured by wall-clock time, so the load of the machine
+// adds to it.
 
 #include "app/ui/window/gui.h"
 #include "app/ui/window/main_window.h"
@@ -16,10 +17,10 @@
 
 namespace {
 
-constexpr int starts = 10; ///< of each row
+constexpr int starts = 10; ///< per row
 const char *const asWindow = "--as-window";
 
-/// ns on a clock that all processes share.
+/// Returns ns on a clock that all processes share.
 qint64 now()
 {
     return std::chrono::duration_cast<std::chrono::nanoseconds>(
@@ -27,7 +28,7 @@ qint64 now()
         .count();
 }
 
-/// Ends when the window is painted, and says when that was.
+/// An application that quits when the window has been painted, and records the time.
 class Application : public QApplication
 {
 public:
@@ -38,7 +39,7 @@ public:
         const bool isPicture =
             event->type() == QEvent::Paint && qobject_cast<app::MainWindow *>(receiver) && !m_isPainted;
         const bool answer = QApplication::notify(receiver, event);
-        if (isPicture) { // what is in the window is painted after it, within the same event
+        if (isPicture) { // child widgets are painted after the window, within the same event
             m_isPainted = true;
             QTimer::singleShot(0, this, [] {
                 QTextStream(stdout) << now() << Qt::endl;
@@ -52,7 +53,7 @@ private:
     bool m_isPainted = false;
 };
 
-/// s; 0 if there was no window.
+/// Returns the time of one start in s; 0 if there was no window.
 double oneStart(const QProcessEnvironment &environment)
 {
     QProcess process;
@@ -66,11 +67,11 @@ double oneStart(const QProcessEnvironment &environment)
 
 void startUp(benchmark::State &bench)
 {
-    const QTemporaryDir home; // a learner's own settings stay out of it
+    const QTemporaryDir home; // keeps the user's own settings out of the measurement
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char *variable : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"})
         environment.insert(variable, home.path());
-    oneStart(environment); // the first one reads the program from the disk
+    oneStart(environment); // a first start, which reads the program from the disk
     for (auto _ : bench) {
         const double took = oneStart(environment);
         if (took == 0.0)

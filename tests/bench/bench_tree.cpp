@@ -1,6 +1,7 @@
-// One frame of a tree, by branches: the tutorial's last step with the wind blowing, and joints that swing.
+// One frame of a tree, by number of branches: the tutorial's last step in the wind, and a tree with spring
+// joints.
 
-#include "tree_scenes.h"
+#include "tests/bench/scenes/tree_scenes.h"
 
 #include "sim/methods/methods.h"
 #include "sim/pipeline/run_step.h"
@@ -47,7 +48,7 @@ void treeThatSwings(benchmark::State &run)
     frames(run, trees::thatSwings(treeOf(run)), "semi_implicit_euler");
 }
 
-// By forks: 255, 4,095, 65,535 and 1,048,575 branches.
+// The arguments are levels of forks: 255, 4,095, 65,535 and 1,048,575 branches.
 BENCHMARK(tree)->Arg(7)->Arg(11)->Arg(15)->Arg(19)->Complexity();
 BENCHMARK(treePublished)->Arg(7)->Arg(11)->Arg(15)->Complexity();
 BENCHMARK(treeThatSwings)->Arg(7)->Arg(11)->Arg(15)->Complexity();

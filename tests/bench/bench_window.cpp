@@ -1,9 +1,9 @@
-// How long the window's event loop is ever held up while it measures accuracy on the thread beside it, which event
-// held it up, and when the first points are there: bench_window [LESSON/STEP]...
+// How long the window's event loop is blocked while a thread measures accuracy, which event blocks it, and
+// when the first points appear: bench_window [LESSON/STEP]...
 
-#include "app/model/lesson_library.h"
+#include "app/model/catalog/lesson_library.h"
 #include "app/ui/window/main_window.h"
-#include "slow_events.h"
+#include "tests/bench/slow_events.h"
 
 #include <QElapsedTimer>
 #include <QSettings>
@@ -21,8 +21,8 @@ constexpr qint64 givenUp = 60'000; ///< ms
 
 struct Stall
 {
-    Took opening;             ///< arranging the window, before there is anything to measure
-    Took turn;                ///< the longest turn of the event loop, by each of the two
+    Took opening;             ///< opening the window, before any measurement
+    Took turn;                ///< the longest turn of the event loop, by both times
     double firstPoints = 0.0; ///< ms
     double done = 0.0;        ///< ms
     std::size_t rows = 0;
@@ -42,7 +42,7 @@ Stall measure(Session &session, Theme &theme)
     window.resize(1920, 1080);
     window.show();
     QApplication::processEvents();
-    session.play(); // as a learner has it: the scene moves while it is measured
+    session.playback().play(); // as for a learner: the scene moves while it is measured
     QElapsedTimer clock;
     clock.start();
     const auto ms = [&] { return static_cast<double>(clock.nsecsElapsed()) / 1e6; };
@@ -60,7 +60,7 @@ Stall measure(Session &session, Theme &theme)
     }
     stall.done = ms();
     stall.rows = window.study().accuracy() ? window.study().accuracy()->rows.size() : 0;
-    session.pause();
+    session.playback().pause();
     return stall;
 }
 

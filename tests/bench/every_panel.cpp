@@ -1,4 +1,4 @@
-#include "every_panel.h"
+#include "tests/bench/every_panel.h"
 
 #include "app/ui/plots/plots_panel.h"
 
@@ -17,7 +17,8 @@ QDockWidget *dock(const MainWindow &window, const char *name)
 void addPlots(MainWindow &window)
 {
     while (window.plots().cards().size() < 3)
-        window.plots().add({{window.plots().cards().size() == 1 ? Measured::speed : Measured::energy}});
+        window.plots().add(
+            {{window.plots().cards().size() == 1 ? QuantityKind::speed : QuantityKind::energy}});
 }
 
 }
@@ -26,15 +27,15 @@ void openStep(Session &session, const QString &what)
 {
     const QStringList parts = what.split(',');
     session.openStep(parts.front().section('/', 0, 0), parts.front().section('/', 1));
-    session.startAfresh();
+    session.editor().startAfresh();
     for (const QString &part : parts.mid(1))
-        session.setParameter(part.section('=', 0, 0), part.section('=', 1).toDouble());
+        session.editor().setParameter(part.section('=', 0, 0), part.section('=', 1).toDouble());
 }
 
 void openEveryPanel(MainWindow &window)
 {
     addPlots(window);
-    window.setMode(MainWindow::Mode::measure); // begins to measure accuracy
+    window.setMode(MainWindow::Mode::measure); // starts the accuracy measurement
     if (dock(window, "lessons")->isHidden() || dock(window, "code")->isHidden()) {
         window.setMode(MainWindow::Mode::learn);
         window.showEnergy(true);
@@ -53,7 +54,7 @@ void showEveryPanel(MainWindow &window)
     window.showPlots(true);
     window.showEnergy(true);
     window.showEffects(true);
-    for (const char *name : {"branches", "effects", "energy"}) // a dock leaves its tabs only so
+    for (const char *name : {"branches", "effects", "energy"}) // the only way to remove a dock from its tabs
         window.removeDockWidget(dock(window, name));
     for (const char *name : {"energy", "effects"}) {
         window.addDockWidget(Qt::BottomDockWidgetArea, dock(window, name));

@@ -2,13 +2,13 @@
 
 #include "app/ui/window/main_window.h"
 
-/// Opens "LESSON/STEP,PARAMETER=VALUE..." as it was when it was first opened.
+/// Opens "LESSON/STEP,PARAMETER=VALUE..." in its initial state.
 void openStep(app::Session &session, const QString &what);
 
-/// All panels and three plots: as Measure has them where there is room for that, else as Learn has them, with what there is no
-/// room for as tabs.
+/// Opens all panels and three plots, in the arrangement of Measure mode if there is enough space. Otherwise
+/// uses that of Learn mode, with the panels that do not fit as tabs.
 void openEveryPanel(app::MainWindow &window);
 
-/// Lessons, code, parameters and values, three plots, the ledger of energy and that of effects, all of them seen at once:
-/// none is a tab. Meant for windows from 1920 x 1080 px on.
+/// Shows all panels at once without tabs: lessons, code, parameters and values, three plots, and the energy
+/// and effect ledgers. Needs a window of at least 1920 x 1080 px.
 void showEveryPanel(app::MainWindow &window);

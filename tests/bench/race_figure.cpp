@@ -1,9 +1,12 @@
-#include "race_figure.h"
+#include "tests/bench/race_figure.h"
 
-#include "creature_in_air.h"
+#include "tests/bench/peers/creature_in_air.h"
 
-#include "app/cli/plot_axis.h"
-#include "app/cli/svg_drawing.h"
+#include "app/ui/accuracy/study_marks.h"
+#include "app/ui/plots/plot.h"
+#include "app/ui/plots/plot_picture.h"
+
+#include <QBuffer>
 
 #include <algorithm>
 #include <cmath>
@@ -12,199 +15,179 @@ namespace bench {
 
 namespace {
 
-using app::Sign;
-using app::SvgDrawing;
+constexpr QSize size(960, 528);
+constexpr int left = 84, right = 170, top = 48, bottom = 130; ///< px, the margins around the axes
+constexpr double solverLine = 20.0;                           ///< px, height of a line of solvers
 
-constexpr double width = 960, height = 560;
-constexpr double left = 76, right = 700, top = 96, bottom = 420; ///< of the axes
-constexpr double inset = 60; ///< of the first and last error from their ends
-
-/// What one team takes at each error.
+/// The time of one team at each error.
 struct Series
 {
     QString title;
-    Sign sign;
-    std::vector<double> microseconds; ///< a frame, at each of air::errors; 0 where there is none
-    QStringList solvers;              ///< who ran
+    QColor color;
+    QCPScatterStyle::ScatterShape shape;
+    std::vector<double> microseconds; ///< per frame, at each of air::errors; 0 where the team has none
+    QStringList solvers;              ///< the solver that ran at each error
 };
 
-Series seriesOf(std::size_t team, const QString &title, const Measurements &medians)
+bool hasAll(const Series &series)
 {
-    Series series{title, app::signOf(team), {}, {}};
-    for (const double error : air::errors) {
-        const auto found = medians.find(air::nameOf(air::teams[team], error));
-        const bool isThere = found != medians.end();
-        series.microseconds.push_back(isThere ? found->second.nanoseconds / 1e3 / air::frames : 0.0);
-        const QString label = isThere ? QString::fromStdString(found->second.label) : QString();
-        series.solvers.push_back(label.section(" at ", 0, 0).section(", ", 0, 0)); // the name alone
+    return std::all_of(series.microseconds.begin(), series.microseconds.end(),
+                       [](double time) { return time > 0.0; });
+}
+
+bool hasAny(const Series &series)
+{
+    return std::any_of(series.microseconds.begin(), series.microseconds.end(),
+                       [](double time) { return time > 0.0; });
+}
+
+std::vector<Series> allSeries(const Measurements &medians)
+{
+    // Colours of Okabe and Ito, darkened for a light ground: people with any kind of colour vision can tell them apart.
+    std::vector<Series> all = {
+        {"Springstep", "#0072b2", QCPScatterStyle::ssDisc, {}, {}},
+        {"odeint (Boost)", "#c04f00", QCPScatterStyle::ssSquare, {}, {}},
+        {"CVODE (SUNDIALS)", "#00805d", QCPScatterStyle::ssTriangle, {}, {}},
+    };
+    for (std::size_t team = 0; team < all.size(); ++team) {
+        for (const double error : air::errors) {
+            const auto found = medians.find(air::nameOf(air::teams[team], error));
+            const bool isMeasured = found != medians.end();
+            all[team].microseconds.push_back(isMeasured ? found->second.nanoseconds / 1e3 / air::frames
+                                                        : 0.0);
+            const QString label = isMeasured ? QString::fromStdString(found->second.label) : QString();
+            all[team].solvers << label.section(" at ", 0, 0).section(", ", 0, 0);
+        }
     }
-    return series;
+    return all;
 }
 
-std::vector<double> allNumbers(const std::vector<Series> &all)
-{
-    std::vector<double> numbers;
-    for (const Series &series : all)
-        numbers.insert(numbers.end(), series.microseconds.begin(), series.microseconds.end());
-    return numbers;
-}
-
+/// The figure: error on the horizontal axis, from large to small; time on the vertical one.
 class Figure
 {
 public:
-    explicit Figure(std::vector<Series> all)
-        : m_all(std::move(all)),
-          m_errors({air::errors.begin(), air::errors.end()}, right - inset, left + inset),
-          m_times(allNumbers(m_all), bottom, top), m_svg(width, height)
+    explicit Figure(std::vector<Series> all) : m_all(std::move(all))
     {
+        m_plot.resize(size);
+        m_plot.setBackground(m_theme.tokens().panel);
+        m_plot.axisRect()->setAutoMargins(QCP::msNone);
+        m_plot.axisRect()->setMargins({left, top, right, bottom});
+        setUpAxis(*m_plot.xAxis, "error, px");
+        setUpAxis(*m_plot.yAxis, "time, µs per frame");
+        m_plot.xAxis->setRangeReversed(true);
+        m_plot.xAxis->setRange(air::errors.back() / 5.0, air::errors.front() * 5.0);
+        addText("A body with five feet, " + QString::number(air::frames) +
+                    " frames, one core: the fastest solver of each within an error.\n"
+                    "Between two lines: how many times as long the upper one takes.",
+                {double(left), 4.0}, Qt::AlignLeft | Qt::AlignTop);
+        for (std::size_t team = 0; team < m_all.size(); ++team) {
+            if (team > 0)
+                addRatios(m_all[0], m_all[team]);
+            addSeries(m_all[team], size.height() - bottom + 48 + solverLine * double(team));
+        }
+        m_plot.yAxis->rescale();
+        const QCPRange times = m_plot.yAxis->range();
+        m_plot.yAxis->setRange(times.lower / 1.5, times.upper * 1.5);
     }
 
-    QByteArray draw()
+    QByteArray svg()
     {
-        drawTitle();
-        drawGrid();
-        for (std::size_t other = 1; other < m_all.size(); ++other)
-            drawRatios(m_all[0], m_all[other]);
-        for (const Series &series : m_all)
-            drawSeries(series);
-        drawNames();
-        drawSolvers();
-        return m_svg.finish();
+        const app::PlotPicture picture{
+            "The cost of accuracy: a creature in the air", "race", size,
+            [this](QCPPainter &painter) { m_plot.toPainter(&painter, size.width(), size.height()); }};
+        QBuffer file;
+        file.open(QIODevice::WriteOnly);
+        return app::writeSvg(file, picture, m_theme) ? file.data() : QByteArray();
     }
 
 private:
-    QPointF at(const Series &series, std::size_t i) const
+    void setUpAxis(QCPAxis &axis, const QString &label)
     {
-        return {m_errors.at(air::errors[i]), m_times.at(series.microseconds[i])};
+        app::styleAxis(axis, m_theme);
+        app::makeLogarithmic(axis);
+        axis.setLabel(label);
+        axis.setLabelFont(m_theme.ui(12));
+        axis.setLabelColor(m_theme.tokens().ink3);
     }
 
-    void drawTitle()
+    /// Adds a text at a place in px of the picture.
+    QCPItemText &addText(const QString &words, QPointF place, Qt::Alignment alignment)
     {
-        m_svg.text({left, 32}, "What exactness costs: a creature in the air",
-                   {{"fill", SvgDrawing::ink}, {"font-weight", "600"}, {"font-size", "16"}});
-        const auto words = [this](double y, const QString &line) {
-            m_svg.text({left, y}, line, {{"fill", SvgDrawing::caption}});
-        };
-        words(54,
-              QStringLiteral(
-                  "A body with five feet, %1 frames, one core: the fastest solver of each within an error")
-                  .arg(air::frames));
-        words(74, "Between two lines: how many times as long the upper one takes");
+        auto *text = new QCPItemText(&m_plot);
+        text->position->setType(QCPItemPosition::ptAbsolute);
+        text->position->setCoords(place);
+        text->setClipToAxisRect(false);
+        text->setPositionAlignment(alignment);
+        text->setTextAlignment(Qt::AlignLeft);
+        text->setText(words);
+        text->setFont(m_theme.ui(12));
+        text->setColor(m_theme.tokens().ink2);
+        return *text;
     }
 
-    void drawGrid()
+    /// Adds the line of a team with its name, and its solvers below the axis at `y` px.
+    void addSeries(const Series &series, double y)
     {
-        for (const double error : air::errors) {
-            const double x = m_errors.at(error);
-            m_svg.line({x, top}, {x, bottom}, SvgDrawing::faint, "1");
-            m_svg.power({x, bottom + 20}, static_cast<int>(std::lround(std::log10(error))), "middle");
-        }
-        for (int decade = m_times.first(); decade <= m_times.last(); ++decade) {
-            const double y = m_times.at(std::pow(10.0, decade));
-            m_svg.line({left, y}, {right, y}, SvgDrawing::faint, "1");
-            m_svg.text({left - 10, y + 4}, QString::number(std::pow(10.0, decade)),
-                       {{"text-anchor", "end"}, {"fill", SvgDrawing::caption}});
-        }
-        m_svg.text({left - 10, bottom + 20}, "error, px",
-                   {{"fill", SvgDrawing::caption}, {"text-anchor", "middle"}});
-        m_svg.text({20, top}, QStringLiteral("time, \u00b5s a frame"),
-                   {{"fill", SvgDrawing::caption},
-                    {"text-anchor", "end"},
-                    {"transform", QStringLiteral("rotate(-90 20 %1)").arg(top)}});
-    }
-
-    void drawSeries(const Series &series)
-    {
-        std::vector<QPointF> points;
+        QCPGraph &graph = *m_plot.addGraph();
+        graph.setPen(QPen(series.color, 2.2));
+        graph.setScatterStyle(QCPScatterStyle(series.shape, series.color, series.color, 9.0));
+        addText(series.title, {size.width() - right + 12.0, y}, Qt::AlignLeft | Qt::AlignVCenter)
+            .setColor(series.color);
         for (std::size_t i = 0; i < air::errors.size(); ++i) {
-            if (series.microseconds[i] > 0.0)
-                points.push_back(at(series, i));
-        }
-        m_svg.polyline(points, series.sign.color, "2.2");
-        for (const QPointF &point : points)
-            m_svg.sign(point, series.sign, series.sign.color);
-    }
-
-    /// Between two series, how many times as long the slower one takes.
-    void drawRatios(const Series &ours, const Series &other)
-    {
-        for (std::size_t i = 0; i < air::errors.size(); ++i) {
-            if (other.microseconds[i] <= 0.0)
+            if (!(series.microseconds[i] > 0.0))
                 continue;
-            const QPointF a = at(ours, i), b = at(other, i);
-            m_svg.line(a, b, other.sign.color, "1");
-            const double share = ours.microseconds[i] / other.microseconds[i];
-            const double times = std::max(share, 1.0 / share);
-            m_svg.text((a + b) / 2 + QPointF(8, 4),
-                       QString::number(times, 'f', times < 9.95 ? 1 : 0) + QChar(0x00d7),
-                       {{"fill", SvgDrawing::ink}, {"font-weight", "600"}});
+            graph.addData(air::errors[i], series.microseconds[i]);
+            QCPItemText &solver =
+                addText(series.solvers[qsizetype(i)], {}, Qt::AlignHCenter | Qt::AlignVCenter);
+            solver.position->setTypeX(QCPItemPosition::ptPlotCoords);
+            solver.position->setCoords(air::errors[i], y);
         }
+        const auto last = std::find_if(series.microseconds.rbegin(), series.microseconds.rend(),
+                                       [](double time) { return time > 0.0; });
+        const auto end = std::size_t(series.microseconds.rend() - last) - 1;
+        QCPItemText &name = addText(series.title, {}, Qt::AlignLeft | Qt::AlignVCenter);
+        name.position->setType(QCPItemPosition::ptPlotCoords);
+        name.position->setCoords(air::errors[end], series.microseconds[end]);
+        name.setPadding({14, 0, 0, 0});
+        name.setColor(series.color);
+        name.setFont(m_theme.ui(12, QFont::DemiBold));
     }
 
-    /// Each beside the end of its line.
-    void drawNames()
+    /// Adds lines between two series, each with the ratio of the longer time to the shorter one.
+    void addRatios(const Series &ours, const Series &other)
     {
-        std::vector<std::pair<double, const Series *>> ends;
-        for (const Series &series : m_all) {
-            std::size_t last = air::errors.size();
-            while (series.microseconds[last - 1] <= 0.0)
-                --last;
-            ends.emplace_back(at(series, last - 1).y(), &series);
-        }
-        std::sort(ends.begin(), ends.end());
-        std::vector<double> places;
-        for (const auto &[y, series] : ends)
-            places.push_back(y);
-        app::spreadOut(places, 20, top, bottom);
-        for (std::size_t i = 0; i < ends.size(); ++i)
-            m_svg.text({right + 16, places[i] + 4}, ends[i].second->title,
-                       {{"fill", ends[i].second->sign.color}, {"font-weight", "600"}});
-    }
-
-    /// Below each error, who was the fastest of each team.
-    void drawSolvers()
-    {
-        double y = bottom + 56;
-        for (const Series &series : m_all) {
-            m_svg.sign({left - 20, y - 4}, series.sign, series.sign.color);
-            m_svg.text({right + 16, y}, series.title, {{"fill", SvgDrawing::caption}});
-            for (std::size_t i = 0; i < air::errors.size(); ++i)
-                m_svg.text({m_errors.at(air::errors[i]), y}, series.solvers[qsizetype(i)],
-                           {{"fill", SvgDrawing::ink}, {"text-anchor", "middle"}, {"font-size", "12"}});
-            y += 22;
+        for (std::size_t i = 0; i < air::errors.size(); ++i) {
+            const double a = ours.microseconds[i], b = other.microseconds[i];
+            if (!(b > 0.0))
+                continue;
+            auto *line = new QCPItemLine(&m_plot);
+            line->start->setCoords(air::errors[i], a);
+            line->end->setCoords(air::errors[i], b);
+            line->setPen(QPen(other.color, 1.0));
+            const double times = std::max(a / b, b / a);
+            QCPItemText &text = addText(QString::number(times, 'f', times < 9.95 ? 1 : 0) + QChar(0x00d7), {},
+                                        Qt::AlignLeft | Qt::AlignVCenter);
+            text.position->setType(QCPItemPosition::ptPlotCoords);
+            text.position->setCoords(air::errors[i], std::sqrt(a * b));
+            text.setPadding({6, 0, 0, 0});
+            text.setFont(m_theme.ui(12, QFont::DemiBold));
         }
     }
 
     std::vector<Series> m_all; ///< ours first
-    app::LogAxis m_errors;
-    app::LogAxis m_times;
-    SvgDrawing m_svg;
+    const app::Theme m_theme{app::Scheme::light};
+    QCustomPlot m_plot;
 };
-
-bool isWhole(const Series &series)
-{
-    return std::all_of(series.microseconds.begin(), series.microseconds.end(),
-                       [](double us) { return us > 0.0; });
-}
-
-bool isAny(const Series &series)
-{
-    return std::any_of(series.microseconds.begin(), series.microseconds.end(),
-                       [](double us) { return us > 0.0; });
-}
 
 }
 
 std::string raceFigure(const Measurements &medians)
 {
-    static constexpr std::array titles = {"Springstep", "odeint (Boost)", "CVODE (SUNDIALS)"};
-    std::vector<Series> all;
-    for (std::size_t team = 0; team < titles.size(); ++team) {
-        const Series series = seriesOf(team, titles[team], medians);
-        if (team == 0 ? isWhole(series) : !all.empty() && isAny(series))
-            all.push_back(series);
-    }
-    return all.size() < 2 ? std::string() : Figure(std::move(all)).draw().toStdString();
+    std::vector<Series> all = allSeries(medians);
+    if (!hasAll(all.front()))
+        return {};
+    std::erase_if(all, [](const Series &series) { return !hasAny(series); });
+    return all.size() < 2 ? std::string() : Figure(std::move(all)).svg().toStdString();
 }
 
 }

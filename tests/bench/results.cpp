@@ -1,4 +1,4 @@
-#include "results.h"
+#include "tests/bench/results.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -19,7 +19,7 @@ double toNanoseconds(const QString &unit)
     return unit == "s" ? 1e9 : unit == "ms" ? 1e6 : unit == "us" ? 1e3 : 1.0;
 }
 
-/// Without what tells only how it was measured.
+/// Returns the name of a run without the parts that describe only how it was measured.
 std::string nameOf(const QJsonObject &run)
 {
     static const QRegularExpression how(
@@ -27,7 +27,7 @@ std::string nameOf(const QJsonObject &run)
     return run["run_name"].toString().remove(how).toStdString();
 }
 
-/// Of what it measures, "time" or "coefficient".
+/// Returns the value of a run, in ns. `what` is "time" or "coefficient".
 double timeOf(const QJsonObject &run, const char *what)
 {
     const QString name = run["run_name"].toString();
@@ -36,7 +36,7 @@ double timeOf(const QJsonObject &run, const char *what)
            toNanoseconds(run["time_unit"].toString());
 }
 
-/// Google Benchmark writes NaN where a counter is 0 each time; JSON knows no such number.
+/// Replaces NaN. Google Benchmark writes it if a counter is always 0, but JSON does not have it.
 QByteArray withoutNan(QByteArray json)
 {
     for (const char *number : {": NaN", ": -NaN", ": Infinity", ": -Infinity"})

@@ -8,35 +8,35 @@
 
 namespace bench {
 
-/// The median of the runs of a benchmark.
-struct Measured
+/// The median of a benchmark's runs.
+struct QuantityKind
 {
-    double nanoseconds = 0.0; ///< one iteration: of processor time, or what it measures in place of that
-    std::string label;        ///< as the benchmark set it
+    double nanoseconds = 0.0; ///< per iteration: processor time, or the benchmark's own measurement
+    std::string label;        ///< set by the benchmark
 };
 using Measurements =
-    std::map<std::string, Measured>; ///< by the benchmark's name with its argument: "creatures/100"
+    std::map<std::string, QuantityKind>; ///< by the benchmark's name with its argument: "creatures/100"
 
-/// How the time of a benchmark goes with its size, as Google Benchmark fits it.
+/// The growth of a benchmark's time with its size, as fitted by Google Benchmark.
 struct Growth
 {
     std::string as;           ///< "N", "NlgN", "(1)", ...
-    double nanoseconds = 0.0; ///< times that function of the size
-    double off = 0.0;         ///< the root of the mean square of what the fit is off, as a share of the mean
+    double nanoseconds = 0.0; ///< factor of that function
+    double off = 0.0;         ///< the root mean square error of the fit, as a fraction of the mean
 };
 using Growths = std::map<std::string, Growth>; ///< by the benchmark's name: "creatures"
 
-/// What programs with Google Benchmark have written.
+/// The output of programs with Google Benchmark.
 struct Results
 {
     Measurements medians;
     Growths growths;
-    std::map<std::string, std::string> refused; ///< by name: why it did not run
-    std::map<std::string, std::string> machine; ///< "processor", "compiler", "cores", "load", as far as known
+    std::map<std::string, std::string> refused; ///< why a benchmark did not run, by name
+    std::map<std::string, std::string> machine; ///< "processor", "compiler", "cores", "load", if known
 };
 
-/// Adds what a file of `--benchmark_out_format=json` has. A run without repetitions is its own median. Returns what is
-/// wrong with the file, or nothing.
+/// Adds the content of a file from `--benchmark_out_format=json`. A run without repetitions counts as its own
+/// median. Returns an error message, or an empty text.
 std::string addResults(const QByteArray &json, Results &results);
 
 }

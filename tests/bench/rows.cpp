@@ -1,6 +1,6 @@
-#include "rows.h"
+#include "tests/bench/rows.h"
 
-#include "creature_in_air.h"
+#include "tests/bench/peers/creature_in_air.h"
 
 namespace bench {
 
@@ -20,7 +20,7 @@ std::string withCommas(int number)
     return text;
 }
 
-/// What a benchmark's name ends with.
+/// Returns the argument at the end of a benchmark's name.
 std::string argument(int value)
 {
     return std::string("/").append(std::to_string(value));
@@ -96,7 +96,7 @@ void addThreads(std::vector<Row> &rows)
 {
     for (const int count : {1'000, 10'000, 100'000}) {
         const std::string size = std::to_string(count);
-        // Below 10,000 there is little to gain, and nothing was asked for.
+        // Below 10,000 there is little to gain, so there is no target.
         const bool asked = count >= 10'000;
         rows.push_back({withCommas(count) + " creatures, two threads, by the clock",
                         "crowd_two_threads_" + size, "crowd_one_thread_" + size, "one thread",
@@ -119,7 +119,7 @@ void addSolvers(std::vector<Row> &rows)
     rows.push_back({"the same", "clothOurs", "clothCholesky", "Eigen's sparse Cholesky"});
 }
 
-/// What is asked for is 60 pictures a second.
+/// The target is 60 pictures a second.
 void addDrawing(std::vector<Row> &rows)
 {
     constexpr double picture = 1e9 / 60.0; // ns
@@ -152,7 +152,7 @@ GrowingRow counted(const char *work, const char *name, const char *item, const s
     return row;
 }
 
-/// A square, by the points of a side.
+/// Returns a row for a square, by the number of points per side.
 GrowingRow square(const char *work, const char *name, const std::vector<int> &sides)
 {
     GrowingRow row = counted(work, name, "point", sides);
@@ -161,7 +161,7 @@ GrowingRow square(const char *work, const char *name, const std::vector<int> &si
     return row;
 }
 
-/// A full tree, by its forks.
+/// Returns a row for a full tree, by its levels of forks.
 GrowingRow tree(const char *work, const char *name, const std::vector<int> &forks)
 {
     GrowingRow row = counted(work, name, "branch", forks);

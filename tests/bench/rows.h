@@ -5,36 +5,36 @@
 
 namespace bench {
 
-/// Which way a row of the table is to be read.
+/// What a row of the table compares.
 enum class Ratio {
-    oursByTheirs, ///< ours / another's: the smaller, the better
-    theirsByOurs, ///< another's / ours: the larger, the better
-    time,         ///< ours alone, in ns: the smaller, the better
+    oursByTheirs, ///< ours / theirs: smaller is better
+    theirsByOurs, ///< theirs / ours: larger is better
+    time,         ///< only ours, in ns: smaller is better
 };
 
-/// A comparison of two benchmarks of one run, by name; and what it should come to.
+/// A comparison of two benchmarks of one run, by name, with its target.
 struct Row
 {
     std::string work;
     std::string ours;
     std::string theirs;     ///< empty for Ratio::time
-    std::string title = {}; ///< what the other is called
+    std::string title = {}; ///< the other's name in the table
     Ratio ratio = Ratio::oursByTheirs;
-    double atLeast = 0.0; ///< 0: nothing was asked for
+    double atLeast = 0.0; ///< 0 for no target
     double aim = 0.0;
 };
 
-/// All of the table, in its order.
+/// Returns all rows of the table in order.
 std::vector<Row> allRows();
 
-/// A benchmark whose growth is shown, and what one of its items is.
+/// A benchmark whose growth is shown, and the unit of its size.
 struct GrowingRow
 {
     std::string work;
     std::string name;
-    std::string item;                   ///< empty: what is shown is the whole cost
-    std::vector<std::string> arguments; ///< those of the benchmark, in rising order
-    std::vector<double> sizes;          ///< in items, likewise
+    std::string item;                   ///< empty if the total cost is shown
+    std::vector<std::string> arguments; ///< of the benchmark, in ascending order
+    std::vector<double> sizes;          ///< in items, in the same order
 };
 
 std::vector<GrowingRow> allGrowingRows();

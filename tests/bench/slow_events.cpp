@@ -1,4 +1,4 @@
-#include "slow_events.h"
+#include "tests/bench/slow_events.h"
 
 #include <algorithm>
 #include <ctime>
@@ -6,9 +6,9 @@
 
 namespace {
 
-constexpr double leastWork = 1.0; ///< ms, from which on an event is kept in mind
+constexpr double leastWork = 1.0; ///< ms; shorter events are not recorded
 
-/// Processor time of this thread in ms.
+/// Returns the processor time of this thread, ms.
 double threadTime()
 {
     timespec time{};
@@ -38,7 +38,7 @@ bool WatchedApplication::notify(QObject *receiver, QEvent *event)
     if (m_isWithin)
         return QApplication::notify(receiver, event);
     m_isWithin = true;
-    // Both may be gone afterwards.
+    // The event may delete both.
     const char *const name = receiver->metaObject()->className();
     const char *const owner = receiver->parent() ? receiver->parent()->metaObject()->className() : "nobody";
     const QEvent::Type type = event->type();

@@ -5,17 +5,17 @@
 #include <QList>
 #include <QString>
 
-/// What something takes, in ms.
+/// The duration of something, ms.
 struct Took
 {
-    double passed = 0.0; ///< by the clock
-    double work = 0.0;   ///< of processor time of this thread: what a busy machine does not add to
+    double passed = 0.0; ///< wall-clock time
+    double work = 0.0;   ///< processor time of this thread, which does not depend on the load of the machine
 };
 
-/// The larger of each.
+/// Returns the larger of each time.
 Took longer(Took a, Took b);
 
-/// Counts from when it is made.
+/// A stopwatch that starts when it is constructed.
 class Stopwatch
 {
 public:
@@ -27,7 +27,8 @@ private:
     double m_before; ///< ms of processor time
 };
 
-/// Keeps in mind which events took the most work. An event that another one sends is part of that.
+/// An application that records the events that took the most time. The time of an event includes the events
+/// that it sends.
 class WatchedApplication : public QApplication
 {
 public:
@@ -40,7 +41,7 @@ public:
     };
 
     bool notify(QObject *receiver, QEvent *event) override;
-    /// The three with the most work since the last call, the most first.
+    /// Returns the three longest events since the last call, the longest first.
     QList<Delivery> slowest();
 
 private:

@@ -1,4 +1,4 @@
-#include "table.h"
+#include "tests/bench/table.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -16,7 +16,7 @@ std::string format(const char *how, Arguments... arguments)
     return text;
 }
 
-/// With three digits; two where it is small.
+/// Returns a number with three digits, or two if it is small.
 std::string digits(double value)
 {
     if (value < 0.0995)
@@ -41,7 +41,7 @@ std::string goal(const Row &row, double value)
     return row.ratio == Ratio::time ? time(value) : format("%gx", value);
 }
 
-/// What a figure is beside what was asked for.
+/// Returns how a figure compares with its target.
 std::string verdict(const Row &row, double figure)
 {
     if (row.atLeast <= 0.0)
@@ -53,14 +53,15 @@ std::string verdict(const Row &row, double figure)
 
 using Cells = std::vector<std::string>;
 
-/// How many columns a text takes on a terminal: its bytes in UTF-8 but those that continue a character.
+/// Returns the number of terminal columns of a text: its UTF-8 bytes without continuation bytes.
 std::size_t widthOf(const std::string &text)
 {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// A table in Markdown whose columns are also straight as text; the first line is its head, numbers stand on the right.
+/// Returns a Markdown table whose columns are also aligned as plain text. The first line is the head; numbers
+/// are right-aligned.
 std::string drawn(const std::vector<Cells> &lines, const std::string &alignment)
 {
     std::vector<std::size_t> widths(alignment.size(), 4);
@@ -88,7 +89,7 @@ std::string drawn(const std::vector<Cells> &lines, const std::string &alignment)
     return all;
 }
 
-const Measured *find(const Results &results, const std::string &name)
+const QuantityKind *find(const Results &results, const std::string &name)
 {
     const auto found = results.medians.find(name);
     return found == results.medians.end() ? nullptr : &found->second;
@@ -96,7 +97,7 @@ const Measured *find(const Results &results, const std::string &name)
 
 std::optional<Cells> cellsOf(const Row &row, const Results &results)
 {
-    const Measured *ours = find(results, row.ours);
+    const QuantityKind *ours = find(results, row.ours);
     if (row.ratio == Ratio::time) {
         if (!ours)
             return {};
@@ -106,7 +107,7 @@ std::optional<Cells> cellsOf(const Row &row, const Results &results)
                      row.work,           "ours",
                      time(figure),       ""};
     }
-    const Measured *theirs = find(results, row.theirs);
+    const QuantityKind *theirs = find(results, row.theirs);
     if (!ours || !theirs)
         return {};
     const bool upwards = row.ratio == Ratio::theirsByOurs;
@@ -122,7 +123,7 @@ std::optional<Cells> cellsOf(const Row &row, const Results &results)
                  time(theirs->nanoseconds)};
 }
 
-/// What an item costs at each size, and how that goes with the size.
+/// Returns the cost of an item at each size, and how the cost grows with the size.
 std::optional<Cells> cellsOf(const GrowingRow &row, const Results &results)
 {
     const auto growth = results.growths.find(row.name);
@@ -131,7 +132,7 @@ std::optional<Cells> cellsOf(const GrowingRow &row, const Results &results)
     std::string sizes, costs;
     int measured = 0;
     for (std::size_t i = 0; i < row.sizes.size(); ++i) {
-        const Measured *one = find(results, row.name + "/" + row.arguments[i]);
+        const QuantityKind *one = find(results, row.name + "/" + row.arguments[i]);
         if (!one)
             continue;
         ++measured;
@@ -140,13 +141,13 @@ std::optional<Cells> cellsOf(const GrowingRow &row, const Results &results)
                  time(row.item.empty() ? one->nanoseconds : one->nanoseconds / row.sizes[i]);
     }
     if (measured < 3)
-        return {}; // anything fits
+        return {}; // with too few sizes, every function fits
     const std::string as = growth->second.as == "(1)" ? "not at all" : growth->second.as;
     return Cells{as,    format("%.0f %%", 100.0 * growth->second.off), row.work, sizes,
                  costs, row.item.empty() ? "in all" : "a " + row.item};
 }
 
-/// By their reasons, what did not run.
+/// Returns the benchmarks that did not run, grouped by reason.
 std::string refusals(const Results &results)
 {
     std::map<std::string, std::string> names;

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "results.h"
-#include "rows.h"
+#include "tests/bench/results.h"
+#include "tests/bench/rows.h"
 
 namespace bench {
 
-/// The rows of which both sides were measured, as a table in Markdown, ratios first; below it how costs grow with size;
-/// above it the machine. What was asked for and missed is said in its row.
+/// Returns a Markdown table. The machine comes first, then the rows of which both sides were measured, ratios
+/// first, then the growth of costs with size. A row says if it misses its target.
 std::string table(const Results &results, const std::vector<Row> &rows,
                   const std::vector<GrowingRow> &growing);
 

@@ -1,9 +1,10 @@
-// bench_table [--figure OUT.svg] FILE...: reads what the benchmarks wrote by --benchmark_out, and prints one table of it;
-// or draws the race against odeint and CVODE.
+// bench_table [--figure OUT.svg] FILE...: reads files from --benchmark_out, and prints one table of them or
+// draws the race against odeint and CVODE.
 
-#include "race_figure.h"
-#include "table.h"
+#include "tests/bench/race_figure.h"
+#include "tests/bench/table.h"
 
+#include <QApplication>
 #include <QFile>
 
 #include <cstdio>
@@ -11,7 +12,7 @@
 
 namespace {
 
-/// Returns whether it could.
+/// Returns whether the file could be written.
 bool write(const char *file, const std::string &picture)
 {
     QFile out(file);
@@ -19,7 +20,7 @@ bool write(const char *file, const std::string &picture)
     return out.open(QIODevice::WriteOnly) && out.write(bytes) == bytes.size() && out.flush();
 }
 
-/// Returns the exit code.
+/// Draws the race. Returns the exit code.
 int drawRace(const char *file, const bench::Measurements &medians)
 {
     const std::string picture = bench::raceFigure(medians);
@@ -55,5 +56,10 @@ int main(int argc, char **argv)
         }
     }
     std::fputs(bench::table(results, bench::allRows(), bench::allGrowingRows()).c_str(), stdout);
-    return figure ? drawRace(figure, results.medians) : 0;
+    if (!figure)
+        return 0;
+    if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    const QApplication application(argc, argv); // the plot is a widget
+    return drawRace(figure, results.medians);
 }

@@ -1,6 +1,7 @@
-// The table of the benchmarks, from results that are made up here.
+// Tests the table of the benchmarks with invented results.
 
-#include "table.h"
+#include "tests/bench/table.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -175,5 +176,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBenchTable)
+SUITE(tst_bench_table, TestBenchTable)
 #include "tst_bench_table.moc"

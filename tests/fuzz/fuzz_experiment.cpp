@@ -8,8 +8,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
     const QByteArray text(reinterpret_cast<const char *>(data), qsizetype(size));
     try {
         fuzz::check(app::parseExperiment(text, "x.json", fuzz::library()));
-    } catch (const app::Refusal &refusal) {
-        fuzz::check(refusal);
+    } catch (const app::UserError &error) {
+        fuzz::check(error);
     }
     return 0;
 }

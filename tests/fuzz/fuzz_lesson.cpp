@@ -1,7 +1,7 @@
 // Feeds any text to the reader of lesson metadata (lesson.json). It describes a lesson or is rejected with a
 // user error. Qt's extraction of the metadata from a plugin file is not tested here.
 
-#include "app/model/lesson_plugin.h"
+#include "app/model/catalog/lesson_plugin.h"
 #include "support.h"
 
 #include <QJsonDocument>
@@ -14,8 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
             app::describedLesson(QJsonDocument::fromJson(bytes).object());
         if (description.lesson.id.isEmpty() || description.steps.isEmpty() || description.lesson.order < 0)
             fuzz::fail("Described without its parts", description.lesson.id);
-    } catch (const app::Refusal &refusal) {
-        fuzz::check(refusal);
+    } catch (const app::UserError &error) {
+        fuzz::check(error);
     }
     return 0;
 }

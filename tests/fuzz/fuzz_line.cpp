@@ -1,7 +1,7 @@
 // Feeds any pasted text to the reader of experiment lines. The first byte selects the meaning of the others:
 // the text itself, the compressed data of a line, or the JSON to compress into a line.
 
-#include "app/model/experiment_line.h"
+#include "app/model/experiment/experiment_line.h"
 #include "support.h"
 
 namespace {
@@ -28,8 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         fuzz::check(experiment);
         fuzz::check(
             app::experimentFromLine(app::experimentLine(experiment, fuzz::library()), fuzz::library()));
-    } catch (const app::Refusal &refusal) {
-        fuzz::check(refusal);
+    } catch (const app::UserError &error) {
+        fuzz::check(error);
     }
     return 0;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/experiment.h"
+#include "app/model/experiment/experiment.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -23,10 +23,10 @@ inline const app::LessonLibrary &library()
 }
 
 /// Checks that a user error is a single line of bounded length that ends with a full stop, for any input.
-inline void check(const app::Refusal &refusal)
+inline void check(const app::UserError &error)
 {
     constexpr qsizetype longest = 1200;
-    const QString sentence = refusal.sentence();
+    const QString sentence = error.sentence();
     if (!sentence.endsWith('.') || sentence.size() > longest || app::escaped(sentence) != sentence)
         fail("Not a sentence", sentence);
 }
@@ -37,16 +37,16 @@ inline void check(const app::Experiment &experiment)
     QByteArray text;
     try {
         text = app::experimentText(experiment, library());
-    } catch (const app::Refusal &refusal) {
-        check(refusal);
+    } catch (const app::UserError &error) {
+        check(error);
         return;
     }
     try {
         const app::Experiment again = app::parseExperiment(text, "again", library());
         if (app::experimentText(again, library()) != text)
             fail("Written otherwise the second time", QString::fromUtf8(text));
-    } catch (const app::Refusal &refusal) {
-        fail("Written and then refused", refusal.sentence() + '\n' + QString::fromUtf8(text));
+    } catch (const app::UserError &error) {
+        fail("Written and then refused", error.sentence() + '\n' + QString::fromUtf8(text));
     }
 }
 

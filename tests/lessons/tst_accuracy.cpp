@@ -2,8 +2,9 @@
 #include "sim/methods/methods.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "tests/lessons/accuracy_truths.h"
-#include "tests/lessons/attempts.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/accuracy_truths.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -75,7 +76,7 @@ private slots:
     void fixedStepThroughABounceHasOrderOne();
     void contactEventsKeepTheParabolas();
     void ballComesToRestInFiniteTime();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, accuracyAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
     void slowRunExceedsTheBudget();
     void changedCreatureDoesNotMeetTheBudget();
@@ -266,5 +267,5 @@ void Accuracy::changedCreatureDoesNotMeetTheBudget()
     QVERIFY(!player.done());
 }
 
-QTEST_GUILESS_MAIN(Accuracy)
+SUITE(tst_accuracy, Accuracy)
 #include "tst_accuracy.moc"

@@ -1,6 +1,7 @@
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/codeling_targets.h"
-#include "tests/lessons/published_files.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/codeling_targets.h"
+#include "tests/lessons/support/published_files.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -103,7 +104,7 @@ private slots:
     void heldLeadDoesNotAnticipate();
     void softStickRelaxationDoesNotDependOnStep();
     void settingTheTargetParameterMovesIt();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, codelingAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -312,5 +313,5 @@ void Codeling::settingTheTargetParameterMovesIt()
     QVERIFY(sim::length(stateAfter(script, 200).positionOf(0) - sim::Vec2{400, 200}) < 1e-6);
 }
 
-QTEST_GUILESS_MAIN(Codeling)
+SUITE(tst_codeling, Codeling)
 #include "tst_codeling.moc"

@@ -2,10 +2,11 @@
 
 #include "sim/run/track.h"
 #include "sim/scene/scene.h"
-#include "tests/lessons/codeling_targets.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/codeling_targets.h"
+#include "tests/lessons/support/support.h"
 
 #include "sim/effects/constraints/area_stick.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -154,5 +155,5 @@ void CodelingBody::coincidentPointsSeparate()
         QVERIFY(std::abs(sim::length(now.positionOf(0) - now.positionOf(1)) - 40.0) < 1.0);
 }
 
-QTEST_GUILESS_MAIN(CodelingBody)
+SUITE(tst_codeling_body, CodelingBody)
 #include "tst_codeling_body.moc"

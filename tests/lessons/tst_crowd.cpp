@@ -6,7 +6,8 @@
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/scenes/creatures.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -210,5 +211,5 @@ void Crowd::numbersOfTheTextHold()
     QCOMPARE(std::lround(1000.0 / 30.0), 33l);
 }
 
-QTEST_GUILESS_MAIN(Crowd)
+SUITE(tst_crowd, Crowd)
 #include "tst_crowd.moc"

@@ -1,6 +1,7 @@
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -295,5 +296,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(EffectDependences)
+SUITE(tst_effect_dependences, EffectDependences)
 #include "tst_effect_dependences.moc"

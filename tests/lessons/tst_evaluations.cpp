@@ -1,4 +1,4 @@
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
 
 #include "sim/analysis/cost/affected_points.h"
 #include "sim/analysis/cost/cost.h"
@@ -6,6 +6,7 @@
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -209,5 +210,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(Evaluations)
+SUITE(tst_evaluations, Evaluations)
 #include "tst_evaluations.moc"

@@ -2,11 +2,12 @@
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
 #include "sim/run/timeline.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
 #include "tests/sizes.h"
 
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "tests/suite.h"
 
 #include <QRegularExpression>
 #include <QSet>
@@ -486,5 +487,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(EveryLesson)
+SUITE(tst_every_lesson, EveryLesson)
 #include "tst_every_lesson.moc"

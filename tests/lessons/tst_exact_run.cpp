@@ -6,8 +6,9 @@
 #include "sim/methods/methods.h"
 #include "sim/run/script/script.h"
 #include "sim/run/track.h"
-#include "tests/lessons/accuracy_truths.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/accuracy_truths.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -287,5 +288,5 @@ void ExactRun::overlaysShowTheExactPosition()
     QVERIFY(overlays[0].label.startsWith(u"66."));
 }
 
-QTEST_GUILESS_MAIN(ExactRun)
+SUITE(tst_exact_run, ExactRun)
 #include "tst_exact_run.moc"

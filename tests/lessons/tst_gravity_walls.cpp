@@ -2,9 +2,10 @@
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
 #include "sim/scene/scene.h"
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/published_files.h"
-#include "tests/lessons/tutorial_match.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/tutorial_match.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -53,7 +54,7 @@ private slots:
     void methodsConvergeWithOrderOneInTheAir();
     void noGravityPhaseWithoutGravity();
     void viewShowsTheRoom();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, gravityWallsAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -243,5 +244,5 @@ void GravityWalls::viewShowsTheRoom()
     QCOMPARE(view.room->floor, 380.0);
 }
 
-QTEST_GUILESS_MAIN(GravityWalls)
+SUITE(tst_gravity_walls, GravityWalls)
 #include "tst_gravity_walls.moc"

@@ -1,11 +1,12 @@
 // The lesson on hard cases: which runs fail, and the numbers in its texts.
 
-#include "hard_cases_support.h"
 #include "sim/run/script/script.h"
 #include "sim/scene/scene.h"
+#include "tests/lessons/support/hard_cases_support.h"
 
 #include "sim/base/direction.h"
-#include "tests/lessons/attempts.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -60,7 +61,7 @@ private slots:
     void coincidentPairsGetDistinctDirections();
     void companionRunsAreStable_data();
     void companionRunsAreStable();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, hardCasesAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -277,5 +278,5 @@ void HardCases::companionRunsAreStable()
     QVERIFY(lessonStep.companion->offset != sim::Vec2{});
 }
 
-QTEST_GUILESS_MAIN(HardCases)
+SUITE(tst_hard_cases, HardCases)
 #include "tst_hard_cases.moc"

@@ -1,8 +1,9 @@
 // The lesson on hard cases: setups that stay stable. They use small steps, implicit methods, sticks, or
 // methods without energy drift.
 
-#include "hard_cases_support.h"
 #include "sim/run/script/script.h"
+#include "tests/lessons/support/hard_cases_support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -128,5 +129,5 @@ void HardCasesHold::verletLosesNoEnergy()
                          120.0 * std::cos(frames * angle)) < 1e-6);
 }
 
-QTEST_GUILESS_MAIN(HardCasesHold)
+SUITE(tst_hard_cases_hold, HardCasesHold)
 #include "tst_hard_cases_hold.moc"

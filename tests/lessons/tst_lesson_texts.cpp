@@ -1,4 +1,5 @@
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QJsonArray>
 #include <QRegularExpression>
@@ -96,5 +97,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(LessonTexts)
+SUITE(tst_lesson_texts, LessonTexts)
 #include "tst_lesson_texts.moc"

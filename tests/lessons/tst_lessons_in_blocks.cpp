@@ -1,10 +1,11 @@
 #include "sim/run/script/script.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
 
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/run_step.h"
 #include "sim/scene/islands.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -97,5 +98,5 @@ private:
     }
 };
 
-QTEST_GUILESS_MAIN(LessonsInBlocks)
+SUITE(tst_lessons_in_blocks, LessonsInBlocks)
 #include "tst_lessons_in_blocks.moc"

@@ -1,7 +1,8 @@
 #include "sim/scene/scene.h"
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/published_files.h"
-#include "tests/lessons/tutorial_match.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/tutorial_match.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -41,7 +42,7 @@ private slots:
     void grownFeetStartWithin50PxAndDependOnlyOnTheSeed();
     void singleFootIsNumbered();
     void feetAfterTheFifthStartOnACircle();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, multiFootAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -171,5 +172,5 @@ void MultiFoot::feetAfterTheFifthStartOnACircle()
         QVERIFY(std::abs(sim::length(start.positionOf(foot) - start.positionOf(9)) - 60.0) < 1e-9);
 }
 
-QTEST_GUILESS_MAIN(MultiFoot)
+SUITE(tst_multi_foot, MultiFoot)
 #include "tst_multi_foot.moc"

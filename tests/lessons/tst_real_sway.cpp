@@ -4,7 +4,8 @@
 #include "sim/run/track.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/values.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -302,5 +303,5 @@ void RealSway::energyMeasuresAddUp()
              measured(u"In motion"_qs, state) + measured(u"In springs"_qs, state));
 }
 
-QTEST_GUILESS_MAIN(RealSway)
+SUITE(tst_real_sway, RealSway)
 #include "tst_real_sway.moc"

@@ -1,8 +1,9 @@
 #include "sim/run/script/script.h"
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/published_files.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/published_files.h"
 
 #include "sim/base/error.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -109,7 +110,7 @@ private slots:
     void p0StaysAtItsStartWithoutAPointer();
     void sticksWithAMissingEndAreRejected_data();
     void sticksWithAMissingEndAreRejected();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, rigidConstraintAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -276,5 +277,5 @@ void RigidConstraint::sticksWithAMissingEndAreRejected()
     }
 }
 
-QTEST_GUILESS_MAIN(RigidConstraint)
+SUITE(tst_rigid_constraint, RigidConstraint)
 #include "tst_rigid_constraint.moc"

@@ -3,9 +3,10 @@
 #include "sim/run/script/script.h"
 #include "sim/run/track.h"
 #include "sim/scene/scene.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
 
 #include "sim/effects/constraints/sticks.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -325,5 +326,5 @@ void RigidFigures::jointLimitsHold()
     }
 }
 
-QTEST_GUILESS_MAIN(RigidFigures)
+SUITE(tst_rigid_figures, RigidFigures)
 #include "tst_rigid_figures.moc"

@@ -1,6 +1,8 @@
 // Every lesson step gives the same bits with every instruction set, on one thread and on two, and with and
 // without sleeping.
 
+#include "tests/suite.h"
+
 #include <QProcess>
 #include <QTest>
 
@@ -90,5 +92,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(SameBits)
+SUITE(tst_same_bits, SameBits)
 #include "tst_same_bits.moc"

@@ -1,8 +1,9 @@
 #include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/published_files.h"
-#include "tests/lessons/tutorial_match.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/tutorial_match.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -48,7 +49,7 @@ private slots:
     void onlyActingSpringsAreDrawn_data();
     void onlyActingSpringsAreDrawn();
     void angleLabelShowsDegreesAndRadians();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, singleSpringAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -279,5 +280,5 @@ void SingleSpring::angleLabelShowsDegreesAndRadians()
     QVERIFY(radial.narration.contains(QStringLiteral("57.2958")));
 }
 
-QTEST_GUILESS_MAIN(SingleSpring)
+SUITE(tst_single_spring, SingleSpring)
 #include "tst_single_spring.moc"

@@ -1,10 +1,11 @@
 // Every lesson step gives the same bits with and without sleeping.
 
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
 
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -94,5 +95,5 @@ private:
     int m_sleepingRuns = 0;
 };
 
-QTEST_APPLESS_MAIN(SleepingLessons)
+SUITE(tst_sleeping_lessons, SleepingLessons)
 #include "tst_sleeping_lessons.moc"

@@ -3,9 +3,10 @@
 #include "sim/effects/tree/tree_wind.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/printed_tree.h"
-#include "tests/lessons/published_files.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/printed_tree.h"
+#include "tests/lessons/support/published_files.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -59,7 +60,7 @@ private slots:
     void heldBranchKeepsItsAngleAndMovesItsChildren_data();
     void heldBranchKeepsItsAngleAndMovesItsChildren();
     void windIsDrawnWhileTheButtonIsDown();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, swayingTreeAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -338,5 +339,5 @@ void SwayingTree::windIsDrawnWhileTheButtonIsDown()
     }
 }
 
-QTEST_GUILESS_MAIN(SwayingTree)
+SUITE(tst_swaying_tree, SwayingTree)
 #include "tst_swaying_tree.moc"

@@ -5,7 +5,8 @@
 #include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -129,5 +130,5 @@ void Torture::noMethodClaimsAChangedCase()
     QVERIFY(noteAt(stiffer, 10).contains(u"nobody claims this"_qs));
 }
 
-QTEST_GUILESS_MAIN(Torture)
+SUITE(tst_torture, Torture)
 #include "tst_torture.moc"

@@ -2,7 +2,8 @@
 #include "sim/run/finite.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -146,5 +147,5 @@ void TreeGrowth::presetsGrowDifferentTrees()
     }
 }
 
-QTEST_GUILESS_MAIN(TreeGrowth)
+SUITE(tst_tree_growth, TreeGrowth)
 #include "tst_tree_growth.moc"

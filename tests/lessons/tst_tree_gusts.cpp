@@ -5,7 +5,8 @@
 #include "sim/run/script/script.h"
 #include "sim/run/track.h"
 #include "sim/scene/scene.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -136,5 +137,5 @@ void TreeGusts::twigsBendMoreThanTheTrunk()
     QVERIFY(bend.tail(128).mean() > 2.0 * bend[0]);
 }
 
-QTEST_GUILESS_MAIN(TreeGusts)
+SUITE(tst_tree_gusts, TreeGusts)
 #include "tst_tree_gusts.moc"

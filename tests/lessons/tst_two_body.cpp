@@ -1,10 +1,11 @@
 #include "lessons/api/view/view.h"
 #include "sim/scene/scene.h"
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/published_files.h"
-#include "tests/lessons/tutorial_match.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/tutorial_match.h"
 
 #include "lessons/api/checks/run_queries.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -47,7 +48,7 @@ private slots:
     void pairRestsOneRadiusApart();
     void methodsConvergeWithOrderOne();
     void legChangesOnlyTheView();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, twoBodyAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -159,5 +160,5 @@ void TwoBody::legChangesOnlyTheView()
     QCOMPARE(with.view(with.scene(values), values).legs.size(), std::size_t{1});
 }
 
-QTEST_GUILESS_MAIN(TwoBody)
+SUITE(tst_two_body, TwoBody)
 #include "tst_two_body.moc"

@@ -1,10 +1,11 @@
 #include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
-#include "tests/lessons/support.h"
-#include "tests/lessons/trajectory.h"
+#include "tests/lessons/support/support.h"
+#include "tests/lessons/support/trajectory.h"
 
 #include "sim/methods/methods.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -209,5 +210,5 @@ void WalkingCompany::fiveCreaturesStayInTheRoom()
     }
 }
 
-QTEST_GUILESS_MAIN(WalkingCompany)
+SUITE(tst_walking_company, WalkingCompany)
 #include "tst_walking_company.moc"

@@ -1,9 +1,10 @@
 #include "lessons/api/view/view.h"
-#include "tests/lessons/attempts.h"
-#include "tests/lessons/published_files.h"
-#include "tests/lessons/walking_tutorial.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/walking_tutorial.h"
 
 #include "sim/methods/methods.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -90,7 +91,7 @@ private slots:
     void legsConserveMomentum();
     void heldEndStaysAndTheOtherFeelsTheLeg();
     void curveChangesOnlyTheView();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, attempts()); }
+    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, walkingGaitAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
@@ -252,5 +253,5 @@ void WalkingGait::curveChangesOnlyTheView()
     }
 }
 
-QTEST_GUILESS_MAIN(WalkingGait)
+SUITE(tst_walking_gait, WalkingGait)
 #include "tst_walking_gait.moc"

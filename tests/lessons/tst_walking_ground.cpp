@@ -1,9 +1,10 @@
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
 #include "sim/run/track.h"
-#include "tests/lessons/support.h"
+#include "tests/lessons/support/support.h"
 
 #include "sim/methods/methods.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -198,5 +199,5 @@ void WalkingGround::onlyFeetTouchTheGround()
     QCOMPARE(stateAfter(script, 50).positionOf(0), (sim::Vec2{200, 450}));
 }
 
-QTEST_GUILESS_MAIN(WalkingGround)
+SUITE(tst_walking_ground, WalkingGround)
 #include "tst_walking_ground.moc"

@@ -1,9 +1,10 @@
 #include "lessons/api/view/view.h"
 #include "sim/run/track.h"
-#include "tests/lessons/support.h"
-#include "tests/lessons/trajectory.h"
+#include "tests/lessons/support/support.h"
+#include "tests/lessons/support/trajectory.h"
 
 #include "sim/methods/methods.h"
+#include "tests/suite.h"
 
 #include <QTest>
 
@@ -223,5 +224,5 @@ void WalkingVariations::feetDiagramShowsPlantedFeet()
     QVERIFY(!step.isFootDown(scene, stateAfter(held, 5), step.defaultValues(), view.feet.front()));
 }
 
-QTEST_GUILESS_MAIN(WalkingVariations)
+SUITE(tst_walking_variations, WalkingVariations)
 #include "tst_walking_variations.moc"

@@ -1,8 +1,6 @@
 #include "app/ui/branches/difference_plot.h"
 
-#include "app/model/numbers.h"
-#include "app/ui/plots/number_ticker.h"
-#include "app/ui/theme/plot_axes.h"
+#include "app/model/text/numbers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,31 +13,26 @@ constexpr double peakSize = 9.0; ///< px
 
 }
 
-DifferencePlot::DifferencePlot(Session &session, const DifferenceCourse &course, const Theme &theme,
+DifferencePlot::DifferencePlot(Session &session, const DifferenceSeries &series, const Theme &theme,
                                QWidget *parent)
-    : CursorPlot(session, theme, parent), m_course(course), m_line(addGraph()), m_peak(addGraph()),
+    : CursorPlot(session, theme, parent), m_series(series), m_line(addGraph()), m_peak(addGraph()),
       m_name(new QCPItemText(this))
 {
     setObjectName("differencePlot");
     setAccessibleName(tr("Distance between the two runs over time"));
-    for (QCPAxis *axis : {xAxis, yAxis})
-        axis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
-    yAxis->ticker()->setTickCount(4);
     yAxis->setLabel(tr("px apart"));
     xAxis->setLabel(tr("frame"));
     axisRect()->setMinimumMargins({44, 12, 16, 24}); // above: the cursor's head
     m_peak->setLineStyle(QCPGraph::lsNone);
     m_name->setPadding({6, 0, 6, 2});
-    connect(&theme, &Theme::changed, this, &DifferencePlot::dress);
-    dress();
+    applyTheme();
 }
 
-void DifferencePlot::dress()
+void DifferencePlot::applyTheme()
 {
+    CursorPlot::applyTheme();
     const Tokens &t = m_theme.tokens();
-    setBackground(t.panel);
     for (QCPAxis *axis : {xAxis, yAxis}) {
-        dressAxis(*axis, m_theme);
         axis->setLabelFont(m_theme.ui(12));
         axis->setLabelColor(t.ink3);
         axis->setLabelPadding(4);
@@ -53,24 +46,23 @@ void DifferencePlot::dress()
 
 void DifferencePlot::refresh()
 {
-    const std::vector<Difference> &samples = m_course.samples();
+    const std::vector<Difference> &samples = m_series.samples();
     QVector<QCPGraphData> points;
     points.reserve(static_cast<int>(samples.size()));
     for (const Difference &one : samples)
         points.push_back({static_cast<double>(one.frame), one.distance});
     m_line->data()->set(points, true);
-    const auto start = static_cast<double>(m_course.shared());
-    const double end =
-        std::max(samples.empty() ? 0.0 : static_cast<double>(samples.back().frame), start + 10.0);
-    xAxis->setRange(start, end + 0.02 * (end - start)); // room for a cursor at the end
+    const auto start = static_cast<double>(m_series.shared());
+    setTimeRange(start,
+                 std::max(samples.empty() ? 0.0 : static_cast<double>(samples.back().frame), start + 10.0));
     markLargest();
     replot();
-    announce();
+    announceCursor();
 }
 
 void DifferencePlot::markLargest()
 {
-    const Difference *largest = m_course.largest();
+    const Difference *largest = m_series.largest();
     m_peak->data()->clear();
     const bool isSeen = largest && largest->distance > 0.0;
     m_name->setVisible(isSeen);
@@ -87,17 +79,15 @@ void DifferencePlot::markLargest()
 
 std::optional<std::int64_t> DifferencePlot::frameAt(QPointF place) const
 {
-    if (m_course.samples().empty())
+    if (m_series.samples().empty())
         return std::nullopt;
-    const double frame =
-        std::clamp(xAxis->pixelToCoord(place.x()), xAxis->range().lower, xAxis->range().upper);
-    return std::min(static_cast<std::int64_t>(std::lround(frame)),
-                    std::max(m_course.shared(), m_course.end()));
+    return std::min(static_cast<std::int64_t>(std::lround(timeAt(place))),
+                    std::max(m_series.shared(), m_series.end()));
 }
 
 const Difference *DifferencePlot::nearest(std::int64_t frame) const
 {
-    const std::vector<Difference> &samples = m_course.samples();
+    const std::vector<Difference> &samples = m_series.samples();
     if (samples.empty())
         return nullptr;
     const auto after =
@@ -111,27 +101,28 @@ const Difference *DifferencePlot::nearest(std::int64_t frame) const
 
 QPointF DifferencePlot::placeOf(const Difference &one) const
 {
-    return {xAxis->coordToPixel(static_cast<double>(one.frame)), yAxis->coordToPixel(one.distance)};
+    return onScreen({static_cast<double>(one.frame), one.distance});
 }
 
-void DifferencePlot::paintMarks(QPainter &painter) const
+const Difference *DifferencePlot::atCursor() const
 {
-    const std::int64_t frame = m_session.timeline().cursor().frame;
-    paintCursor(painter, xAxis->coordToPixel(static_cast<double>(frame)));
-    const Difference *here = nearest(frame);
-    if (here && here->frame == frame)
+    const Difference *here = nearest(cursorFrame());
+    return here && here->frame == cursorFrame() ? here : nullptr;
+}
+
+void DifferencePlot::paintMarks(QPainter &painter)
+{
+    paintCursor(painter, xAxis->coordToPixel(static_cast<double>(cursorFrame())));
+    if (const Difference *here = atCursor())
         paintDot(painter, placeOf(*here));
 }
 
-void DifferencePlot::paintHovered(QPainter &painter, std::int64_t frame) const
+std::vector<QPointF> DifferencePlot::curvesAt(std::int64_t frame) const
 {
     const Difference *there = nearest(frame);
     if (!there || !xAxis->range().contains(static_cast<double>(frame)))
-        return;
-    const QPointF dot = placeOf(*there);
-    paintHoveredLine(painter, dot.x());
-    paintHoveredDot(painter, dot);
-    paintTag(painter, dot, hoveredText(frame));
+        return {};
+    return {placeOf(*there)};
 }
 
 QString DifferencePlot::hoveredText(std::int64_t frame) const
@@ -143,17 +134,15 @@ QString DifferencePlot::hoveredText(std::int64_t frame) const
 
 PlotPicture DifferencePlot::picture()
 {
-    return {tr("%1, px").arg(accessibleName()), accessibleName(), size(),
-            [this](QCPPainter &painter) { paintPicture(painter); }};
+    return pictureNamed(tr("%1, px").arg(title()), title());
 }
 
 QString DifferencePlot::sentence() const
 {
-    const std::int64_t frame = m_session.timeline().cursor().frame;
-    const Difference *here = nearest(frame);
-    if (!here || here->frame != frame)
-        return accessibleDescription();
-    return tr("%1: %2\u2009px at frame %3").arg(title(), roughNumber(here->distance)).arg(frame);
+    const Difference *here = atCursor();
+    return here
+               ? tr("%1: %2\u2009px at frame %3").arg(title(), roughNumber(here->distance)).arg(cursorFrame())
+               : accessibleDescription();
 }
 
 }

@@ -1,6 +1,6 @@
 #include "app/ui/code/code_card.h"
 
-#include "app/model/code_values.h"
+#include "app/model/code/code_values.h"
 #include "app/ui/theme/theme.h"
 
 #include <QGuiApplication>
@@ -93,7 +93,7 @@ void CodeCard::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setPen(t.line2);
     painter.setBrush(t.panel);
-    // Square, like the other cards: without a compositor, rounded corners would be black.
+    // Square corners, like the other cards: without a compositor, rounded corners would be black.
     painter.drawRect(rect().adjusted(0, 0, -1, -1));
     painter.setRenderHint(QPainter::Antialiasing);
     const QRect inside = rect().adjusted(padding, padding, -padding, -padding);
@@ -128,7 +128,7 @@ std::pair<double, double> CodeCard::range() const
     }
     if (!(least <= most))
         return {-1.0, 1.0};
-    // What stays the same is a line in the middle.
+    // A constant value is drawn as a line in the middle.
     const double spare = most - least > 1e-12 * std::max(std::abs(least), std::abs(most))
                              ? 0.06 * (most - least)
                              : std::max(1e-12, 0.5 * std::abs(most));
@@ -179,7 +179,7 @@ void CodeCard::paintLabels(QPainter &painter, const QRectF &area) const
     const auto label = [&](const QRectF &room, Qt::Alignment where, double value) {
         const QString text = shownNumber(value);
         painter.fillRect(painter.boundingRect(room, static_cast<int>(where), text), t.scene);
-        painter.drawText(room, static_cast<int>(where), text); // what lies behind it ends before it
+        painter.drawText(room, static_cast<int>(where), text); // cleared, so that no line crosses the text
     };
     label(area.adjusted(4, 2, 0, 0), Qt::AlignLeft | Qt::AlignTop, most - spare);
     label(area.adjusted(4, 0, 0, -2), Qt::AlignLeft | Qt::AlignBottom, least + spare);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/code_history.h"
+#include "app/model/code/code_history.h"
 
 #include <QWidget>
 
@@ -8,8 +8,8 @@ namespace app {
 
 class Theme;
 
-/// What a word of the code stands for: its value now, what it is, and its course over the last frames. Shown beside the
-/// word; redrawn only when somebody shows something else.
+/// A card that explains a word of the code: its current value, its meaning, and a plot of its last frames.
+/// It is shown beside the word and redrawn only when show() is called.
 class CodeCard : public QWidget
 {
     Q_OBJECT
@@ -17,7 +17,8 @@ class CodeCard : public QWidget
 public:
     explicit CodeCard(const Theme &theme, QWidget *parent = nullptr);
 
-    /// `whose`: "foot 0, springs"; empty for a parameter. `word`: where it stands on the screen.
+    /// Shows `symbol`. `whose` names its owner, for example "foot 0, springs"; it is empty for a parameter.
+    /// `word` is the rectangle of the word on the screen.
     void show(const CodeSymbol &symbol, const QString &whose, const CodeHistory &history,
               const QString &value, const QRect &word);
     const CodeSymbol &symbol() const { return m_symbol; }

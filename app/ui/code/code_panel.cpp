@@ -1,9 +1,9 @@
 #include "app/ui/code/code_panel.h"
 
-#include "app/model/sentences.h"
+#include "app/model/text/sentences.h"
+#include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/code_card.h"
 #include "app/ui/code/code_view.h"
-#include "app/ui/code/stop_list.h"
 #include "app/ui/theme/theme.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -18,14 +18,14 @@ namespace app {
 
 namespace {
 
-constexpr int besideGone = 14;              ///< px: the number of lines that are gone, and its button
-constexpr qint64 playingMilliseconds = 100; ///< between two sets of values while playing: no dancing numbers
+constexpr int besideGone = 14;              ///< px, between the number of removed lines and its button
+constexpr qint64 playingMilliseconds = 100; ///< between two updates during playback, to keep numbers readable
 
 }
 
 CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_view(new CodeView(theme, this)),
-      m_stops(new StopList(session, theme, this)), m_card(new CodeCard(theme, this))
+      m_stops(new BreakpointList(session, theme, this)), m_card(new CodeCard(theme, this))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -38,25 +38,23 @@ CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
     connectNumbers();
     applyTheme();
     connect(&theme, &Theme::changed, this, &CodePanel::applyTheme);
-    connect(&session, &Session::stepOpened, this, &CodePanel::follow);
-    connect(&session, &Session::runChanged, this, &CodePanel::follow);
-    connect(&session, &Session::moved, this, &CodePanel::follow);
-    connect(&session, &Session::playingChanged, this, [this] {
-        m_refreshed.invalidate(); // marks come and go at once
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor, this, &CodePanel::follow);
+    session.onChange(ChangeKind::playing, this, [this] {
+        m_refreshed.invalidate(); // marks are updated without delay
         follow();
     });
-    connect(&session, &Session::selectionChanged, this, [this] {
-        if (m_looks)
-            m_session.endGlance(); // the values under the mouse are another body's now
+    session.onChange(ChangeKind::selection, this, [this] {
+        if (m_ownsPreview)
+            m_session.preview().end(); // the values under the mouse are now another body's
         follow();
     });
-    connect(&session, &Session::glanceChanged, this, &CodePanel::followGlance);
+    session.onChange(ChangeKind::preview, this, &CodePanel::followPreview);
     rebuild();
 }
 
 CodePanel::~CodePanel()
 {
-    // Never placed in a title, it has no parent.
+    // The actions have no parent if nobody put them into a title.
     if (m_actions && !m_actions->parent())
         delete m_actions;
 }
@@ -69,11 +67,10 @@ void CodePanel::makeActions()
     row->setSpacing(8);
     m_newLines = new QToolButton;
     m_newLines->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_newLines->setToolTip(tr("Lines that the step before does not have. Click to go through them."));
+    m_newLines->setToolTip(tr("Lines that are new in this step. Click to go through them."));
     m_goneLines = new QToolButton;
-    m_goneLines->setToolTip(
-        tr("Lines that only the step before has. Click to see them struck through where they "
-           "were, or no longer (F8 in the code)."));
+    m_goneLines->setToolTip(tr("Lines that this step removed. Click to show or hide them, struck through at "
+                               "their old places (F8 in the code)."));
     m_goneLines->setCheckable(true);
     m_copy = new QToolButton;
     m_copy->setToolTip(tr("Copy the shown code, with its files' names"));
@@ -99,7 +96,7 @@ void CodePanel::applyTheme()
 void CodePanel::copyAll()
 {
     QApplication::clipboard()->setText(m_view->shownText());
-    emit said(tr("Copied the code."));
+    emit messageRequested(tr("Copied the code."));
 }
 
 void CodePanel::showEvent(QShowEvent *event)
@@ -108,17 +105,17 @@ void CodePanel::showEvent(QShowEvent *event)
     follow();
 }
 
-void CodePanel::followGlance()
+void CodePanel::followPreview()
 {
-    if (!m_session.marked())
-        m_looks = false;
-    // What is under the mouse, or typed over, stays as it is.
-    if (m_looks || m_editor || (!m_session.isGlancing() && !m_top))
+    if (!m_session.preview().marked())
+        m_ownsPreview = false;
+    // While the mouse previews a line, or a number is being edited, the code must not scroll.
+    if (m_ownsPreview || m_editor || (!m_session.preview().isActive() && !m_top))
         return;
     if (!m_top)
         m_top = m_view->firstVisibleLine();
     follow();
-    if (m_session.isGlancing())
+    if (m_session.preview().isActive())
         return;
     m_view->setFirstVisibleLine(*m_top);
     m_top.reset();
@@ -126,23 +123,24 @@ void CodePanel::followGlance()
 
 void CodePanel::follow()
 {
-    if (m_looks && m_session.isGlancing())
+    if (m_ownsPreview && m_session.preview().isActive())
         return;
-    const bool same = m_session.shown().track().intervalPtr() == m_interval &&
+    const bool same = m_session.preview().run().track().intervalPtr() == m_interval &&
                       m_session.timeline().script().method == m_method && &m_session.step() == m_step;
     if (!same)
         rebuild();
     showCaption();
     if (!isVisible())
         return;
-    if (m_session.isPlaying() && m_refreshed.isValid() && m_refreshed.elapsed() < playingMilliseconds)
+    if (m_session.playback().isPlaying() && m_refreshed.isValid() &&
+        m_refreshed.elapsed() < playingMilliseconds)
         return;
     refresh();
 }
 
 void CodePanel::rebuild()
 {
-    m_interval = m_session.shown().track().intervalPtr();
+    m_interval = m_session.preview().run().track().intervalPtr();
     m_method = m_session.timeline().script().method;
     m_step = &m_session.step();
     CodeListing listing = listingOf(*m_step, *m_interval, *m_method);
@@ -155,7 +153,7 @@ void CodePanel::rebuild()
     m_listing = std::move(listing);
     m_view->setListing(m_listing);
     m_view->setSpots(parameterSpots(m_listing, *m_step, *m_interval));
-    m_asked.reset();
+    m_shownSymbol.reset();
     m_ranTo.reset();
     m_card->hide();
     closeEditor();
@@ -173,27 +171,28 @@ std::optional<CodeListing> CodePanel::listingBefore() const
 void CodePanel::refresh()
 {
     m_refreshed.start();
-    const sim::Timeline &timeline = m_session.shown();
-    std::vector<CodeChip> values = chipsOf(m_listing, m_session.moments(), *m_interval, point());
-    if (m_session.stoppedBy() && !m_session.isGlancing())
+    const sim::Timeline &timeline = m_session.preview().run();
+    std::vector<CodeChip> values =
+        chipsOf(m_listing, m_session.presentation().explanations(), *m_interval, point());
+    if (m_session.playback().breakHit() && !m_session.preview().isActive())
         dropNext(values, m_listing, timeline.cursor().phase % m_interval->pipeline.phasesPerStep());
     std::vector<SectionMark> marks = marksNow(timeline, values);
     const std::vector<CodeChip> parameters = parameterChips(m_listing, *m_step, timeline.values());
     values.insert(values.end(), parameters.begin(), parameters.end());
     m_view->setValues(std::move(values), std::move(marks));
-    const std::optional<sim::Cursor> &marked = m_session.marked();
-    if (!m_session.isGlancing())
-        showStand();
+    const std::optional<sim::Cursor> &marked = m_session.preview().marked();
+    if (!m_session.preview().isActive())
+        showCurrent();
     else if (marked && marked->phase > 0)
         m_view->scrollToNow();
     showCard();
 }
 
-/// While playing nothing is marked: it would be another line at each frame.
+/// Returns no marks during playback, because the marked line would change every frame.
 std::vector<SectionMark> CodePanel::marksNow(const sim::Timeline &timeline,
                                              const std::vector<CodeChip> &values) const
 {
-    if (m_session.isPlaying())
+    if (m_session.playback().isPlaying())
         return std::vector<SectionMark>(m_listing.sections.size());
     std::vector<SectionMark> marks = marksOf(m_listing, timeline, values, point());
     const bool isThere = m_ranTo && timeline.cursor() == m_ranTo->at && m_ranTo->section < marks.size();
@@ -202,20 +201,20 @@ std::vector<SectionMark> CodePanel::marksNow(const sim::Timeline &timeline,
     return marks;
 }
 
-void CodePanel::showStand()
+void CodePanel::showCurrent()
 {
     const sim::Timeline &timeline = m_session.timeline();
     const sim::Cursor at = timeline.cursor();
     if (!m_begun && at != sim::Cursor{})
         m_view->showPhases();
     m_begun = m_begun || at != sim::Cursor{};
-    // The end of a frame comes into view where the step before it was one inside the frame.
+    // Scrolls to the end of a frame only if the previous position was inside that frame.
     const bool hasEnded = std::exchange(m_wasInside, at.phase > 0) && at.phase == 0;
     const bool isRanTo = m_ranTo && m_ranTo->at == at;
-    if ((at.phase > 0 || hasEnded || isRanTo) && !m_session.isPlaying())
+    if ((at.phase > 0 || hasEnded || isRanTo) && !m_session.playback().isPlaying())
         m_view->showNow();
-    if (const std::optional<BreakHit> &hit = m_session.stoppedBy()) {
-        const Breakpoint *stop = m_session.breakpoints().find(hit->id);
+    if (const std::optional<BreakHit> &hit = m_session.playback().breakHit()) {
+        const Breakpoint *stop = m_session.playback().breakpoints().find(hit->id);
         if (stop && stop->place)
             m_view->showPlace(*stop->place);
     }
@@ -245,10 +244,10 @@ void CodePanel::showNewLines()
     m_newLines->setAccessibleName(text);
     m_newLines->setVisible(count > 0);
     const int gone = m_listing.goneLines();
-    const QString less = QStringLiteral("−%1").arg(gone); // the title has little room
+    const QString less = QStringLiteral("−%1").arg(gone); // short, because the title has little space
     m_goneLines->setText(less);
     m_goneLines->setFixedWidth(m_goneLines->fontMetrics().horizontalAdvance(less) + besideGone);
-    m_goneLines->setAccessibleName(gone == 1 ? tr("1 line gone") : tr("%1 lines gone").arg(gone));
+    m_goneLines->setAccessibleName(gone == 1 ? tr("1 line removed") : tr("%1 lines removed").arg(gone));
     m_goneLines->setVisible(gone > 0);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/model/code_history.h"
-#include "app/model/code_marks.h"
-#include "app/model/session.h"
+#include "app/model/code/code_history.h"
+#include "app/model/code/code_marks.h"
+#include "app/model/session/session.h"
 
 #include <QElapsedTimer>
 #include <QLineEdit>
@@ -17,11 +17,11 @@ namespace app {
 
 class CodeCard;
 class CodeView;
-class StopList;
+class BreakpointList;
 class Theme;
 
-/// The code that runs for the open step, with the selected body's values beside it, and with what a learner does to the
-/// run from there: running to a line, breakpoints, and parameters that are dragged or typed over.
+/// A panel with the code that runs for the open step and the selected body's values beside it.
+/// From here the learner runs to a line, sets breakpoints, and changes parameters by dragging or typing.
 class CodePanel : public QWidget
 {
     Q_OBJECT
@@ -30,21 +30,22 @@ public:
     CodePanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
     ~CodePanel() override;
 
-    /// Whose values are shown, for the title: "values of foot 0".
+    /// Returns the caption for the title, for example "values of foot 0".
     QString caption() const { return m_caption; }
-    /// The buttons for the right end of the title: next new lines, copy. To be placed by whoever makes the title.
+    /// Returns the buttons for the right end of the title, such as next new lines and copy.
+    /// The code that creates the title must place them.
     QWidget *titleActions() { return m_actions; }
     CodeView &view() { return *m_view; }
     const CodeListing &listing() const { return m_listing; }
-    StopList &stops() { return *m_stops; }
+    BreakpointList &stops() { return *m_stops; }
     const CodeCard &card() const { return *m_card; }
-    /// The menu for a row.
+    /// Returns the context menu for a row.
     QMenu *menuFor(std::size_t row);
 
 signals:
     void captionChanged(const QString &caption);
-    /// Something for the status line.
-    void said(const QString &sentence);
+    /// Emitted with a message for the status line.
+    void messageRequested(const QString &sentence);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -58,14 +59,14 @@ private:
         ParameterSpot spot;
         double from;
     };
-    /// A line that a learner ran to, and where the run is then.
+    /// A line that the learner ran to, and the position of the run there.
     struct RanTo
     {
         std::size_t section = 0;
         std::size_t line = 0;
         sim::Cursor at;
     };
-    struct Asked
+    struct ShownSymbol
     {
         CodeSymbol symbol;
         QRect word; ///< in the view's viewport
@@ -89,14 +90,14 @@ private:
     QString whose(const CodeSymbol &symbol) const;
     void applyTheme();
     void pointAt(std::optional<std::size_t> row);
-    void followGlance();
+    void followPreview();
     void follow();
     void rebuild();
     void refresh();
     std::vector<SectionMark> marksNow(const sim::Timeline &timeline,
                                       const std::vector<CodeChip> &values) const;
-    /// Scrolls to where the run stands.
-    void showStand();
+    /// Scrolls to the current position of the run.
+    void showCurrent();
     void showCaption();
     void showNewLines();
     void showGoneLines(bool shown);
@@ -107,26 +108,26 @@ private:
     Session &m_session;
     const Theme &m_theme;
     CodeView *m_view;
-    StopList *m_stops;
+    BreakpointList *m_stops;
     CodeCard *m_card;
-    std::optional<Drag> m_drag;   ///< the number that the mouse holds
-    std::optional<Asked> m_asked; ///< what the card shows
-    QPointer<QLineEdit> m_editor; ///< of the number that is typed over
-    QString m_edited;             ///< its parameter
+    std::optional<Drag> m_drag;               ///< the number being dragged
+    std::optional<ShownSymbol> m_shownSymbol; ///< the symbol on the card
+    QPointer<QLineEdit> m_editor;             ///< editor of the number being typed over
+    QString m_edited;                         ///< id of its parameter
     QPointer<QWidget> m_actions;
     QToolButton *m_newLines = nullptr;
     QToolButton *m_goneLines = nullptr;
     QToolButton *m_copy = nullptr;
     CodeListing m_listing;
-    std::shared_ptr<const sim::ComposedInterval> m_interval; ///< what m_listing was made of
+    std::shared_ptr<const sim::ComposedInterval> m_interval; ///< the source of m_listing
     sim::MethodPtr m_method;
     const lessons::Step *m_step = nullptr;
     std::optional<RanTo> m_ranTo;
-    bool m_wasInside = false;  ///< whether the run stood inside a frame when the code last scrolled to it
-    bool m_begun = false;      ///< whether the values have left frame 0 since the code is on show
-    bool m_looks = false;      ///< whether the moment that is marked is that of the line under the mouse
-    std::optional<int> m_top;  ///< the first line in sight before somebody looked at another moment
-    QElapsedTimer m_refreshed; ///< since the values were last shown
+    bool m_wasInside = false;   ///< whether the run was inside a frame when the code last scrolled to it
+    bool m_begun = false;       ///< whether the values have left frame 0 since this code was shown
+    bool m_ownsPreview = false; ///< whether the marked moment is that of the line under the mouse
+    std::optional<int> m_top;   ///< the first visible line before the preview began
+    QElapsedTimer m_refreshed;  ///< time since the values were last shown
     QString m_caption;
 };
 

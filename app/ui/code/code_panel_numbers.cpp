@@ -1,8 +1,8 @@
-// Numbers in the code: parameters that are dragged or typed over, and the card about what a word stands for.
+// Numbers in the code: dragging and typing of parameters, and the card that explains a symbol.
 
-#include "app/model/code_steering.h"
-#include "app/model/refusal.h"
-#include "app/model/sentences.h"
+#include "app/model/code/code_targets.h"
+#include "app/model/text/sentences.h"
+#include "app/model/text/user_error.h"
 #include "app/ui/code/code_card.h"
 #include "app/ui/code/code_panel.h"
 #include "app/ui/code/code_view.h"
@@ -20,7 +20,7 @@ namespace {
 
 constexpr int editorWidth = 92;
 constexpr int editorHeight = 26;
-constexpr int moreOnCard = 3; ///< decimals that a value has on the card, and not beside its line
+constexpr int moreOnCard = 3; ///< additional decimals of a value on the card
 
 }
 
@@ -29,18 +29,18 @@ void CodePanel::connectNumbers()
     connect(m_view, &CodeView::numberTaken, this, &CodePanel::takeNumber);
     connect(m_view, &CodeView::numberDragged, this, &CodePanel::dragNumber);
     connect(m_view, &CodeView::numberLeft, this, &CodePanel::leaveNumber);
-    connect(m_view, &CodeView::numberAsked, this, &CodePanel::editNumber);
-    connect(m_view, &CodeView::symbolAsked, this, &CodePanel::askSymbol);
+    connect(m_view, &CodeView::numberRequested, this, &CodePanel::editNumber);
+    connect(m_view, &CodeView::symbolRequested, this, &CodePanel::askSymbol);
     for (const QScrollBar *bar : {m_view->verticalScrollBar(), m_view->horizontalScrollBar()}) {
-        // What lies over a word stays with it no longer.
+        // The editor and the card belong to a word that has now moved.
         connect(bar, &QScrollBar::valueChanged, this, [this] {
             closeEditor();
-            m_asked.reset();
+            m_shownSymbol.reset();
             m_card->hide();
         });
     }
     connect(m_view, &CodeView::symbolDropped, this, [this] {
-        m_asked.reset();
+        m_shownSymbol.reset();
         m_card->hide();
     });
 }
@@ -56,18 +56,19 @@ void CodePanel::takeNumber(const ParameterSpot &spot)
     const lessons::Parameter *parameter = parameterOf(spot);
     if (!parameter)
         return;
-    m_session.endGesture();
-    m_drag = Drag{spot, m_session.parameter(parameter->id)};
+    m_session.editor().endGesture();
+    m_drag = Drag{spot, m_session.editor().parameter(parameter->id)};
 }
 
 void CodePanel::dragNumber(int pixels, bool fine)
 {
     const lessons::Parameter *parameter = m_drag ? parameterOf(m_drag->spot) : nullptr;
     if (!parameter ||
-        parameter->restartsRun) // one that begins the run anew is typed, not dragged through all its values
+        // a parameter that restarts the run is typed, because dragging would restart the run at every value
+        parameter->restartsRun)
         return;
-    m_session.setParameter(parameter->id,
-                           draggedValue(*parameter, m_drag->from, (fine ? finePixel : 1.0) * pixels));
+    m_session.editor().setParameter(
+        parameter->id, draggedValue(*parameter, m_drag->from, (fine ? finePixel : 1.0) * pixels));
     for (std::size_t row = 0; row < m_view->rows().size(); ++row) {
         const CodeRow &its = m_view->rows()[row];
         if (its.kind == CodeRow::Kind::code && its.section == m_drag->spot.section &&
@@ -81,10 +82,10 @@ void CodePanel::leaveNumber(bool keep)
     if (!m_drag)
         return;
     if (!keep)
-        m_session.setParameter(m_drag->spot.word.parameter, m_drag->from);
-    m_session.endGesture();
+        m_session.editor().setParameter(m_drag->spot.word.parameter, m_drag->from);
+    m_session.editor().endGesture();
     m_drag.reset();
-    m_asked.reset();
+    m_shownSymbol.reset();
     m_card->hide();
 }
 
@@ -100,13 +101,15 @@ void CodePanel::editNumber(const ParameterSpot &spot)
     leaveNumber(true);
     closeEditor();
     m_edited = parameter->id;
-    // Not the view's child: keys that it has no use for would steer the view.
-    m_editor = new QLineEdit(typedText(*parameter, m_session.parameter(m_edited)), this);
+    // A child of the panel, not of the view, because keys that the editor ignores would otherwise steer the
+    // view.
+    m_editor = new QLineEdit(typedText(*parameter, m_session.editor().parameter(m_edited)), this);
     m_editor->setObjectName("parameter");
+    m_editor->setAcceptDrops(false); // the window takes files
     m_editor->setFont(m_theme.mono(13));
     m_editor->setAccessibleName(parameter->unit.isEmpty() ? parameter->name
                                                           : parameter->name + ", " + parameter->unit);
-    m_editor->setToolTip(tr("%1 Enter takes it, Esc leaves it as it was.").arg(parameter->help));
+    m_editor->setToolTip(tr("%1 Press Enter to apply, Esc to cancel.").arg(parameter->help));
     const QRect word = m_view->wordRect(static_cast<std::size_t>(row - rows.begin()), spot.word);
     const int left = std::clamp(word.left() - 6, 0, std::max(0, m_view->viewport()->width() - editorWidth));
     const QPoint corner(left, word.center().y() - editorHeight / 2);
@@ -126,15 +129,15 @@ void CodePanel::takeTyped()
     double value = 0.0;
     try {
         value = typedValue(*parameter, m_editor->text());
-    } catch (const Refusal &refusal) {
-        emit said(refusal.sentence());
+    } catch (const UserError &error) {
+        emit messageRequested(error.sentence());
         m_editor->selectAll();
         return;
     }
     closeEditor();
-    m_session.endGesture();
-    m_session.setParameter(parameter->id, value);
-    m_session.endGesture();
+    m_session.editor().endGesture();
+    m_session.editor().setParameter(parameter->id, value);
+    m_session.editor().endGesture();
 }
 
 void CodePanel::closeEditor()
@@ -146,7 +149,7 @@ void CodePanel::closeEditor()
     const bool hadFocus = editor->hasFocus();
     editor->removeEventFilter(this);
     editor->hide();
-    editor->deleteLater(); // it may be what called
+    editor->deleteLater(); // the editor may be the caller
     if (hadFocus)
         m_view->setFocus(Qt::OtherFocusReason);
 }
@@ -174,14 +177,14 @@ void CodePanel::hideEvent(QHideEvent *event)
     QWidget::hideEvent(event);
     leaveNumber(true);
     closeEditor();
-    m_asked.reset();
+    m_shownSymbol.reset();
     m_card->hide();
 }
 
 bool CodePanel::event(QEvent *event)
 {
-    if (event->type() == QEvent::WindowDeactivate) { // it would stand over another program
-        m_asked.reset();
+    if (event->type() == QEvent::WindowDeactivate) { // it would otherwise stay on top of other programs
+        m_shownSymbol.reset();
         m_card->hide();
     }
     return QWidget::event(event);
@@ -199,10 +202,10 @@ void CodePanel::askSymbol(std::size_t row, qsizetype column)
         symbolAt(m_listing, its.section, its.line, column, m_view->spots(), *m_step, *m_interval, point());
     if (!symbol) {
         if (m_view->hasFocus() && !m_view->viewport()->underMouse())
-            emit said(tr("No number is known of “%1”.").arg(word->name));
+            emit messageRequested(tr("“%1” has no known value.").arg(word->name));
         return;
     }
-    m_asked = Asked{*symbol, m_view->wordRect(row, *word)};
+    m_shownSymbol = ShownSymbol{*symbol, m_view->wordRect(row, *word)};
     showCard();
 }
 
@@ -217,9 +220,9 @@ QString CodePanel::whose(const CodeSymbol &symbol) const
 
 void CodePanel::showCard()
 {
-    if (!m_asked)
+    if (!m_shownSymbol)
         return;
-    const CodeSymbol &symbol = m_asked->symbol;
+    const CodeSymbol &symbol = m_shownSymbol->symbol;
     CodeHistory history = historyOf(symbol, m_session.timeline().track(), m_session.selected().toStdString());
     for (CodeHistory::Sample &sample : history.samples) {
         if (symbol.parameter.isEmpty())
@@ -227,12 +230,13 @@ void CodePanel::showCard()
     }
     QString value = tr("none yet");
     if (const lessons::Parameter *parameter = m_step->parameter(symbol.parameter))
-        value = typedText(*parameter, m_session.parameter(symbol.parameter));
+        value = typedText(*parameter, m_session.editor().parameter(symbol.parameter));
     else if (!history.samples.empty())
         value = shownValue(history.samples.back().value, moreOnCard);
     if (!symbol.unit.isEmpty() && (!history.samples.empty() || !symbol.parameter.isEmpty()))
         value += QChar(0x2009) + symbol.unit;
-    const QRect word(m_view->viewport()->mapToGlobal(m_asked->word.topLeft()), m_asked->word.size());
+    const QRect word(m_view->viewport()->mapToGlobal(m_shownSymbol->word.topLeft()),
+                     m_shownSymbol->word.size());
     m_card->show(symbol, whose(symbol), history, value, word);
 }
 

@@ -1,10 +1,10 @@
-// What a learner does to the run from the code: running to a line, breakpoints, the menu.
+// Controlling the run from the code: running to a line, breakpoints and the context menu.
 
-#include "app/model/code_steering.h"
+#include "app/model/code/code_targets.h"
+#include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/code_card.h"
 #include "app/ui/code/code_panel.h"
 #include "app/ui/code/code_view.h"
-#include "app/ui/code/stop_list.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -13,28 +13,28 @@ namespace app {
 
 void CodePanel::connectView()
 {
-    connect(m_view, &CodeView::stopAsked, this, &CodePanel::toggleStop);
-    connect(m_view, &CodeView::runAsked, this, &CodePanel::runTo);
-    connect(m_view, &CodeView::goneAsked, this, [this] {
+    connect(m_view, &CodeView::stopRequested, this, &CodePanel::toggleStop);
+    connect(m_view, &CodeView::runRequested, this, &CodePanel::runTo);
+    connect(m_view, &CodeView::removedLinesRequested, this, [this] {
         if (m_listing.goneLines() == 0)
-            emit said(tr("Every line of the step before is still here."));
+            emit messageRequested(tr("This step removed no lines."));
         else
             m_goneLines->click();
     });
-    connect(m_view, &CodeView::menuAsked, this, [this](const QPoint &place, std::size_t row) {
+    connect(m_view, &CodeView::menuRequested, this, [this](const QPoint &place, std::size_t row) {
         QMenu *menu = menuFor(row);
         menu->setAttribute(Qt::WA_DeleteOnClose);
         menu->popup(place);
     });
     connect(m_view, &CodeView::rowPointedAt, this, &CodePanel::pointAt);
-    connect(m_stops, &StopList::chosen, m_view, &CodeView::showPlace);
-    connect(&m_session.breakpoints(), &Breakpoints::changed, this, &CodePanel::showBreakpoints);
+    connect(m_stops, &BreakpointList::chosen, m_view, &CodeView::showPlace);
+    connect(&m_session.playback().breakpoints(), &Breakpoints::changed, this, &CodePanel::showBreakpoints);
     showBreakpoints();
 }
 
 void CodePanel::showBreakpoints()
 {
-    m_view->setBreakpoints(m_session.breakpoints().all());
+    m_view->setBreakpoints(m_session.playback().breakpoints().all());
 }
 
 void CodePanel::toggleStop(std::size_t row)
@@ -43,18 +43,20 @@ void CodePanel::toggleStop(std::size_t row)
         return; // the code has changed since the menu opened
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     const CodePlace place = m_view->placeOf(row);
-    if (section.role == CodeSection::Role::scene && !m_session.breakpoints().at(place)) {
-        emit said(
+    if (section.role == CodeSection::Role::scene && !m_session.playback().breakpoints().at(place)) {
+        emit messageRequested(
             tr("This line sets the scene up, before the first frame. Choose a line of a phase to stop at."));
         return;
     }
-    if (section.role == CodeSection::Role::order && !m_session.breakpoints().at(place)) {
-        emit said(tr("This line says in which order phases run. Choose a line of a phase to stop at."));
+    if (section.role == CodeSection::Role::order && !m_session.playback().breakpoints().at(place)) {
+        emit messageRequested(
+            tr("This line says in which order phases run. Choose a line of a phase to stop at."));
         return;
     }
-    const bool isSet = m_session.breakpoints().toggle(place);
+    const bool isSet = m_session.playback().breakpoints().toggle(place);
     const QString where = tr("%1, line %2").arg(fileName(place.file)).arg(place.line);
-    emit said(isSet ? tr("Stops before %1.").arg(where) : tr("No longer stops before %1.").arg(where));
+    emit messageRequested(isSet ? tr("Stops before %1.").arg(where)
+                                : tr("No longer stops before %1.").arg(where));
 }
 
 void CodePanel::runTo(std::size_t row)
@@ -64,7 +66,7 @@ void CodePanel::runTo(std::size_t row)
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     const std::optional<sim::Cursor> target = runTarget(section, m_session.timeline());
     if (!target) {
-        emit said(
+        emit messageRequested(
             section.role == CodeSection::Role::scene
                 ? tr("This line sets the scene up, before the first frame. Click a line of a phase to run to "
                      "it.")
@@ -74,26 +76,27 @@ void CodePanel::runTo(std::size_t row)
     const CodeRow &its = m_view->rows()[row];
     m_ranTo =
         section.lines[its.line].isQuiet ? std::nullopt : std::optional(RanTo{its.section, its.line, *target});
-    m_session.runTo(*target);
+    m_session.preview().end(); // the line under the mouse was marked or previewed
+    m_session.playback().runTo(*target);
 }
 
-/// Between two frames a line only marks its phase: who crosses the code would else be in and out of the next frame with
-/// every line. Inside a frame, where phases are what it is about, it shows what there is after that one.
+/// Between two frames, a line only marks its phase. Otherwise, moving the mouse across the code would jump in
+/// and out of the next frame at every line. Inside a frame, it previews the state after the line's phase.
 void CodePanel::pointAt(std::optional<std::size_t> row)
 {
     std::optional<sim::Cursor> moment;
-    if (row && *row < m_view->rows().size() && !m_session.isPlaying())
+    if (row && *row < m_view->rows().size() && !m_session.playback().isPlaying())
         moment = momentOf(m_listing.sections[m_view->rows()[*row].section], m_session.timeline());
     if (!moment) {
-        if (m_looks)
-            m_session.endGlance();
+        if (m_ownsPreview)
+            m_session.preview().end();
         return;
     }
-    m_looks = true;
+    m_ownsPreview = true;
     if (m_session.timeline().cursor().phase > 0)
-        m_session.glance(*moment);
+        m_session.preview().show(*moment);
     else
-        m_session.mark(*moment);
+        m_session.preview().mark(*moment);
 }
 
 QMenu *CodePanel::menuFor(std::size_t row)
@@ -103,16 +106,16 @@ QMenu *CodePanel::menuFor(std::size_t row)
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     if (line && section.role == CodeSection::Role::phase) {
         connect(menu->addAction(tr("Run to here")), &QAction::triggered, this, [this, row] { runTo(row); });
-        const Breakpoint *stop = m_session.breakpoints().at(m_view->placeOf(row));
-        connect(menu->addAction(stop ? tr("Take the stop away") : tr("Stop here")), &QAction::triggered, this,
-                [this, row] { toggleStop(row); });
-        connect(menu->addAction(tr("Stop here when…")), &QAction::triggered, this, [this, row] {
+        const Breakpoint *stop = m_session.playback().breakpoints().at(m_view->placeOf(row));
+        connect(menu->addAction(stop ? tr("Remove breakpoint") : tr("Set breakpoint")), &QAction::triggered,
+                this, [this, row] { toggleStop(row); });
+        connect(menu->addAction(tr("Set breakpoint when…")), &QAction::triggered, this, [this, row] {
             const CodePlace place = m_view->placeOf(row);
-            if (!m_session.breakpoints().at(place))
+            if (!m_session.playback().breakpoints().at(place))
                 toggleStop(row);
-            if (!m_session.breakpoints().at(place))
+            if (!m_session.playback().breakpoints().at(place))
                 return;
-            m_stops->edit(m_session.breakpoints().at(place)->id);
+            m_stops->edit(m_session.playback().breakpoints().at(place)->id);
         });
         menu->addSeparator();
     }
@@ -121,7 +124,7 @@ QMenu *CodePanel::menuFor(std::size_t row)
     connect(copy, &QAction::triggered, m_view, &CodeView::copy);
     connect(menu->addAction(tr("Copy “%1”").arg(section.title)), &QAction::triggered, this,
             [text = plainText(section)] { QApplication::clipboard()->setText(text); });
-    connect(menu->addAction(tr("Copy all that is shown")), &QAction::triggered, this, &CodePanel::copyAll);
+    connect(menu->addAction(tr("Copy all shown code")), &QAction::triggered, this, &CodePanel::copyAll);
     return menu;
 }
 

@@ -1,6 +1,6 @@
 #include "app/ui/code/code_rows.h"
 
-#include "app/ui/code/code_ink.h"
+#include "app/ui/code/code_colors.h"
 
 #include <QCoreApplication>
 
@@ -8,9 +8,9 @@ namespace app {
 
 namespace {
 
-struct Text
+struct CodeRowsText
 {
-    Q_DECLARE_TR_FUNCTIONS(CodeRows)
+    Q_DECLARE_TR_FUNCTIONS(CodeRowsText)
 };
 
 QByteArray inked(const QString &text, Ink ink)
@@ -26,11 +26,11 @@ CodeRow headingOf(const CodeSection &section, std::size_t index)
             inked(section.title, Ink::heading) + inked(caption, Ink::caption)};
 }
 
-/// Where the lines from `index` on are from.
+/// Returns the row that names the file of the lines from `index` on.
 CodeRow fileRow(std::size_t section, std::size_t index, const CodeLine &line)
 {
     const QString name = fileName(line.file);
-    const QString text = line.isPlumbing ? Text::tr("%1: how the method adds it").arg(name) : name;
+    const QString text = line.isPlumbing ? CodeRowsText::tr("%1: added up by the method").arg(name) : name;
     return {CodeRow::Kind::file, section, index, text, inked(text, Ink::caption), line.isPlumbing};
 }
 
@@ -85,7 +85,7 @@ QString plainText(const CodeSection &section)
     QString text = QStringLiteral("// %1\n").arg(section.title);
     const CodeLine *last = nullptr;
     for (const CodeLine &line : section.lines) {
-        // Lines of two regions of one file do not follow each other: each region says where it is.
+        // Two regions of a file may not be adjacent, so each region gets its own position.
         if (!last || last->file != line.file || line.source.number <= last->source.number)
             text += QStringLiteral("// %1:%2\n").arg(line.file).arg(line.source.number);
         text += line.source.text + '\n';

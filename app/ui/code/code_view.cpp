@@ -37,9 +37,9 @@ long foldLevel(const CodeRow &row)
 CodeView::CodeView(const Theme &theme, QWidget *parent) : QsciScintilla(parent), m_theme(theme)
 {
     setAccessibleName(tr("Code that runs"));
-    setAccessibleDescription(tr("Up and Down go from line to line. Enter runs to a line, or folds at a "
-                                "heading. F9 sets a stop, F2 changes a parameter, Ctrl+I tells a value, "
-                                "Ctrl+C copies."));
+    setAccessibleDescription(
+        tr("Up and Down go from line to line. Enter runs to a line, or folds a section at its heading. F9 "
+           "sets a breakpoint, F2 changes a parameter, Ctrl+I shows a value, Ctrl+C copies."));
     const QSettings settings;
     if (settings.contains(foldedKey)) {
         const QStringList folded = settings.value(foldedKey).toStringList();
@@ -48,7 +48,7 @@ CodeView::CodeView(const Theme &theme, QWidget *parent) : QsciScintilla(parent),
     setUp();
     applyTheme();
     connect(&theme, &Theme::changed, this, &CodeView::applyTheme);
-    // What is painted over the text is not part of what Scintilla scrolls.
+    // Scintilla does not scroll the overlays that are painted over the text.
     connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
     connect(horizontalScrollBar(), &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
 }

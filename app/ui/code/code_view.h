@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/model/breakpoints.h"
-#include "app/model/code_marks.h"
-#include "app/model/code_symbols.h"
+#include "app/model/breakpoints/breakpoints.h"
+#include "app/model/code/code_marks.h"
+#include "app/model/code/code_symbols.h"
 #include "app/ui/code/code_rows.h"
 
 #include <Qsci/qsciscintilla.h>
@@ -15,10 +15,12 @@ namespace app {
 
 class Theme;
 
-/// The code that runs, to be read: its files' own line numbers, what is new, what is now, and values at the ends
-/// of lines. A click on a line, or Enter, asks to run to it; a click in the margin, or F9, for a breakpoint. What is a
-/// parameter can be dragged, or typed over (F2). Up and Down go from line to line, with Ctrl from heading to heading;
-/// Ctrl with Left and Right from word to word; Enter on a heading folds.
+/// A read-only view of the code that runs.
+/// It shows the line numbers of the source files, new lines, the current line, and values at the ends of lines.
+///
+/// A click on a line, or Enter, asks to run to it. A click in the margin, or F9, asks for a breakpoint.
+/// A parameter can be dragged, or typed over (F2). Up and Down go from line to line; with Ctrl, from heading to heading.
+/// Ctrl+Left and Ctrl+Right go from word to word. Enter on a heading folds its section.
 class CodeView : public QsciScintilla
 {
     Q_OBJECT
@@ -26,90 +28,92 @@ class CodeView : public QsciScintilla
 public:
     explicit CodeView(const Theme &theme, QWidget *parent = nullptr);
 
-    /// Shows `listing` from its top. Sections that were folded stay folded.
+    /// Shows `listing` from its top. Folded sections stay folded.
     void setListing(const CodeListing &listing);
     void setValues(std::vector<CodeChip> chips, std::vector<SectionMark> marks);
 
-    /// The lines that stop the run, and those of them that are switched on.
+    /// Sets the breakpoints, both enabled and disabled ones.
     void setBreakpoints(std::vector<Breakpoint> breakpoints);
-    /// Where a parameter's number stands.
+    /// Sets the places in the code that show a parameter.
     void setSpots(std::vector<ParameterSpot> spots);
     const std::vector<ParameterSpot> &spots() const { return m_spots; }
-    /// Whether lines of the step before that are gone are shown, where they were.
+    /// Shows or hides the lines that this step removed, at their old places.
     void setGone(Gone gone);
     Gone gone() const { return m_gone; }
-    /// Goes to the first of them, if any is shown.
+    /// Goes to the first removed line, if one is shown.
     void showFirstGone();
-    /// Scrolls, if need be, to a line, and takes the keyboard's place there.
+    /// Scrolls to a line if necessary, and moves the keyboard's current row there.
     void showPlace(const CodePlace &place);
     const CodeLine *lineAt(std::size_t row) const { return line(m_rows[row]); }
 
-    /// The row that the keyboard is on.
+    /// Returns the keyboard's current row.
     std::size_t row() const { return m_row; }
     CodePlace placeOf(std::size_t row) const;
-    /// The section's text as it is copied: the one that the keyboard is on.
+    /// Returns the text to copy for the section with the keyboard's current row.
     QString sectionText() const;
-    /// Where a stretch of a row's text stands in the viewport.
+    /// Returns the rectangle of a word of a row, in viewport coordinates (px).
     QRect wordRect(std::size_t row, const CodeWord &word) const;
-    /// The row and the column under a place of the viewport; empty where there is no code.
+    /// Returns the row and column at a viewport position; empty where there is no code.
     std::optional<std::pair<std::size_t, qsizetype>> textAt(const QPoint &position) const;
-    /// Whether a place is on a line's marks, left of its text.
+    /// Returns whether a viewport position is in the margins, left of the text.
     bool isInMargin(const QPoint &position) const { return position.x() < marginsWidth(); }
 
-    /// Scrolls, if need be, to the section of the phase that was done last.
+    /// Scrolls, if necessary, to the section of the last completed phase.
     void showNow();
-    /// The same, and the keyboard stays where it is. Returns the row of the section's heading, if there is one.
+    /// Does the same without moving the keyboard's current row.
+    /// Returns the row of the section's heading, if there is one.
     std::optional<std::size_t> scrollToNow();
-    /// Scrolls from the top, if the view is there, to what runs in every frame.
+    /// Scrolls to the code that runs in every frame if the view is at the top.
     void showPhases();
-    /// Goes to the next lines that are new, and selects them; after the last ones to the first.
+    /// Goes to the next new lines and selects them. Wraps round after the last ones.
     void showNextNew();
 
     bool isFolded(std::size_t section) const;
     void setFolded(std::size_t section, bool folded);
-    /// Whether the lines are folded that add up what effects have computed: all of them fold together.
+    /// Returns whether the lines that add up the effects' results are folded. All of these lines fold together.
     bool isPlumbingFolded() const { return m_folded.contains(keyOfPlumbing()); }
-    /// The sections that are not folded, as text with file names.
+    /// Returns the unfolded sections as text, with file names.
     QString shownText() const;
 
-    // How it looks: for drawing, and for tests.
+    // The appearance, for drawing and for tests.
     const std::vector<CodeRow> &rows() const { return m_rows; }
     const std::vector<CodeChip> &values() const { return m_chips; }
-    /// What stands on the row's chip, which may be narrower than its value; empty without one.
+    /// Returns the text on the row's chip, which may be a shortened value; empty if the row has no chip.
     QString chipText(std::size_t row) const { return chipBox(row).text; }
-    /// The row's place in the viewport, as wide as that; empty while it is folded away.
+    /// Returns the row's rectangle over the full width of the viewport; empty while the row is folded away.
     QRect rowRect(std::size_t row) const;
-    /// The colour behind the text of a row, if it is marked.
+    /// Returns the background colour of a marked row; invalid if the row is not marked.
     QColor wash(std::size_t row) const;
-    /// How wide numbers, symbols and colour bar are together.
+    /// Returns the total width (px) of line numbers, symbols and colour bar.
     static int marginsWidth();
     bool isToCome(std::size_t row) const;
-    /// Whether a row is pale because a learner need not read it: see CodeLine.
+    /// Returns whether a row is pale because a learner need not read it; see CodeLine.
     bool isQuiet(std::size_t row) const;
 
-    static constexpr const char *foldedKey = "code/folded"; ///< of the settings: what is folded
+    static constexpr const char *foldedKey = "code/folded"; ///< settings key of the folded sections
 
 signals:
-    /// A breakpoint on this row is to be set, or taken away.
-    void stopAsked(std::size_t row);
-    /// The run is to go to the phase of this row.
-    void runAsked(std::size_t row);
-    /// The mouse took hold of a number, moved by so many pixels since, and let go (or gave up).
+    /// Emitted when the user asks to set or remove a breakpoint on this row.
+    void stopRequested(std::size_t row);
+    /// Emitted when the user asks to run to the phase of this row.
+    void runRequested(std::size_t row);
+    /// Emitted when the user starts to drag a number, moves it (`pixels` since the start), and ends the drag.
+    /// `keep` is false if the drag was cancelled.
     void numberTaken(const app::ParameterSpot &spot);
     void numberDragged(int pixels, bool fine);
     void numberLeft(bool keep);
-    /// A number is to be typed over.
-    void numberAsked(const app::ParameterSpot &spot);
-    /// Lines that are gone are to be shown, or no longer.
-    void goneAsked();
-    /// What stands at this column of a row is asked for.
-    void symbolAsked(std::size_t row, qsizetype column);
-    /// Nobody asks any more.
+    /// Emitted when the user asks to type over a number.
+    void numberRequested(const app::ParameterSpot &spot);
+    /// Emitted when the user asks to show or hide the removed lines.
+    void removedLinesRequested();
+    /// Emitted when the user asks about the symbol at this column of a row.
+    void symbolRequested(std::size_t row, qsizetype column);
+    /// Emitted when the request is cancelled.
     void symbolDropped();
-    /// The mouse is on a row, or on none any more.
+    /// Emitted when the mouse moves onto another row, or off all rows.
     void rowPointedAt(std::optional<std::size_t> row);
-    /// A menu is asked for at a place of the screen, about a row.
-    void menuAsked(const QPoint &place, std::size_t row);
+    /// Emitted when the user asks for a row's context menu, at a screen position.
+    void menuRequested(const QPoint &place, std::size_t row);
 
 protected:
     bool event(QEvent *event) override;
@@ -140,32 +144,32 @@ private:
     /// Writes the rows of the listing.
     void layRows();
     void styleText();
-    void dressGone(const QColor &ink);
+    void styleRemovedLines(const QColor &ink);
     void strikeGone();
-    /// The row of the same kind, section and line; else the section's heading.
+    /// Returns the row with the same kind, section and line, or else the section's heading.
     std::size_t rowOf(const CodeRow &sought) const;
     void applyMarks();
     void markRow(std::size_t row);
-    /// By which key a row folds what is below it; empty where it folds nothing.
+    /// Returns the fold key of a row; empty if the row folds nothing.
     QString foldKey(const CodeRow &row) const;
     void fold(const QString &key, bool folded);
-    /// Folds or unfolds, as a learner does: that is remembered.
+    /// Folds or unfolds on user input, and saves the choice.
     void toggle(const QString &key);
-    /// Unfolds all that hides a row.
+    /// Unfolds everything that hides a row.
     void unfold(std::size_t row);
     void goToRow(std::size_t row);
-    /// By so many rows, or headings, or words of the row.
+    /// Moves by `by` rows or headings; moveByWords() by `by` words of the current row.
     void moveByRows(int by, bool onlyHeadings);
     void moveByWords(int by);
     std::vector<CodeWord> wordsOfRow(std::size_t row) const;
-    /// The column that the keyboard is on, or that of the first word whose number may be known.
+    /// Returns the keyboard's current column, or the column of the first word that may have a known value.
     qsizetype column() const;
     void steer(const QKeyEvent &event);
     void actOnRow();
     void askNumber();
     void askSymbol();
     std::optional<std::size_t> rowAt(const QPoint &position) const;
-    /// The parameter under a place: its word, or the value at the end of its line.
+    /// Returns the parameter at a position, in its word or in the value at the end of its line; null for none.
     const ParameterSpot *spotAt(const QPoint &position) const;
     const ParameterSpot *spotOf(std::size_t row, qsizetype column) const;
     void forgetWord(const QPoint &position);
@@ -181,7 +185,7 @@ private:
     bool isResult(const CodeRow &row) const;
     int rowHeight() const;
     int endOfText(std::size_t row) const;
-    int endOfCode(std::size_t row) const; ///< as endOfText(), without a comment
+    int endOfCode(std::size_t row) const; ///< like endOfText(), without a trailing comment
     Box chipBox(std::size_t row) const;
     QString tipAt(const QPoint &position) const;
 
@@ -201,19 +205,20 @@ private:
     std::vector<CodeRow> m_rows;
     std::vector<CodeChip> m_chips;
     std::vector<SectionMark> m_marks;
-    /// Keys of what is folded. The order and how things are added up are for the curious.
+    /// Keys of the folded sections. The order of effects and the adding-up code are folded at first: few learners need them.
     QSet<QString> m_folded = {QStringLiteral("order"), keyOfPlumbing()};
     std::vector<Breakpoint> m_breakpoints;
     std::vector<ParameterSpot> m_spots;
-    std::size_t m_row = 0;           ///< that the keyboard is on
-    std::optional<CodeWord> m_word;  ///< of that row, likewise
-    bool m_keepsRow = false;         ///< whether m_row stays in sight when the view gets smaller
-    std::size_t m_newRow = 0;        ///< where showNextNew() was
-    bool m_byKeyboard = false;       ///< whether the focus came from it
-    std::optional<QPoint> m_pressed; ///< where the mouse went down on a line
-    std::optional<QPoint> m_taken;   ///< where it took hold of a number
-    std::optional<std::pair<std::size_t, qsizetype>> m_asked; ///< the word that the mouse asked for
-    std::optional<std::size_t> m_pointed;                     ///< the row that it is on
+    std::size_t m_row = 0;           ///< the keyboard's current row
+    std::optional<CodeWord> m_word;  ///< the keyboard's current word in that row
+    bool m_keepsRow = false;         ///< whether m_row stays visible when the view shrinks
+    std::size_t m_newRow = 0;        ///< the row that showNextNew() last went to
+    bool m_byKeyboard = false;       ///< whether the keyboard gave the focus
+    std::optional<QPoint> m_pressed; ///< where the mouse was pressed on a line
+    std::optional<QPoint> m_taken;   ///< where it started to drag a number
+    std::optional<std::pair<std::size_t, qsizetype>>
+        m_hoveredWord;                    ///< the word under the mouse whose card is requested
+    std::optional<std::size_t> m_pointed; ///< the row under the mouse
 };
 
 }

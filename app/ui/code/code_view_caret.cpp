@@ -1,4 +1,4 @@
-// Where the keyboard is in the code, and what stands where.
+// Keyboard navigation in the code, and positions of words.
 
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/code_view.h"
@@ -61,9 +61,9 @@ std::optional<std::pair<std::size_t, qsizetype>> CodeView::textAt(const QPoint &
 
 void CodeView::forgetWord(const QPoint &position)
 {
-    if (!m_asked || textAt(position) == m_asked)
+    if (!m_hoveredWord || textAt(position) == m_hoveredWord)
         return;
-    m_asked.reset();
+    m_hoveredWord.reset();
     emit symbolDropped();
 }
 
@@ -84,7 +84,7 @@ const ParameterSpot *CodeView::spotAt(const QPoint &position) const
         return nullptr;
     if (const auto at = textAt(position))
         return spotOf(at->first, at->second);
-    // The value at the end of a line that reads one parameter, and no more.
+    // The value at the end of a line counts only if the line reads exactly one parameter.
     const CodeChip *value = chip(m_rows[*row]);
     if (!value || !chipBox(*row).rect.contains(position))
         return nullptr;
@@ -151,7 +151,7 @@ void CodeView::actOnRow()
     if (const QString key = foldKey(its); !key.isEmpty())
         toggle(key);
     else if (line(its))
-        emit runAsked(m_row);
+        emit runRequested(m_row);
 }
 
 void CodeView::askNumber()
@@ -159,12 +159,12 @@ void CodeView::askNumber()
     const std::vector<CodeWord> words = wordsOfRow(m_row);
     if (m_word) {
         if (const ParameterSpot *spot = spotOf(m_row, m_word->from))
-            emit numberAsked(*spot);
+            emit numberRequested(*spot);
         return;
     }
     for (const CodeWord &word : words) {
         if (const ParameterSpot *spot = spotOf(m_row, word.from)) {
-            emit numberAsked(*spot);
+            emit numberRequested(*spot);
             return;
         }
     }
@@ -173,7 +173,7 @@ void CodeView::askNumber()
 void CodeView::askSymbol()
 {
     if (line(m_rows[m_row]))
-        emit symbolAsked(m_row, column());
+        emit symbolRequested(m_row, column());
 }
 
 void CodeView::showPlace(const CodePlace &place)

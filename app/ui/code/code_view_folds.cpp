@@ -38,7 +38,7 @@ void CodeView::fold(const QString &key, bool folded)
 {
     folded ? (void)m_folded.insert(key) : (void)m_folded.remove(key);
     for (std::size_t row = 0; row < m_rows.size(); ++row) {
-        // Two sections of the same work fold together.
+        // All sections with the same key fold together.
         if (foldKey(m_rows[row]) == key)
             send(*this, SCI_FOLDLINE, row, folded ? SC_FOLDACTION_CONTRACT : SC_FOLDACTION_EXPAND);
     }
@@ -66,7 +66,7 @@ void CodeView::scrollTo(std::size_t first, std::size_t row)
     const long room = std::max(1L, send(*this, SCI_LINESONSCREEN));
     if (from >= top && to < top + room)
         return;
-    // The heading comes to the top when the row below it still fits; otherwise the row itself is what counts.
+    // Scrolls the heading to the top if the row then still fits; otherwise centres the row.
     const long wanted =
         to - from < room ? (from < top ? from : std::min(from, to - room + 1)) : to - room / 2;
     send(*this, SCI_SETFIRSTVISIBLELINE, static_cast<std::size_t>(std::max(0L, wanted)));

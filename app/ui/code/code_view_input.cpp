@@ -11,7 +11,7 @@ namespace app {
 
 namespace {
 
-/// The keys that the view takes for itself; all others steer the window.
+/// Returns whether the view handles a key itself; all other keys go to the window.
 bool isOurs(const QKeyEvent &key, bool isDragging)
 {
     if (key.matches(QKeySequence::Copy) || key.matches(QKeySequence::SelectAll))
@@ -39,13 +39,13 @@ bool isOurs(const QKeyEvent &key, bool isDragging)
     }
 }
 
-constexpr int trembling = 3; ///< px that a hand moves while it clicks
+constexpr int trembling = 3; ///< px that the mouse may move during a click
 
 }
 
 bool CodeView::event(QEvent *event)
 {
-    // Scintilla would claim every letter and arrow as a shortcut of its own.
+    // Scintilla would claim every letter and arrow key as its own shortcut.
     if (event->type() == QEvent::ShortcutOverride) {
         event->setAccepted(isOurs(*static_cast<QKeyEvent *>(event), m_taken.has_value()));
         return true;
@@ -86,11 +86,11 @@ void CodeView::steer(const QKeyEvent &event)
     case Qt::Key_F2:
         return askNumber();
     case Qt::Key_F8:
-        emit goneAsked();
+        emit removedLinesRequested();
         return;
     case Qt::Key_F9:
         if (line(m_rows[m_row]))
-            emit stopAsked(m_row);
+            emit stopRequested(m_row);
         return;
     case Qt::Key_Escape:
         m_taken.reset();
@@ -104,7 +104,7 @@ void CodeView::steer(const QKeyEvent &event)
 void CodeView::mousePressEvent(QMouseEvent *event)
 {
     emit symbolDropped();
-    m_asked.reset();
+    m_hoveredWord.reset();
     const auto row = rowAt(event->pos());
     if (event->button() != Qt::LeftButton || !row || m_rows[*row].kind == CodeRow::Kind::gap) {
         QsciScintilla::mousePressEvent(event);
@@ -123,7 +123,7 @@ void CodeView::mousePressEvent(QMouseEvent *event)
     if (!key.isEmpty()) {
         toggle(key);
     } else if (isInMargin(event->pos())) {
-        emit stopAsked(*row);
+        emit stopRequested(*row);
     } else if (const ParameterSpot *spot = spotAt(event->pos())) {
         m_taken = event->pos();
         emit numberTaken(*spot);
@@ -177,7 +177,7 @@ void CodeView::mouseReleaseEvent(QMouseEvent *event)
     const auto row = isClick ? rowAt(*m_pressed) : std::nullopt;
     m_pressed.reset();
     if (row && event->button() == Qt::LeftButton && !hasSelectedText())
-        emit runAsked(*row);
+        emit runRequested(*row);
 }
 
 void CodeView::mouseDoubleClickEvent(QMouseEvent *event)
@@ -187,11 +187,11 @@ void CodeView::mouseDoubleClickEvent(QMouseEvent *event)
     if (event->button() != Qt::LeftButton || !row) {
         QsciScintilla::mouseDoubleClickEvent(event);
     } else if (isLine && !isInMargin(event->pos()) && spotAt(event->pos())) {
-        emit numberAsked(*spotAt(event->pos()));
+        emit numberRequested(*spotAt(event->pos()));
     } else if (isLine && !isInMargin(event->pos())) {
-        QsciScintilla::mouseDoubleClickEvent(event); // chooses a word
+        QsciScintilla::mouseDoubleClickEvent(event); // selects a word
     } else {
-        mousePressEvent(event); // two quick clicks are two clicks
+        mousePressEvent(event); // a double click counts as two clicks
     }
 }
 
@@ -204,7 +204,7 @@ void CodeView::contextMenuEvent(QContextMenuEvent *event)
     else
         row = rowAt(viewport()->mapFromGlobal(place)).value_or(m_row);
     if (row < m_rows.size())
-        emit menuAsked(place, row);
+        emit menuRequested(place, row);
 }
 
 void CodeView::resizeEvent(QResizeEvent *event)
@@ -217,7 +217,7 @@ void CodeView::resizeEvent(QResizeEvent *event)
 void CodeView::wheelEvent(QWheelEvent *event)
 {
     m_keepsRow = false;
-    // Scintilla would zoom, and chips and headings would not.
+    // Scintilla would zoom the text but not the chips and headings.
     if (event->modifiers() & Qt::ControlModifier)
         event->ignore();
     else
@@ -245,7 +245,7 @@ void CodeView::focusInEvent(QFocusEvent *event)
 void CodeView::focusOutEvent(QFocusEvent *event)
 {
     QsciScintilla::focusOutEvent(event);
-    emit symbolDropped(); // what the keyboard asked for; the mouse asks again
+    emit symbolDropped(); // drops the keyboard's request; the mouse makes its own
     viewport()->update();
 }
 
@@ -260,10 +260,10 @@ QString CodeView::tipAt(const QPoint &position) const
         return tr("%1\nClick to fold or unfold (Enter)").arg(files);
     }
     if (!foldKey(its).isEmpty())
-        return tr("These lines add up what was computed above. They are the same for every force.\nClick to "
-                  "fold or unfold (Enter)");
+        return tr("These lines add up the values computed above. They are the same for every force.\nClick "
+                  "to fold or unfold (Enter)");
     if (its.kind == CodeRow::Kind::gone)
-        return tr("The step before has this line; here it is gone.");
+        return tr("The previous step has this line; this step removed it.");
     const CodeLine *shown = line(its);
     if (!shown)
         return {};
@@ -271,9 +271,9 @@ QString CodeView::tipAt(const QPoint &position) const
         return chip(its)->tip;
     if (!isInMargin(position))
         return {};
-    const QString what = breakpoint(*row)
-                             ? tr("The run stops before this line's phase. Click to take the stop away (F9).")
-                             : tr("Click to stop before this line's phase (F9)");
+    const QString what =
+        breakpoint(*row) ? tr("The run stops before this line's phase. Click to remove the breakpoint (F9).")
+                         : tr("Click to set a breakpoint before this line's phase (F9)");
     return shown->isNew ? tr("New in this step. %1").arg(what) : what;
 }
 
@@ -287,11 +287,11 @@ bool CodeView::viewportEvent(QEvent *event)
         return QsciScintilla::viewportEvent(event);
     const auto *help = static_cast<QHelpEvent *>(event);
     const QString tip = tipAt(help->pos());
-    QToolTip::showText(help->globalPos(), tip, this); // an empty text hides it
+    QToolTip::showText(help->globalPos(), tip, this); // an empty text hides the tooltip
     const auto at = tip.isEmpty() && !m_taken ? textAt(help->pos()) : std::nullopt;
-    if (at && at != m_asked) {
-        m_asked = at;
-        emit symbolAsked(at->first, at->second);
+    if (at && at != m_hoveredWord) {
+        m_hoveredWord = at;
+        emit symbolRequested(at->first, at->second);
     }
     return true;
 }

@@ -1,4 +1,4 @@
-#include "app/ui/code/code_ink.h"
+#include "app/ui/code/code_colors.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/code_view.h"
 #include "app/ui/theme/theme.h"
@@ -20,7 +20,7 @@ constexpr int barLeft = 43;
 constexpr int barWidth = 3;
 constexpr int textLeft = 53;
 constexpr int chipRight = 8;      ///< from the right edge
-constexpr int chipRightOfBar = 4; ///< likewise, with a scroll bar there
+constexpr int chipRightOfBar = 4; ///< likewise, if there is a scroll bar
 constexpr int chipGap = 2;        ///< between code and chip
 constexpr int chipHeight = 16;
 constexpr int chipPixels = 11; ///< of its letters
@@ -75,7 +75,8 @@ CodeView::Box CodeView::chipBox(std::size_t row) const
     const QFontMetrics metrics(m_theme.mono(chipPixels));
     const int right = rect.right() + 1 - (verticalScrollBar()->isVisible() ? chipRightOfBar : chipRight);
     const int room = right - endOfCode(row) - chipGap;
-    const QString dots = QStringLiteral("…"); // a part of a number would be another number
+    // no cut numbers: a part of a number would look like another number
+    const QString dots = QStringLiteral("…");
     QString text = dots;
     int width = metrics.horizontalAdvance(dots) + 2 * chipPadding;
     for (const int padding : {tightPadding, chipPadding}) {
@@ -194,7 +195,7 @@ void CodeView::paintChip(QPainter &painter, std::size_t row) const
     const Tokens &t = m_theme.tokens();
     const SectionMark *at = mark(m_rows[row]);
     const bool now = at && at->selected && isResult(m_rows[row]);
-    // What of the line's comment, or of a long line, is below the chip ends before it.
+    // Hides the part of a long line or its comment that would be below the chip.
     const QRect cover(box.rect.left() - chipGap, rowRect(row).top(), viewport()->width(), rowHeight());
     painter.fillRect(cover, wash(row).isValid() ? wash(row) : t.panel);
     painter.setPen(Qt::NoPen);
@@ -214,7 +215,7 @@ void CodeView::paintStop(QPainter &painter, std::size_t row, const Breakpoint &b
     painter.drawEllipse(centre, 4.0, 4.0);
     if (breakpoint.condition.isEmpty())
         return;
-    // A condition: two bars, as of an equals sign.
+    // A conditional breakpoint has two bars, like an equals sign.
     painter.setPen(QPen(breakpoint.isOn ? m_theme.tokens().panel : past, 1.2));
     for (const double dy : {-1.3, 1.3})
         painter.drawLine(centre + QPointF(-2.0, dy), centre + QPointF(2.0, dy));
@@ -224,7 +225,7 @@ void CodeView::paintFocus(QPainter &painter) const
 {
     const QRect shown = viewport()->rect();
     const QRect whole = m_row < m_rows.size() ? rowRect(m_row) : QRect();
-    QRect ring = shown; // the row has been scrolled away
+    QRect ring = shown; // the row is scrolled out of view
     painter.setBrush(Qt::NoBrush);
     if (!whole.isEmpty() && shown.contains(whole)) {
         ring = whole.adjusted(barLeft + barWidth + 2, 0, endOfText(m_row) + 5 - whole.width(), 0);

@@ -2,15 +2,15 @@
 
 namespace app {
 
-// What the files of CodeView call by number.
+// Scintilla numbers that the files of CodeView share.
 
-constexpr int toComeIndicator = 9; ///< under what is still to come in a frame
-constexpr int spotIndicator = 10;  ///< under what can be changed
+constexpr int toComeIndicator = 9; ///< under code that the current frame has yet to run
+constexpr int spotIndicator = 10;  ///< under numbers that can be changed
 
-/// Markers: what is behind a row's text, and behind its margins.
+/// Markers: the backgrounds of a row's text and of its margins.
 enum Marker { regionText, regionMargin, lineText, lineMargin };
 
-/// Styles beyond those of Ink: numbers in the margin.
+/// Styles of the line numbers in the margin, in addition to those of Ink.
 enum NumberStyle { number = 20, numberInRegion, numberOnLine };
 
 }

@@ -2,9 +2,11 @@
 
 #include "app/ui/effects/kind_mark.h"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QToolTip>
 
 #include <algorithm>
 
@@ -21,6 +23,35 @@ constexpr double switchWidth = 30.0;
 constexpr double switchHeight = 18.0;
 constexpr double roomForPoints = 520.0; ///< px, of the list
 constexpr double roomForSpread = 500.0;
+
+struct Head
+{
+    double left;
+    double right;
+    Qt::Alignment side;
+    QString title;
+    QString help;
+};
+
+std::vector<Head> headsFor(double width)
+{
+    const EffectColumns c(width);
+    std::vector<Head> heads = {
+        {c.name, c.name + c.nameWidth, Qt::AlignLeft, EffectHeads::tr("Effect"),
+         EffectHeads::tr("The effects of this scene, in the order in which they run.")},
+        {c.frameRight - 74.0, c.frameRight, Qt::AlignRight, EffectHeads::tr("µs a frame"),
+         EffectHeads::tr("Microseconds (millionths of a second) that each frame of the run spends on it. "
+                         "About half of the measurements are within the ±.")},
+        {c.pointRight - 64.0, c.pointRight, Qt::AlignRight, EffectHeads::tr("µs a point"),
+         EffectHeads::tr("The same for each point that it acts on.")},
+        {c.runsRight - 40.0, c.runsRight, Qt::AlignRight, EffectHeads::tr("runs"),
+         EffectHeads::tr("How often a frame computes it. Some methods compute it several times.")},
+    };
+    if (c.hasPoints)
+        heads.push_back({c.pointsRight - 50.0, c.pointsRight, Qt::AlignRight, EffectHeads::tr("points"),
+                         EffectHeads::tr("How many points it acts on.")});
+    return heads;
+}
 
 }
 
@@ -39,60 +70,11 @@ EffectColumns::EffectColumns(double width)
     barWidth = std::max(0.0, name + room - bar);
 }
 
-void EffectListModel::setLines(std::vector<EffectLine> lines)
-{
-    m_longest = 0.0;
-    for (const EffectLine &line : lines)
-        m_longest = std::max(m_longest, line.ns);
-    const bool sameRows =
-        lines.size() == m_lines.size() &&
-        std::equal(lines.begin(), lines.end(), m_lines.begin(),
-                   [](const EffectLine &a, const EffectLine &b) { return a.id == b.id && a.role == b.role; });
-    if (sameRows) {
-        m_lines = std::move(lines);
-        if (!m_lines.empty())
-            emit dataChanged(index(0), index(rowCount() - 1));
-        return;
-    }
-    // Whoever switches one line after the other stays where he is.
-    emit layoutAboutToBeChanged();
-    const QModelIndexList kept = persistentIndexList();
-    QModelIndexList moved;
-    for (const QModelIndex &one : kept) {
-        const QString &id = m_lines[static_cast<std::size_t>(one.row())].id;
-        const auto found =
-            std::find_if(lines.begin(), lines.end(), [&](const EffectLine &line) { return line.id == id; });
-        moved << (found == lines.end() ? QModelIndex()
-                                       : createIndex(static_cast<int>(found - lines.begin()), 0));
-    }
-    m_lines = std::move(lines);
-    changePersistentIndexList(kept, moved);
-    emit layoutChanged();
-}
-
-int EffectListModel::rowCount(const QModelIndex &parent) const
-{
-    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
-}
-
 QVariant EffectListModel::data(const QModelIndex &index, int role) const
 {
-    if (!index.isValid() || index.row() >= rowCount())
-        return {};
-    const EffectLine &its = line(index);
-    switch (role) {
-    case Qt::DisplayRole:
-        return its.title;
-    case Qt::ToolTipRole:
-    case Qt::AccessibleDescriptionRole:
-        return its.help;
-    case Qt::AccessibleTextRole:
-        return its.spoken();
-    case Qt::CheckStateRole:
-        return its.isListed() ? QVariant(its.isOn() ? Qt::Checked : Qt::Unchecked) : QVariant();
-    default:
-        return {};
-    }
+    if (role != Qt::CheckStateRole || !index.isValid())
+        return LedgerModel::data(index, role);
+    return line(index).isListed() ? QVariant(line(index).isOn() ? Qt::Checked : Qt::Unchecked) : QVariant();
 }
 
 bool EffectListModel::setData(const QModelIndex &index, const QVariant &value, int role)
@@ -113,8 +95,8 @@ Qt::ItemFlags EffectListModel::flags(const QModelIndex &index) const
 
 QSize EffectDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &index) const
 {
-    const auto *model = static_cast<const EffectListModel *>(index.model());
-    return {200, model->line(index).role == EffectRole::absent ? absentHeight : listedHeight};
+    const auto line = index.data(lineRole).value<EffectLine>();
+    return {200, line.role == EffectRole::absent ? absentHeight : listedHeight};
 }
 
 QRect EffectDelegate::switchRect(const QRect &row)
@@ -146,22 +128,18 @@ bool EffectDelegate::editorEvent(QEvent *event, QAbstractItemModel *model, const
 void EffectDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
                            const QModelIndex &index) const
 {
-    const auto *model = static_cast<const EffectListModel *>(index.model());
-    const EffectLine &line = model->line(index);
+    const auto line = index.data(lineRole).value<EffectLine>();
     const Tokens &t = m_theme.tokens();
     const QRectF row = option.rect;
     const EffectColumns columns(row.width());
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    const bool chosen = (option.state & QStyle::State_HasFocus) && (option.state & QStyle::State_Selected);
-    if (chosen || (option.state & QStyle::State_MouseOver))
-        m_theme.paintSurface(*painter, row.adjusted(4, 1, -4, -1), 6,
-                             chosen ? Surface::chosen : Surface::hovered);
+    const bool isChosen = paintLedgerRow(*painter, option, m_theme);
     const QRectF mark(row.x() + margin, row.center().y() - markSize / 2.0, markSize, markSize);
     const bool isThere = line.role == EffectRole::acts;
     drawKindMark(*painter, mark, line.kind, isThere ? MarkFill::solid : MarkFill::hollow, m_theme);
     painter->setFont(m_theme.ui(13));
-    painter->setPen(line.isOn() || line.role == EffectRole::rest ? t.ink : chosen ? t.ink2 : t.ink3);
+    painter->setPen(line.isOn() || line.role == EffectRole::rest ? t.ink : isChosen ? t.ink2 : t.ink3);
     const bool hasBar = line.ns > 0.0;
     const double nameWidth = hasBar ? columns.nameWidth : columns.frameRight - 30.0 - columns.name;
     const QRectF name(row.x() + columns.name, row.y(), nameWidth, row.height());
@@ -169,18 +147,17 @@ void EffectDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
         name, Qt::AlignLeft | Qt::AlignVCenter,
         painter->fontMetrics().elidedText(line.title, Qt::ElideRight, static_cast<int>(nameWidth)));
     if (hasBar)
-        drawBar(*painter, row, line, model->longest());
+        drawBar(*painter, row, line, index.data(shareRole).toDouble());
     drawFigures(*painter, row, line);
     if (line.role != EffectRole::rest)
         drawSwitch(*painter, switchRect(option.rect), line);
     painter->restore();
 }
 
-void EffectDelegate::drawBar(QPainter &painter, const QRectF &row, const EffectLine &line,
-                             double longest) const
+void EffectDelegate::drawBar(QPainter &painter, const QRectF &row, const EffectLine &line, double share) const
 {
     const EffectColumns columns(row.width());
-    const double length = std::max(2.0, columns.barWidth * line.ns / longest);
+    const double length = std::max(2.0, columns.barWidth * share);
     const QRectF bar(row.x() + columns.bar, row.center().y() - barHeight / 2.0, length, barHeight);
     painter.setPen(Qt::NoPen);
     painter.setBrush(line.role == EffectRole::rest ? m_theme.tokens().line2 : m_theme.kindColor(line.kind));
@@ -231,21 +208,16 @@ void EffectDelegate::drawSwitch(QPainter &painter, const QRectF &box, const Effe
     painter.setOpacity(1.0);
 }
 
-EffectList::EffectList(const Theme &theme, QWidget *parent)
-    : QListView(parent), m_model(new EffectListModel(this))
+EffectList::EffectList(const Theme &theme, QWidget *parent) : EffectList(new EffectListModel, theme, parent)
 {
-    setObjectName("ledger");
-    setAccessibleName(tr("The effects of the scene, and what each costs"));
-    setModel(m_model);
-    setItemDelegate(new EffectDelegate(theme, this));
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setMouseTracking(true);
+}
+
+EffectList::EffectList(EffectListModel *model, const Theme &theme, QWidget *parent)
+    : LedgerList(model, new EffectDelegate(theme), theme, parent), m_model(model)
+{
+    setAccessibleName(tr("The effects of the scene and their costs"));
     connect(this, &QListView::entered, this, &EffectList::currentChangedTo);
     connect(m_model, &QAbstractItemModel::layoutChanged, this, &EffectList::showWholeRows);
-    connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
 }
 
 void EffectList::resizeEvent(QResizeEvent *event)
@@ -277,6 +249,39 @@ const EffectLine *EffectList::current() const
         viewport()->underMouse() ? indexAt(viewport()->mapFromGlobal(QCursor::pos())) : QModelIndex();
     const QModelIndex index = under.isValid() ? under : currentIndex();
     return index.isValid() ? &m_model->line(index) : nullptr;
+}
+
+EffectHeads::EffectHeads(const Theme &theme, const EffectList &list, QWidget *parent)
+    : QWidget(parent), m_theme(theme), m_list(list)
+{
+    setFixedHeight(headHeight);
+    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+}
+
+void EffectHeads::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.setFont(m_theme.ui(12));
+    painter.setPen(m_theme.tokens().ink3);
+    for (const Head &head : headsFor(m_list.viewport()->width())) {
+        const QRectF box(head.left, 0.0, head.right - head.left, height());
+        painter.drawText(box, int(head.side | Qt::AlignVCenter | Qt::TextDontClip), head.title);
+    }
+}
+
+bool EffectHeads::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto *help = static_cast<QHelpEvent *>(event);
+    for (const Head &head : headsFor(m_list.viewport()->width())) {
+        if (help->pos().x() >= head.left && help->pos().x() <= head.right) {
+            QToolTip::showText(help->globalPos(), head.help, this);
+            return true;
+        }
+    }
+    QToolTip::hideText();
+    return true;
 }
 
 }

@@ -1,46 +1,30 @@
 #pragma once
 
-#include "app/model/effect_lines.h"
-#include "app/ui/theme/theme.h"
-
-#include <QAbstractListModel>
-#include <QListView>
-#include <QStyledItemDelegate>
+#include "app/model/analysis/effect_lines.h"
+#include "app/ui/dock/ledger.h"
 
 namespace app {
 
-/// The lines of the ledger of effects, for views.
-class EffectListModel : public QAbstractListModel
+/// The lines of the effect ledger. Effects that the scene lists have a check state: their switch.
+class EffectListModel : public LedgerModel<EffectLine>
 {
     Q_OBJECT
 
 public:
-    using QAbstractListModel::QAbstractListModel;
-
-    void setLines(std::vector<EffectLine> lines);
-    const std::vector<EffectLine> &lines() const { return m_lines; }
-    const EffectLine &line(const QModelIndex &index) const
-    {
-        return m_lines[static_cast<std::size_t>(index.row())];
-    }
-    /// The longest bar stands for this much, in ns.
-    double longest() const { return m_longest; }
-
-    int rowCount(const QModelIndex &parent = {}) const override;
     QVariant data(const QModelIndex &index, int role) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
 
 signals:
-    /// Somebody wants the effects with this id on or off.
+    /// Emitted when the learner switches the effects with this id.
     void switched(const QString &id, bool on);
 
-private:
-    std::vector<EffectLine> m_lines;
-    double m_longest = 0.0;
+protected:
+    double amountOf(const EffectLine &line) const override { return line.ns; }
+    QString spoken(const EffectLine &line) const override { return line.spoken(); }
 };
 
-/// Where the columns of a line are.
+/// The columns of a line, in px.
 struct EffectColumns
 {
     /// @param width of the whole list, px
@@ -48,7 +32,7 @@ struct EffectColumns
 
     double name = 0.0, nameWidth = 0.0;
     double bar = 0.0, barWidth = 0.0;
-    double frameRight = 0.0; ///< right end of "µs a frame"; what it is off by stands right of it
+    double frameRight = 0.0; ///< right end of "µs a frame"; the uncertainty is right of it
     double pointRight = 0.0;
     double pointsRight = 0.0;
     double runsRight = 0.0;
@@ -63,12 +47,12 @@ class EffectDelegate : public QStyledItemDelegate
     Q_OBJECT
 
 public:
-    EffectDelegate(const Theme &theme, QObject *parent) : QStyledItemDelegate(parent), m_theme(theme) {}
+    explicit EffectDelegate(const Theme &theme) : m_theme(theme) {}
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;
     QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
-    /// Where the switch of a row is.
+    /// Returns the place of the switch in a row.
     static QRect switchRect(const QRect &row);
 
 protected:
@@ -76,15 +60,15 @@ protected:
                      const QModelIndex &index) override;
 
 private:
-    void drawBar(QPainter &painter, const QRectF &row, const EffectLine &line, double longest) const;
+    void drawBar(QPainter &painter, const QRectF &row, const EffectLine &line, double share) const;
     void drawFigures(QPainter &painter, const QRectF &row, const EffectLine &line) const;
     void drawSwitch(QPainter &painter, const QRectF &box, const EffectLine &line) const;
 
     const Theme &m_theme;
 };
 
-/// The lines of the ledger as a list: arrow keys walk through it, Space switches.
-class EffectList : public QListView
+/// The effect ledger. Space switches the current line.
+class EffectList : public LedgerList
 {
     Q_OBJECT
 
@@ -92,7 +76,7 @@ public:
     explicit EffectList(const Theme &theme, QWidget *parent = nullptr);
 
     EffectListModel &lines() const { return *m_model; }
-    /// The line that the learner looks at: under the pointer, or chosen by keys; null: none.
+    /// Returns the line under the pointer, or the one that the keys went to; null for none.
     const EffectLine *current() const;
 
 signals:
@@ -103,13 +87,14 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    /// Leaves room free below the last row that fits whole.
+    EffectList(EffectListModel *model, const Theme &theme, QWidget *parent);
+    /// Leaves the room below the last row that fits as a whole empty.
     void showWholeRows();
 
     EffectListModel *m_model;
 };
 
-/// The names of the columns over the list.
+/// The header of the list: the names of its columns, with tooltips.
 class EffectHeads : public QWidget
 {
     Q_OBJECT

@@ -1,10 +1,10 @@
 #include "app/ui/effects/effects_panel.h"
 
-#include "app/model/rest_words.h"
+#include "app/model/text/rest_text.h"
+#include "app/ui/dock/divider.h"
+#include "app/ui/dock/panel_title.h"
 #include "app/ui/effects/effect_list.h"
-#include "app/ui/panels/panel_title.h"
 
-#include <QAction>
 #include <QFrame>
 #include <QLabel>
 #include <QToolButton>
@@ -14,29 +14,18 @@
 
 namespace app {
 
-namespace {
-
-constexpr int refreshMilliseconds = 100; ///< while playing: words that change faster cannot be read
-
-}
-
-EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction function, QWidget *parent)
-    : QWidget(parent), m_session(session), m_ledger(session, std::move(function)),
+EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction function,
+                           std::shared_ptr<QThreadPool> thread, QWidget *parent)
+    : LivePanel(parent), m_session(session), m_ledger(session, std::move(function), std::move(thread)),
       m_title(new PanelTitle(tr("Effects"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_list(new EffectList(theme, this)), m_remark(new QLabel(this)), m_rest(new QLabel(this)),
-      m_again(new QAction(tr("&Measure the effects again"), this))
+      m_again(new Command(tr("&Measure the effects again"), {QKeySequence("Ctrl+M")}, this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
-    m_again->setShortcut(QKeySequence("Ctrl+M"));
-    m_again->setToolTip(tr("Measure what a frame costs where the run is now (%1)").arg("Ctrl+M"));
-    auto *again = new QToolButton(m_title);
-    again->setObjectName("tab");
-    again->setText(tr("Measure again"));
-    again->setToolTip(m_again->toolTip());
-    again->setFocusPolicy(Qt::TabFocus);
+    m_again->setHelp(tr("Measure what a frame costs where the run is now"));
+    QToolButton *again = makeTab(tr("Measure again"), m_again->toolTip(), m_title);
+    again->setCheckable(false);
     m_title->addAction(again);
-    // The margins are the layout's: a label loses its own when the style sheet changes.
+    // The layout has the margins, because a label loses its own when the style sheet changes.
     auto *foot = new QVBoxLayout;
     foot->setContentsMargins(16, 5, 16, 5);
     foot->setSpacing(3);
@@ -51,22 +40,16 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     column->addWidget(m_title);
     column->addWidget(new EffectHeads(theme, *m_list, this));
     column->addWidget(m_list, 1);
-    auto *line = new QFrame(this);
-    line->setObjectName("divider");
-    line->setFixedHeight(1);
-    column->addWidget(line);
+    column->addWidget(divider(this));
     column->addLayout(foot);
-    m_later.setSingleShot(true);
-    connect(&m_later, &QTimer::timeout, this, &EffectsPanel::refreshNow);
     connect(again, &QToolButton::clicked, m_again, &QAction::trigger);
     connect(m_again, &QAction::triggered, this, [this] { m_ledger.costs().measureAgain(); });
     connect(m_list, &EffectList::currentChangedTo, this, &EffectsPanel::refreshRemark);
-    // A list that is being read is not changed under the reader.
+    // Queued, so that the list does not change while it handles the click.
     connect(&m_list->lines(), &EffectListModel::switched, &m_ledger, &EffectLedger::switchEffect,
             Qt::QueuedConnection);
     connect(&m_ledger, &EffectLedger::changed, this, &EffectsPanel::refreshNow);
-    connect(&session, &Session::moved, this, &EffectsPanel::refresh);
-    connect(&session, &Session::playingChanged, this, &EffectsPanel::refresh);
+    session.onChange(ChangeKind::cursor | ChangeKind::playing, this, &EffectsPanel::refresh);
 }
 
 QString EffectsPanel::caption() const
@@ -79,22 +62,19 @@ QString EffectsPanel::remark() const
     return m_remark->text();
 }
 
-void EffectsPanel::refresh()
+void EffectsPanel::setActive(bool isActive)
 {
-    if (!isSeen())
-        return;
-    if (!m_session.isPlaying() || !m_sinceRefresh.isValid() || m_sinceRefresh.hasExpired(refreshMilliseconds))
-        refreshNow();
-    else if (!m_later.isActive())
-        m_later.start(refreshMilliseconds);
+    m_ledger.setActive(isActive);
+    m_again->setEnabled(isActive);
 }
 
-void EffectsPanel::refreshNow()
+bool EffectsPanel::isChanging() const
 {
-    if (!isSeen())
-        return;
-    m_later.stop();
-    m_sinceRefresh.start();
+    return m_session.playback().isPlaying();
+}
+
+void EffectsPanel::showContents()
+{
     m_title->setCaption(m_ledger.caption());
     m_list->lines().setLines(m_ledger.lines());
     refreshRemark();
@@ -122,35 +102,7 @@ void EffectsPanel::refreshRemark()
 
 bool EffectsPanel::isSettled() const
 {
-    return !isSeen() || (m_ledger.costs().isAtRest() && m_ledger.knowsAll() && !m_later.isActive());
-}
-
-void EffectsPanel::watch()
-{
-    m_ledger.setWatched(isSeen());
-    m_again->setEnabled(isSeen());
-    if (isSeen())
-        refreshNow();
-    else
-        m_later.stop();
-}
-
-void EffectsPanel::setCovered(bool covered)
-{
-    m_isCovered = covered;
-    watch();
-}
-
-void EffectsPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    watch();
-}
-
-void EffectsPanel::hideEvent(QHideEvent *event)
-{
-    QWidget::hideEvent(event);
-    watch();
+    return !isSeen() || (m_ledger.costs().isAtRest() && m_ledger.knowsAll() && !isRefreshDue());
 }
 
 }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include "app/model/effect_ledger.h"
+#include "app/model/analysis/effect_ledger.h"
+#include "app/ui/actions/command.h"
+#include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
-
-#include <QElapsedTimer>
-#include <QWidget>
 
 class QLabel;
 class QToolButton;
@@ -14,40 +13,35 @@ namespace app {
 class EffectList;
 class PanelTitle;
 
-/// What acts in the scene, what each effect costs, and a switch for each. Measures only while it is seen.
-class EffectsPanel : public QWidget
+/// The effects of the scene, the cost of each, and a switch for each.
+class EffectsPanel : public LivePanel
 {
     Q_OBJECT
 
 public:
+    /// Measures costs on `thread`.
     EffectsPanel(Session &session, const Theme &theme, CostFunction function = measureCost,
-                 QWidget *parent = nullptr);
+                 std::shared_ptr<QThreadPool> thread = makeJobThread(), QWidget *parent = nullptr);
 
     const EffectLedger &ledger() const { return m_ledger; }
     EffectList &list() const { return *m_list; }
     QString caption() const;
-    /// What is said below the list: what a frame would cost without the line that is looked at.
+    /// Returns the text below the list: the cost of a frame without the effect under the pointer.
     QString remark() const;
-    /// Whether another panel lies over this one.
-    void setCovered(bool covered);
-    bool isCovered() const { return isVisible() && m_isCovered; }
-    /// Whether nothing is under way that will change what is shown.
+    /// Returns whether no measurement is under way that will change the contents.
     bool isSettled() const;
-    /// Measures the state at the cursor anew.
-    QAction *measureAgain() const { return m_again; }
+    /// Returns the command that measures the effects again, at the cursor of the run.
+    Command *measureAgain() const { return m_again; }
 
     QSize sizeHint() const override { return {560, 290}; }
     QSize minimumSizeHint() const override { return {420, 190}; }
 
 protected:
-    void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
+    void setActive(bool isActive) override;
+    bool isChanging() const override;
+    void showContents() override;
 
 private:
-    void watch();
-    bool isSeen() const { return isVisible() && !m_isCovered; }
-    void refresh();
-    void refreshNow();
     void refreshRemark();
     const EffectLine *costliest() const;
 
@@ -56,11 +50,8 @@ private:
     PanelTitle *m_title;
     EffectList *m_list;
     QLabel *m_remark;
-    QLabel *m_rest; ///< what the scene costs once it rests
-    QAction *m_again;
-    QElapsedTimer m_sinceRefresh;
-    QTimer m_later;
-    bool m_isCovered = false;
+    QLabel *m_rest; ///< the cost of the scene at rest
+    Command *m_again;
 };
 
 }

@@ -6,7 +6,7 @@ namespace app {
 
 namespace {
 
-/// The second sign, in a square from (0, 0) to (1, 1).
+/// Returns the sign of a kind, in a square from (0, 0) to (1, 1).
 QPainterPath signOf(sim::EffectKind kind)
 {
     QPainterPath path;

@@ -13,11 +13,6 @@ constexpr int margin = 12;
 constexpr int textLeft = margin + markSize + 9;
 constexpr int barHeight = 3;
 
-double amountOf(const EnergyLine &line)
-{
-    return std::hypot(line.amount, line.across);
-}
-
 }
 
 QColor inkOf(const EnergyLine &line, const Theme &theme)
@@ -34,65 +29,39 @@ QBrush driftBrush(const Theme &theme)
 
 void EnergyListModel::setLines(std::vector<EnergyLine> lines, const QString &unit)
 {
-    m_longest = 0.0;
-    for (const EnergyLine &line : lines)
-        m_longest = std::max(m_longest, amountOf(line));
     m_unit = unit;
-    const bool sameRows = lines.size() == m_lines.size() &&
-                          std::equal(lines.begin(), lines.end(), m_lines.begin(),
-                                     [](const EnergyLine &a, const EnergyLine &b) { return a.id == b.id; });
-    if (sameRows) {
-        m_lines = std::move(lines);
-        if (!m_lines.empty())
-            emit dataChanged(index(0), index(rowCount() - 1));
-        return;
-    }
-    beginResetModel();
-    m_lines = std::move(lines);
-    endResetModel();
+    LedgerModel::setLines(std::move(lines));
 }
 
-int EnergyListModel::rowCount(const QModelIndex &parent) const
+double EnergyListModel::amountOf(const EnergyLine &line) const
 {
-    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
+    return std::hypot(line.amount, line.across);
+}
+
+QString EnergyListModel::spoken(const EnergyLine &line) const
+{
+    return QStringLiteral("%1: %2 %3").arg(line.title, line.number, m_unit);
 }
 
 QVariant EnergyListModel::data(const QModelIndex &index, int role) const
 {
-    if (!index.isValid() || index.row() >= rowCount())
-        return {};
-    const EnergyLine &line = m_lines[static_cast<std::size_t>(index.row())];
-    if (role == Qt::DisplayRole)
-        return line.title;
-    if (role == Qt::ToolTipRole)
-        return QStringLiteral("%1: %2\u2009%3\n%4").arg(line.title, line.number, m_unit, line.help);
-    if (role == Qt::AccessibleTextRole)
-        return QStringLiteral("%1: %2 %3").arg(line.title, line.number, m_unit);
-    if (role == Qt::AccessibleDescriptionRole)
-        return line.help;
-    return {};
-}
-
-QSize EnergyDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const
-{
-    return {200, rowHeight};
+    if (role != Qt::ToolTipRole || !index.isValid())
+        return LedgerModel::data(index, role);
+    const EnergyLine &its = line(index);
+    return QStringLiteral("%1: %2\u2009%3\n%4").arg(its.title, its.number, m_unit, its.help);
 }
 
 void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
                            const QModelIndex &index) const
 {
-    const auto *model = static_cast<const EnergyListModel *>(index.model());
-    const EnergyLine &line = model->lines()[static_cast<std::size_t>(index.row())];
+    const auto line = index.data(lineRole).value<EnergyLine>();
     const Tokens &t = m_theme.tokens();
     const bool isDrift = line.role == EnergyRole::drift;
     const QColor ink = inkOf(line, m_theme);
     const QRectF row = option.rect;
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    const bool chosen = (option.state & QStyle::State_HasFocus) && (option.state & QStyle::State_Selected);
-    if (chosen || (option.state & QStyle::State_MouseOver))
-        m_theme.paintSurface(*painter, row.adjusted(4, 1, -4, -1), 6,
-                             chosen ? Surface::chosen : Surface::hovered);
+    paintLedgerRow(*painter, option, m_theme);
     const QRectF mark(row.x() + margin, row.y() + 5, markSize, markSize);
     painter->setPen(QPen(ink, 1.2));
     painter->setBrush(isDrift ? driftBrush(m_theme)
@@ -108,31 +77,25 @@ void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     const double room = text.width() - numberWidth - 8;
     painter->drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                       painter->fontMetrics().elidedText(line.title, Qt::ElideRight, static_cast<int>(room)));
-    const double share = model->longest() > 0.0 ? amountOf(line) / model->longest() : 0.0;
     QRectF bar(text.left(), row.bottom() - barHeight - 3, text.width(), barHeight);
     painter->setPen(Qt::NoPen);
     painter->setBrush(t.track);
     painter->drawRoundedRect(bar, 1.5, 1.5);
-    bar.setWidth(bar.width() * share);
+    bar.setWidth(bar.width() * index.data(shareRole).toDouble());
     painter->setBrush(ink);
     painter->drawRoundedRect(bar, 1.5, 1.5);
     painter->restore();
 }
 
-EnergyList::EnergyList(const Theme &theme, QWidget *parent)
-    : QListView(parent), m_model(new EnergyListModel(this))
+EnergyList::EnergyList(const Theme &theme, QWidget *parent) : EnergyList(new EnergyListModel, theme, parent)
 {
-    setObjectName("ledger");
+}
+
+EnergyList::EnergyList(EnergyListModel *model, const Theme &theme, QWidget *parent)
+    : LedgerList(model, new EnergyDelegate(theme), theme, parent), m_model(model)
+{
     setAccessibleName(tr("Where energy and momentum went"));
-    setModel(m_model);
-    setItemDelegate(new EnergyDelegate(theme, this));
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
     setUniformItemSizes(true);
-    setMouseTracking(true);
-    connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
 }
 
 void EnergyList::setLines(std::vector<EnergyLine> lines, const QString &unit)

@@ -1,9 +1,9 @@
 #include "app/ui/energy/energy_panel.h"
 
-#include "app/model/energy_table.h"
+#include "app/model/series/energy_table.h"
+#include "app/ui/dock/panel_title.h"
 #include "app/ui/energy/energy_list.h"
 #include "app/ui/energy/energy_plot.h"
-#include "app/ui/panels/panel_title.h"
 #include "app/ui/plots/plot_export.h"
 
 #include <QButtonGroup>
@@ -18,7 +18,6 @@ namespace app {
 
 namespace {
 
-constexpr int refreshMilliseconds = 100; ///< while playing: numbers that change faster cannot be read
 constexpr int listWidth = 276;
 constexpr int narrowUpTo = 640;   ///< px: a panel that is narrower, and tall, has its list below the plot
 constexpr int tallFrom = 400;     ///< px
@@ -28,13 +27,11 @@ constexpr double mostList = 0.42; ///< of the panel's height, for a list below t
 }
 
 EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_course(session),
+    : LivePanel(parent), m_session(session), m_series(session),
       m_title(new PanelTitle(tr("Where it went"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_pages(new QStackedWidget(this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
-    m_plot = new EnergyPlot(session, m_course, theme, m_pages);
+    m_plot = new EnergyPlot(session, m_series, theme, m_pages);
     m_list = new EnergyList(theme, m_pages);
     m_ledger = ledger();
     m_reason = new QLabel(m_pages);
@@ -45,7 +42,7 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     m_pages->addWidget(m_reason);
     m_export = new PlotExport([this] { return m_plot->picture(); }, theme, this);
     m_export->setNumbersAsText(
-        [this] { return m_view == energy ? energyTable(m_course) : momentumTable(m_course); });
+        [this] { return m_view == energy ? energyTable(m_series) : momentumTable(m_series); });
     m_export->addContextMenu(*m_plot);
     m_title->addAction(tabs());
     m_title->addAction(m_export->makeButton(this));
@@ -54,17 +51,14 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
     column->setSpacing(0);
     column->addWidget(m_title);
     column->addWidget(m_pages, 1);
-    m_later.setSingleShot(true);
-    connect(&m_later, &QTimer::timeout, this, &EnergyPanel::refreshNow);
     connect(m_plot, &EnergyPlot::pointedAt, this, &EnergyPanel::pointedAt);
     connect(m_plot, &EnergyPlot::pointedAt, m_plot, &EnergyPlot::setHovered);
-    connect(&m_course, &EnergyCourse::changed, this, [this] {
+    connect(&m_series, &EnergySeries::changed, this, [this] {
         m_lines.reset();
         refresh();
     });
-    connect(&session, &Session::moved, this, &EnergyPanel::refresh);
-    connect(&session, &Session::playingChanged, this, &EnergyPanel::refresh);
-    connect(&session, &Session::glanceChanged, this, &EnergyPanel::followGlance);
+    session.onChange(ChangeKind::cursor | ChangeKind::playing, this, &EnergyPanel::refresh);
+    session.onChange(ChangeKind::preview, this, &EnergyPanel::followPreview);
     connect(&theme, &Theme::changed, this, &EnergyPanel::refresh);
 }
 
@@ -90,7 +84,7 @@ QWidget *EnergyPanel::ledger()
     return page;
 }
 
-/// Beside the list, the plot of a narrow panel would be a stripe.
+/// Puts the list below the plot in a narrow panel, where the plot beside it would be too narrow.
 void EnergyPanel::placeList()
 {
     const bool isBelow = width() < narrowUpTo && height() >= tallFrom;
@@ -120,12 +114,7 @@ QWidget *EnergyPanel::tabs()
         {tr("Energy"), tr("Where energy is, and where it went")},
         {tr("Momentum"), tr("Mass × velocity of everything together, and what changed it")}};
     for (const auto &[text, tip] : all) {
-        auto *button = new QToolButton(row);
-        button->setObjectName("tab");
-        button->setText(text);
-        button->setToolTip(tip);
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::TabFocus);
+        QToolButton *button = makeTab(text, tip, row);
         button->setChecked(m_tabs.empty());
         group->addButton(button, static_cast<int>(m_tabs.size()));
         layout->addWidget(button);
@@ -159,33 +148,28 @@ QString EnergyPanel::unit() const
     return m_view == energy ? energyUnit(turns) : momentumUnit();
 }
 
-void EnergyPanel::refresh()
+void EnergyPanel::setActive(bool isActive)
 {
-    if (!isSeen())
-        return;
-    const bool isCounting = !m_course.whyNot() && m_course.last() < m_session.timeline().computed();
-    if (!(m_session.isPlaying() || isCounting) || !m_sinceRefresh.isValid() ||
-        m_sinceRefresh.hasExpired(refreshMilliseconds))
-        refreshNow();
-    else if (!m_later.isActive())
-        m_later.start(refreshMilliseconds - static_cast<int>(m_sinceRefresh.elapsed()));
+    m_series.setActive(isActive);
 }
 
-void EnergyPanel::refreshNow()
+bool EnergyPanel::isChanging() const
 {
-    if (!isSeen())
-        return;
-    m_later.stop();
-    m_sinceRefresh.start();
-    const std::optional<sim::NoEnergy> whyNot = m_course.whyNot();
+    return m_session.playback().isPlaying() ||
+           (!m_series.whyNot() && m_series.last() < m_session.timeline().computed());
+}
+
+void EnergyPanel::showContents()
+{
+    const std::optional<sim::NoEnergy> whyNot = m_series.whyNot();
     const bool turns = m_session.timeline().state().spin.rows() > 0;
     const bool isAboutTurning = !whyNot && turns && m_view == momentum;
     m_pages->setCurrentWidget(whyNot || isAboutTurning ? m_reason : m_ledger);
     if (whyNot || isAboutTurning) {
         m_title->setCaption({});
         m_reason->setText(whyNot ? noEnergyWords(*whyNot)
-                                 : tr("Everything here turns in place, held by the ground: only what goes "
-                                      "somewhere has momentum to count."));
+                                 : tr("Everything here turns in place, held by the ground. So there is no "
+                                      "momentum to count: choose a scene with moving bodies."));
         return;
     }
     showLedger();
@@ -195,58 +179,31 @@ void EnergyPanel::refreshNow()
 const EnergyLines &EnergyPanel::counted()
 {
     if (!m_lines)
-        m_lines.emplace(m_course);
+        m_lines.emplace(m_series);
     return *m_lines;
 }
 
-void EnergyPanel::followGlance()
+void EnergyPanel::followPreview()
 {
-    const bool changes = m_isElsewhere || m_session.isGlancing();
+    const bool changes = m_showsPreview || m_session.preview().isActive();
     if (isSeen() && changes && m_pages->currentWidget() == m_ledger)
         showLedger();
 }
 
 void EnergyPanel::showLedger()
 {
-    m_isElsewhere = m_session.isGlancing();
-    const std::int64_t frame = m_session.shown().cursor().frame;
-    m_title->setCaption(m_course.at(frame) ? tr("frame %1 to %2").arg(m_course.start()).arg(frame)
+    m_showsPreview = m_session.preview().isActive();
+    const std::int64_t frame = m_session.preview().run().cursor().frame;
+    m_title->setCaption(m_series.at(frame) ? tr("frame %1 to %2").arg(m_series.start()).arg(frame)
                                            : tr("counting…"));
     m_unit->setText(unit());
     m_list->setLines(m_view == energy ? counted().energyAt(frame) : counted().momentumAt(frame), unit());
     placeList();
 }
 
-void EnergyPanel::setCovered(bool covered)
-{
-    m_isCovered = covered;
-    watch();
-}
-
-void EnergyPanel::watch()
-{
-    m_course.setWatched(isSeen());
-    if (isSeen())
-        refreshNow();
-    else
-        m_later.stop();
-}
-
 void EnergyPanel::setHovered(std::optional<std::int64_t> frame)
 {
     m_plot->setHovered(frame);
-}
-
-void EnergyPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    watch();
-}
-
-void EnergyPanel::hideEvent(QHideEvent *event)
-{
-    QWidget::hideEvent(event);
-    watch();
 }
 
 }

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "app/model/energy_lines.h"
+#include "app/model/analysis/energy_lines.h"
+#include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
-
-#include <QElapsedTimer>
-#include <QWidget>
 
 class QBoxLayout;
 class QLabel;
@@ -18,9 +16,8 @@ class EnergyPlot;
 class PanelTitle;
 class PlotExport;
 
-/// Where energy and momentum went: a plot of the last frames, and the ledger at the cursor. Counts only while it is
-/// seen.
-class EnergyPanel : public QWidget
+/// The panel of energy and momentum: a plot of the last frames, and the ledger at the cursor.
+class EnergyPanel : public LivePanel
 {
     Q_OBJECT
 
@@ -30,46 +27,41 @@ public:
     enum View { energy, momentum };
     void setView(View view);
     View view() const { return m_view; }
-    /// While another tab covers it, it counts and draws nothing.
-    void setCovered(bool covered);
-    /// What is said in place of a ledger; empty where there is one.
+    /// Returns the text in place of a ledger; empty where there is one.
     QString reason() const;
     const std::vector<EnergyLine> &lines() const;
-    const EnergyCourse &course() const { return m_course; }
+    const EnergySeries &series() const { return m_series; }
     EnergyPlot &plot() const { return *m_plot; }
     PlotExport &exports() const { return *m_export; }
 
-    /// Where the mouse points in another plot, as its second cursor.
+    /// Moves the second cursor of the plot to where the pointer is in another plot.
     void setHovered(std::optional<std::int64_t> frame);
 
     QSize sizeHint() const override { return {660, 290}; }
     QSize minimumSizeHint() const override { return {420, 190}; }
 
 signals:
-    /// The mouse is at a frame of the plot, or has left.
+    /// Emitted when the pointer is at a frame of the plot, or has left.
     void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
-    void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
+    void setActive(bool isActive) override;
+    bool isChanging() const override;
+    void showContents() override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     QWidget *tabs();
     QWidget *ledger();
     void placeList();
-    void refresh();
-    void refreshNow();
     void showLedger();
     const EnergyLines &counted();
-    void followGlance();
-    bool isSeen() const { return isVisible() && !m_isCovered; }
-    void watch();
+    void followPreview();
     QString unit() const;
 
     Session &m_session;
-    EnergyCourse m_course;
-    std::optional<EnergyLines> m_lines; ///< of what is counted: to look at all of it takes long
+    EnergySeries m_series;
+    std::optional<EnergyLines> m_lines; ///< of the counted frames; kept because making them takes long
     View m_view = energy;
     PanelTitle *m_title;
     QStackedWidget *m_pages;
@@ -82,10 +74,7 @@ private:
     EnergyList *m_list = nullptr;
     QLabel *m_unit = nullptr;
     std::vector<QToolButton *> m_tabs;
-    QElapsedTimer m_sinceRefresh;
-    QTimer m_later;
-    bool m_isCovered = false;
-    bool m_isElsewhere = false; ///< whether the ledger is of a moment that somebody looks at
+    bool m_showsPreview = false; ///< whether the ledger is of the preview's moment
 };
 
 }

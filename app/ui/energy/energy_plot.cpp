@@ -1,8 +1,6 @@
 #include "app/ui/energy/energy_plot.h"
 
 #include "app/ui/energy/energy_list.h"
-#include "app/ui/plots/number_ticker.h"
-#include "app/ui/theme/plot_axes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +11,8 @@ namespace {
 
 using sim::Account;
 
-constexpr int levels = 5;         ///< of a pile
-constexpr double lostEdge = 0.72; ///< how much of its colour the edge of what was lost has
+constexpr int levels = 5;         ///< of a stack
+constexpr double lostEdge = 0.72; ///< the share of its colour that the edge of a loss has
 
 QColor faded(QColor color, int alpha)
 {
@@ -24,17 +22,14 @@ QColor faded(QColor color, int alpha)
 
 }
 
-EnergyPlot::EnergyPlot(Session &session, const EnergyCourse &course, const Theme &theme, QWidget *parent)
-    : CursorPlot(session, theme, parent), m_course(course)
+EnergyPlot::EnergyPlot(Session &session, const EnergySeries &series, const Theme &theme, QWidget *parent)
+    : CursorPlot(session, theme, parent), m_series(series)
 {
     setObjectName("energyPlot");
     setAccessibleName(tr("Energy over the last frames"));
-    setAccessibleDescription(tr("A press or a drag goes to a frame, and the arrow keys go on by one"));
-    xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
-    yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
+    setAccessibleDescription(tr("Click or drag to go to a frame; the arrow keys move by one frame"));
     axisRect()->setMinimumMargins({40, 12, 12, 24}); // above: the cursor's head
-    connect(&theme, &Theme::changed, this, &EnergyPlot::dress);
-    dress();
+    applyTheme();
 }
 
 void EnergyPlot::setShows(Shows what)
@@ -42,17 +37,15 @@ void EnergyPlot::setShows(Shows what)
     m_shows = what;
     setAccessibleName(what == Shows::energy ? tr("Energy over the last frames")
                                             : tr("Momentum over the last frames"));
-    dress();
+    applyTheme();
 }
 
-void EnergyPlot::dress()
+void EnergyPlot::applyTheme()
 {
-    const Tokens &t = m_theme.tokens();
-    setBackground(t.panel);
-    for (QCPAxis *axis : {xAxis, yAxis}) {
-        dressAxis(*axis, m_theme);
-        if (m_shows == Shows::momentum)
-            axis->grid()->setZeroLinePen(QPen(t.line2, 1.0));
+    CursorPlot::applyTheme();
+    if (m_shows == Shows::momentum) {
+        for (QCPAxis *axis : {xAxis, yAxis})
+            axis->grid()->setZeroLinePen(QPen(m_theme.tokens().line2, 1.0));
     }
     clearGraphs();
     m_lines.clear();
@@ -60,9 +53,9 @@ void EnergyPlot::dress()
         removeItem(name);
     m_names.clear();
     if (m_shows == Shows::energy)
-        dressEnergy();
+        makeEnergyLines();
     else
-        dressMomentum();
+        makeMomentumLines();
 }
 
 QCPGraph *EnergyPlot::line(const QPen &pen)
@@ -74,7 +67,7 @@ QCPGraph *EnergyPlot::line(const QPen &pen)
     return made;
 }
 
-void EnergyPlot::dressEnergy()
+void EnergyPlot::makeEnergyLines()
 {
     const Tokens &t = m_theme.tokens();
     const QColor colors[levels] = {t.spring, t.gravity, t.ghost, t.damping, t.contact};
@@ -94,7 +87,7 @@ void EnergyPlot::dressEnergy()
     hatch->setChannelFillGraph(given);
 }
 
-void EnergyPlot::dressMomentum()
+void EnergyPlot::makeMomentumLines()
 {
     const Tokens &t = m_theme.tokens();
     line(QPen(t.ink, 1.6));
@@ -112,36 +105,36 @@ void EnergyPlot::dressMomentum()
     }
 }
 
-EnergyPlot::Pile EnergyPlot::pileOf(const sim::Balance &balance, double lowest)
+EnergyPlot::Stack EnergyPlot::stackOf(const sim::Balance &balance, double lowest)
 {
     const sim::Accounts<double> &energy = balance.energy;
     const double hit = energy[Account::impact];
-    Pile pile;
-    pile.tops[0] = balance.after.springs;
-    pile.tops[1] = pile.tops[0] + balance.after.gravity - lowest;
-    pile.tops[2] = pile.tops[1] + balance.after.moving;
-    pile.tops[3] = pile.tops[2] - energy[Account::damping];
-    pile.tops[4] = pile.tops[3] + std::max(0.0, -hit);
-    pile.given = balance.before.total() - lowest + std::max(0.0, hit);
+    Stack stack;
+    stack.tops[0] = balance.after.springs;
+    stack.tops[1] = stack.tops[0] + balance.after.gravity - lowest;
+    stack.tops[2] = stack.tops[1] + balance.after.moving;
+    stack.tops[3] = stack.tops[2] - energy[Account::damping];
+    stack.tops[4] = stack.tops[3] + std::max(0.0, -hit);
+    stack.given = balance.before.total() - lowest + std::max(0.0, hit);
     for (const Account account :
          {Account::hand, Account::changes, Account::motors, Account::wind, Account::pulls, Account::sticks})
-        pile.given += energy[account];
-    return pile;
+        stack.given += energy[account];
+    return stack;
 }
 
 void EnergyPlot::drawEnergy(std::int64_t first, std::int64_t last, double lowest)
 {
     double high = 0.0, low = 0.0;
-    for (std::int64_t frame = first; frame <= last; frame += m_course.rowFrames()) {
-        const Pile pile = pileOf(*m_course.at(frame), lowest);
+    for (std::int64_t frame = first; frame <= last; frame += m_series.rowFrames()) {
+        const Stack stack = stackOf(*m_series.at(frame), lowest);
         const auto x = static_cast<double>(frame);
         for (std::size_t i = 0; i < levels; ++i)
-            m_lines[i]->addData(x, pile.tops[i]);
-        m_lines[levels]->addData(x, pile.tops[levels - 1]);
-        m_lines[levels + 1]->addData(x, pile.tops[levels - 1]);
-        m_lines[levels + 2]->addData(x, pile.given);
-        high = std::max({high, pile.given, pile.tops[levels - 1]});
-        low = std::min({low, pile.given, pile.tops[0]});
+            m_lines[i]->addData(x, stack.tops[i]);
+        m_lines[levels]->addData(x, stack.tops[levels - 1]);
+        m_lines[levels + 1]->addData(x, stack.tops[levels - 1]);
+        m_lines[levels + 2]->addData(x, stack.given);
+        high = std::max({high, stack.given, stack.tops[levels - 1]});
+        low = std::min({low, stack.given, stack.tops[0]});
     }
     const double span = high > low ? high - low : 1.0;
     yAxis->setRange(low < 0.0 ? low - 0.06 * span : 0.0, high + 0.08 * span);
@@ -150,8 +143,8 @@ void EnergyPlot::drawEnergy(std::int64_t first, std::int64_t last, double lowest
 void EnergyPlot::drawMomentum(std::int64_t first, std::int64_t last)
 {
     double most = 0.0;
-    for (std::int64_t frame = first; frame <= last; frame += m_course.rowFrames()) {
-        const sim::Balance &balance = *m_course.at(frame);
+    for (std::int64_t frame = first; frame <= last; frame += m_series.rowFrames()) {
+        const sim::Balance &balance = *m_series.at(frame);
         const sim::Vec2 all = balance.after.momentum, drift = balance.momentum[Account::drift];
         const double values[] = {all.x, all.y, drift.x, drift.y};
         for (std::size_t i = 0; i < 4; ++i) {
@@ -159,13 +152,13 @@ void EnergyPlot::drawMomentum(std::int64_t first, std::int64_t last)
             most = std::max(most, std::abs(values[i]));
         }
     }
-    most = most > 1e-9 ? most : 1.0; // what is only rounding is a line at 0
+    most = most > 1e-9 ? most : 1.0; // rounding errors are a line at 0
     yAxis->setRange(-1.15 * most, 1.15 * most);
     for (std::size_t i = 0; i < m_names.size(); ++i) {
         const auto end = m_lines[i]->data()->constEnd() - 1;
         m_names[i]->position->setCoords(end->key, end->value);
     }
-    // Where both end in one place, one name goes above the line, the other below it.
+    // One name is above its line and the other below, because both lines may end in one place.
     const bool isUp = !m_names.empty() && m_names[0]->position->value() >= m_names[1]->position->value();
     for (std::size_t i = 0; i < m_names.size(); ++i)
         m_names[i]->setPositionAlignment(Qt::AlignRight |
@@ -176,17 +169,15 @@ void EnergyPlot::refresh(const EnergyLines &lines)
 {
     for (QCPGraph *graph : m_lines)
         graph->data()->clear();
-    const std::int64_t rows = m_course.rowFrames(), width = shownRows * rows;
-    const std::int64_t at = m_session.timeline().cursor().frame;
-    const std::int64_t right = std::min(m_course.last(), std::max(at, m_course.first() + width));
-    const std::int64_t left = std::max(m_course.first(), right - width);
-    const bool isCounted = right >= left && m_course.at(left) && m_course.at(right);
+    const std::int64_t rows = m_series.rowFrames(), width = shownRows * rows;
+    const std::int64_t at = cursorFrame();
+    const std::int64_t right = std::min(m_series.last(), std::max(at, m_series.first() + width));
+    const std::int64_t left = std::max(m_series.first(), right - width);
+    const bool isCounted = right >= left && m_series.at(left) && m_series.at(right);
     for (QCPItemText *name : m_names)
         name->setVisible(isCounted);
     if (isCounted) {
-        const auto start = static_cast<double>(left),
-                   end = static_cast<double>(std::max(right, left + 10 * rows));
-        xAxis->setRange(start, end + 0.02 * (end - start)); // room for a cursor at the end
+        setTimeRange(static_cast<double>(left), static_cast<double>(std::max(right, left + 10 * rows)));
         if (m_shows == Shows::energy)
             drawEnergy(left, right, lines.lowest());
         else
@@ -194,52 +185,35 @@ void EnergyPlot::refresh(const EnergyLines &lines)
     }
     m_lowest = lines.lowest();
     replot();
-    announce();
+    announceCursor();
 }
 
-std::vector<double> EnergyPlot::marked(std::int64_t frame) const
+std::vector<QPointF> EnergyPlot::curvesAt(std::int64_t frame) const
 {
-    const sim::Balance *balance = m_course.at(frame);
-    if (!balance || !xAxis->range().contains(static_cast<double>(frame)))
+    const sim::Balance *balance = m_series.at(frame);
+    const auto x = static_cast<double>(frame);
+    if (!balance || !xAxis->range().contains(x))
         return {};
     if (m_shows == Shows::energy)
-        return {pileOf(*balance, m_lowest).tops[2]};
-    return {balance->after.momentum.x, balance->after.momentum.y};
+        return {onScreen({x, stackOf(*balance, m_lowest).tops[2]})};
+    return {onScreen({x, balance->after.momentum.x}), onScreen({x, balance->after.momentum.y})};
 }
 
-void EnergyPlot::paintMarks(QPainter &painter) const
+void EnergyPlot::paintMarks(QPainter &painter)
 {
-    const std::int64_t frame = m_session.timeline().cursor().frame;
-    const double x = xAxis->coordToPixel(static_cast<double>(frame));
-    paintCursor(painter, x);
-    for (const double height : marked(frame))
-        paintDot(painter, {x, yAxis->coordToPixel(height)});
-}
-
-void EnergyPlot::paintHovered(QPainter &painter, std::int64_t frame) const
-{
-    const std::vector<double> heights = marked(frame);
-    if (heights.empty())
-        return;
-    const double x = xAxis->coordToPixel(static_cast<double>(frame));
-    paintHoveredLine(painter, x);
-    QPointF highest(x, axisRect()->bottom());
-    for (const double height : heights) {
-        const QPointF dot(x, yAxis->coordToPixel(height));
-        paintHoveredDot(painter, dot);
-        highest.setY(std::min(highest.y(), dot.y()));
-    }
-    paintTag(painter, highest, hoveredText(frame));
+    paintCursor(painter, xAxis->coordToPixel(static_cast<double>(cursorFrame())));
+    for (const QPointF dot : curvesAt(cursorFrame()))
+        paintDot(painter, dot);
 }
 
 QString EnergyPlot::hoveredText(std::int64_t frame) const
 {
-    return marked(frame).empty() ? QString() : tr("frame %1: %2").arg(frame).arg(readout(frame));
+    return curvesAt(frame).empty() ? QString() : tr("frame %1: %2").arg(frame).arg(readout(frame));
 }
 
 QString EnergyPlot::readout(std::int64_t frame) const
 {
-    const sim::Balance *balance = m_course.at(frame);
+    const sim::Balance *balance = m_series.at(frame);
     if (!balance)
         return {};
     if (m_shows == Shows::momentum)
@@ -252,7 +226,7 @@ QString EnergyPlot::readout(std::int64_t frame) const
 
 QString EnergyPlot::sentence() const
 {
-    const std::int64_t frame = m_session.timeline().cursor().frame;
+    const std::int64_t frame = cursorFrame();
     const QString numbers = readout(frame);
     if (numbers.isEmpty())
         return tr("%1: frame %2 is not counted").arg(title()).arg(frame);
@@ -267,20 +241,17 @@ QString EnergyPlot::unit() const
 
 PlotPicture EnergyPlot::picture()
 {
-    return {tr("%1, %2").arg(accessibleName(), unit()),
-            m_shows == Shows::energy ? tr("energy") : tr("momentum"), size(),
-            [this](QCPPainter &painter) { paintPicture(painter); }};
+    return pictureNamed(tr("%1, %2").arg(title(), unit()),
+                        m_shows == Shows::energy ? tr("energy") : tr("momentum"));
 }
 
 std::optional<std::int64_t> EnergyPlot::frameAt(QPointF place) const
 {
-    const std::int64_t first = m_course.first(), rows = m_course.rowFrames();
-    if (m_course.last() < first)
+    const std::int64_t first = m_series.first(), rows = m_series.rowFrames();
+    if (m_series.last() < first)
         return std::nullopt;
-    const double frame =
-        std::clamp(xAxis->pixelToCoord(place.x()), xAxis->range().lower, xAxis->range().upper);
-    const double row = std::round((frame - static_cast<double>(first)) / static_cast<double>(rows));
-    return std::clamp(first + static_cast<std::int64_t>(row) * rows, first, m_course.last());
+    const double row = std::round((timeAt(place) - static_cast<double>(first)) / static_cast<double>(rows));
+    return std::clamp(first + static_cast<std::int64_t>(row) * rows, first, m_series.last());
 }
 
 }

@@ -1,14 +1,13 @@
 #pragma once
 
-#include "app/model/energy_lines.h"
+#include "app/model/analysis/energy_lines.h"
 #include "app/ui/plots/cursor_plot.h"
-#include "app/ui/plots/plot_export.h"
 
 namespace app {
 
-/// Energy, or momentum, over the last frames, with the cursor in it. Of energy: what there is and what was lost, piled
-/// up, up to what was there and came in; the gap between the two is the drift. Of momentum: its parts to the right and
-/// down, and of each what is drift.
+/// Energy, or momentum, over the last frames. Energy is a stack: what there is, what was lost, and as a line what was
+/// there at the start and came in; the gap between stack and line is the drift. Momentum is two lines, to the right and
+/// down, each with its drift.
 class EnergyPlot : public CursorPlot
 {
     Q_OBJECT
@@ -17,52 +16,49 @@ public:
     enum class Shows { energy, momentum };
     static constexpr std::int64_t shownRows = 240;
 
-    EnergyPlot(Session &session, const EnergyCourse &course, const Theme &theme, QWidget *parent = nullptr);
+    EnergyPlot(Session &session, const EnergySeries &series, const Theme &theme, QWidget *parent = nullptr);
 
     void setShows(Shows what);
     /// Draws what is counted now.
     void refresh(const EnergyLines &lines);
     std::optional<std::int64_t> frameAt(QPointF place) const override;
     QString sentence() const override;
-    /// What there is at a frame, and the drift until then; of momentum its two parts. Empty where that is not counted.
+    /// Returns the energy at a frame and the drift until then, or both parts of the momentum. Empty if that frame is
+    /// not counted.
     QString readout(std::int64_t frame) const;
+    PlotPicture picture() override;
 
-    /// The plot as it is saved.
-    PlotPicture picture();
-
-    /// The heights of the pile at a frame, from the ground up: springs, height, motion, what damping took, what impacts
-    /// took; and how high it should be.
-    struct Pile
+    /// The stack at a frame.
+    struct Stack
     {
+        /// From the ground up: springs, height, motion, losses to damping, losses to impacts.
         std::array<double, 5> tops{};
-        double given = 0.0;
+        double given = 0.0; ///< the height that it should have
     };
-    static Pile pileOf(const sim::Balance &balance, double lowest);
+    static Stack stackOf(const sim::Balance &balance, double lowest);
 
     QSize minimumSizeHint() const override { return {140, 120}; }
     QSize sizeHint() const override { return {360, 240}; }
 
 protected:
-    void paintMarks(QPainter &painter) const override;
-    void paintHovered(QPainter &painter, std::int64_t frame) const override;
+    void applyTheme() override;
+    void paintMarks(QPainter &painter) override;
+    std::vector<QPointF> curvesAt(std::int64_t frame) const override;
     QString hoveredText(std::int64_t frame) const override;
 
 private:
-    void dress();
-    void dressEnergy();
-    void dressMomentum();
+    void makeEnergyLines();
+    void makeMomentumLines();
     void drawEnergy(std::int64_t first, std::int64_t last, double lowest);
     void drawMomentum(std::int64_t first, std::int64_t last);
     QCPGraph *line(const QPen &pen);
     QString unit() const;
-    /// The heights at a frame that have a dot.
-    std::vector<double> marked(std::int64_t frame) const;
 
-    const EnergyCourse &m_course;
+    const EnergySeries &m_series;
     Shows m_shows = Shows::energy;
     std::vector<QCPGraph *> m_lines;
     std::vector<QCPItemText *> m_names;
-    double m_lowest = 0.0; ///< from where height counts
+    double m_lowest = 0.0; ///< the zero of energy from height
 };
 
 }

@@ -1,7 +1,7 @@
 #include "app/ui/film/film.h"
 
-#include "app/model/gif_file.h"
-#include "app/model/words.h"
+#include "app/model/film/gif_file.h"
+#include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
 #include <QResizeEvent>
@@ -13,15 +13,15 @@ namespace app {
 
 namespace {
 
-struct Text
+struct FilmText
 {
-    Q_DECLARE_TR_FUNCTIONS(Film)
+    Q_DECLARE_TR_FUNCTIONS(FilmText)
 };
 
-constexpr qint64 sliceMilliseconds = 15; ///< of measuring
-constexpr int mostSamples = 24;          ///< pictures, evenly over the film, whose colours are the film's
+constexpr qint64 sliceMilliseconds = 15; ///< length of one piece of measuring
+constexpr int mostSamples = 24;          ///< pictures, evenly spaced, from which the film's colours are taken
 
-/// The experiment's step alone, with nothing to try: making a film gets nothing done.
+/// Returns a library with only the experiment's step and no tasks, so that making a film completes no task.
 LessonLibrary libraryOf(const Experiment &experiment, const LessonLibrary &library)
 {
     const LessonEntry &lesson = *library.lesson(experiment.lesson);
@@ -33,7 +33,7 @@ LessonLibrary libraryOf(const Experiment &experiment, const LessonLibrary &libra
     return alone;
 }
 
-/// Colours that carry meaning, or large areas: they stay exactly what they are.
+/// Returns the colours that carry meaning or fill large areas. The film keeps them exactly.
 std::vector<QRgb> inksOf(const Tokens &t)
 {
     std::vector<QRgb> inks;
@@ -43,17 +43,18 @@ std::vector<QRgb> inksOf(const Tokens &t)
     return inks;
 }
 
-/// @throws Refusal
+/// @throws UserError
 FilmPlan checked(FilmPlan plan)
 {
     if (plan.to < plan.from)
-        throw Refusal(Text::tr("The last frame, %1, comes before the first, %2. Swap them.")
-                          .arg(plan.to)
-                          .arg(plan.from));
+        throw UserError(FilmText::tr("The last frame, %1, comes before the first, %2. Swap them.")
+                            .arg(plan.to)
+                            .arg(plan.from));
     if (filmKind(plan.out) == FilmKind::gif && plan.rate > mostGifRate)
-        throw Refusal(
-            Text::tr("A GIF shows at most %1 pictures a second, and this would be %2. Choose fewer, or PNG "
-                     "files.")
+        throw UserError(
+            FilmText::tr(
+                "A GIF shows at most %1 pictures a second, and this would be %2. Choose fewer, or PNG "
+                "files.")
                 .arg(mostGifRate)
                 .arg(plan.rate));
     return plan;
@@ -66,10 +67,10 @@ Film::Film(const FilmPlan &plan, const LessonLibrary &library)
       m_theme(plan.scheme), m_view(m_session, m_theme)
 {
     m_view.setFixedSize(plan.size);
-    QResizeEvent resized(plan.size, {}); // it is never shown, and must know its size all the same
+    QResizeEvent resized(plan.size, {}); // a hidden view gets no resize event, but needs its size
     QCoreApplication::sendEvent(&m_view, &resized);
     m_session.open(plan.experiment);
-    m_session.select({}); // a ring round a body says something to who is there alone
+    m_session.select({}); // the ring round a selected body is only for the learner at the window
     if (plan.extras)
         m_view.setExtras(*plan.extras);
     const int framesPerOutput = m_session.timeline().track().framesPerOutput();
@@ -77,7 +78,7 @@ Film::Film(const FilmPlan &plan, const LessonLibrary &library)
     if (filmKind(plan.out) == FilmKind::gif)
         m_samples = static_cast<int>(std::min<std::int64_t>(mostSamples, pictures));
     m_total = m_samples + pictures;
-    m_motion.emplace(m_session.timeline().script(), m_view.shown().picture.look, plan.from, plan.to);
+    m_motion.emplace(m_session.timeline().script(), m_view.shown().picture.view, plan.from, plan.to);
 }
 
 std::int64_t Film::sampleFrame(int number) const
@@ -96,11 +97,11 @@ bool Film::goOn()
         frameSpan();
         return true;
     }
-    if (m_session.goingTo() || m_session.isCompanionComing())
+    if (m_session.playback().goal() || m_session.presentation().isCompanionComing())
         return true;
     if (m_file)
         return shoot();
-    lookAtColors();
+    collectColors();
     return true;
 }
 
@@ -111,7 +112,7 @@ void Film::frameSpan()
     m_view.showSpan(m_motion->area());
     m_motion.reset();
     if (m_samples > 0)
-        m_session.goTo({sampleFrame(0), 0});
+        m_session.playback().goTo({sampleFrame(0), 0});
     else
         begin();
 }
@@ -122,12 +123,12 @@ QImage Film::picture()
     return picture.isNull() ? throw std::bad_alloc() : picture;
 }
 
-void Film::lookAtColors()
+void Film::collectColors()
 {
     m_colors.add(picture());
     ++m_done;
     if (++m_sampled < m_samples)
-        m_session.goTo({sampleFrame(m_sampled), 0});
+        m_session.playback().goTo({sampleFrame(m_sampled), 0});
     else
         begin();
 }
@@ -139,8 +140,8 @@ void Film::begin()
         palette = paletteOf(m_colors, inksOf(m_theme.tokens()), GifFile::mostColors);
     m_file = beginFilm(m_plan.out, m_view.viewport()->size(), std::move(palette));
     m_view.returnHome();
-    // Far enough before the first picture for the trail that it shows.
-    m_session.goTo({std::max<std::int64_t>(0, m_plan.from - Trail::length), 0});
+    // Starts early enough for the trail in the first picture.
+    m_session.playback().goTo({std::max<std::int64_t>(0, m_plan.from - Trail::length), 0});
 }
 
 bool Film::shoot()
@@ -155,14 +156,14 @@ bool Film::shoot()
         ++m_done;
     }
     if (frame + framesPerOutput <= m_plan.to && !isStopped) {
-        m_session.frameForward();
+        m_session.playback().frameForward();
         return true;
     }
     if (isStopped && frame < m_plan.to)
         m_stop = timeline.stop();
     if (frame < m_plan.from)
-        throw Refusal(
-            Text::tr("The run does not reach frame %1: it stops at frame %2. Begin the film earlier.")
+        throw UserError(
+            FilmText::tr("The run does not reach frame %1: it stops at frame %2. Begin the film earlier.")
                 .arg(m_plan.from)
                 .arg(frame));
     m_file->finish();

@@ -1,11 +1,11 @@
 #include "app/ui/film/film_dialog.h"
 
-#include "app/model/refusal.h"
-#include "app/model/sentences.h"
-#include "app/model/words.h"
+#include "app/model/text/quoting.h"
+#include "app/model/text/sentences.h"
+#include "app/model/text/user_error.h"
+#include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/film/film_name.h"
 #include "app/ui/film/film_size.h"
-#include "app/ui/panels/dialog_place.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -49,23 +49,23 @@ FilmDialog::FilmDialog(const Session &session, const SceneView &view, const Them
     m_progress = new QProgressBar(this);
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(6);
-    m_progress->setAccessibleName(tr("How much of the film is made"));
+    m_progress->setAccessibleName(tr("Progress of the film"));
     QSizePolicy keepsRoom = m_progress->sizePolicy();
     keepsRoom.setRetainSizeWhenHidden(true);
     m_progress->setSizePolicy(keepsRoom);
-    m_progress->hide(); // until there is something to tell
-    m_said = new QLabel(this);
-    m_said->setObjectName("caption");
-    m_said->setTextFormat(Qt::PlainText);
-    m_said->setWordWrap(true);
-    m_said->setMinimumHeight(2 * m_said->fontMetrics().lineSpacing());
-    m_said->setAlignment(Qt::AlignTop);
+    m_progress->hide(); // until there is progress to show
+    m_message = new QLabel(this);
+    m_message->setObjectName("caption");
+    m_message->setTextFormat(Qt::PlainText);
+    m_message->setWordWrap(true);
+    m_message->setMinimumHeight(2 * m_message->fontMetrics().lineSpacing());
+    m_message->setAlignment(Qt::AlignTop);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(margin, margin, margin, margin);
     column->setSpacing(12);
     column->addWidget(m_fields);
     column->addWidget(m_progress);
-    column->addWidget(m_said);
+    column->addWidget(m_message);
     column->addStretch(1);
     column->addWidget(buttons());
     resize(pageWidth, sizeHint().height());
@@ -100,7 +100,7 @@ QWidget *FilmDialog::fields()
     grid->setHorizontalSpacing(12);
     m_from = frameBox(tr("First frame"), tr("The first frame of the film"));
     m_to = frameBox(tr("Last frame"), tr("The last frame of the film; the run is computed up to there"));
-    m_rate = frameBox(tr("Frames a second"), tr("How fast the film plays: 30 is as fast as the window does"));
+    m_rate = frameBox(tr("Frames a second"), tr("The speed of the film: 30 is as fast as in the window"));
     m_rate->setRange(1, static_cast<int>(mostGifRate));
     m_rate->setValue(usualRate);
     m_size = new FilmSize(*m_view.viewport(), fields);
@@ -116,10 +116,10 @@ QWidget *FilmDialog::fields()
     m_name = new FilmName(fields);
     add(tr("F&ile"), m_name, &m_name->field());
     grid->setColumnStretch(1, 1);
-    auto *hint = new QLabel(
-        tr("A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes a "
-           "picture of each frame, with its number in place of %04d."),
-        fields);
+    auto *hint =
+        new QLabel(tr("A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes "
+                      "a picture of each frame, with its number instead of %04d."),
+                   fields);
     hint->setObjectName("caption");
     hint->setTextFormat(Qt::PlainText);
     hint->setWordWrap(true);
@@ -145,9 +145,9 @@ QWidget *FilmDialog::buttons()
     return buttons;
 }
 
-QString FilmDialog::said() const
+QString FilmDialog::message() const
 {
-    return m_said->text();
+    return m_message->text();
 }
 
 void FilmDialog::offer()
@@ -165,12 +165,12 @@ void FilmDialog::offer()
     activateWindow();
 }
 
-/// What was allowed was allowed for another film.
+/// The permission to replace files was only for the previous settings.
 void FilmDialog::askAgain()
 {
     if (isMaking())
         return;
-    m_said->clear();
+    m_message->clear();
     showState();
 }
 
@@ -196,16 +196,16 @@ void FilmDialog::start()
         if (!objection.isEmpty()) {
             m_name->allowReplacing();
             showState();
-            m_said->setText(objection);
+            m_message->setText(objection);
             return;
         }
         m_film = std::make_unique<Film>(plan(), m_session.library());
         m_next.start(0);
-        m_said->setText(tr("Looking at its colours…"));
-    } catch (const Refusal &refusal) {
-        m_said->setText(refusal.sentence());
+        m_message->setText(tr("Choosing its colours…"));
+    } catch (const UserError &error) {
+        m_message->setText(error.sentence());
     } catch (const sim::Error &error) {
-        m_said->setText(sentenceFor(error));
+        m_message->setText(sentenceFor(error));
     }
     showState();
 }
@@ -214,28 +214,29 @@ void FilmDialog::goOn()
 {
     try {
         if (m_film->goOn()) {
-            m_said->setText(tr("Frame %1 of %2").arg(m_film->frame()).arg(m_to->value()));
+            m_message->setText(tr("Frame %1 of %2").arg(m_film->frame()).arg(m_to->value()));
             showState();
             return;
         }
         const auto stopped = m_film->stop();
         const QString name = shownPath(QFileInfo(m_making).fileName());
         const int all = m_progress->maximum();
-        end(stopped ? tr("%1 is made, up to where the run stops. %2").arg(name, sentenceFor(*stopped))
-                    : tr("%1 is made.").arg(name));
+        end(stopped
+                ? tr("%1 is saved, up to the frame where the run stops. %2").arg(name, sentenceFor(*stopped))
+                : tr("%1 is saved.").arg(name));
         m_progress->setMaximum(all);
         m_progress->setValue(all);
         m_progress->show();
-    } catch (const Refusal &refusal) {
-        end(refusal.sentence());
+    } catch (const UserError &error) {
+        end(error.sentence());
     }
 }
 
 void FilmDialog::stop()
 {
     const bool isOne = filmKind(m_making) != FilmKind::pictures;
-    end(isOne ? tr("Stopped. No file was written.")
-              : tr("Stopped. The pictures up to frame %1 are there.").arg(m_film->frame()));
+    end(isOne ? tr("Cancelled. No file was written.")
+              : tr("Cancelled. The pictures up to frame %1 are saved.").arg(m_film->frame()));
 }
 
 void FilmDialog::end(const QString &sentence)
@@ -243,7 +244,7 @@ void FilmDialog::end(const QString &sentence)
     m_next.stop();
     m_film.reset();
     m_name->forbidReplacing();
-    m_said->setText(sentence);
+    m_message->setText(sentence);
     showState();
 }
 
@@ -253,10 +254,10 @@ void FilmDialog::showState()
     m_make->setEnabled(!isMaking());
     const bool replaces = m_name->mayReplace() && !isMaking();
     m_make->setText(replaces ? tr("&Replace") : tr("&Make the film"));
-    m_make->setToolTip(replaces ? tr("Make the film, and write over what is there")
-                                : tr("Make the film; the window can be used meanwhile"));
-    m_stop->setText(isMaking() ? tr("S&top") : tr("Close"));
-    m_stop->setToolTip(isMaking() ? tr("Give the film up (Esc)") : tr("Close this page (Esc)"));
+    m_make->setToolTip(replaces ? tr("Make the film, and overwrite the existing file")
+                                : tr("Make the film; you can use the window meanwhile"));
+    m_stop->setText(isMaking() ? tr("Ca&ncel") : tr("Close"));
+    m_stop->setToolTip(isMaking() ? tr("Cancel the film (Esc)") : tr("Close this page (Esc)"));
     m_progress->setVisible(isMaking());
     m_progress->setMaximum(m_film ? static_cast<int>(m_film->total()) : 1);
     m_progress->setValue(m_film ? static_cast<int>(m_film->done()) : 0);

@@ -15,20 +15,20 @@ namespace app {
 class FilmName;
 class FilmSize;
 
-/// Asks what film of the run to make, and makes it while the window goes on.
+/// A dialog that asks for the settings of a film of the run and makes it while the window stays usable.
 class FilmDialog : public QDialog
 {
     Q_OBJECT
 
 public:
-    /// The film shows what `view` shows. All must outlive it.
+    /// The film shows the same content as `view`. All arguments must outlive it.
     FilmDialog(const Session &session, const SceneView &view, const Theme &theme, QWidget *parent = nullptr);
 
     /// Shows the dialog with the frames of the open run.
     void offer();
     bool isMaking() const { return m_film != nullptr; }
-    /// What it says below: how far it is, or how it ended.
-    QString said() const;
+    /// Returns the message at the bottom: the progress, or how the film ended.
+    QString message() const;
     void done(int result) override;
 
 private:
@@ -51,14 +51,14 @@ private:
     QSpinBox *m_rate;
     FilmSize *m_size;
     FilmName *m_name;
-    QWidget *m_fields; ///< all that is asked
+    QWidget *m_fields; ///< all settings
     QProgressBar *m_progress;
-    QLabel *m_said;
+    QLabel *m_message;
     QPushButton *m_make;
     QPushButton *m_stop;
     std::unique_ptr<Film> m_film;
-    QString m_making; ///< its name
-    QTimer m_next;    ///< for the next picture; runs while a film is made
+    QString m_making; ///< name of the film that is being made
+    QTimer m_next;    ///< for the next picture; active while a film is made
 };
 
 }

@@ -1,8 +1,8 @@
 #include "app/ui/film/film_name.h"
 
-#include "app/model/film_file.h"
-#include "app/model/words.h"
-#include "app/ui/panels/ask_file.h"
+#include "app/model/film/film_file.h"
+#include "app/model/text/quoting.h"
+#include "app/ui/dialogs/ask_file.h"
 
 #include <QFileInfo>
 #include <QHBoxLayout>
@@ -13,7 +13,7 @@ namespace app {
 
 namespace {
 
-/// The name, or with a number what no file has yet: a film that was made before stays.
+/// Returns the name, with a number if it is taken, so that an earlier film is not replaced.
 QString freeName(const QString &name, const QString &ending)
 {
     QString free = name + ending;
@@ -30,7 +30,7 @@ FilmName::FilmName(QWidget *parent) : QWidget(parent), m_field(new QLineEdit(thi
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     m_field->setAccessibleName(tr("File"));
-    m_field->setToolTip(tr("Where the film goes"));
+    m_field->setToolTip(tr("Where to save the film"));
     auto *choose = new QPushButton(tr("&Choose…"), this);
     choose->setToolTip(tr("Choose a folder and a name"));
     choose->setAutoDefault(false);
@@ -67,8 +67,8 @@ QString FilmName::objection(std::int64_t from, std::int64_t to) const
     if (files.isEmpty() || mayReplace())
         return {};
     if (filmKind(name()) != FilmKind::pictures)
-        return tr("%1 is there already. Replace it, or give another name.").arg(shownPath(files.first()));
-    return tr("Such pictures are there already, as %1. Replace them, or give another name.")
+        return tr("%1 already exists. Replace it, or choose another name.").arg(shownPath(files.first()));
+    return tr("Such pictures already exist, for example %1. Replace them, or choose another name.")
         .arg(shownPath(files.first()));
 }
 
@@ -82,7 +82,7 @@ void FilmName::choose()
     setName(isPicture ? path.chopped(4) + "_%04d.png" : path);
     forbidReplacing();
     if (name() == path && QFileInfo(path).isFile())
-        allowReplacing(); // the chooser has asked
+        allowReplacing(); // the file dialog has asked already
     emit changed();
 }
 

@@ -8,7 +8,7 @@ class QLineEdit;
 
 namespace app {
 
-/// Asks for the name of a film, and whether what has that name already may be written over.
+/// A field for the name of a film that also asks before an existing file is replaced.
 class FilmName : public QWidget
 {
     Q_OBJECT
@@ -18,28 +18,30 @@ public:
 
     QString name() const;
     void setName(const QString &name);
-    /// The name in `folder`, with a number where it is taken, as long as no other is given.
+    /// Suggests a name in `folder`, with a number if it is taken. It replaces only an earlier suggestion, not
+    /// a name that the learner entered.
     void suggest(const QString &folder, const QString &name);
     QLineEdit &field() const { return *m_field; }
 
-    /// Why a film of these frames is not written without being asked for once more; empty: nothing is in its way, or that may
-    /// be written over. @throws Refusal: the name is no film's
+    /// Returns why the learner must confirm a film of these frames. Returns an empty text if no file is in
+    /// the way or it may be replaced.
+    /// @throws UserError if the name is not a film name
     QString objection(std::int64_t from, std::int64_t to) const;
-    /// What has this name may be written over, until there is another one.
+    /// Allows existing files with this name to be replaced, until the name changes.
     void allowReplacing() { m_replaced = name(); }
     bool mayReplace() const { return m_replaced == name() && !m_replaced.isNull(); }
     void forbidReplacing() { m_replaced = {}; }
 
 signals:
-    /// Another name, or the same one chosen anew.
+    /// The name has changed, or the same name was chosen again.
     void changed();
 
 private:
     void choose();
 
     QLineEdit *m_field;
-    QString m_suggested; ///< as long as the learner has given no other
-    QString m_replaced;  ///< the name that may be written over; null: none
+    QString m_suggested; ///< the last suggestion
+    QString m_replaced;  ///< the name whose files may be replaced; null: none
 };
 
 }

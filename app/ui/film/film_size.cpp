@@ -13,7 +13,7 @@ namespace app {
 namespace {
 
 constexpr int usualWidth = 640;
-constexpr int leastHeight = 100; ///< px, of what is drawn at all
+constexpr int leastHeight = 100; ///< px, smallest height of a picture
 constexpr int mostHeight = 9999;
 
 }
@@ -42,7 +42,8 @@ FilmSize::FilmSize(const QWidget &scene, QWidget *parent)
     m_shape->addItem(tr("as the scene is"));
     m_shape->setMinimumHeight(m_width->sizeHint().height());
     m_shape->setAccessibleName(tr("Shape"));
-    m_shape->setToolTip(tr("How wide the pictures are beside their height; the height follows the width"));
+    m_shape->setToolTip(
+        tr("The width of the pictures compared with their height; the height follows the width"));
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
@@ -70,7 +71,7 @@ void FilmSize::showHeight()
 
 void FilmSize::showEvent(QShowEvent *event)
 {
-    showHeight(); // the scene may have another shape by now
+    showHeight(); // the scene's aspect ratio may have changed
     QWidget::showEvent(event);
 }
 

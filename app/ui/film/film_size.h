@@ -9,23 +9,23 @@ class QSpinBox;
 
 namespace app {
 
-/// The size of a picture `width` px wide whose sides are as those of `shape`.
+/// Returns the size of a picture `width` px wide with the aspect ratio of `shape`.
 QSize sizeInShape(int width, QSize shape);
 
-/// Asks how large the pictures of a film are: a width, and a shape that gives the height.
+/// Fields for the size of a film's pictures: a width, and an aspect ratio that gives the height.
 class FilmSize : public QWidget
 {
     Q_OBJECT
 
 public:
-    static constexpr int least = 200; ///< px, of a width
+    static constexpr int least = 200; ///< px, of the width
     static constexpr int most = 3840;
 
-    /// One of the shapes is that of `scene`, as it is when it is asked for; it must outlive this.
+    /// One of the aspect ratios is that of `scene`, read whenever it is needed. `scene` must outlive this.
     explicit FilmSize(const QWidget &scene, QWidget *parent = nullptr);
 
     QSize size() const;
-    /// The field for the width.
+    /// Returns the field for the width.
     QSpinBox &width() const { return *m_width; }
 
 protected:

@@ -1,7 +1,7 @@
 #include "app/ui/film/picture_file.h"
 
-#include "app/model/refusal.h"
-#include "app/model/words.h"
+#include "app/model/text/quoting.h"
+#include "app/model/text/user_error.h"
 
 #include <QCoreApplication>
 #include <QSaveFile>
@@ -11,9 +11,9 @@ namespace app {
 
 namespace {
 
-struct Text
+struct PictureFileText
 {
-    Q_DECLARE_TR_FUNCTIONS(PictureFile)
+    Q_DECLARE_TR_FUNCTIONS(PictureFileText)
 };
 
 bool drawSvg(SceneView &view, QSaveFile &file)
@@ -45,8 +45,8 @@ void savePicture(SceneView &view, const QString &path)
     const bool isSvg = path.endsWith(".svg", Qt::CaseInsensitive);
     if (!file.open(QIODevice::WriteOnly) || !(isSvg ? drawSvg(view, file) : drawPng(view, file)) ||
         !file.commit())
-        throw Refusal(Text::tr("%1 cannot be written: %2. Choose another folder or name.")
-                          .arg(shownPath(path), oneLine(file.errorString())));
+        throw UserError(PictureFileText::tr("%1 could not be written: %2. Choose another folder or name.")
+                            .arg(shownPath(path), oneLine(file.errorString())));
 }
 
 }

@@ -4,10 +4,11 @@
 
 namespace app {
 
-/// Each px of the screen is so many of a PNG's, so that it is sharp in a text, too.
+/// PNG pixels per screen pixel. A PNG is larger than the screen, so that it stays sharp in a document.
 constexpr double pngScale = 2.0;
 
-/// Writes the scene as it is shown: `path` ends in .svg, or else it is a PNG. @throws Refusal: it was not written
+/// Writes the visible scene as an SVG if `path` ends in .svg, otherwise as a PNG.
+/// @throws UserError if the file cannot be written
 void savePicture(SceneView &view, const QString &path);
 
 }

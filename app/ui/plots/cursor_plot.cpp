@@ -1,11 +1,8 @@
 #include "app/ui/plots/cursor_plot.h"
 
-#include "app/ui/plots/cursor_access.h"
-
-#include <QAccessible>
+#include "app/ui/plots/number_ticker.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace app {
 
@@ -16,8 +13,9 @@ constexpr double headWidth = 9.0; ///< px, of the pentagon that the cursor hangs
 constexpr double headHeight = 11.0;
 constexpr double tagHeight = 20.0;
 constexpr double tagPadding = 7.0;
+constexpr double roomAtEnd = 0.02; ///< of the time axis
 
-/// The head of the timeline, small: where it points is `tip`.
+/// Returns the head of the timeline's cursor, smaller. It points at `tip`.
 QPolygonF headAt(QPointF tip)
 {
     const double half = headWidth / 2.0, shoulder = headHeight - half;
@@ -36,24 +34,21 @@ void paintDisc(QPainter &painter, QPointF at, const QColor &fill, const QPen &ri
     painter.setBrush(Qt::NoBrush);
 }
 
-bool isArrow(int key)
+/// Returns whether a dot at a place is within the axes or on their edge.
+bool isWithin(const QCPAxisRect &axes, QPointF at)
 {
-    return key == Qt::Key_Left || key == Qt::Key_Right;
+    return isFinite(at) && QRectF(axes.rect()).adjusted(-2.0, -2.0, 2.0, 2.0).contains(at);
 }
 
 }
 
 CursorPlot::CursorPlot(Session &session, const Theme &theme, QWidget *parent)
-    : QCustomPlot(parent), m_session(session), m_theme(theme)
+    : Plot(theme, parent), m_session(session)
 {
-    installCursorAccess();
-    setFocusPolicy(Qt::StrongFocus);
-    setMouseTracking(true);
-    setPlottingHint(QCP::phImmediateRefresh, false); // in the middle of a change others cannot be painted yet
     setPlottingHint(QCP::phFastPolylines); // line by line: as one outline a curve takes tens of times as long
     setCursor(Qt::PointingHandCursor);
-    setAntialiasedElements(QCP::aeAll);
-    setNoAntialiasingOnDrag(false);
+    xAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(5)));
+    yAxis->setTicker(QSharedPointer<QCPAxisTicker>(new NumberTicker(4)));
 }
 
 void CursorPlot::setHovered(std::optional<std::int64_t> frame)
@@ -64,32 +59,35 @@ void CursorPlot::setHovered(std::optional<std::int64_t> frame)
     update();
 }
 
-QString CursorPlot::fullSentence() const
+QString CursorPlot::spokenValue() const
 {
-    const QString looked = m_hovered ? hoveredText(*m_hovered) : QString();
-    return looked.isEmpty() ? sentence() : tr("%1. Looking at %2").arg(sentence(), looked);
+    const QString hovered = m_hovered ? hoveredText(*m_hovered) : QString();
+    return hovered.isEmpty() ? sentence() : tr("%1. Under the mouse: %2").arg(sentence(), hovered);
 }
 
-bool CursorPlot::wantsKey(int key) const
+void CursorPlot::announceCursor()
 {
-    return isArrow(key);
+    if (!m_session.playback().isPlaying())
+        announceValue();
 }
 
-void CursorPlot::announce()
+void CursorPlot::setTimeRange(double first, double last)
 {
-    if (m_session.isPlaying() || !QAccessible::isActive())
-        return;
-    QAccessibleValueChangeEvent event(this, sentence());
-    QAccessible::updateAccessibility(&event);
+    xAxis->setRange(first, last + roomAtEnd * (last - first));
 }
 
-void CursorPlot::goTo(QPointF where)
+double CursorPlot::timeAt(QPointF place) const
 {
-    const std::optional<std::int64_t> frame = frameAt(where);
+    return std::clamp(xAxis->pixelToCoord(place.x()), xAxis->range().lower, xAxis->range().upper);
+}
+
+void CursorPlot::goTo(QPointF place)
+{
+    const std::optional<std::int64_t> frame = frameAt(place);
     // A hand that trembles within one frame asks for nothing new.
-    if (!frame || *frame == m_session.goingTo().value_or(m_session.timeline().cursor().frame))
+    if (!frame || *frame == m_session.playback().goal().value_or(cursorFrame()))
         return;
-    m_session.goTo({*frame, 0});
+    m_session.playback().goTo({*frame, 0});
 }
 
 void CursorPlot::mousePressEvent(QMouseEvent *event)
@@ -100,9 +98,9 @@ void CursorPlot::mousePressEvent(QMouseEvent *event)
     }
     m_isDragging = true;
     emit pointedAt(std::nullopt);
-    m_session.pause();
+    m_session.playback().pause();
     if (m_session.timeline().cursor().phase > 0)
-        m_session.goTo({*frameAt(event->position()), 0});
+        m_session.playback().goTo({*frameAt(event->position()), 0});
     else
         goTo(event->position());
 }
@@ -128,7 +126,7 @@ void CursorPlot::mouseDoubleClickEvent(QMouseEvent *event)
 
 void CursorPlot::wheelEvent(QWheelEvent *event)
 {
-    event->ignore(); // for what the plot stands in
+    event->ignore(); // the panel scrolls
 }
 
 void CursorPlot::leaveEvent(QEvent *)
@@ -136,65 +134,21 @@ void CursorPlot::leaveEvent(QEvent *)
     emit pointedAt(std::nullopt);
 }
 
-bool CursorPlot::event(QEvent *event)
+bool CursorPlot::wantsKey(const QKeyEvent &event) const
 {
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        const bool isPlain = (key->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) == Qt::NoModifier;
-        if (isPlain && wantsKey(key->key())) {
-            event->accept();
-            return true;
-        }
-    }
-    return QCustomPlot::event(event);
+    return isPlainKey(event, Qt::ShiftModifier) &&
+           (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right);
 }
 
 void CursorPlot::keyPressEvent(QKeyEvent *event)
 {
     const bool isPhase = event->modifiers() & Qt::ShiftModifier;
     if (event->key() == Qt::Key_Left)
-        isPhase ? m_session.phaseBack() : m_session.frameBack();
+        isPhase ? m_session.playback().phaseBack() : m_session.playback().frameBack();
     else if (event->key() == Qt::Key_Right)
-        isPhase ? m_session.phaseForward() : m_session.frameForward();
+        isPhase ? m_session.playback().phaseForward() : m_session.playback().frameForward();
     else
-        QCustomPlot::keyPressEvent(event);
-}
-
-void CursorPlot::focusInEvent(QFocusEvent *event)
-{
-    m_isRinged = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
-                 event->reason() == Qt::ShortcutFocusReason;
-    QCustomPlot::focusInEvent(event);
-    update();
-}
-
-void CursorPlot::focusOutEvent(QFocusEvent *event)
-{
-    m_isRinged = false;
-    QCustomPlot::focusOutEvent(event);
-    update();
-}
-
-void CursorPlot::paintEvent(QPaintEvent *event)
-{
-    QCustomPlot::paintEvent(event);
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintMarks(painter);
-    if (m_hovered)
-        paintHovered(painter, *m_hovered);
-    if (!m_isRinged)
-        return;
-    painter.setPen(QPen(m_theme.tokens().ink, 2.0));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(2.0, 2.0, -2.0, -2.0), 6.0, 6.0);
-}
-
-void CursorPlot::paintPicture(QCPPainter &painter)
-{
-    toPainter(&painter, width(), height());
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintMarks(painter);
+        Plot::keyPressEvent(event);
 }
 
 void CursorPlot::paintCursor(QPainter &painter, double x) const
@@ -213,30 +167,38 @@ void CursorPlot::paintCursor(QPainter &painter, double x) const
 
 void CursorPlot::paintDot(QPainter &painter, QPointF at) const
 {
-    if (isSomewhere(at) && QRectF(axisRect()->rect()).adjusted(-2.0, -2.0, 2.0, 2.0).contains(at))
+    if (isWithin(*axisRect(), at))
         paintDisc(painter, at, m_theme.tokens().now, QPen(m_theme.tokens().panel, 1.5));
 }
 
 void CursorPlot::paintInside(QPainter &painter, QPointF at) const
 {
+    if (isWithin(*axisRect(), at))
+        paintDisc(painter, at, m_theme.tokens().panel, QPen(m_theme.tokens().now, 1.5));
+}
+
+void CursorPlot::paintPointer(QPainter &painter)
+{
+    const std::vector<QPointF> dots = m_hovered ? curvesAt(*m_hovered) : std::vector<QPointF>{};
+    if (dots.empty())
+        return;
     const Tokens &t = m_theme.tokens();
-    if (isSomewhere(at) && QRectF(axisRect()->rect()).adjusted(-2.0, -2.0, 2.0, 2.0).contains(at))
-        paintDisc(painter, at, t.panel, QPen(t.now, 1.5));
-}
-
-void CursorPlot::paintHoveredLine(QPainter &painter, double x) const
-{
     const QRectF area = axisRect()->rect();
-    painter.setPen(QPen(m_theme.tokens().ink3, 1.0));
-    painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
+    if (hasTimeAxis()) {
+        painter.setPen(QPen(t.ink3, 1.0));
+        painter.drawLine(QPointF(dots.front().x(), area.top()), QPointF(dots.front().x(), area.bottom()));
+    }
+    QPointF highest = dots.front();
+    for (const QPointF dot : dots) {
+        if (isFinite(dot))
+            paintDisc(painter, dot, t.panel, QPen(t.ink2, 1.5));
+        if (dot.y() < highest.y())
+            highest = dot;
+    }
+    paintTag(painter, highest, hoveredText(*m_hovered));
 }
 
-void CursorPlot::paintHoveredDot(QPainter &painter, QPointF at) const
-{
-    if (isSomewhere(at))
-        paintDisc(painter, at, m_theme.tokens().panel, QPen(m_theme.tokens().ink2, 1.5));
-}
-
+/// Paints a text in a box at the top, or at the bottom where it would hide `dot`.
 void CursorPlot::paintTag(QPainter &painter, QPointF dot, const QString &text) const
 {
     const Tokens &t = m_theme.tokens();
@@ -245,33 +207,14 @@ void CursorPlot::paintTag(QPainter &painter, QPointF dot, const QString &text) c
     const double wide = QFontMetricsF(painter.font()).horizontalAdvance(text) + 2.0 * tagPadding;
     const double most = width() - wide - 4.0;
     const double left = std::clamp(dot.x() - wide / 2.0, 4.0, std::max(4.0, most));
-    // Over the curve where there is room, and else below it: never on the dot.
-    const bool isHigh = isSomewhere(dot) && dot.y() < area.top() + tagHeight + 2.0 * dotRadius;
+    const bool isHigh = isFinite(dot) && dot.y() < area.top() + tagHeight + 2.0 * dotRadius;
     const QRectF tag(left, isHigh ? area.bottom() - tagHeight - 3.0 : area.top() + 3.0, wide, tagHeight);
     painter.setPen(QPen(t.line2, 1.0));
     painter.setBrush(t.panel);
     painter.drawRoundedRect(tag, 4.0, 4.0);
     painter.setPen(t.ink);
     painter.drawText(tag, Qt::AlignCenter, text);
-}
-
-QPen curvePen(const QColor &ink, double width)
-{
-    return {ink, width, Qt::SolidLine, Qt::SquareCap, Qt::BevelJoin};
-}
-
-QColor faint(const QColor &ink, double share, const QColor &ground)
-{
-    const auto mixed = [share](float over, float under) {
-        return static_cast<float>(share) * over + static_cast<float>(1.0 - share) * under;
-    };
-    return QColor::fromRgbF(mixed(ink.redF(), ground.redF()), mixed(ink.greenF(), ground.greenF()),
-                            mixed(ink.blueF(), ground.blueF()));
-}
-
-bool isSomewhere(QPointF place)
-{
-    return std::isfinite(place.x()) && std::isfinite(place.y());
+    painter.setBrush(Qt::NoBrush);
 }
 
 }

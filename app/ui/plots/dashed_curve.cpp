@@ -1,5 +1,7 @@
 #include "app/ui/plots/dashed_curve.h"
 
+#include "app/ui/plots/plot.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,12 +11,7 @@ namespace app {
 
 namespace {
 
-bool isPoint(QPointF point)
-{
-    return std::isfinite(point.x()) && std::isfinite(point.y());
-}
-
-/// From where to where a line is within `seen`, as shares of its length (Liang and Barsky); nothing if it is nowhere.
+/// Returns where a line enters and leaves `seen`, as shares of its length (Liang and Barsky); nothing if it is outside.
 std::optional<std::pair<double, double>> partWithin(const QRectF &seen, QPointF from, QPointF to)
 {
     double start = 0.0, end = 1.0;
@@ -31,7 +28,7 @@ std::optional<std::pair<double, double>> partWithin(const QRectF &seen, QPointF 
     return isSeen ? std::optional(std::pair(start, end)) : std::nullopt;
 }
 
-/// Dashes in place of the line that `painter` would draw. Returns whether it could.
+/// Draws dashes in place of the line of `painter`'s pen. Returns whether that is possible.
 bool drawDashes(QCPPainter &painter, const QVector<QPointF> &lines, const QRectF &seen)
 {
     const QPen pen = painter.pen();
@@ -51,7 +48,7 @@ QVector<QLineF> dashesAlong(const QVector<QPointF> &points, double length, const
     double before = 0.0; // along the line, from the beginning of a dash on
     for (qsizetype i = 1; i < points.size(); ++i) {
         const QPointF from = points[i - 1], to = points[i];
-        if (!isPoint(from) || !isPoint(to)) {
+        if (!isFinite(from) || !isFinite(to)) {
             before = 0.0;
             continue;
         }
@@ -63,7 +60,7 @@ QVector<QLineF> dashesAlong(const QVector<QPointF> &points, double length, const
             const double next = std::min(end, at + (inPair < length ? length : 2.0 * length) - inPair);
             if (inPair < length)
                 dashes.append({from + (to - from) * (at / whole), from + (to - from) * (next / whole)});
-            if (!(next > at)) // so far away that a dash more is none
+            if (!(next > at)) // so far away that a dash is shorter than a rounding error
                 break;
             at = next;
         }

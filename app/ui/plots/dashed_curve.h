@@ -4,12 +4,12 @@
 
 namespace app {
 
-/// The dashes along a line through `points`, `length` px long and as far apart, as far as they are within `seen`. Where a
-/// point is none (NaN) the line has a gap.
+/// Returns the dashes within `seen` of a line through `points`: they and their gaps are `length` px long. The line has
+/// a gap at a point that is not finite.
 QVector<QLineF> dashesAlong(const QVector<QPointF> &points, double length, const QRectF &seen);
 
-/// Graphs and curves whose lines are dashed dash by dash, each of them a plain line: Qt draws those many times as fast as
-/// the outline of a dashed line with hundreds of corners. The pen says how dashes look where plots are saved.
+/// A graph that draws each dash as a line. Qt draws these many times as fast as the outline of a dashed line with
+/// hundreds of corners. Vector files have the dashes of the pen.
 class DashedGraph : public QCPGraph
 {
 public:
@@ -19,6 +19,7 @@ protected:
     void drawLinePlot(QCPPainter *painter, const QVector<QPointF> &lines) const override;
 };
 
+/// A curve with dashes like those of DashedGraph.
 class DashedCurve : public QCPCurve
 {
 public:
@@ -28,7 +29,7 @@ protected:
     void drawCurveLine(QCPPainter *painter, const QVector<QPointF> &lines) const override;
 };
 
-/// A pen for those: dashes and gaps of this length (px).
+/// Returns a pen for both, with dashes and gaps of `length` px.
 QPen dashedPen(const QColor &ink, double width, double length);
 
 }

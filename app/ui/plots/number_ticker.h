@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/numbers.h"
+#include "app/model/text/numbers.h"
 
 #include "app/ui/theme/custom_plot.h"
 
@@ -8,12 +8,12 @@
 
 namespace app {
 
-/// Labels of an even axis: short where numbers are large or small ("1.5·10⁶"), and without the rounding that counting in
-/// tenths leaves.
+/// Labels of a linear axis: powers of ten where numbers are large or small ("1.5·10⁶"), and without rounding errors
+/// such as 0.30000000000000004.
 class NumberTicker : public QCPAxisTicker
 {
 public:
-    /// About `ticks` of them.
+    /// Makes about `ticks` labels.
     explicit NumberTicker(int ticks) { setTickCount(ticks); }
 
 protected:

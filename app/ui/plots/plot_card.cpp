@@ -1,7 +1,7 @@
 #include "app/ui/plots/plot_card.h"
 
-#include "app/model/quantity_words.h"
-#include "app/model/sentences.h"
+#include "app/model/text/quantity_text.h"
+#include "app/model/text/sentences.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/plot_value.h"
 #include "app/ui/plots/quantity_menu.h"
@@ -25,10 +25,10 @@ constexpr int valueMilliseconds = 100; ///< between two numbers while playing: f
 
 }
 
-PlotCard::PlotCard(Session &session, const PlotCourse &course, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_course(course), m_theme(theme),
-      m_plot(new QuantityPlot(session, course, theme, this)),
-      m_export(new PlotExport([this] { return picture(); }, theme, this))
+PlotCard::PlotCard(Session &session, const PlotSeries &series, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_series(series), m_theme(theme),
+      m_plot(new QuantityPlot(session, series, theme, this)),
+      m_export(new PlotExport([this] { return m_plot->picture(); }, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -41,8 +41,8 @@ PlotCard::PlotCard(Session &session, const PlotCourse &course, const Theme &them
     connect(m_plot, &QuantityPlot::pointedAt, this, &PlotCard::pointedAt);
     connect(m_plot, &QuantityPlot::zoomWanted, this, &PlotCard::zoomWanted);
     connect(m_plot, &QuantityPlot::removalWanted, this, &PlotCard::removalWanted);
-    connect(&theme, &Theme::changed, this, &PlotCard::dress);
-    dress();
+    connect(&theme, &Theme::changed, this, &PlotCard::applyTheme);
+    applyTheme();
 }
 
 FlatButton *PlotCard::chooser(QuantityMenu *menu, const QString &tip)
@@ -63,21 +63,21 @@ QWidget *PlotCard::header()
         m_session, QuantityMenu::Axis::across, [this] { return spec().across; }, this);
     connect(up, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, true); });
     connect(across, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, false); });
-    m_up = chooser(up, tr("What is plotted"));
-    m_across = chooser(across, tr("Against what: time, or another quantity"));
+    m_up = chooser(up, tr("Plotted quantity"));
+    m_across = chooser(across, tr("The other axis: time, or another quantity"));
     m_value = new PlotValue(m_theme, row);
     m_more = new QToolButton(row);
     m_more->setObjectName("plotMenu");
     m_more->setFocusPolicy(Qt::TabFocus);
     m_more->setToolTip(tr("Save, copy, keep or remove this plot"));
-    m_more->setAccessibleName(tr("What can be done with this plot"));
+    m_more->setAccessibleName(tr("Actions for this plot"));
     m_more->setFixedSize(28, 28);
     connect(m_more, &QToolButton::clicked, this,
             [this] { openMenu(m_more->mapToGlobal(QPoint(0, m_more->height()))); });
     auto *layout = new QHBoxLayout(row);
     layout->setContentsMargins(8, 0, 8, 0);
     layout->setSpacing(0);
-    layout->setSizeConstraint(QLayout::SetNoConstraint); // what does not fit gives way: see fitHeader()
+    layout->setSizeConstraint(QLayout::SetNoConstraint); // fitHeader() shortens what does not fit
     layout->addWidget(m_up);
     layout->addWidget(m_across);
     layout->addWidget(m_value, 1);
@@ -86,7 +86,7 @@ QWidget *PlotCard::header()
     return row;
 }
 
-void PlotCard::dress()
+void PlotCard::applyTheme()
 {
     m_more->setIcon(m_theme.icon("more"));
     m_more->setIconSize({16, 16});
@@ -97,25 +97,26 @@ void PlotCard::setSpec(const PlotSpec &spec)
     m_plot->setSpec(spec);
 }
 
-void PlotCard::refresh(const std::vector<double> &begun, const std::optional<PlotCourse::Inside> &inside)
+void PlotCard::refresh(const std::vector<double> &begun, const std::optional<PlotSeries::Inside> &inside)
 {
     m_plot->refresh(begun, inside);
     writeHeader();
-    if (m_session.isPlaying() && m_sinceValue.isValid() && !m_sinceValue.hasExpired(valueMilliseconds))
+    if (m_session.playback().isPlaying() && m_sinceValue.isValid() &&
+        !m_sinceValue.hasExpired(valueMilliseconds))
         return;
     m_sinceValue.start();
-    // Of a plot without time, both numbers take too much room here: the axes tell them.
+    // The two numbers of a plot without time take too much room here; the axes show them.
     const bool isShown = spec().isAgainstTime() && m_plot->emptyText().isEmpty();
     m_value->setText(isShown ? m_plot->valueText() : QString(), m_plot->exactText());
 }
 
-/// Only where it changes: each time, all of the window is laid out anew.
+/// Does nothing unless the title has changed, because each change lays out the whole window.
 void PlotCard::writeHeader()
 {
     if (m_plot->title() == m_plot->accessibleName())
         return;
-    m_up->setTexts({}, quantityTitle(m_course.bound(spec().up)));
-    m_across->setTexts(tr("against"), quantityTitle(m_course.bound(spec().across)));
+    m_up->setTexts({}, quantityTitle(m_series.bound(spec().up)));
+    m_across->setTexts(tr("against"), quantityTitle(m_series.bound(spec().across)));
     m_plot->setAccessibleName(m_plot->title());
     fitHeader();
 }
@@ -146,10 +147,10 @@ QMenu *PlotCard::menu()
     const bool isOfABody = pinned(spec(), m_session.selected()).isPinned();
     if (isOfABody) {
         const QString body = spec().up.body.isEmpty() ? m_session.selected() : spec().up.body;
-        QAction *keep = menu->addAction(tr("&Keep to %1").arg(bodyTitle(body)));
+        QAction *keep = menu->addAction(tr("&Pin to %1").arg(bodyTitle(body)));
         keep->setCheckable(true);
         keep->setChecked(spec().isPinned());
-        keep->setToolTip(tr("Off: it follows the body that is selected in the picture"));
+        keep->setToolTip(tr("If off, the plot follows the body that is selected in the picture"));
         connect(keep, &QAction::triggered, this, [this](bool on) {
             emit changeWanted(on ? pinned(spec(), m_session.selected()) : unpinned(spec()));
         });
@@ -179,19 +180,6 @@ void PlotCard::contextMenuEvent(QContextMenuEvent *event)
     openMenu(event->globalPos());
 }
 
-PlotPicture PlotCard::picture() const
-{
-    QString name = quantityName(m_course.bound(spec().up));
-    if (!spec().isAgainstTime())
-        name += QStringLiteral(" against ") + quantityName(m_course.bound(spec().across));
-    for (QChar &c : name) { // names of bodies may hold anything; names of files may not
-        if (!c.isLetterOrNumber() && c != '_' && c != ' ')
-            c = '-';
-    }
-    return {m_plot->title(), name, m_plot->size(),
-            [this](QCPPainter &painter) { m_plot->paintPicture(painter); }};
-}
-
 std::optional<NumberSheet> PlotCard::numbers() const
 {
     if (!m_plot->emptyText().isEmpty())
@@ -200,18 +188,18 @@ std::optional<NumberSheet> PlotCard::numbers() const
     NumberSheet sheet;
     const bool turns = timeline.state().spin.rows() > 0;
     for (const Quantity &one : {spec().across, spec().up}) {
-        if (one.what == Measured::time)
+        if (one.what == QuantityKind::time)
             continue;
-        sheet.quantities.push_back(m_course.bound(one));
+        sheet.quantities.push_back(m_series.bound(one));
         sheet.titles << QStringLiteral("%1 [%2]").arg(quantityName(sheet.quantities.back()),
                                                       unitOf(one.what, turns));
     }
     sheet.run = timeline.script();
     sheet.frames = timeline.computed();
-    if (const sim::Track *ghost = timeline.comparison()) {
-        sheet.old = ghost->script();
-        sheet.oldFrames = ghost->computed();
-        sheet.oldName = m_session.ghostName();
+    if (const sim::Track *comparison = timeline.comparison()) {
+        sheet.comparison = comparison->script();
+        sheet.comparisonFrames = comparison->computed();
+        sheet.comparisonName = m_session.comparisons().comparisonName();
     }
     return sheet;
 }

@@ -14,24 +14,24 @@ class FlatButton;
 class PlotValue;
 class QuantityMenu;
 
-/// A plot with what is above it: what it shows, the number at the cursor, and what can be done with it.
+/// A plot with its header: the quantities as menus, the number at the cursor, and a menu of commands.
 class PlotCard : public QWidget
 {
     Q_OBJECT
 
 public:
-    PlotCard(Session &session, const PlotCourse &course, const Theme &theme, QWidget *parent = nullptr);
+    PlotCard(Session &session, const PlotSeries &series, const Theme &theme, QWidget *parent = nullptr);
 
     void setSpec(const PlotSpec &spec);
     const PlotSpec &spec() const { return m_plot->spec(); }
-    void refresh(const std::vector<double> &begun, const std::optional<PlotCourse::Inside> &inside);
+    void refresh(const std::vector<double> &begun, const std::optional<PlotSeries::Inside> &inside);
     QuantityPlot &plot() const { return *m_plot; }
     PlotExport &exports() const { return *m_export; }
-    /// What can be done with it; the caller owns it.
+    /// Returns a new menu with the commands of the plot; the caller owns it.
     QMenu *menu();
 
 signals:
-    /// The learner wants it to show this.
+    /// Emitted when the learner chooses other quantities.
     void changeWanted(const app::PlotSpec &spec);
     void removalWanted();
     void pointedAt(std::optional<std::int64_t> frame);
@@ -44,16 +44,15 @@ protected:
 private:
     QWidget *header();
     FlatButton *chooser(QuantityMenu *menu, const QString &tip);
-    void dress();
+    void applyTheme();
     void fitHeader();
     void writeHeader();
     void openMenu(const QPoint &place);
     void choose(const Quantity &quantity, bool isUp);
     std::optional<NumberSheet> numbers() const;
-    PlotPicture picture() const;
 
     Session &m_session;
-    const PlotCourse &m_course;
+    const PlotSeries &m_series;
     const Theme &m_theme;
     QuantityPlot *m_plot;
     PlotExport *m_export;

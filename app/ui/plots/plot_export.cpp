@@ -1,35 +1,17 @@
 #include "app/ui/plots/plot_export.h"
 
-#include "app/model/words.h"
-#include "app/ui/panels/ask_file.h"
-
-#include "app/ui/theme/custom_plot.h"
+#include "app/model/text/quoting.h"
+#include "app/ui/dialogs/ask_file.h"
 
 #include <QAction>
 #include <QClipboard>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QMenu>
-#include <QPdfWriter>
 #include <QSaveFile>
-#include <QSvgGenerator>
 #include <QToolButton>
 
 namespace app {
-
-namespace {
-
-constexpr int titleHeight = 32;   ///< px, over the plot
-constexpr int titleLeft = 12;     ///< px
-constexpr double sharpness = 2.0; ///< pixels of a picture a px of the screen, each way
-constexpr int dotsPerInch = 96;   ///< of a px, for pages
-
-QSize wholeSize(const PlotPicture &picture)
-{
-    return picture.size + QSize(0, titleHeight);
-}
-
-}
 
 PlotExport::PlotExport(MakePicture picture, const Theme &theme, QWidget *parent)
     : QObject(parent), m_picture(std::move(picture)), m_theme(theme),
@@ -50,7 +32,7 @@ void PlotExport::setNumbers(MakeNumbers numbers)
 void PlotExport::setNumbersAsText(MakeText text)
 {
     m_text = std::move(text);
-    addNumbersAction(tr("All that is counted or measured here, with all digits"));
+    addNumbersAction(tr("All values that are counted or measured here, with all digits"));
 }
 
 void PlotExport::addNumbersAction(const QString &tip)
@@ -92,12 +74,12 @@ QToolButton *PlotExport::makeButton(QWidget *parent)
     button->setFixedSize(28, 28);
     button->setToolTip(tr("Save or copy this plot"));
     button->setAccessibleName(tr("Save or copy this plot"));
-    const auto dress = [this, button] {
+    const auto applyTheme = [this, button] {
         button->setIcon(m_theme.icon("more"));
         button->setIconSize({16, 16});
     };
-    dress();
-    connect(&m_theme, &Theme::changed, button, dress);
+    applyTheme();
+    connect(&m_theme, &Theme::changed, button, applyTheme);
     return button;
 }
 
@@ -106,59 +88,11 @@ QWidget *PlotExport::window() const
     return static_cast<QWidget *>(parent())->window();
 }
 
-void PlotExport::paint(QCPPainter &painter, const PlotPicture &picture) const
-{
-    const Tokens &t = m_theme.tokens();
-    painter.fillRect(QRect({0, 0}, wholeSize(picture)), t.panel);
-    painter.setFont(m_theme.ui(13, QFont::DemiBold));
-    painter.setPen(t.ink);
-    const QRect title(titleLeft, 0, picture.size.width() - 2 * titleLeft, titleHeight);
-    painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(picture.title, Qt::ElideRight, title.width()));
-    painter.translate(0, titleHeight);
-    picture.draw(painter);
-}
-
-QImage PlotExport::image() const
-{
-    const PlotPicture picture = m_picture();
-    QImage image(wholeSize(picture) * sharpness, QImage::Format_RGB32);
-    image.setDevicePixelRatio(sharpness);
-    QCPPainter painter(&image);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paint(painter, picture);
-    return image;
-}
-
 bool PlotExport::write(QIODevice &file, const QString &suffix) const
 {
     if (suffix == "png")
-        return image().save(&file, "PNG");
-    const PlotPicture picture = m_picture();
-    const QSize size = wholeSize(picture);
-    QSvgGenerator svg;
-    QPdfWriter pdf(&file);
-    const bool isPdf = suffix == "pdf";
-    if (isPdf) {
-        pdf.setTitle(picture.title);
-        pdf.setCreator(QStringLiteral("Springstep"));
-        pdf.setResolution(dotsPerInch);
-        pdf.setPageSize(QPageSize(QSizeF(size) / dotsPerInch, QPageSize::Inch));
-        pdf.setPageMargins({});
-    } else {
-        svg.setOutputDevice(&file);
-        svg.setTitle(picture.title);
-        svg.setSize(size);
-        svg.setViewBox(QRect({0, 0}, size));
-        svg.setResolution(dotsPerInch);
-    }
-    QCPPainter painter(isPdf ? static_cast<QPaintDevice *>(&pdf) : &svg);
-    if (!painter.isActive())
-        return false;
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNonCosmetic);
-    paint(painter, picture);
-    return painter.end();
+        return imageOf(m_picture(), m_theme).save(&file, "PNG");
+    return suffix == "pdf" ? writePdf(file, m_picture(), m_theme) : writeSvg(file, m_picture(), m_theme);
 }
 
 bool PlotExport::savePicture(QString path)
@@ -168,7 +102,8 @@ bool PlotExport::savePicture(QString path)
         suffix = QStringLiteral("png");
         path += ".png";
     }
-    return commit(path, tr("The picture was not saved as %1: %2. Choose another folder, or make room."),
+    return commit(path,
+                  tr("Could not save the picture as %1: %2. Choose another folder, or free some disk space."),
                   [&](QIODevice &file) { return write(file, suffix); });
 }
 
@@ -178,7 +113,7 @@ bool PlotExport::commit(const QString &path, const QString &failure,
     const QString name = quoted(QFileInfo(path).fileName());
     QSaveFile file(path);
     if (file.open(QIODevice::WriteOnly) && write(file) && file.commit()) {
-        emit said(tr("Saved as %1.").arg(name));
+        emit messageRequested(tr("Saved as %1.").arg(name));
         return true;
     }
     emit failed(failure.arg(name, oneLine(file.errorString())));
@@ -187,8 +122,8 @@ bool PlotExport::commit(const QString &path, const QString &failure,
 
 void PlotExport::copyPicture()
 {
-    QGuiApplication::clipboard()->setImage(image());
-    emit said(tr("The picture is copied: paste it anywhere."));
+    QGuiApplication::clipboard()->setImage(imageOf(m_picture(), m_theme));
+    emit messageRequested(tr("The picture is copied: paste it anywhere."));
 }
 
 void PlotExport::askPicture()
@@ -216,10 +151,10 @@ void PlotExport::saveText(const QString &path)
 {
     const QByteArray text = m_text();
     if (text.isEmpty()) {
-        emit failed(tr("There are no numbers to save: this plot shows nothing here."));
+        emit failed(tr("There are no numbers to save, because this plot is empty. Play the run first."));
         return;
     }
-    commit(path, tr("The numbers were not saved as %1: %2. Choose another folder, or make room."),
+    commit(path, tr("Could not save the numbers as %1: %2. Choose another folder, or free some disk space."),
            [&text](QIODevice &file) { return file.write(text) == text.size(); });
 }
 
@@ -227,7 +162,7 @@ void PlotExport::computeNumbers(const QString &path)
 {
     std::optional<NumberSheet> sheet = m_numbers ? m_numbers() : std::nullopt;
     if (!sheet) {
-        emit failed(tr("There are no numbers to save: this plot shows nothing here."));
+        emit failed(tr("There are no numbers to save, because this plot is empty. Play the run first."));
         return;
     }
     if (m_table)
@@ -241,7 +176,7 @@ void PlotExport::computeNumbers(const QString &path)
         emit tableChanged();
     };
     connect(table, &NumberTable::written, this, [this, finish](const QString &file) {
-        emit said(tr("Saved as %1.").arg(quoted(QFileInfo(file).fileName())));
+        emit messageRequested(tr("Saved as %1.").arg(quoted(QFileInfo(file).fileName())));
         finish();
     });
     connect(table, &NumberTable::failed, this, [this, finish](const QString &sentence) {
@@ -249,7 +184,7 @@ void PlotExport::computeNumbers(const QString &path)
         finish();
     });
     connect(table, &NumberTable::cancelled, this, [this, finish] {
-        emit said(tr("Left off: nothing was saved."));
+        emit messageRequested(tr("Cancelled: nothing was saved."));
         finish();
     });
     emit tableChanged();

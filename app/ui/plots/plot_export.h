@@ -1,29 +1,19 @@
 #pragma once
 
-#include "app/model/number_table.h"
+#include "app/model/series/number_table.h"
+#include "app/ui/plots/plot_picture.h"
 #include "app/ui/theme/theme.h"
 
-#include <QImage>
 #include <QPointer>
-#include <QSize>
 
 #include <functional>
 
 class QAction;
-class QCPPainter;
+class QIODevice;
 class QMenu;
 class QToolButton;
 
 namespace app {
-
-/// A plot as it is saved: what it is called, and what draws it.
-struct PlotPicture
-{
-    QString title;
-    QString fileName; ///< without a suffix
-    QSize size;       ///< px
-    std::function<void(QCPPainter &)> draw;
-};
 
 /// Saves and copies a plot: as a picture, and where it has numbers, as those. One for each plot; its actions go into
 /// the plot's menus.
@@ -36,31 +26,32 @@ public:
     using MakeNumbers = std::function<std::optional<NumberSheet>()>;
     using MakeText = std::function<QByteArray()>;
 
-    /// `parent` shows the dialogs, and owns this.
+    /// `parent` owns this and is the parent of its dialogs.
     PlotExport(MakePicture picture, const Theme &theme, QWidget *parent);
-    /// Lets the numbers be saved, too. What they come from may have none at times.
+    /// Adds the action that saves numbers. `numbers` returns nothing while there are none.
     void setNumbers(MakeNumbers numbers);
-    /// The same where they need not be computed: the whole table as comma-separated text; empty where there is none.
+    /// Adds the same action for numbers that need not be computed: `text` returns the table as comma-separated text, or
+    /// nothing while there is none.
     void setNumbersAsText(MakeText text);
 
     void addTo(QMenu &menu);
-    /// A button with a menu of all this.
+    /// Returns a button with a menu of all actions.
     QToolButton *makeButton(QWidget *parent);
     void addContextMenu(QWidget &plot);
-    /// As PNG, SVG or PDF, by the name's ending; a name without one of these becomes a PNG. Returns whether it was
-    /// written.
+    /// Writes a PNG, SVG or PDF, by the ending of the name; a name without one of these becomes a PNG. Returns whether
+    /// it was written.
     bool savePicture(QString path);
     void copyPicture();
-    /// Writes them, or begins to: see NumberTable.
+    /// Writes the numbers, or starts to: see NumberTable.
     void saveNumbers(const QString &path);
-    /// What is being written; null if nothing is.
+    /// Returns the table that is being written; null for none.
     NumberTable *table() const { return m_table; }
 
 signals:
-    /// What was done, or why it was not; one sentence.
-    void said(const QString &sentence);
+    /// Emitted with one sentence: what was saved or copied, or why it was not.
+    void messageRequested(const QString &sentence);
     void failed(const QString &sentence);
-    /// Numbers began to be written, or are no more.
+    /// Emitted when writing numbers starts and ends.
     void tableChanged();
 
 private:
@@ -69,11 +60,9 @@ private:
     void askNumbers();
     void saveText(const QString &path);
     void computeNumbers(const QString &path);
-    /// Puts a file in its place. Returns whether that went well; said either way.
+    /// Writes a file and reports the result. Returns whether it was written.
     bool commit(const QString &path, const QString &failure, const std::function<bool(QIODevice &)> &write);
-    QImage image() const;
     bool write(QIODevice &file, const QString &suffix) const;
-    void paint(QCPPainter &painter, const PlotPicture &picture) const;
     QWidget *window() const;
 
     MakePicture m_picture;

@@ -7,8 +7,7 @@
 
 namespace app {
 
-/// A number that changes many times a second, at the right end of its place: nothing is laid out anew for it. Where it
-/// does not fit, it is not there.
+/// A right-aligned number that changes many times a second without a new layout. It is hidden where it does not fit.
 class PlotValue : public QWidget
 {
     Q_OBJECT
@@ -22,7 +21,7 @@ public:
     }
 
     QString text() const { return m_text; }
-    /// `exact`: the same number with what is rounding noise, for the tooltip.
+    /// `exact` is the same number with rounding errors, for the tooltip.
     void setText(const QString &text, const QString &exact)
     {
         const QString what = tr("The number at the cursor");

@@ -1,13 +1,16 @@
 #include "app/ui/plots/plots_panel.h"
 
-#include "app/ui/panels/panel_title.h"
-#include "app/ui/panels/progress_line.h"
+#include "app/model/text/quantity_text.h"
+#include "app/ui/dock/panel_title.h"
+#include "app/ui/learn/progress_line.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/scene/flat_button.h"
+#include "sim/run/script/composed_interval.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -27,12 +30,10 @@ constexpr int heightOfTwo = 420;
 }
 
 PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_course(session),
+    : LivePanel(parent), m_session(session), m_theme(theme), m_series(session),
       m_title(new PanelTitle(tr("Plots"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_add(new FlatButton(theme, this)), m_pages(new QStackedWidget(this))
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
     m_add->setTexts({}, tr("Add"));
     m_add->setMenu(addMenu());
     m_add->setToolTip(tr("Another plot"));
@@ -60,27 +61,96 @@ PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
     column->addWidget(saving());
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, m_saving, &QWidget::show);
-    connect(&session, &Session::stepOpened, this, &PlotsPanel::open);
+    session.onChange(ChangeKind::step, this, &PlotsPanel::open);
     connect(&m_list, &PlotList::changed, this, &PlotsPanel::rebuild);
-    connect(&m_course, &PlotCourse::changed, this, &PlotsPanel::refreshSoon);
-    connect(&session, &Session::moved, this, &PlotsPanel::refreshSoon);
-    connect(&session, &Session::runChanged, this, &PlotsPanel::refreshSoon);
-    connect(&session, &Session::selectionChanged, this, &PlotsPanel::refreshSoon);
-    connect(&session, &Session::playingChanged, this, &PlotsPanel::refreshSoon);
-    connect(&session, &Session::glanceChanged, this, &PlotsPanel::followGlance);
+    connect(&m_series, &PlotSeries::changed, this, &PlotsPanel::refreshSoon);
+    session.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing | ChangeKind::selection, this,
+                     &PlotsPanel::refreshSoon);
+    session.onChange(ChangeKind::preview, this, &PlotsPanel::followPreview);
     connect(&theme, &Theme::changed, this, &PlotsPanel::refreshSoon);
     open();
     rebuild();
 }
 
+QWidget *PlotsPanel::emptyPage()
+{
+    auto *text = new QLabel(tr("There is no plot yet. <b>Add</b>, above, has curves to start with: the "
+                               "position of a body, its speed, or one quantity against another."),
+                            m_pages);
+    text->setWordWrap(true);
+    text->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    text->setContentsMargins(16, 4, 16, 8);
+    return text;
+}
+
+QMenu *PlotsPanel::addMenu()
+{
+    auto *menu = new QMenu(this);
+    menu->setToolTipsVisible(true);
+    connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillAddMenu(*menu); });
+    return menu;
+}
+
+void PlotsPanel::fillAddMenu(QMenu &menu)
+{
+    menu.clear();
+    const auto offer = [&](const QString &text, const PlotSpec &plot) {
+        QAction *made = menu.addAction(text);
+        const sim::Scene &scene = m_session.timeline().track().interval().scene;
+        for (const Quantity &one : {m_series.bound(plot.up), m_series.bound(plot.across)}) {
+            if (const std::optional<NoValue> why = whyNot(one, scene)) {
+                made->setEnabled(false);
+                made->setToolTip(noValueWords(one, scene, *why));
+            }
+        }
+        if (m_list.isFull()) {
+            made->setEnabled(false);
+            made->setToolTip(tr("There are %1 plots: more would be too small to read. Remove one first.")
+                                 .arg(PlotList::most));
+        }
+        connect(made, &QAction::triggered, this, [this, plot] { add(plot); });
+    };
+    const auto ofTime = [&](QuantityKind what) {
+        return offer(tr("%1 against time").arg(measuredTitle(what)), {{what}});
+    };
+    ofTime(QuantityKind::placeX);
+    ofTime(QuantityKind::placeY);
+    ofTime(QuantityKind::speed);
+    if (m_session.timeline().state().angle.rows() > 0)
+        ofTime(QuantityKind::angle);
+    ofTime(QuantityKind::energy);
+    menu.addSeparator();
+    offer(tr("the path: y against x"), {{QuantityKind::placeY}, {QuantityKind::placeX}});
+    offer(tr("velocity y against y"), {{QuantityKind::velocityY}, {QuantityKind::placeY}});
+    if (m_session.timeline().state().spin.rows() > 0)
+        offer(tr("turning speed against angle"), {{QuantityKind::spin}, {QuantityKind::angle}});
+    menu.addSeparator();
+    QAction *hint = menu.addAction(tr("For anything else, add a plot and choose what it shows"));
+    hint->setEnabled(false);
+    hint->setToolTip(tr("The names above a plot are menus"));
+}
+
+void PlotsPanel::add(const PlotSpec &plot)
+{
+    if (m_list.isFull())
+        return;
+    m_list.add(plot);
+    m_cards.back()->plot().setFocus(Qt::OtherFocusReason);
+    QTimer::singleShot(0, m_cards.back(), [this] {
+        if (!m_cards.empty())
+            m_scroll->ensureWidgetVisible(m_cards.back());
+    });
+}
+
 QWidget *PlotsPanel::saving()
 {
     m_saving = new QWidget(this);
-    m_progress = new ProgressLine(tr("How much of the numbers is written"), m_saving);
+    m_progress = new ProgressLine(tr("Progress of saving"), m_saving);
     auto *stop = new QPushButton(tr("Cancel"), m_saving);
     stop->setObjectName("measure");
     stop->setAutoDefault(false);
-    stop->setToolTip(tr("Leave off; nothing is saved then"));
+    stop->setFocusPolicy(Qt::TabFocus);
+    stop->setToolTip(tr("Cancel; nothing is saved then"));
     connect(stop, &QPushButton::clicked, this, [this] {
         if (NumberTable *writing = table())
             writing->cancel();
@@ -106,16 +176,16 @@ std::size_t PlotsPanel::indexOf(const PlotCard &card) const
 
 PlotCard *PlotsPanel::makeCard()
 {
-    auto *card = new PlotCard(m_session, m_course, m_theme, m_scroll->widget());
+    auto *card = new PlotCard(m_session, m_series, m_theme, m_scroll->widget());
     connect(card, &PlotCard::changeWanted, this,
             [this, card](const PlotSpec &spec) { m_list.change(indexOf(*card), spec); });
     connect(
         card, &PlotCard::removalWanted, this, [this, card] { removeCard(*card); },
-        Qt::QueuedConnection); // it asks from its own menu or key
+        Qt::QueuedConnection); // the signal comes from the card's own menu or key
     connect(card, &PlotCard::pointedAt, this, &PlotsPanel::setHovered);
     connect(card, &PlotCard::pointedAt, this, &PlotsPanel::pointedAt);
     connect(card, &PlotCard::zoomWanted, this, &PlotsPanel::zoom);
-    connect(&card->exports(), &PlotExport::said, this, &PlotsPanel::said);
+    connect(&card->exports(), &PlotExport::messageRequested, this, &PlotsPanel::messageRequested);
     connect(&card->exports(), &PlotExport::failed, this, &PlotsPanel::failed);
     connect(&card->exports(), &PlotExport::tableChanged, this, &PlotsPanel::showSaving);
     m_column->addWidget(card, 1);
@@ -127,10 +197,10 @@ void PlotsPanel::removeCard(PlotCard &card)
     const std::size_t index = indexOf(card);
     if (index >= m_cards.size())
         return;
-    // Its own card goes, so that the others keep what they show and the focus.
+    // This very card is deleted, not the last one, so that the others keep their plots and the focus.
     const bool hadFocus = card.isAncestorOf(focusWidget()) || card.plot().hasFocus();
     m_cards.erase(m_cards.begin() + static_cast<std::ptrdiff_t>(index));
-    letGo(card);
+    discard(card);
     m_list.remove(index);
     if (!hadFocus)
         return;
@@ -140,10 +210,10 @@ void PlotsPanel::removeCard(PlotCard &card)
         m_cards[std::min(index, m_cards.size() - 1)]->plot().setFocus(Qt::OtherFocusReason);
 }
 
-void PlotsPanel::letGo(PlotCard &card)
+void PlotsPanel::discard(PlotCard &card)
 {
     if (NumberTable *writing = card.exports().table())
-        writing->cancel(); // it would go with the card, and nobody would hear of it
+        writing->cancel(); // it is deleted with the card
     m_column->removeWidget(&card);
     card.hide();
     card.deleteLater();
@@ -162,40 +232,46 @@ void PlotsPanel::rebuild()
     while (m_cards.size() > m_list.plots().size()) {
         PlotCard *last = m_cards.back();
         m_cards.pop_back();
-        letGo(*last);
+        discard(*last);
     }
     for (std::size_t i = 0; i < m_cards.size(); ++i)
         m_cards[i]->setSpec(m_list.plots()[i]);
     m_pages->setCurrentIndex(m_cards.empty() ? 1 : 0);
-    m_course.setQuantities(m_list.quantities());
+    m_series.setQuantities(m_list.quantities());
     refreshSoon();
     m_wantedHeight = sizeHint().height();
     if (m_wantedHeight != wanted)
         emit wantedHeightChanged();
 }
 
+/// Draws several changes at once. A timer would fire after the window is painted, which would then be painted twice.
 void PlotsPanel::refreshSoon()
 {
-    if (!isVisible() || m_isCovered || std::exchange(m_isDue, true))
+    if (!isSeen() || std::exchange(m_isDue, true))
         return;
-    // Not by a timer: those come after the window is painted, which would be painted again.
-    QMetaObject::invokeMethod(this, &PlotsPanel::refresh, Qt::QueuedConnection);
+    const auto refreshDue = [this] {
+        m_isDue = false;
+        refreshNow();
+    };
+    QMetaObject::invokeMethod(this, refreshDue, Qt::QueuedConnection);
 }
 
-void PlotsPanel::followGlance()
+void PlotsPanel::followPreview()
 {
-    const bool isInside = m_session.isGlancing() && m_session.shown().cursor().phase > 0;
-    if (std::exchange(m_looksInside, isInside) || isInside)
+    const bool isInside = m_session.preview().isActive() && m_session.preview().run().cursor().phase > 0;
+    if (std::exchange(m_previewsInside, isInside) || isInside)
         refreshSoon();
 }
 
-void PlotsPanel::refresh()
+void PlotsPanel::setActive(bool isActive)
 {
-    m_isDue = false;
-    if (!isVisible() || m_isCovered)
-        return;
-    const std::vector<double> begun = m_course.begun();
-    const std::optional<PlotCourse::Inside> inside = m_course.inside();
+    m_series.setActive(isActive);
+}
+
+void PlotsPanel::showContents()
+{
+    const std::vector<double> begun = m_series.begun();
+    const std::optional<PlotSeries::Inside> inside = m_series.inside();
     for (PlotCard *card : m_cards)
         card->refresh(begun, inside);
     writeCaption();
@@ -203,7 +279,7 @@ void PlotsPanel::refresh()
 
 void PlotsPanel::writeCaption()
 {
-    const std::int64_t last = m_course.window().last, first = m_course.window().first;
+    const std::int64_t last = m_series.window().last, first = m_series.window().first;
     const bool isAll = first == 0 && last >= m_session.timeline().computed();
     const QString text = m_cards.empty() ? QString()
                          : isAll         ? tr("the whole run")
@@ -226,14 +302,14 @@ void PlotsPanel::setPointedBody(const QString &body)
 
 void PlotsPanel::zoom(int steps)
 {
-    std::int64_t rows = m_course.mostRows();
+    std::int64_t rows = m_series.mostRows();
     const std::int64_t shown =
-        (m_course.window().last - m_course.window().first) / std::max(1, m_course.rowFrames());
+        (m_series.window().last - m_series.window().first) / std::max(1, m_series.rowFrames());
     if (steps > 0)
-        rows = std::min(rows, shown) >> steps; // from what is seen: a young run fills less than it may
+        rows = std::min(rows, shown) >> steps; // from the frames shown: a short run has fewer than the limit
     else
-        rows = std::min(rows << -steps, PlotCourse::allRows);
-    m_course.setMostRows(rows);
+        rows = std::min(rows << -steps, PlotSeries::allRows);
+    m_series.setMostRows(rows);
 }
 
 NumberTable *PlotsPanel::table() const
@@ -257,30 +333,6 @@ void PlotsPanel::showSaving()
     m_patience.start(patienceMilliseconds);
     connect(writing, &NumberTable::progressed, m_progress,
             [this, writing] { m_progress->setShare(writing->done()); });
-}
-
-void PlotsPanel::setCovered(bool covered)
-{
-    m_isCovered = covered;
-    watch();
-}
-
-void PlotsPanel::watch()
-{
-    m_course.setWatched(isVisible() && !m_isCovered);
-    refresh();
-}
-
-void PlotsPanel::showEvent(QShowEvent *event)
-{
-    QWidget::showEvent(event);
-    watch();
-}
-
-void PlotsPanel::hideEvent(QHideEvent *event)
-{
-    QWidget::hideEvent(event);
-    watch();
 }
 
 }

@@ -1,13 +1,9 @@
 #pragma once
 
-#include "app/model/plot_course.h"
-#include "app/model/plot_list.h"
+#include "app/model/series/plot_list.h"
+#include "app/model/series/plot_series.h"
+#include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
-
-#include <QTimer>
-#include <QWidget>
-
-#include <vector>
 
 class QLabel;
 class QScrollArea;
@@ -23,8 +19,8 @@ class PlotCard;
 class PlotExport;
 class ProgressLine;
 
-/// The plots of a learner, one below the other, with one time. Reads the run only while it is seen.
-class PlotsPanel : public QWidget
+/// The panel of the learner's plots, one below the other, with one time.
+class PlotsPanel : public LivePanel
 {
     Q_OBJECT
 
@@ -33,38 +29,35 @@ public:
 
     const std::vector<PlotCard *> &cards() const { return m_cards; }
     PlotList &list() { return m_list; }
-    PlotCourse &course() { return m_course; }
-    /// Whether all that is computed of what is shown is drawn.
-    bool isSettled() const { return !m_course.isReading() && !m_isDue; }
-    /// The button that adds plots.
+    PlotSeries &series() { return m_series; }
+    /// Returns whether all computed frames that the plots show are drawn.
+    bool isSettled() const { return !m_series.isReading() && !m_isDue; }
+    /// Returns the button that adds plots.
     FlatButton &addButton() const { return *m_add; }
     /// Adds a plot as the button's menu does.
     void add(const PlotSpec &plot);
 
-    /// While another tab covers it, it reads and draws nothing.
-    void setCovered(bool covered);
-    bool isCovered() const { return m_isCovered; }
-
-    /// The second cursor of all plots: where the mouse points in one of them, or elsewhere.
+    /// Moves the second cursor of all plots to where the pointer is, in one of them or elsewhere.
     void setHovered(std::optional<std::int64_t> frame);
 
-    /// The curves of this body are drawn thicker; of none if it is empty.
+    /// Draws the curves of a body thicker; of none if `body` is empty.
     void setPointedBody(const QString &body);
 
-    /// Room for the first two plots: the others are scrolled to.
+    /// Returns room for the first two plots; the learner scrolls to the others.
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {260, 170}; }
 
 signals:
-    void said(const QString &sentence);
+    void messageRequested(const QString &sentence);
     void failed(const QString &sentence);
     void wantedHeightChanged();
-    /// The mouse is at a frame of a plot, or has left.
+    /// Emitted when the pointer is at a frame of a plot, or has left.
     void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
-    void showEvent(QShowEvent *event) override;
-    void hideEvent(QHideEvent *event) override;
+    void setActive(bool isActive) override;
+    bool isChanging() const override { return false; }
+    void showContents() override;
 
 private:
     QMenu *addMenu();
@@ -75,13 +68,11 @@ private:
     void rebuild();
     PlotCard *makeCard();
     void removeCard(PlotCard &card);
-    /// Takes it away, and leaves off what it is writing.
-    void letGo(PlotCard &card);
+    /// Removes a card, and cancels its export.
+    void discard(PlotCard &card);
     std::size_t indexOf(const PlotCard &card) const;
     void refreshSoon();
-    void followGlance();
-    void watch();
-    void refresh();
+    void followPreview();
     void zoom(int steps);
     void writeCaption();
     void showSaving();
@@ -89,7 +80,7 @@ private:
 
     Session &m_session;
     const Theme &m_theme;
-    PlotCourse m_course;
+    PlotSeries m_series;
     PlotList m_list;
     PanelTitle *m_title;
     FlatButton *m_add;
@@ -99,11 +90,10 @@ private:
     std::vector<PlotCard *> m_cards;
     QWidget *m_saving = nullptr;
     ProgressLine *m_progress = nullptr;
-    bool m_isCovered = false;
-    bool m_isDue = false;       ///< all that changes together is drawn together
-    bool m_looksInside = false; ///< whether somebody looks at a moment inside a frame
-    int m_wantedHeight = 0;     ///< px
-    QTimer m_patience;          ///< what takes longer shows how far it is
+    bool m_isDue = false;          ///< a refresh is queued
+    bool m_previewsInside = false; ///< whether the preview is inside a frame
+    int m_wantedHeight = 0;        ///< px
+    QTimer m_patience;             ///< an export that takes longer shows its progress
 };
 
 }

@@ -1,7 +1,7 @@
 #include "app/ui/plots/quantity_menu.h"
 
-#include "app/model/quantity_words.h"
-#include "app/model/sentences.h"
+#include "app/model/text/quantity_text.h"
+#include "app/model/text/sentences.h"
 
 #include <algorithm>
 
@@ -30,8 +30,8 @@ void QuantityMenu::fill()
     clear();
     const Quantity current = m_current();
     if (m_axis == Axis::across) {
-        addChoice(*this, measuredTitle(Measured::time), {}, current.what == Measured::time)
-            ->setToolTip(measuredHelp(Measured::time));
+        addChoice(*this, measuredTitle(QuantityKind::time), {}, current.what == QuantityKind::time)
+            ->setToolTip(measuredHelp(QuantityKind::time));
         addSeparator();
     }
     addQuantities(current, About::oneBody);
@@ -47,9 +47,9 @@ void QuantityMenu::fill()
 void QuantityMenu::addQuantities(const Quantity &current, About about)
 {
     const Eigen::ArrayXd &angles = scene().start.angle;
-    for (const Measured what : allMeasured()) {
-        const bool isAngle = what == Measured::angle || what == Measured::spin;
-        if (aboutOf(what) != about || what == Measured::time ||
+    for (const QuantityKind what : allMeasured()) {
+        const bool isAngle = what == QuantityKind::angle || what == QuantityKind::spin;
+        if (aboutOf(what) != about || what == QuantityKind::time ||
             (isAngle && angles.rows() == 0 && what != current.what))
             continue;
         const Quantity quantity{what, about == About::run ? QString() : current.body};
@@ -69,7 +69,7 @@ void QuantityMenu::addRest(QMenu &menu, int count)
         return;
     QAction *rest = menu.addAction(tr("… and %1 more").arg(count));
     rest->setEnabled(false);
-    rest->setToolTip(tr("Select one in the picture, then keep the plot to it"));
+    rest->setToolTip(tr("Select one in the picture, then pin the plot to it"));
 }
 
 void QuantityMenu::addDistances(const Quantity &current)
@@ -80,8 +80,8 @@ void QuantityMenu::addDistances(const Quantity &current)
     QMenu *menu = addMenu(tr("distance to"));
     menu->setToolTipsVisible(true);
     menu->menuAction()->setCheckable(true);
-    menu->menuAction()->setChecked(current.what == Measured::distance);
-    const QString own = boundTo({Measured::distance, current.body}, m_session.selected()).body;
+    menu->menuAction()->setChecked(current.what == QuantityKind::distance);
+    const QString own = boundTo({QuantityKind::distance, current.body}, m_session.selected()).body;
     int left = 0;
     for (const std::string &each : names) {
         const QString name = QString::fromStdString(each);
@@ -91,8 +91,8 @@ void QuantityMenu::addDistances(const Quantity &current)
             ++left;
             continue;
         }
-        addChoice(*menu, bodyTitle(name), {Measured::distance, current.body, name},
-                  current.what == Measured::distance && current.other == name);
+        addChoice(*menu, bodyTitle(name), {QuantityKind::distance, current.body, name},
+                  current.what == QuantityKind::distance && current.other == name);
     }
     addRest(*menu, left);
 }

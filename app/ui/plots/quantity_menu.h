@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/model/plot_list.h"
-#include "app/model/session.h"
+#include "app/model/series/plot_list.h"
+#include "app/model/session/session.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QMenu>
@@ -10,20 +10,21 @@
 
 namespace app {
 
-/// Chooses what an axis of a plot shows, and of which body. Filled when it opens, for the scene that there is then.
+/// A menu of the quantities that an axis of a plot can show, and of which body. It is filled when it opens, for the
+/// scene of that moment.
 class QuantityMenu : public QMenu
 {
     Q_OBJECT
 
 public:
-    /// More bodies than these make no list that could be read; the others are selected in the picture.
+    /// The longest list of bodies that is still readable. The learner selects other bodies in the scene.
     static constexpr int mostBodies = 30;
 
     enum class Axis {
-        up,     ///< what is plotted
-        across, ///< against what: time, too
+        up,     ///< the quantity that is plotted
+        across, ///< the quantity against which it is plotted, or time
     };
-    /// `current` tells what the axis shows now.
+    /// `current` returns the quantity that the axis shows now.
     QuantityMenu(const Session &session, Axis axis, std::function<Quantity()> current, QWidget *parent);
 
 signals:

@@ -1,4 +1,4 @@
-// What is drawn over the scene while it is built.
+// The editing marks that are drawn over the scene in a sandbox.
 
 #include "app/ui/sandbox/scene_builder.h"
 
@@ -25,7 +25,7 @@ void drawRing(const Canvas &canvas, int point, double more)
     canvas.painter.drawEllipse(placeOn(canvas, point), radius, radius);
 }
 
-/// A band under the chosen links.
+/// Draws a band under the selected links.
 template <class Links>
 void drawBands(const Canvas &canvas, const Links &links, const std::vector<int> &chosen)
 {
@@ -57,18 +57,18 @@ void drawBox(const Canvas &canvas, const QRectF &box)
 
 void BuildLayer::drawLinkUnderWay(const Canvas &canvas) const
 {
-    const Workbench &bench = *m_marks.bench;
+    const SandboxEditor &editor = *m_marks.editor;
     const std::optional<sim::Vec2> end = m_marks.cursor ? m_marks.cursor : m_marks.pointer;
-    if (bench.first() && !m_marks.from)
-        drawRing(canvas, *bench.first(), 3.0);
-    if (!end || (!bench.first() && !m_marks.from))
+    if (editor.first() && !m_marks.from)
+        drawRing(canvas, *editor.first(), 3.0);
+    if (!end || (!editor.first() && !m_marks.from))
         return;
-    const QPointF from = m_marks.from ? canvas.camera.at(*m_marks.from) : placeOn(canvas, *bench.first());
+    const QPointF from = m_marks.from ? canvas.camera.at(*m_marks.from) : placeOn(canvas, *editor.first());
     canvas.painter.setPen(dashed(canvas.tokens().ink2, 1.5, {4.0, 3.0}));
     canvas.painter.drawLine(canvas.cut(from, canvas.camera.at(*end)));
 }
 
-void BuildLayer::drawAsked(const Canvas &canvas) const
+void BuildLayer::drawTarget(const Canvas &canvas) const
 {
     canvas.painter.setPen(solid(canvas.tokens().now, askedWidth));
     for (const int point : m_marks.guide->points())
@@ -83,21 +83,21 @@ void BuildLayer::drawAsked(const Canvas &canvas) const
 
 void BuildLayer::draw(const Canvas &canvas) const
 {
-    const Workbench &bench = *m_marks.bench;
-    if (!bench.isUpToDate() || std::size_t(canvas.shown.points()) != bench.plan().points.size())
-        return; // it may be painted before all have heard of a change
+    const SandboxEditor &editor = *m_marks.editor;
+    if (!editor.isUpToDate() || std::size_t(canvas.shown.points()) != editor.plan().points.size())
+        return; // the view may repaint before every part of the program has the edited scene
     QPainter &p = canvas.painter;
     p.setBrush(Qt::NoBrush);
-    drawBands(canvas, bench.plan().springs, bench.chosen().springs);
-    drawBands(canvas, bench.plan().sticks, bench.chosen().sticks);
+    drawBands(canvas, editor.plan().springs, editor.chosen().springs);
+    drawBands(canvas, editor.plan().sticks, editor.chosen().sticks);
     p.setPen(solid(canvas.tokens().ink, 1.5));
-    for (const int point : bench.chosen().points)
+    for (const int point : editor.chosen().points)
         drawRing(canvas, point, 0.0);
-    if (!bench.canBuild())
+    if (!editor.canBuild())
         return;
     drawLinkUnderWay(canvas);
     if (m_marks.guide->isOn())
-        drawAsked(canvas);
+        drawTarget(canvas);
     if (m_marks.cursor)
         drawCross(canvas, canvas.camera.at(*m_marks.cursor));
     if (m_marks.box)

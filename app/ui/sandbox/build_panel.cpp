@@ -1,9 +1,10 @@
 #include "app/ui/sandbox/build_panel.h"
 
-#include "app/model/build_guide.h"
-#include "app/model/sentences.h"
-#include "app/model/workshop.h"
-#include "app/ui/panels/panel_title.h"
+#include "app/model/sandbox/build_guide.h"
+#include "app/model/sandbox/sandbox.h"
+#include "app/model/text/sentences.h"
+#include "app/ui/actions/command.h"
+#include "app/ui/dock/panel_title.h"
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
 #include "app/ui/sandbox/guide_box.h"
@@ -12,7 +13,6 @@
 #include "app/ui/theme/icons.h"
 
 #include <QAbstractSpinBox>
-#include <QAction>
 #include <QApplication>
 #include <QCheckBox>
 #include <QGridLayout>
@@ -31,7 +31,7 @@ namespace {
 
 constexpr int sideMargin = 16;
 constexpr int toolColumns = 3;
-constexpr int besideAsked = 40; ///< px that are seen above and below what the guide asks for
+constexpr int seenAround = 40; ///< px that stay visible above and below the control that the guide asks for
 
 QFrame *dividerIn(QWidget *parent)
 {
@@ -41,32 +41,32 @@ QFrame *dividerIn(QWidget *parent)
     return line;
 }
 
-/// A button that does what `action` does, and looks pressed while that is on.
-QToolButton *toolButton(QAction *action, const Theme &theme, QWidget *parent)
+/// Makes a button that triggers `command` and is shown pressed while the command is checked.
+QToolButton *toolButton(Command *command, const Theme &theme, QWidget *parent)
 {
     auto *button = new QToolButton(parent);
     button->setObjectName("tool");
-    button->setDefaultAction(action);
+    button->setDefaultAction(command);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize({20, 20});
     button->setFixedHeight(48);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setAccessibleName(action->iconText());
-    const auto dress = [action, &theme] {
+    button->setAccessibleName(command->iconText());
+    const auto applyTheme = [command, &theme] {
         const Tokens &t = theme.tokens();
-        action->setIcon(iconOf(action->property("iconName").toString(), t.ink2, t.onSunk));
+        command->setIcon(iconOf(command->iconName(), t.ink2, t.onSunk));
     };
-    dress();
-    QObject::connect(&theme, &Theme::changed, button, dress);
+    applyTheme();
+    QObject::connect(&theme, &Theme::changed, button, applyTheme);
     return button;
 }
 
 }
 
-BuildPanel::BuildPanel(Session &session, Workbench &bench, BuildGuide &guide, const QList<QAction *> &tools,
-                       const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_bench(bench), m_guide(guide), m_theme(theme),
+BuildPanel::BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide,
+                       const QList<Command *> &tools, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_editor(editor), m_guide(guide), m_theme(theme),
       m_title(new PanelTitle(tr("Build"), PanelTitle::CaptionPlace::right, theme, this)),
       m_guideBox(new GuideBox(guide, this)), m_ring(new GuideRing(theme)),
       m_gallery(new ExampleGallery(session, theme, this))
@@ -83,25 +83,22 @@ BuildPanel::BuildPanel(Session &session, Workbench &bench, BuildGuide &guide, co
     column->addWidget(page(), 1);
     column->addWidget(dividerIn(this));
     column->addWidget(feet());
-    connect(&bench, &Workbench::changed, this, &BuildPanel::refresh);
-    connect(&session, &Session::stepOpened, this, &BuildPanel::refresh);
-    connect(&session, &Session::runChanged, this, &BuildPanel::refresh);
-    for (const auto signal : {&Session::moved, &Session::playingChanged}) {
-        connect(&session, signal, this, [this] {
-            if (m_bench.isOpen() && !m_bench.canBuild())
-                refreshProperties(); // it says where the run is, and whether it plays
-        });
-    }
+    connect(&editor, &SandboxEditor::changed, this, &BuildPanel::refresh);
+    session.onChange(ChangeKind::step | ChangeKind::run, this, &BuildPanel::refresh);
+    session.onChange(ChangeKind::cursor | ChangeKind::playing, this, [this] {
+        if (m_editor.isOpen() && !m_editor.canBuild())
+            refreshProperties(); // its text depends on the frame and on playback
+    });
     connect(&guide, &BuildGuide::changed, this, &BuildPanel::refresh);
     refresh();
 }
 
 BuildPanel::~BuildPanel()
 {
-    delete m_ring; // it may have another parent by now
+    delete m_ring; // its parent may have changed
 }
 
-QWidget *BuildPanel::palette(const QList<QAction *> &tools)
+QWidget *BuildPanel::palette(const QList<Command *> &tools)
 {
     auto *box = new QWidget(this);
     auto *grid = new QGridLayout(box);
@@ -135,16 +132,17 @@ QWidget *BuildPanel::page()
     auto *column = new QVBoxLayout(content);
     column->setContentsMargins(0, 0, 0, 8);
     column->setSpacing(0);
-    column->setSizeConstraint(QLayout::SetMinimumSize); // rows are not squeezed: the page scrolls
+    column->setSizeConstraint(QLayout::SetMinimumSize); // the page scrolls instead of squeezing its rows
     m_hint = new QLabel(content);
     m_hint->setWordWrap(true);
     m_hint->setContentsMargins(sideMargin, 10, sideMargin, 6);
     m_away = new QWidget(content);
     auto *start = new QPushButton(tr("Go to the start"), m_away);
     start->setToolTip(tr("Go to frame 0, where the scene can be changed (Home)"));
+    start->setFocusPolicy(Qt::TabFocus);
     connect(start, &QPushButton::clicked, this, [this] {
-        m_session.pause();
-        m_session.restart();
+        m_session.playback().pause();
+        m_session.editor().restart();
     });
     auto *row = new QHBoxLayout(m_away);
     row->setContentsMargins(sideMargin, 0, sideMargin, 8);
@@ -157,8 +155,8 @@ QWidget *BuildPanel::page()
     column->addWidget(m_hint);
     column->addWidget(m_away);
     column->addWidget(m_properties);
-    column->addWidget(heading(tr("Acts on everything")));
-    m_effects = new EffectSwitches(m_session, m_bench, content);
+    column->addWidget(heading(tr("Effects on everything")));
+    m_effects = new EffectSwitches(m_session, m_editor, content);
     column->addWidget(m_effects);
     column->addWidget(beginning(content));
     column->addStretch(1);
@@ -174,8 +172,8 @@ QWidget *BuildPanel::beginning(QWidget *parent)
     auto *button = new QPushButton(tr("First build: a walker"), m_begin);
     button->setObjectName("firstBuild");
     button->setToolTip(
-        tr("Build a creature that walks, in ten clicks. It begins with a new scene; undo brings yours "
-           "back"));
+        tr("Build a creature that walks, in ten clicks. It starts with a new scene. Undo brings yours back"));
+    button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QPushButton::clicked, &m_guide, &BuildGuide::start);
     row->addWidget(button);
     row->addStretch(1);
@@ -186,22 +184,23 @@ QWidget *BuildPanel::feet()
 {
     auto *box = new QWidget(this);
     auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(8, 8, 8, 10); // beside Measure there is no more
+    row->setContentsMargins(8, 8, 8, 10); // there is no more room beside Measure
     row->setSpacing(6);
     const auto add = [&](const QString &text, const QString &tip, auto slot) {
         auto *button = new QPushButton(text, box);
         button->setToolTip(tip);
+        button->setFocusPolicy(Qt::TabFocus);
         connect(button, &QPushButton::clicked, this, slot);
         row->addWidget(button);
         return button;
     };
     QPushButton *examples =
-        add(tr("Examples"), tr("Ten scenes to start from; undo brings yours back"), [] {});
+        add(tr("Examples"), tr("Ten scenes to start from. Undo brings yours back"), [] {});
     examples->setObjectName("examples");
     connect(examples, &QPushButton::clicked, this, [this, examples] { m_gallery->popUp(*examples); });
-    add(tr("New"), tr("A scene with one point; undo brings yours back"), [this] { startEmpty(m_session); });
+    add(tr("New"), tr("A scene with one point. Undo brings yours back"), [this] { startEmpty(m_session); });
     row->addStretch(1);
-    add(tr("Lessons"), tr("Back to the lessons; what you built stays here (F5)"), [this] { emit leaving(); });
+    add(tr("Lessons"), tr("Back to the lessons; your scene stays here (F5)"), [this] { emit leaving(); });
     return box;
 }
 
@@ -212,14 +211,14 @@ QString BuildPanel::hint() const
 
 void BuildPanel::refresh()
 {
-    if (m_bench.isOpen()) {
+    if (m_editor.isOpen()) {
         refreshTitle();
         refreshProperties();
     }
-    pointOut(); // or no more, where there is nothing to build
+    pointOut(); // also hides the ring if no sandbox is open
 }
 
-QWidget *BuildPanel::askedControl() const
+QWidget *BuildPanel::targetControl() const
 {
     const auto rowOf = [this](const QString &id) -> QWidget * {
         const auto found = std::find_if(m_rows.begin(), m_rows.end(), [&](const PropertyRow *one) {
@@ -241,7 +240,7 @@ QWidget *BuildPanel::askedControl() const
     case BuildGuide::Step::play:
         return window()->findChild<QToolButton *>(QStringLiteral("play"));
     default:
-        return nullptr; // it is in the picture
+        return nullptr; // the target is in the scene
     }
 }
 
@@ -249,82 +248,82 @@ void BuildPanel::pointOut()
 {
     m_begin->setVisible(!m_guide.isOn());
     if (!m_ring)
-        return; // the window goes
-    QWidget *asked = m_guide.isOn() && m_bench.isOpen() ? askedControl() : nullptr;
-    m_ring->setWidget(asked);
+        return; // the window is being closed
+    QWidget *target = m_guide.isOn() && m_editor.isOpen() ? targetControl() : nullptr;
+    m_ring->setWidget(target);
     auto *field = qobject_cast<QAbstractSpinBox *>(QApplication::focusWidget());
-    if (asked && m_guide.step() == BuildGuide::Step::play && isAncestorOf(field))
-        field->clearFocus(); // else Space would go into the number, and not play
-    if (!asked || !m_area->isAncestorOf(asked))
+    if (target && m_guide.step() == BuildGuide::Step::play && isAncestorOf(field))
+        field->clearFocus(); // otherwise Space would go to the field and not start playback
+    if (!target || !m_area->isAncestorOf(target))
         return;
-    QTimer::singleShot(0, asked, [this, asked] { // once it is laid out
-        m_area->ensureWidgetVisible(asked, 0, besideAsked);
-        if (!m_ring || m_ring->widget() != asked)
+    QTimer::singleShot(0, target, [this, target] { // after the layout is done
+        m_area->ensureWidgetVisible(target, 0, seenAround);
+        if (!m_ring || m_ring->widget() != target)
             return;
-        m_ring->setWidget(nullptr); // a ring that was out of the picture stays hidden
-        m_ring->setWidget(asked);
+        m_ring->setWidget(nullptr); // a ring that was scrolled out of view stays hidden otherwise
+        m_ring->setWidget(target);
     });
 }
 
 void BuildPanel::refreshTitle()
 {
-    const sim::Blueprint &plan = m_bench.plan();
+    const sim::Blueprint &plan = m_editor.plan();
     const std::size_t links = plan.springs.size() + plan.sticks.size() + plan.feet.size();
     m_title->setCaption(tr("points %1, links %2").arg(plan.points.size()).arg(links));
 }
 
 QString BuildPanel::waitHint() const
 {
-    if (m_session.isPlaying())
-        return tr("The scene plays. Building happens at the start of the run.");
-    return tr("You are at frame %1. Building happens at the start of the run.")
+    if (m_session.playback().isPlaying())
+        return tr("The scene is playing. You can only build at the start of the run.");
+    return tr("You are at frame %1. You can only build at the start of the run.")
         .arg(m_session.timeline().cursor().frame);
 }
 
 QString BuildPanel::toolHint() const
 {
-    if (m_bench.first())
-        return m_bench.tool() == BuildTool::foot
-                   ? tr("Click each of its feet, or where one shall be. Esc: another body.")
-                   : tr("Click where it ends; the next goes on from there. Esc: begin elsewhere.");
-    switch (m_bench.tool()) {
+    if (m_editor.first())
+        return m_editor.tool() == BuildTool::foot
+                   ? tr("Click each of its feet, or where you want one. Esc: another body.")
+                   : tr("Click where it ends; the next one starts there. Esc: start somewhere else.");
+    switch (m_editor.tool()) {
     case BuildTool::point:
-        return tr("Click where a point shall be.");
+        return tr("Click where you want a point.");
     case BuildTool::nail:
-        return tr("Click a point to nail it down or to free it, or where a nail shall be.");
+        return tr("Click a point to nail it down or to free it, or click where you want a nail.");
     case BuildTool::spring:
-        return tr("Drag from one point to another: that makes one spring. With clicks, each spring goes on "
-                  "from the last.");
+        return tr("Drag from point to point to make one spring. With clicks, each spring starts where the "
+                  "last one ends.");
     case BuildTool::stick:
-        return tr("Drag from one point to another: that makes one stick. With clicks, each stick goes on "
-                  "from the last.");
+        return tr("Drag from point to point to make one stick. With clicks, each stick starts where the last "
+                  "one ends.");
     case BuildTool::foot:
-        return tr("Click a body, then each of its feet, or where one shall be.");
+        return tr("Click a body, then each of its feet, or where you want one.");
     case BuildTool::select:
         break;
     }
-    return tr("Click a part to choose it, drag it to move it, or draw a box round several.");
+    return tr("Click a part to select it, drag it to move it, or draw a box around several.");
 }
 
 void BuildPanel::refreshProperties()
 {
-    const bool can = m_bench.canBuild();
-    const bool any = can && !m_bench.chosen().isEmpty();
+    const bool can = m_editor.canBuild();
+    const bool any = can && !m_editor.chosen().isEmpty();
     m_away->setVisible(!can);
-    const bool isGuided = m_guide.isOn() && can; // it says one thing at a time
-    m_hint->setVisible(!isGuided && (!any || m_bench.tool() != BuildTool::select));
+    const bool isGuided = m_guide.isOn() && can; // the guide gives one instruction at a time
+    m_hint->setVisible(!isGuided && (!any || m_editor.tool() != BuildTool::select));
     m_properties->setVisible(any);
     m_hint->setText(can ? toolHint() : waitHint());
     if (!any) {
         if (!m_rows.empty())
-            makeRows({}); // they know parts by number
+            makeRows({}); // the rows refer to parts by index
         m_shownKey.clear();
         return;
     }
-    std::vector<BuiltProperty> properties =
-        propertiesOf(m_bench.plan(), m_bench.chosen(), m_session.step().availableEffects);
+    std::vector<SandboxProperty> properties =
+        propertiesOf(m_editor.plan(), m_editor.chosen(), m_session.step().availableEffects);
     QString key;
-    for (const BuiltProperty &one : properties)
+    for (const SandboxProperty &one : properties)
         key += one.section + '/' + one.about.id + QString::number(one.about.max) + ' ';
     if (key != m_shownKey) {
         m_shownKey = key;
@@ -334,11 +333,11 @@ void BuildPanel::refreshProperties()
         row->refresh();
 }
 
-void BuildPanel::makeRows(std::vector<BuiltProperty> properties)
+void BuildPanel::makeRows(std::vector<SandboxProperty> properties)
 {
     if (m_ring)
-        m_ring->setWidget(nullptr); // it may be round one of them
-    // Later, not here: one of these rows may be the one that led here.
+        m_ring->setWidget(nullptr); // the ring may be round one of the rows
+    // Deleted later, because the signal that led here may have come from one of these rows.
     while (QLayoutItem *item = m_column->takeAt(0)) {
         item->widget()->hide();
         item->widget()->deleteLater();
@@ -347,12 +346,12 @@ void BuildPanel::makeRows(std::vector<BuiltProperty> properties)
     m_rows.clear();
     QString section;
     bool hasFoot = false;
-    for (BuiltProperty &one : properties) {
+    for (SandboxProperty &one : properties) {
         if (one.section != section)
             m_column->addWidget(heading(one.section));
         section = one.section;
         hasFoot = hasFoot || one.about.id == QStringLiteral("gait");
-        m_rows.push_back(new PropertyRow(m_bench, std::move(one), m_theme, m_properties));
+        m_rows.push_back(new PropertyRow(m_editor, std::move(one), m_theme, m_properties));
         m_column->addWidget(m_rows.back());
     }
     if (hasFoot)
@@ -362,8 +361,7 @@ void BuildPanel::makeRows(std::vector<BuiltProperty> properties)
 void BuildPanel::makeGaitHelp()
 {
     auto *said =
-        new QLabel(tr("On ground, Swing makes it walk. Feet opposite each other need opposite angles: 0° "
-                      "and 180°."),
+        new QLabel(tr("On the ground, Swing makes it walk. Opposite feet need opposite angles: 0° and 180°."),
                    m_properties);
     said->setObjectName("caption");
     said->setWordWrap(true);
@@ -373,13 +371,14 @@ void BuildPanel::makeGaitHelp()
     auto *row = new QHBoxLayout(box);
     row->setContentsMargins(sideMargin, 4, sideMargin, 4);
     auto *button = new QPushButton(tr("New gait group"), box);
-    button->setToolTip(tr("Gives this foot a gait group of its own, with a clock of its own"));
+    button->setToolTip(tr("Gives this foot its own gait group, with its own clock"));
+    button->setFocusPolicy(Qt::TabFocus);
     connect(button, &QPushButton::clicked, this, [this] {
-        const std::vector<int> points = m_bench.chosen().points;
+        const std::vector<int> points = m_editor.chosen().points;
         const std::optional<int> foot =
-            points.size() == 1 ? footOf(m_bench.plan(), points.front()) : std::nullopt;
+            points.size() == 1 ? footOf(m_editor.plan(), points.front()) : std::nullopt;
         if (foot)
-            m_bench.addGaitFor(*foot);
+            m_editor.addGaitFor(*foot);
     });
     row->addWidget(button);
     row->addStretch(1);

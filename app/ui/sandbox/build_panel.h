@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/model/built_properties.h"
-#include "app/model/workbench.h"
+#include "app/model/sandbox/sandbox_editor.h"
+#include "app/model/sandbox/sandbox_properties.h"
 #include "app/ui/theme/theme.h"
 
 #include <QPointer>
@@ -18,6 +18,7 @@ class QVBoxLayout;
 namespace app {
 
 class BuildGuide;
+class Command;
 class EffectSwitches;
 class ExampleGallery;
 class GuideBox;
@@ -25,18 +26,20 @@ class GuideRing;
 class PanelTitle;
 class PropertyRow;
 
-/// The left panel while a scene is built: tools, what can be set of what is chosen, and what acts on the whole scene.
+/// The left panel of a sandbox: the tools, the properties of the selected parts, and the effects of the whole
+/// scene.
 class BuildPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// `tools`: the commands that take a tool, in the order of BuildTool. All must outlive this.
-    BuildPanel(Session &session, Workbench &bench, BuildGuide &guide, const QList<QAction *> &tools,
+    /// `tools` are the commands that choose a tool, in the order of BuildTool. All arguments must outlive
+    /// this.
+    BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide, const QList<Command *> &tools,
                const Theme &theme, QWidget *parent = nullptr);
     ~BuildPanel() override;
 
-    /// What is said where nothing is chosen, or building has to wait.
+    /// Returns the text that is shown if nothing is selected, or if the scene cannot be edited now.
     QString hint() const;
     const std::vector<PropertyRow *> &rows() const { return m_rows; }
     ExampleGallery &gallery() const { return *m_gallery; }
@@ -49,40 +52,40 @@ signals:
     void leaving();
 
 private:
-    QWidget *palette(const QList<QAction *> &tools);
+    QWidget *palette(const QList<Command *> &tools);
     QWidget *page();
     QWidget *beginning(QWidget *parent);
     QWidget *feet();
     QLabel *heading(const QString &text);
-    /// What to do with the tool in hand, and why it has to wait.
+    /// Returns how to use the current tool.
     QString toolHint() const;
     QString waitHint() const;
     void refresh();
     void refreshTitle();
     void refreshProperties();
-    void makeRows(std::vector<BuiltProperty> properties);
+    void makeRows(std::vector<SandboxProperty> properties);
     void makeGaitHelp();
-    /// Puts the ring round the control that the guide asks for.
+    /// Moves the highlight ring to the control that the guide asks for.
     void pointOut();
-    QWidget *askedControl() const;
+    QWidget *targetControl() const;
 
     Session &m_session;
-    Workbench &m_bench;
+    SandboxEditor &m_editor;
     BuildGuide &m_guide;
     const Theme &m_theme;
     PanelTitle *m_title;
     GuideBox *m_guideBox;
     QPointer<GuideRing> m_ring;
-    QList<QToolButton *> m_tools; ///< one a BuildTool
+    QList<QToolButton *> m_tools; ///< one per BuildTool
     EffectSwitches *m_effects;
     QScrollArea *m_area;
-    QWidget *m_begin;      ///< where the guide is begun
-    QWidget *m_away;       ///< says that building has to wait, with the way to the start
-    QLabel *m_hint;        ///< in place of properties
-    QWidget *m_properties; ///< of what is chosen
-    QVBoxLayout *m_column; ///< of those
+    QWidget *m_begin;      ///< starts the guide
+    QWidget *m_away;       ///< says that the scene cannot be edited now, with a button to frame 0
+    QLabel *m_hint;        ///< shown in place of the properties
+    QWidget *m_properties; ///< of the selected parts
+    QVBoxLayout *m_column; ///< layout of the properties
     std::vector<PropertyRow *> m_rows;
-    QString m_shownKey; ///< which properties the rows are of
+    QString m_shownKey; ///< identifies the properties that the rows show
     ExampleGallery *m_gallery;
 };
 

@@ -1,6 +1,6 @@
 #include "app/ui/sandbox/effect_switches.h"
 
-#include "app/model/sentences.h"
+#include "app/model/text/sentences.h"
 #include "sim/effects/all_effects.h"
 
 #include <QCheckBox>
@@ -11,17 +11,17 @@ namespace app {
 
 namespace {
 
-constexpr int sideMargin = 16;
-constexpr int columns = 2;
+constexpr int switchMargin = 16;
+constexpr int switchColumns = 2;
 
 }
 
-EffectSwitches::EffectSwitches(Session &session, Workbench &bench, QWidget *parent)
-    : QWidget(parent), m_session(session), m_bench(bench)
+EffectSwitches::EffectSwitches(Session &session, SandboxEditor &editor, QWidget *parent)
+    : QWidget(parent), m_session(session), m_editor(editor)
 {
-    connect(&bench, &Workbench::changed, this, &EffectSwitches::refresh);
-    connect(&session, &Session::stepOpened, this, &EffectSwitches::make);
-    connect(&session, &Session::runChanged, this, &EffectSwitches::refresh);
+    connect(&editor, &SandboxEditor::changed, this, &EffectSwitches::refresh);
+    session.onChange(ChangeKind::step, this, &EffectSwitches::make);
+    session.onChange(ChangeKind::run, this, &EffectSwitches::refresh);
     make();
 }
 
@@ -31,7 +31,7 @@ void EffectSwitches::make()
     delete layout();
     qDeleteAll(findChildren<QCheckBox *>(Qt::FindDirectChildrenOnly));
     auto *grid = new QGridLayout(this);
-    grid->setContentsMargins(sideMargin, 2, sideMargin, 4);
+    grid->setContentsMargins(switchMargin, 2, switchMargin, 4);
     grid->setSpacing(6);
     int place = 0;
     for (const sim::EffectDescription *effect : m_session.step().availableEffects) {
@@ -39,11 +39,12 @@ void EffectSwitches::make()
         auto *box = new QCheckBox(capitalised(phrase(effect->title)), this);
         box->setToolTip(phrase(effect->purpose));
         box->setAccessibleDescription(box->toolTip());
+        box->setFocusPolicy(Qt::TabFocus);
         connect(box, &QCheckBox::clicked, this, [this, id](bool on) {
-            m_bench.setEffect(id, on);
-            refresh(); // it may not have been the time for it
+            m_editor.setEffect(id, on);
+            refresh(); // the change may have been rejected
         });
-        grid->addWidget(box, place / columns, place % columns);
+        grid->addWidget(box, place / switchColumns, place % switchColumns);
         m_switches[id] = box;
         ++place;
     }
@@ -58,11 +59,11 @@ QCheckBox *EffectSwitches::box(const QString &effect) const
 
 void EffectSwitches::refresh()
 {
-    if (!m_bench.isOpen())
+    if (!m_editor.isOpen())
         return;
     for (const auto &[id, box] : m_switches) {
         const QSignalBlocker silent(box);
-        box->setChecked(m_bench.has(id));
+        box->setChecked(m_editor.has(id));
     }
 }
 

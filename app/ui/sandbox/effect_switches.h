@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/workbench.h"
+#include "app/model/sandbox/sandbox_editor.h"
 
 #include <QWidget>
 
@@ -10,16 +10,16 @@ class QCheckBox;
 
 namespace app {
 
-/// A switch for each effect that can act on the whole of a scene that is built.
+/// A check box for each effect that can act on a whole sandbox scene.
 class EffectSwitches : public QWidget
 {
     Q_OBJECT
 
 public:
-    /// Both must outlive this.
-    EffectSwitches(Session &session, Workbench &bench, QWidget *parent = nullptr);
+    /// The session and the editor must outlive this.
+    EffectSwitches(Session &session, SandboxEditor &editor, QWidget *parent = nullptr);
 
-    /// Returns the switch of an effect; null where there is none.
+    /// Returns the check box of an effect, or null if there is none.
     QCheckBox *box(const QString &effect) const;
 
 private:
@@ -27,8 +27,8 @@ private:
     void refresh();
 
     Session &m_session;
-    Workbench &m_bench;
-    std::map<QString, QCheckBox *> m_switches; ///< by effect
+    SandboxEditor &m_editor;
+    std::map<QString, QCheckBox *> m_switches; ///< by effect id
 };
 
 }

@@ -1,7 +1,7 @@
 #include "app/ui/sandbox/example_gallery.h"
 
-#include "app/model/workshop.h"
-#include "app/ui/scene/thumbnail.h"
+#include "app/model/sandbox/sandbox.h"
+#include "app/ui/scene/drawing/thumbnail.h"
 
 namespace app {
 
@@ -9,7 +9,7 @@ namespace {
 
 constexpr QSize pictureSize{168, 124};
 constexpr int columns = 4;
-constexpr int pictureFrames = 24; ///< at which an example shows what it is
+constexpr int pictureFrames = 24; ///< the frame at which an example is drawn
 
 }
 
@@ -19,7 +19,7 @@ ExampleGallery::ExampleGallery(Session &session, const Theme &theme, QWidget *pa
     setAccessibleName(tr("Examples"));
 }
 
-/// The example as a picture; empty where its file cannot be read.
+/// Returns a picture of the example, or an empty one if its file cannot be read.
 QPixmap ExampleGallery::pictureOf(const lessons::Example &example, QSize size) const
 {
     try {
@@ -27,8 +27,8 @@ QPixmap ExampleGallery::pictureOf(const lessons::Example &example, QSize size) c
         lessons::Step step = m_session.step();
         step.prepareScript = [script](sim::Script &opened) { opened = script; };
         return thumbnail(step, script.values, m_theme, size, pictureFrames);
-    } catch (const Refusal &) {
-        return {}; // a click says why
+    } catch (const UserError &) {
+        return {}; // a click shows the error
     }
 }
 

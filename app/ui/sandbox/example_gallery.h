@@ -1,11 +1,12 @@
 #pragma once
 
-#include "app/model/session.h"
-#include "app/ui/panels/card_gallery.h"
+#include "app/model/session/session.h"
+#include "app/ui/learn/card_gallery.h"
 
 namespace app {
 
-/// The examples of the open workshop as pictures; a click opens one in place of what is built.
+/// A gallery with a picture of each example of the open sandbox. A click opens one in place of the current
+/// scene.
 class ExampleGallery : public CardGallery
 {
     Q_OBJECT

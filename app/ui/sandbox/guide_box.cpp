@@ -9,7 +9,7 @@ namespace app {
 
 namespace {
 
-constexpr int sideMargin = 16;
+constexpr int guideMargin = 16;
 
 }
 
@@ -24,7 +24,7 @@ GuideBox::GuideBox(BuildGuide &guide, QWidget *parent)
            "switches."));
     m_count->setObjectName("caption");
     m_text->setWordWrap(true);
-    m_text->setMinimumHeight(3 * m_text->fontMetrics().lineSpacing()); // what is below does not jump
+    m_text->setMinimumHeight(3 * m_text->fontMetrics().lineSpacing()); // keeps the content below from jumping
     m_text->setAlignment(Qt::AlignTop);
     auto *row = new QHBoxLayout;
     row->setSpacing(2);
@@ -38,11 +38,11 @@ GuideBox::GuideBox(BuildGuide &guide, QWidget *parent)
         connect(button, &QToolButton::clicked, &m_guide, slot);
         row->addWidget(button);
     };
-    add(tr("Restart"), tr("Begin the first build again with a new scene; undo brings this one back"),
+    add(tr("Restart"), tr("Restart the first build with a new scene. Undo brings this one back"),
         &BuildGuide::start);
     add(tr("Leave"), tr("Leave the first build; the scene stays as it is"), &BuildGuide::leave);
     auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(sideMargin, 4, 8, 8);
+    column->setContentsMargins(guideMargin, 4, 8, 8);
     column->setSpacing(2);
     column->addLayout(row);
     column->addWidget(m_text);

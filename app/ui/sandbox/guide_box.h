@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/build_guide.h"
+#include "app/model/sandbox/build_guide.h"
 
 #include <QFrame>
 
@@ -8,17 +8,17 @@ class QLabel;
 
 namespace app {
 
-/// What the guide through a first build asks for, one thing at a time, with a way to begin again and to leave. Hidden
-/// while the guide is off.
+/// A box with the current instruction of the guide through a first build, and buttons to restart or leave the
+/// guide. It is hidden while the guide is off.
 class GuideBox : public QFrame
 {
     Q_OBJECT
 
 public:
-    /// The guide must outlive it.
+    /// The guide must outlive the box.
     explicit GuideBox(BuildGuide &guide, QWidget *parent = nullptr);
 
-    /// Returns what is asked for; empty while the guide is off.
+    /// Returns the current instruction, or an empty text while the guide is off.
     QString text() const;
 
 private:

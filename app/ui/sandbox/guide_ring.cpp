@@ -7,7 +7,7 @@ namespace app {
 namespace {
 
 constexpr double lineWidth = 2.0; ///< px
-constexpr double corner = 7.0;    ///< px, of its corners
+constexpr double corner = 7.0;    ///< px, corner radius
 
 }
 

@@ -6,13 +6,13 @@
 
 namespace app {
 
-/// A ring round a control that a learner is asked to use. It goes where that goes, and takes no clicks.
+/// A ring round a control that the guide asks the learner to use. It follows the control and ignores clicks.
 class GuideRing : public QFocusFrame
 {
     Q_OBJECT
 
 public:
-    /// The theme must outlive it.
+    /// The theme must outlive the ring.
     explicit GuideRing(const Theme &theme, QWidget *parent = nullptr);
 
 protected:

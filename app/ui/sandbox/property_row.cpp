@@ -1,8 +1,8 @@
 #include "app/ui/sandbox/property_row.h"
 
-#include "app/model/sentences.h"
-#include "app/model/words.h"
-#include "app/ui/panels/number_box.h"
+#include "app/model/text/quoting.h"
+#include "app/model/text/sentences.h"
+#include "app/ui/parameters/number_box.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -16,13 +16,13 @@ namespace app {
 
 namespace {
 
-constexpr int sideMargin = 16;
+constexpr int rowMargin = 16;
 constexpr int labelWidth = 88;
 
 }
 
-PropertyRow::PropertyRow(Workbench &bench, BuiltProperty property, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_bench(bench), m_property(std::move(property)),
+PropertyRow::PropertyRow(SandboxEditor &editor, SandboxProperty property, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_editor(editor), m_property(std::move(property)),
       m_name(new QLabel(m_property.about.name, this)), m_unit(new QLabel(this))
 {
     setFixedHeight(height);
@@ -30,7 +30,7 @@ PropertyRow::PropertyRow(Workbench &bench, BuiltProperty property, const Theme &
     m_unit->setObjectName("caption");
     m_name->setMinimumWidth(labelWidth);
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(sideMargin, 0, sideMargin, 0);
+    row->setContentsMargins(rowMargin, 0, rowMargin, 0);
     row->setSpacing(8);
     row->addWidget(m_name);
     if (m_property.isTruth) {
@@ -51,7 +51,7 @@ PropertyRow::PropertyRow(Workbench &bench, BuiltProperty property, const Theme &
 void PropertyRow::makeBox(const Theme &theme)
 {
     m_box = new NumberBox(m_property.about, theme, this);
-    m_box->setRounding(true); // lengths and places are what a drag left: 108.16653826391968
+    m_box->setRounding(true); // dragging leaves lengths and places such as 108.16653826391968
     m_name->setBuddy(m_box);
     const lessons::Parameter &about = m_property.about;
     const QString name = about.unit.isEmpty() ? about.name : about.name + ", " + about.unit;
@@ -66,6 +66,7 @@ void PropertyRow::makeSwitch()
     m_name->setBuddy(m_switch);
     m_switch->setAccessibleName(m_property.section + ": " + m_property.about.name);
     m_switch->setAccessibleDescription(m_property.about.help);
+    m_switch->setFocusPolicy(Qt::TabFocus);
     connect(m_switch, &QCheckBox::clicked, this, [this](bool on) { choose(on ? 1.0 : 0.0); });
 }
 
@@ -75,22 +76,22 @@ void PropertyRow::choose(double value)
     value = std::clamp(value, about.min, about.max);
     if (about.isInteger)
         value = std::round(value);
-    const Chosen chosen = m_bench.chosen();
+    const Selection chosen = m_editor.chosen();
     const QString what =
         !m_property.isTruth
             ? tr("Change %1 of %2").arg(withinSentence(about.name), withinSentence(m_property.section))
         : value != 0.0 ? tr("Switch “%1” on").arg(about.name)
                        : tr("Switch “%1” off").arg(about.name);
-    m_bench.change(what, [&](sim::Blueprint &plan) { m_property.set(plan, chosen, value); });
-    refresh(); // what was refused, or was out of range, is not shown
+    m_editor.change(what, [&](sim::Blueprint &plan) { m_property.set(plan, chosen, value); });
+    refresh(); // replaces a value that was rejected or out of range
 }
 
 void PropertyRow::refresh()
 {
-    if (!m_bench.isOpen())
+    if (!m_editor.isOpen())
         return;
-    const std::optional<double> value = m_property.get(m_bench.plan(), m_bench.chosen());
-    m_unit->setText(value ? m_property.about.unit : tr("differ"));
+    const std::optional<double> value = m_property.get(m_editor.plan(), m_editor.chosen());
+    m_unit->setText(value ? m_property.about.unit : tr("different"));
     if (m_box)
         value ? m_box->show(*value) : m_box->showNothing();
     if (m_box && value)

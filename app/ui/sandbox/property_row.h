@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/model/built_properties.h"
-#include "app/model/workbench.h"
+#include "app/model/sandbox/sandbox_editor.h"
+#include "app/model/sandbox/sandbox_properties.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -13,16 +13,17 @@ namespace app {
 
 class NumberBox;
 
-/// A line of the build panel: one property of what is chosen, with a field or a switch.
+/// A row of the sandbox panel: one property of the selected parts, with a field or a switch.
 class PropertyRow : public QWidget
 {
     Q_OBJECT
 
 public:
-    PropertyRow(Workbench &bench, BuiltProperty property, const Theme &theme, QWidget *parent = nullptr);
+    PropertyRow(SandboxEditor &editor, SandboxProperty property, const Theme &theme,
+                QWidget *parent = nullptr);
 
-    const BuiltProperty &property() const { return m_property; }
-    /// Shows what is chosen now.
+    const SandboxProperty &property() const { return m_property; }
+    /// Shows the value of the present selection.
     void refresh();
 
     static constexpr int height = 32;
@@ -32,8 +33,8 @@ private:
     void makeSwitch();
     void choose(double value);
 
-    Workbench &m_bench;
-    BuiltProperty m_property;
+    SandboxEditor &m_editor;
+    SandboxProperty m_property;
     QLabel *m_name;
     QLabel *m_unit;
     NumberBox *m_box = nullptr;

@@ -1,7 +1,7 @@
 #include "app/ui/sandbox/scene_builder.h"
 
 #include "app/ui/scene/arrow_key.h"
-#include "app/ui/scene/hand.h"
+#include "app/ui/scene/body_drag.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QKeyEvent>
@@ -17,10 +17,10 @@ namespace {
 
 constexpr double clickSlack = 3.0; ///< px of the screen that a click may move
 constexpr double dragLink = 10.0;  ///< px of the screen from which a drag makes a link
-constexpr double besideAsked =
-    8.0;                        ///< px of the screen by which a place that the guide asks for may be missed
-constexpr double stride = 10.0; ///< px that an arrow key goes
-constexpr double fineStride = 1.0; ///< with Shift
+constexpr double snapDistance =
+    8.0; ///< px of the screen, how far a click may be from the place that the guide asks for
+constexpr double stride = 10.0;    ///< px that an arrow key moves the cursor
+constexpr double fineStride = 1.0; ///< px, with Shift
 
 bool isInput(const QEvent &event)
 {
@@ -47,7 +47,7 @@ sim::Vec2 rounded(sim::Vec2 place)
     return {std::round(place.x), std::round(place.y)};
 }
 
-/// How far `at` is from the line from `a` to `b`.
+/// Returns the distance of `at` from the segment from `a` to `b`.
 double distanceTo(QPointF at, QPointF a, QPointF b)
 {
     const QPointF way = b - a;
@@ -58,36 +58,36 @@ double distanceTo(QPointF at, QPointF a, QPointF b)
 
 }
 
-SceneBuilder::SceneBuilder(Session &session, Workbench &bench, const BuildGuide &guide, SceneView &view,
+SceneBuilder::SceneBuilder(Session &session, SandboxEditor &editor, const BuildGuide &guide, SceneView &view,
                            const Theme &theme)
-    : QObject(&view), m_session(session), m_bench(bench), m_view(view)
+    : QObject(&view), m_session(session), m_editor(editor), m_view(view)
 {
-    m_marks.bench = &bench;
+    m_marks.editor = &editor;
     m_marks.guide = &guide;
     view.scene()->addItem(new BuildLayer(m_marks, view.shown(), theme));
     view.installEventFilter(this);
     view.viewport()->installEventFilter(this);
-    connect(&bench, &Workbench::changed, this, &SceneBuilder::refresh);
+    connect(&editor, &SandboxEditor::changed, this, &SceneBuilder::refresh);
     connect(&guide, &BuildGuide::changed, this, &SceneBuilder::refresh);
-    connect(&bench, &Workbench::replaced, &view,
-            &SceneView::fit); // the picture may have gone along with the last one
-    connect(&session, &Session::selectionChanged, this, [this] {
-        // The keys that choose a body take the keyboard's cross along.
+    connect(&editor, &SandboxEditor::replaced, &view,
+            &SceneView::fit); // the view may have followed the previous scene
+    session.onChange(ChangeKind::selection, this, [this] {
+        // The keys that select a body also move the keyboard cursor.
         const int point = m_view.shown().selected;
-        if (m_marks.cursor && m_bench.isOpen() && point >= 0)
+        if (m_marks.cursor && m_editor.isOpen() && point >= 0)
             m_marks.cursor = m_view.shown().state().positionOf(point);
     });
 }
 
 void SceneBuilder::refresh()
 {
-    if (m_bench.tool() == BuildTool::select || !m_bench.canBuild())
+    if (m_editor.tool() == BuildTool::select || !m_editor.canBuild())
         m_marks.cursor.reset();
-    if (!isLinkTool(m_bench.tool()))
+    if (!isLinkTool(m_editor.tool()))
         m_marks.from.reset();
-    if (!m_bench.first() && !m_marks.from)
+    if (!m_editor.first() && !m_marks.from)
         m_marks.pointer.reset();
-    if (!m_bench.canBuild()) {
+    if (!m_editor.canBuild()) {
         m_marks.from.reset();
         m_pressed.reset();
         m_isDragging = m_isBoxing = false;
@@ -98,9 +98,11 @@ void SceneBuilder::refresh()
 
 bool SceneBuilder::eventFilter(QObject *watched, QEvent *event)
 {
-    // While the view goes, what this would look at may have gone.
-    if (!isInput(*event) || !m_bench.isOpen())
+    // While the view is being destroyed, the objects used below may no longer exist.
+    if (!isInput(*event) || !m_editor.isOpen())
         return QObject::eventFilter(watched, event);
+    if (event->type() != QEvent::MouseMove)
+        m_session.preview().end(); // edits act at the cursor of the run
     if (watched == m_view.viewport() && mouse(*event))
         return true;
     if (watched == &m_view && event->type() == QEvent::ShortcutOverride &&
@@ -134,27 +136,27 @@ bool SceneBuilder::mouse(QEvent &event)
 sim::Vec2 SceneBuilder::placeOf(QPointF at) const
 {
     const Camera camera(m_view.viewportTransform());
-    const auto asked = m_marks.guide->isOn() ? m_marks.guide->place() : std::nullopt;
-    const bool isMeant = asked && QLineF(camera.at(*asked), at).length() <= besideAsked;
-    return isMeant ? *asked : camera.back(at);
+    const auto target = m_marks.guide->isOn() ? m_marks.guide->place() : std::nullopt;
+    const bool isMeant = target && QLineF(camera.at(*target), at).length() <= snapDistance;
+    return isMeant ? *target : camera.back(at);
 }
 
 int SceneBuilder::pointAt(QPointF at) const
 {
-    return Hand::bodyAt(m_view.shown(), Camera(m_view.viewportTransform()), at);
+    return BodyDrag::bodyAt(m_view.shown(), Camera(m_view.viewportTransform()), at);
 }
 
-Chosen SceneBuilder::linkAt(QPointF at) const
+Selection SceneBuilder::linkAt(QPointF at) const
 {
     const Camera camera(m_view.viewportTransform());
     const auto distance = [&](const auto &link) {
-        const std::vector<sim::BlueprintPoint> &points = m_bench.plan().points;
+        const std::vector<sim::BlueprintPoint> &points = m_editor.plan().points;
         return distanceTo(at, camera.at(points[std::size_t(link.a)].x),
                           camera.at(points[std::size_t(link.b)].x));
     };
-    Chosen nearest;
+    Selection nearest;
     double least = near;
-    const auto look = [&](const auto &links, std::vector<int> Chosen::*list) {
+    const auto findIn = [&](const auto &links, std::vector<int> Selection::*list) {
         for (std::size_t i = 0; i < links.size(); ++i) {
             const double away = distance(links[i]);
             if (away >= least)
@@ -164,8 +166,8 @@ Chosen SceneBuilder::linkAt(QPointF at) const
             nearest.*list = {static_cast<int>(i)};
         }
     };
-    look(m_bench.plan().springs, &Chosen::springs);
-    look(m_bench.plan().sticks, &Chosen::sticks);
+    findIn(m_editor.plan().springs, &Selection::springs);
+    findIn(m_editor.plan().sticks, &Selection::sticks);
     return nearest;
 }
 
@@ -173,10 +175,10 @@ bool SceneBuilder::press(const QMouseEvent &event)
 {
     if (event.button() != Qt::LeftButton)
         return false;
-    const bool builds = m_bench.tool() != BuildTool::select;
-    if (!m_bench.canBuild()) {
-        if (builds) // it says why not
-            m_bench.change({}, [](sim::Blueprint &) {});
+    const bool builds = m_editor.tool() != BuildTool::select;
+    if (!m_editor.canBuild()) {
+        if (builds) // the empty edit shows why the scene cannot be edited now
+            m_editor.change({}, [](sim::Blueprint &) {});
         return builds;
     }
     m_view.setFocus(Qt::MouseFocusReason);
@@ -185,8 +187,8 @@ bool SceneBuilder::press(const QMouseEvent &event)
     m_moved = {};
     if (!builds)
         choosePart(event);
-    else if (!isLinkTool(m_bench.tool())) // of a link the release tells whether it was a click or a drag
-        m_bench.use(rounded(placeOf(event.position())), pointAt(event.position()));
+    else if (!isLinkTool(m_editor.tool())) // for links, the release decides between click and drag
+        m_editor.use(rounded(placeOf(event.position())), pointAt(event.position()));
     return true;
 }
 
@@ -195,33 +197,33 @@ void SceneBuilder::choosePart(const QMouseEvent &event)
     const bool adds = event.modifiers() & Qt::ShiftModifier;
     const int point = pointAt(event.position());
     if (point >= 0) {
-        const std::vector<int> &chosen = m_bench.chosen().points;
+        const std::vector<int> &chosen = m_editor.chosen().points;
         if (adds)
-            m_bench.togglePoint(point);
+            m_editor.togglePoint(point);
         else if (!std::binary_search(chosen.begin(), chosen.end(), point))
-            m_bench.choose({{point}, {}, {}});
+            m_editor.choose({{point}, {}, {}});
         m_isDragging = true;
         return;
     }
-    const Chosen link = linkAt(event.position());
+    const Selection link = linkAt(event.position());
     if (!link.isEmpty() && adds && !link.springs.empty())
-        m_bench.toggleSpring(link.springs.front());
+        m_editor.toggleSpring(link.springs.front());
     else if (!link.isEmpty() && adds)
-        m_bench.toggleStick(link.sticks.front());
+        m_editor.toggleStick(link.sticks.front());
     else if (!link.isEmpty())
-        m_bench.choose(link);
+        m_editor.choose(link);
     else
         m_isBoxing = true;
 }
 
 bool SceneBuilder::move(const QMouseEvent &event)
 {
-    if (!m_bench.canBuild())
+    if (!m_editor.canBuild())
         return false;
-    const bool builds = m_bench.tool() != BuildTool::select;
-    if (m_pressed && isLinkTool(m_bench.tool()))
+    const bool builds = m_editor.tool() != BuildTool::select;
+    if (m_pressed && isLinkTool(m_editor.tool()))
         stretchTo(event.position());
-    if (m_bench.first() || m_marks.from) {
+    if (m_editor.first() || m_marks.from) {
         m_marks.pointer = placeOf(event.position());
         m_view.viewport()->update();
     }
@@ -243,7 +245,7 @@ bool SceneBuilder::move(const QMouseEvent &event)
 void SceneBuilder::dragTo(sim::Vec2 place)
 {
     const sim::Vec2 total = rounded(place - placeOf(*m_pressed));
-    m_bench.moveChosen(total - m_moved);
+    m_editor.moveChosen(total - m_moved);
     m_moved = total;
 }
 
@@ -253,16 +255,16 @@ bool SceneBuilder::release(const QMouseEvent &event)
         return false;
     const QPointF pressed = *std::exchange(m_pressed, std::nullopt);
     if (m_isDragging)
-        m_session.endGesture();
+        m_session.editor().endGesture();
     if (m_isBoxing)
         chooseWithBox();
     m_isDragging = m_isBoxing = false;
-    if (isLinkTool(m_bench.tool()))
+    if (isLinkTool(m_editor.tool()))
         finishLink(pressed, event.position());
     return true;
 }
 
-Workbench::End SceneBuilder::endAt(QPointF at) const
+SandboxEditor::End SceneBuilder::endAt(QPointF at) const
 {
     return {rounded(placeOf(at)), pointAt(at)};
 }
@@ -271,8 +273,8 @@ void SceneBuilder::stretchTo(QPointF at)
 {
     if (m_marks.from || QLineF(*m_pressed, at).length() <= dragLink)
         return;
-    const Workbench::End from = endAt(*m_pressed);
-    m_marks.from = from.hit < 0 ? from.at : m_bench.plan().points[std::size_t(from.hit)].x;
+    const SandboxEditor::End from = endAt(*m_pressed);
+    m_marks.from = from.hit < 0 ? from.at : m_editor.plan().points[std::size_t(from.hit)].x;
 }
 
 void SceneBuilder::finishLink(QPointF pressed, QPointF released)
@@ -280,17 +282,17 @@ void SceneBuilder::finishLink(QPointF pressed, QPointF released)
     const bool isFar = QLineF(pressed, released).length() > dragLink;
     const bool wasDragged = m_marks.from.has_value();
     stopLink();
-    if (isFar) // whether or not the pointer was seen on its way
-        m_bench.drag(endAt(pressed), endAt(released));
-    else if (!wasDragged) // what comes back to where it began is given up
-        m_bench.use(rounded(placeOf(pressed)), pointAt(pressed));
+    if (isFar) // even if no move event arrived on the way
+        m_editor.drag(endAt(pressed), endAt(released));
+    else if (!wasDragged) // a drag that returns to its start is cancelled
+        m_editor.use(rounded(placeOf(pressed)), pointAt(pressed));
 }
 
 void SceneBuilder::stopLink()
 {
     m_pressed.reset();
     m_marks.from.reset();
-    if (!m_bench.first())
+    if (!m_editor.first())
         m_marks.pointer.reset();
     m_view.viewport()->update();
 }
@@ -299,15 +301,15 @@ void SceneBuilder::chooseWithBox()
 {
     const std::optional<QRectF> box = std::exchange(m_marks.box, std::nullopt);
     if (box)
-        m_bench.choose(inBox(m_bench.plan(), {box->left(), box->top()}, {box->right(), box->bottom()}));
+        m_editor.choose(inBox(m_editor.plan(), {box->left(), box->top()}, {box->right(), box->bottom()}));
     else
-        m_bench.choose({});
+        m_editor.choose({});
     m_view.viewport()->update();
 }
 
 bool SceneBuilder::takes(const QKeyEvent &key) const
 {
-    if (!m_bench.canBuild() || m_bench.tool() == BuildTool::select)
+    if (!m_editor.canBuild() || m_editor.tool() == BuildTool::select)
         return false;
     const auto modifiers = key.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier);
     return modifiers == Qt::NoModifier && (arrowKey(key.key()) || isEnter(key.key()));
@@ -317,11 +319,12 @@ sim::Vec2 SceneBuilder::cursor() const
 {
     if (m_marks.cursor)
         return *m_marks.cursor;
-    if (m_bench.first())
-        return m_bench.plan().points[std::size_t(*m_bench.first())].x;
-    // The one with the ring: Enter ties it, or nails it down. Another point belongs elsewhere.
+    if (m_editor.first())
+        return m_editor.plan().points[std::size_t(*m_editor.first())].x;
+    // Starts at the highlighted point, so that Enter links it or nails it down. A new point must go
+    // elsewhere.
     const int ringed = m_view.shown().selected;
-    if (ringed >= 0 && m_bench.tool() != BuildTool::point)
+    if (ringed >= 0 && m_editor.tool() != BuildTool::point)
         return m_view.shown().state().positionOf(ringed);
     return rounded(placeOf(QPointF(m_view.viewport()->rect().center())));
 }
@@ -330,10 +333,10 @@ bool SceneBuilder::arrow(sim::Vec2 way, Qt::KeyboardModifiers modifiers)
 {
     const double far = modifiers & Qt::ShiftModifier ? fineStride : stride;
     if (modifiers & Qt::AltModifier) {
-        if (m_bench.chosen().points.empty() || !m_bench.canBuild())
+        if (m_editor.chosen().points.empty() || !m_editor.canBuild())
             return false;
-        m_bench.moveChosen(far * way);
-        m_session.endGesture();
+        m_editor.moveChosen(far * way);
+        m_session.editor().endGesture();
         return true;
     }
     m_marks.cursor = cursor() + far * way;
@@ -348,9 +351,9 @@ bool SceneBuilder::keyDown(const QKeyEvent &key)
         return true;
     }
     if (key.key() == Qt::Key_Escape)
-        return m_bench.leave();
+        return m_editor.leave();
     if (key.key() == Qt::Key_BraceRight || key.key() == Qt::Key_BraceLeft) {
-        m_bench.chooseNextLink(key.key() == Qt::Key_BraceRight ? 1 : -1);
+        m_editor.chooseNextLink(key.key() == Qt::Key_BraceRight ? 1 : -1);
         return true;
     }
     const std::optional<sim::Vec2> way = arrowKey(key.key());
@@ -361,7 +364,7 @@ bool SceneBuilder::keyDown(const QKeyEvent &key)
         return arrow(*way, key.modifiers());
     m_marks.cursor = cursor();
     const Camera camera(m_view.viewportTransform());
-    m_bench.use(*m_marks.cursor, pointAt(camera.at(*m_marks.cursor)));
+    m_editor.use(*m_marks.cursor, pointAt(camera.at(*m_marks.cursor)));
     return true;
 }
 

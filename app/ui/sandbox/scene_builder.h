@@ -1,7 +1,7 @@
 #pragma once
 
-#include "app/model/build_guide.h"
-#include "app/ui/scene/layers.h"
+#include "app/model/sandbox/build_guide.h"
+#include "app/ui/scene/layers/layers.h"
 
 #include <QObject>
 #include <QPointF>
@@ -13,22 +13,23 @@ namespace app {
 
 class SceneView;
 
-/// What is drawn over the scene while it is built.
+/// The editing marks that are drawn over the scene in a sandbox.
 struct BuildMarks
 {
-    const Workbench *bench = nullptr;
-    const BuildGuide *guide = nullptr; ///< what it asks for is marked
-    std::optional<sim::Vec2> cursor;   ///< where the keyboard builds
-    std::optional<sim::Vec2> from;     ///< where the link that is dragged begins
-    std::optional<sim::Vec2> pointer;  ///< where a link under way would end
-    std::optional<QRectF> box;         ///< that chooses, px of the scene
+    const SandboxEditor *editor = nullptr;
+    const BuildGuide *guide = nullptr; ///< the target of its instruction is marked
+    std::optional<sim::Vec2> cursor;   ///< the keyboard cursor
+    std::optional<sim::Vec2> from;     ///< the start of a link that is being dragged
+    std::optional<sim::Vec2> pointer;  ///< the end of a link that is being made
+    std::optional<QRectF> box;         ///< the selection rectangle, px of the scene
 };
 
-/// Rings round what is chosen, the link under way, the box that chooses, and the keyboard's cross.
+/// A layer with rings round the selected parts, the link that is being made, the selection rectangle, and the
+/// keyboard cursor.
 class BuildLayer : public Layer
 {
 public:
-    BuildLayer(const BuildMarks &marks, const Shown &shown, const Theme &theme)
+    BuildLayer(const BuildMarks &marks, const SceneContent &shown, const Theme &theme)
         : Layer(shown, theme, Height::names), m_marks(marks)
     {
     }
@@ -38,24 +39,25 @@ protected:
 
 private:
     void drawLinkUnderWay(const Canvas &canvas) const;
-    void drawAsked(const Canvas &canvas) const;
+    void drawTarget(const Canvas &canvas) const;
 
     const BuildMarks &m_marks;
 };
 
-/// Mouse and keys of the scene view while a scene is built: they go to the workbench in place of the hand.
+/// Handles the mouse and the keys of the scene view in a sandbox. It sends them to the sandbox editor, so
+/// they do not pull the creature.
 class SceneBuilder : public QObject
 {
     Q_OBJECT
 
 public:
-    SceneBuilder(Session &session, Workbench &bench, const BuildGuide &guide, SceneView &view,
+    SceneBuilder(Session &session, SandboxEditor &editor, const BuildGuide &guide, SceneView &view,
                  const Theme &theme);
 
     const BuildMarks &marks() const { return m_marks; }
 
-    static constexpr double reach = 12.0; ///< px of the screen, from which a point is hit
-    static constexpr double near = 6.0;   ///< px of the screen, from which a link is hit
+    static constexpr double reach = 12.0; ///< px of the screen, largest distance of a click that hits a point
+    static constexpr double near = 6.0;   ///< px of the screen, largest distance of a click that hits a link
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
@@ -67,7 +69,7 @@ private:
     bool release(const QMouseEvent &event);
     void choosePart(const QMouseEvent &event);
     void dragTo(sim::Vec2 place);
-    /// Begins to drag a link, once the pointer has gone far enough from where the button went down.
+    /// Starts to drag a link once the pointer is far enough from where the button was pressed.
     void stretchTo(QPointF at);
     void finishLink(QPointF pressed, QPointF released);
     void stopLink();
@@ -78,18 +80,18 @@ private:
     void refresh();
 
     sim::Vec2 placeOf(QPointF at) const;
-    Workbench::End endAt(QPointF at) const;
+    SandboxEditor::End endAt(QPointF at) const;
     int pointAt(QPointF at) const;
-    /// The spring or stick nearest to a place of the screen.
-    Chosen linkAt(QPointF at) const;
+    /// Returns the spring or stick nearest to a place on the screen.
+    Selection linkAt(QPointF at) const;
     sim::Vec2 cursor() const;
 
     Session &m_session;
-    Workbench &m_bench;
+    SandboxEditor &m_editor;
     SceneView &m_view;
     BuildMarks m_marks;
     std::optional<QPointF> m_pressed; ///< px of the screen
-    sim::Vec2 m_moved;                ///< px, how far the chosen points were dragged
+    sim::Vec2 m_moved;                ///< px, how far the selected points were dragged
     bool m_isDragging = false;
     bool m_isBoxing = false;
 };

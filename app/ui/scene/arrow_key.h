@@ -8,7 +8,7 @@
 
 namespace app {
 
-/// The way of length 1 that an arrow key points; empty for other keys.
+/// Returns the unit vector in the direction of an arrow key; empty for other keys.
 inline std::optional<sim::Vec2> arrowKey(int key)
 {
     switch (key) {

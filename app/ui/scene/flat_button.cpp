@@ -12,7 +12,7 @@ constexpr int space = 6;
 constexpr int glyph = 16;
 constexpr int arrow = 12;
 
-/// Whether the pointer is over `button`. A menu that has closed may have left it marked as under the mouse.
+/// Returns whether the pointer is over `button`. A menu that has closed may have left Qt's flag for it set.
 bool isHovered(const QWidget &button)
 {
     return button.underMouse() && button.rect().contains(button.mapFromGlobal(QCursor::pos()));

@@ -6,7 +6,7 @@
 
 namespace app {
 
-/// A flat button of a bar: a caption, a value that stands out, and an arrow when it opens a menu.
+/// A flat toolbar button with a caption, an emphasised value, and an arrow if it opens a menu.
 class FlatButton : public QToolButton
 {
     Q_OBJECT
@@ -14,18 +14,18 @@ class FlatButton : public QToolButton
 public:
     FlatButton(const Theme &theme, QWidget *parent = nullptr);
 
-    /// `caption` is pale, `value` stands out; either may be empty.
+    /// Sets the texts: `caption` is pale, `value` is emphasised. Either may be empty.
     void setTexts(const QString &caption, const QString &value);
-    /// An icon of the theme, before the texts.
+    /// Sets an icon of the theme, shown before the texts.
     void setIconName(const QString &name);
-    /// Without its caption, where room is short.
+    /// Hides the caption if space is short.
     void setShort(bool isShort);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
-    /// How wide it is with its caption.
+    /// Returns the width with the caption, px.
     int fullWidth() const;
-    /// How wide it is without, if it has a value.
+    /// Returns the width without the caption if the button has a value, px.
     int shortWidth() const;
 
 protected:

@@ -1,7 +1,9 @@
 #include "app/ui/scene/scene_bar.h"
 
-#include "app/model/sentences.h"
-#include "app/model/step_words.h"
+#include "app/model/text/sentences.h"
+#include "app/model/text/step_text.h"
+#include "app/ui/actions/command.h"
+#include "app/ui/actions/command_button.h"
 #include "app/ui/scene/flat_button.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/scene/step_menu.h"
@@ -29,18 +31,16 @@ SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
     setFixedHeight(barHeight);
     m_method = button(tr("How the run is computed from one step to the next"));
     m_step = button({});
-    m_show = button(tr("What the picture shows besides the creature"));
+    m_show = button(tr("Choose what the picture shows besides the creature"));
     m_zoom = button(tr("Zoom to 100\u2009%"));
-    m_fit = button(tr("Show the whole stage with all bodies, and stay with them (Ctrl+0)"));
+    m_fit = button({});
     m_show->setIconName("show");
     m_show->setTexts({}, tr("Show"));
-    m_fit->setIconName("fit");
     m_fit->setFixedSize(28, 28);
-    m_fit->setAccessibleName(tr("Fit"));
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(sideMargin, 0, sideMargin, 0);
     row->setSpacing(0);
-    row->setSizeConstraint(QLayout::SetNoConstraint); // captions give way: see minimumSizeHint()
+    row->setSizeConstraint(QLayout::SetNoConstraint); // captions can be hidden: see minimumSizeHint()
     row->addWidget(m_method);
     row->addWidget(m_step);
     row->addStretch(1);
@@ -52,8 +52,7 @@ SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
     connect(m_steps, &QMenu::aboutToShow, this, &SceneBar::showValues);
     connect(m_steps, &StepMenu::chosen, this, &SceneBar::showValues);
     m_step->setMenu(m_steps);
-    connect(&session, &Session::stepOpened, this, &SceneBar::showValues);
-    connect(&session, &Session::runChanged, this, &SceneBar::showValues);
+    session.onChange(ChangeKind::step | ChangeKind::run, this, &SceneBar::showValues);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     showValues();
 }
@@ -76,36 +75,30 @@ void SceneBar::fillMethods()
         group->addAction(action);
     }
     connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
-        m_session.setMethod(action->data().toString());
-        showValues(); // a method that does not fit was refused: the mark goes back
+        m_session.editor().setMethod(action->data().toString());
+        showValues(); // if the method was rejected, this moves the mark back
     });
     connect(menu, &QMenu::aboutToShow, this, &SceneBar::showValues);
     m_method->setMenu(menu);
 }
 
-void SceneBar::attach(SceneView &view)
+void SceneBar::attach(SceneView &view, Command &fit)
 {
     m_view = &view;
+    m_fit->setIconName(fit.iconName());
+    showCommand(*m_fit, fit, m_theme);
     fillShow();
     connect(&view, &SceneView::zoomChanged, this, &SceneBar::showZoom);
     connect(m_zoom, &QToolButton::clicked, &view, &SceneView::zoomTo100);
-    connect(m_fit, &QToolButton::clicked, &view, &SceneView::fit);
     showZoom(view.zoom());
 }
 
-void SceneBar::addTool(QAction &action, const QString &icon)
+void SceneBar::addTool(Command &command)
 {
     FlatButton *tool = button({});
-    tool->setIconName(icon);
+    tool->setIconName(command.iconName());
     tool->setFixedSize(28, 28);
-    const auto follow = [tool, &action] {
-        tool->setEnabled(action.isEnabled());
-        tool->setToolTip(action.toolTip());
-        tool->setAccessibleName(action.text().remove('&'));
-    };
-    follow();
-    connect(&action, &QAction::changed, tool, follow);
-    connect(tool, &QToolButton::clicked, &action, &QAction::trigger);
+    showCommand(*tool, command, m_theme);
     auto *row = static_cast<QHBoxLayout *>(layout());
     row->insertWidget(row->indexOf(m_show), tool);
     m_toolsWidth += tool->width();
@@ -116,12 +109,12 @@ void SceneBar::setMiddle(QWidget *middle)
 {
     if (m_middle) {
         m_middle->hide();
-        m_middle->deleteLater(); // a key that was pressed in it may be what ends it
+        m_middle->deleteLater(); // not at once: a key event of this widget may have ended it
     }
     m_middle = middle;
     if (middle) {
         auto *row = static_cast<QHBoxLayout *>(layout());
-        row->insertWidget(row->indexOf(m_step) + 1, middle, 1000); // before the stretch, and at its cost
+        row->insertWidget(row->indexOf(m_step) + 1, middle, 1000); // before the stretch, which shrinks first
         middle->show();
     }
     arrange();
@@ -138,12 +131,12 @@ void SceneBar::fillShow()
     const std::array items{Item{"trails", tr("Trails"), &Extras::trails},
                            Item{"velocities", tr("Velocity arrows"), &Extras::velocities},
                            Item{"grid", tr("Grid"), &Extras::grid},
-                           Item{"guides", tr("Explaining lines"), &Extras::guides},
+                           Item{"guides", tr("Guide lines"), &Extras::overlays},
                            Item{"eyes", tr("Eyes"), &Extras::eyes},
-                           Item{"ghost", tr("Ghost"), &Extras::ghost},
+                           Item{"ghost", tr("Ghost"), &Extras::comparison},
                            Item{"onion", tr("Onion skins"), &Extras::onion},
                            Item{"reference", tr("Reference"), &Extras::reference},
-                           Item{"pulls", tr("Pulls of all forces"), &Extras::pulls},
+                           Item{"pulls", tr("All pulls"), &Extras::pulls},
                            Item{"rests", tr("Rest lengths"), &Extras::rests},
                            Item{"ruler", tr("Ruler"), &Extras::ruler},
                            Item{"clock", tr("Clock"), &Extras::clock}};
@@ -188,7 +181,7 @@ void SceneBar::showValues()
     const sim::Script &script = m_session.timeline().script();
     m_method->setTexts(tr("Method"), phrase(script.method->title()));
     const bool adaptive = script.step.isAdaptive();
-    m_step->setToolTip(adaptive ? tr("The error that each of the method's own steps may make")
+    m_step->setToolTip(adaptive ? tr("The largest error that the method allows in each of its steps")
                                 : tr("How much time one step of the method covers"));
     m_step->setTexts(adaptive ? tr("Tolerance") : tr("Step"), stepTitle(script.step));
     for (QAction *action : m_method->menu()->actions())

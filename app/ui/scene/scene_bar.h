@@ -1,17 +1,18 @@
 #pragma once
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
 
 namespace app {
 
+class Command;
 class FlatButton;
 class SceneView;
 class StepMenu;
 
-/// The bar above the scene: method, step, what is shown, zoom. 36 px high.
+/// The bar above the scene, 36 px high: method, step, the "Show" menu, zoom.
 class SceneBar : public QWidget
 {
     Q_OBJECT
@@ -19,22 +20,22 @@ class SceneBar : public QWidget
 public:
     SceneBar(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
-    /// The view that "Show" and the zoom are about.
-    void attach(SceneView &view);
-    /// Shows an entry of "Show" or not, as the learner left it; ids as in chosen(). An unknown one changes nothing.
+    /// Connects "Show" and the zoom to a view. `fit` fits the scene into it.
+    void attach(SceneView &view, Command &fit);
+    /// Switches an entry of "Show"; ids as in chosen(). An unknown id changes nothing.
     void choose(const QString &id, bool on);
-    /// The ids of the entries of "Show".
+    /// Returns the ids of the entries of "Show".
     QStringList choices() const;
-    /// A button with an icon of the theme, before "Show", that does what `action` does.
-    void addTool(QAction &action, const QString &icon);
-    /// Something between step and "Show", which the bar owns then and which may be given less room than it wants; null:
-    /// nothing, and what was there is deleted.
+    /// Adds a button for a command, before "Show".
+    void addTool(Command &command);
+    /// Places a widget between step and "Show", and deletes the one before. Null removes it. The bar owns the
+    /// widget, and may give it less room than it wants.
     void setMiddle(QWidget *middle);
-    /// Without the captions of method and step.
+    /// Returns the size without the captions of method and step.
     QSize minimumSizeHint() const override;
 
 signals:
-    /// The learner switched an entry of "Show".
+    /// Emitted when the learner switches an entry of "Show".
     void chosen(const QString &id, bool on);
 
 protected:
@@ -47,7 +48,7 @@ private:
     void fillShow();
     void showValues();
     void showZoom(double percent);
-    /// Drops captions when not all of the bar finds room.
+    /// Hides captions if the bar is too narrow for them.
     void arrange();
     int widthWith(int method, int step) const;
 
@@ -59,7 +60,7 @@ private:
     FlatButton *m_show;
     FlatButton *m_zoom;
     FlatButton *m_fit;
-    int m_toolsWidth = 0; ///< px, of all buttons that were added
+    int m_toolsWidth = 0; ///< px, of all added buttons
     QWidget *m_middle = nullptr;
     StepMenu *m_steps = nullptr;
 };

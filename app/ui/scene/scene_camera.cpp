@@ -1,13 +1,13 @@
-// Where the scene view looks: what a step shows first, and how the picture stays with its subject.
+// How the scene view frames a step at first, and how it then keeps its bodies in view.
 //
-// As long as the learner has neither zoomed nor moved the picture, it shows the subject with its motion. If bodies leave
-// it all the same, it zooms out, then moves along; back at frame 0 it shows what it showed first. A picture that the
-// learner has zoomed or moved stays as it is while any body is in sight. When the last one has left, the picture moves
-// to the bodies and keeps its zoom. "Fit" gives it back to the first rule.
+// Until the learner zooms or pans, the view shows the bodies with their motion. If bodies leave the view, it
+// zooms out, then moves along. Back at frame 0, it returns to the first framing. After the learner has zoomed
+// or panned, the view stays as it is while any body is in view. When the last body has left, the view moves
+// to the bodies and keeps its zoom. "Fit" returns to the first behaviour.
 
-#include "app/model/motion_area.h"
+#include "app/model/picture/motion_area.h"
 #include "app/ui/scene/framing.h"
-#include "app/ui/scene/layers.h"
+#include "app/ui/scene/layers/layers.h"
 #include "app/ui/scene/scene_view.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -23,26 +23,27 @@ namespace app {
 namespace {
 
 constexpr double zoomStep = 1.25;
-constexpr double walkerFrom =
-    0.4; ///< of the view's width, where the body that it follows is kept: the view looks
-constexpr double walkerTo = 0.5;           ///< ahead, as they walk to the right
-constexpr double mostWidened = 4.0;        ///< how many times as wide the view gets by itself
-constexpr double inSightBorder = 16.0;     ///< px of the screen: what is nearer to the edge is not in sight
-constexpr double nearer = 1.3;             ///< a closer look that enlarges less than that is not worth a jump
-constexpr std::int64_t mostMeasured = 200; ///< frames of which the motion is shown from the start
+/// The view keeps the followed body between these fractions of its width. Bodies walk to the right, so there is
+/// more space on that side.
+constexpr double walkerFrom = 0.4;
+constexpr double walkerTo = 0.5;
+constexpr double mostWidened = 4.0;    ///< the view zooms out by itself by at most this factor
+constexpr double inSightBorder = 16.0; ///< screen px; anything closer to the edge does not count as visible
+constexpr double nearer = 1.3;         ///< a close-up must enlarge by at least this factor to be worth a jump
+constexpr std::int64_t mostMeasured = 200;       ///< frames from the start whose motion is measured, at most
 constexpr std::int64_t measuredPoints = 200'000; ///< points times frames, if that is less
 constexpr qint64 measuredMilliseconds = 60;      ///< if that is less
 
-/// Whether walls and floor are where they were in what was shown before.
-bool hasSameRoom(const lessons::View &look, QRectF home, QRectF before)
+/// Returns whether walls and floor are unchanged since `before` was shown.
+bool hasSameRoom(const lessons::View &view, QRectF home, QRectF before)
 {
     return !before.isEmpty() &&
-           (!look.room || (home.left() == before.left() && home.right() == before.right() &&
+           (!view.room || (home.left() == before.left() && home.right() == before.right() &&
                            home.bottom() == before.bottom()));
 }
 
-/// The box of those bodies of `shown` that lie within `area`.
-QRectF boxWithin(const Shown &shown, const QRectF &area)
+/// Returns the box of the bodies of `shown` within `area`.
+QRectF boxWithin(const SceneContent &shown, const QRectF &area)
 {
     QRectF box;
     for (int i = 0; i < shown.points(); ++i) {
@@ -74,7 +75,7 @@ const QRectF &SceneView::motion()
         return *m_motion;
     const std::int64_t frames =
         std::min(mostMeasured, measuredPoints / std::max<std::int64_t>(1, m_shown.points()));
-    MotionArea measured(m_session.timeline().script(), m_shown.picture.look, 0, frames);
+    MotionArea measured(m_session.timeline().script(), m_shown.picture.view, 0, frames);
     measured.goOn(measuredMilliseconds);
     m_motion = measured.area();
     return *m_motion;
@@ -82,19 +83,19 @@ const QRectF &SceneView::motion()
 
 QRectF SceneView::motionHere()
 {
-    return motion().translated(followedX(m_shown.look(), m_shown.state()), 0.0);
+    return motion().translated(followedX(m_shown.view(), m_shown.state()), 0.0);
 }
 
 void SceneView::showHome()
 {
     const QRectF before = m_atHome && !m_isFitted ? m_home : QRectF();
     const QRectF seen = viewportTransform().inverted().mapRect(viewRect());
-    m_home = homeArea(m_shown.picture, m_beside, motionHere());
-    m_stage = m_shown.look().stage;
+    m_home = homeArea(m_shown.picture, m_companion, motionHere());
+    m_stage = m_shown.view().stage;
     m_atHome = true;
     m_isFitted = false;
-    // While a learner puts one part after the other, the picture moves only for what is not seen.
-    const bool stays = m_session.isWorkshop() && hasSameRoom(m_shown.look(), m_home, before) &&
+    // While a learner adds parts one by one, the view moves only if something would be invisible.
+    const bool stays = m_session.isSandbox() && hasSameRoom(m_shown.view(), m_home, before) &&
                        seen.contains(creatureArea(m_shown.picture));
     if (stays)
         m_narrow.reset();
@@ -105,11 +106,11 @@ void SceneView::showHome()
 void SceneView::frameHome()
 {
     const QSizeF size = viewRect().size();
-    const double most = m_isFitted ? mostZoom : mostAtHome(m_shown.look(), size);
-    frame(framingOf(m_shown.look(), m_home, size, most));
+    const double most = m_isFitted ? mostZoom : mostAtHome(m_shown.view(), size);
+    frame(framingOf(m_shown.view(), m_home, size, most));
     m_narrow.reset();
     m_isClose = false;
-    m_seenAt = m_session.shown().cursor();
+    m_seenAt = m_session.preview().run().cursor();
     followWithin(walkerFrom, walkerFrom);
 }
 
@@ -127,7 +128,7 @@ Framing SceneView::framing() const
 
 void SceneView::fit()
 {
-    m_home = wholeArea(m_shown.picture, m_beside, motionHere());
+    m_home = wholeArea(m_shown.picture, m_companion, motionHere());
     m_atHome = true;
     m_isFitted = true;
     m_follows = true;
@@ -136,12 +137,12 @@ void SceneView::fit()
 
 void SceneView::showSpan(const QRectF &motion)
 {
-    const lessons::View &look = m_shown.look();
+    const lessons::View &view = m_shown.view();
     const QSizeF size = viewRect().size();
     const auto zoomOf = [&](const QRectF &area) {
-        return framingOf(look, area, size, mostAtHome(look, size)).zoom;
+        return framingOf(view, area, size, mostAtHome(view, size)).zoom;
     };
-    const QRectF span = motion.translated(followedX(look, m_shown.state()), 0.0);
+    const QRectF span = motion.translated(followedX(view, m_shown.state()), 0.0);
     const QRectF all = m_home.united(span);
     if (zoomOf(all) * 2.0 >= zoomOf(m_home))
         m_home = all;
@@ -188,7 +189,7 @@ void SceneView::pan(QPointF by)
     m_follows = false;
     const bool wasInSight = isSubjectInSight();
     movePicture(by);
-    if (wasInSight && !isSubjectInSight()) // it cannot be moved away from all that there is
+    if (wasInSight && !isSubjectInSight()) // the learner cannot pan away from all bodies
         movePicture(wayToSubject());
 }
 
@@ -206,11 +207,11 @@ void SceneView::shiftBy(QPointF by)
 
 void SceneView::followWithin(double from, double to)
 {
-    const int point = m_shown.look().followedPoint;
+    const int point = m_shown.view().followedPoint;
     const double width = viewRect().width();
-    // While a hand holds something, the picture stays: else the hand would carry it on and on. It also stays while the
-    // pointer is held: what runs after it shall come to it.
-    if (point < 0 || !m_follows || m_hand.isDown() || m_tools.isPointing() || width <= 0.0)
+    // While a body is being dragged, the view stays: a moving view would drag the body on and on. While the
+    // pointer is pressed, the view also stays, so that creatures that run after the pointer can reach it.
+    if (point < 0 || !m_follows || m_drag.isDown() || m_tools.isPointing() || width <= 0.0)
         return;
     const double x = camera().at(m_shown.state().positionOf(point)).x();
     const double kept = std::clamp(x, from * width, to * width);
@@ -226,16 +227,16 @@ void SceneView::follow()
 void SceneView::keepSubject()
 {
     follow();
-    const sim::Cursor at = m_session.shown().cursor();
+    const sim::Cursor at = m_session.preview().run().cursor();
     const bool hasMoved = at != m_seenAt;
     m_seenAt = at;
-    if (m_session.isGlancing() || m_hand.isDown() || viewRect().isEmpty() || m_shown.points() == 0)
+    if (m_session.preview().isActive() || m_drag.isDown() || viewRect().isEmpty() || m_shown.points() == 0)
         return;
-    if (m_narrow && (at == sim::Cursor{} || (m_isClose && m_session.isPlaying())))
+    if (m_narrow && (at == sim::Cursor{} || (m_isClose && m_session.playback().isPlaying())))
         returnHome();
-    const bool isBuilding = m_session.isWorkshop() && at == sim::Cursor{};
+    const bool isBuilding = m_session.isSandbox() && at == sim::Cursor{};
     if (m_atHome && !isBuilding) {
-        lookClosely();
+        zoomToCreature();
         widen();
     } else if (!m_atHome && hasMoved && !isSubjectInSight()) {
         bringSubjectBack();
@@ -244,29 +245,30 @@ void SceneView::keepSubject()
 
 QRectF SceneView::subject() const
 {
-    QRectF box = subjectBox(m_shown.look(), m_shown.state());
-    if (m_beside.points() > 0)
-        box |= subjectBox(m_beside.look(), m_beside.state()).translated(m_beside.shift.x, m_beside.shift.y);
+    QRectF box = subjectBox(m_shown.view(), m_shown.state());
+    if (m_companion.points() > 0)
+        box |= subjectBox(m_companion.view(), m_companion.state())
+                   .translated(m_companion.shift.x, m_companion.shift.y);
     return box;
 }
 
 QRectF SceneView::subjectWithin(const QRectF &area) const
 {
-    return boxWithin(m_shown, area) | boxWithin(m_beside, area);
+    return boxWithin(m_shown, area) | boxWithin(m_companion, area);
 }
 
 bool SceneView::isSubjectInSight() const
 {
     const QRectF sight = viewRect().adjusted(inSightBorder, inSightBorder, -inSightBorder, -inSightBorder);
     const Camera camera = this->camera();
-    const auto isSeen = [&](const Shown &shown) {
+    const auto isSeen = [&](const SceneContent &shown) {
         for (int i = 0; i < shown.points(); ++i) {
             if (sight.contains(camera.at(shown.state().positionOf(i) + shown.shift)))
                 return true;
         }
         return false;
     };
-    return isSeen(m_shown) || isSeen(m_beside); // whoever flies off leaves the companion to be looked at
+    return isSeen(m_shown) || isSeen(m_companion); // while the companion is visible, bodies may fly off
 }
 
 QPointF SceneView::wayToSubject() const
@@ -279,7 +281,7 @@ QPointF SceneView::wayToSubject() const
     for (int i = 0; i < m_shown.points(); ++i) {
         const sim::Vec2 place = m_shown.state().positionOf(i);
         if (std::max(std::abs(place.x), std::abs(place.y)) > worldReach)
-            continue; // no picture goes there
+            continue; // the view cannot reach it
         const QPointF at = camera.at(place);
         const QPointF way(std::clamp(at.x(), inside.left(), inside.right()) - at.x(),
                           std::clamp(at.y(), inside.top(), inside.bottom()) - at.y());
@@ -308,9 +310,10 @@ void SceneView::widen()
     if (inside.isEmpty())
         return;
     QRectF box = subject();
-    if (m_shown.look().followedPoint >= 0 &&
-        m_follows) { // it may stand left of the middle, with others on either side
-        const double x = followedX(m_shown.look(), m_shown.state());
+    if (m_shown.view().followedPoint >= 0 &&
+        // The followed point may be left of the centre, with bodies on either side.
+        m_follows) {
+        const double x = followedX(m_shown.view(), m_shown.state());
         const double side = std::max(x - box.left(), box.right() - x) / (2.0 * walkerFrom);
         box |= QRectF(QPointF(x - side, box.top()), QPointF(x + side, box.bottom()));
     }
@@ -321,13 +324,13 @@ void SceneView::widen()
     const double least = m_narrow->zoom / mostWidened;
     std::optional<Framing> wide;
     if (!isNowhere(box))
-        wide = widened(m_shown.look(), now, box, viewRect().size(), least);
-    if (!wide) { // some fly off: the others are shown
+        wide = widened(m_shown.view(), now, box, viewRect().size(), least);
+    if (!wide) { // some fly off: show the others
         const QSizeF size = viewRect().size() / least;
         const QPointF corner = m_narrow->middle - QPointF(size.width() / 2.0, size.height() / 2.0);
         const QRectF others = subjectWithin({corner, size});
         if (!others.isNull())
-            wide = widened(m_shown.look(), now, others, viewRect().size(), least);
+            wide = widened(m_shown.view(), now, others, viewRect().size(), least);
     }
     if (wide)
         frame(*wide);
@@ -336,13 +339,13 @@ void SceneView::widen()
         bringSubjectBack();
 }
 
-void SceneView::lookClosely()
+void SceneView::zoomToCreature()
 {
-    const bool isInside = m_session.shown().cursor().phase > 0 && !m_session.isPlaying();
-    if (!isInside || m_isClose || m_shown.isCrowd() || m_shown.look().tree || m_beside.points() > 0)
+    const bool isInside = m_session.preview().run().cursor().phase > 0 && !m_session.playback().isPlaying();
+    if (!isInside || m_isClose || m_shown.isCrowd() || m_shown.view().tree || m_companion.points() > 0)
         return;
     const QRectF area = creatureArea(m_shown.picture);
-    const Framing close = closeUp(m_shown.look(), area, viewRect().size());
+    const Framing close = closeUp(m_shown.view(), area, viewRect().size());
     if (close.zoom < nearer * transform().m11() || isNowhere(area))
         return;
     m_narrow = m_narrow.value_or(framing());
@@ -357,7 +360,7 @@ void SceneView::bringBack(const QString &body)
         return;
     const sim::Vec2 at = m_shown.state().positionOf(point);
     m_atHome = false;
-    m_follows = m_follows || point == m_shown.look().followedPoint;
+    m_follows = m_follows || point == m_shown.view().followedPoint;
     centerOn(std::clamp(at.x, -worldReach, worldReach), std::clamp(at.y, -worldReach, worldReach));
     viewport()->update();
 }

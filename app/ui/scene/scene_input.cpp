@@ -1,7 +1,7 @@
-// Mouse, wheel and keys of the scene view.
+// Mouse, wheel and key events of the scene view.
 
 #include "app/ui/scene/arrow_key.h"
-#include "app/ui/scene/body_text.h"
+#include "app/ui/scene/drawing/body_text.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QFocusEvent>
@@ -20,13 +20,13 @@ namespace app {
 
 namespace {
 
-constexpr double handStep = 10.0;     ///< px that a key carries a body
-constexpr double rulerStep = 5.0;     ///< px that a key moves an end of the ruler
-constexpr double toolStep = 20.0;     ///< px that a key moves the pointer or the target
+constexpr double dragStep = 10.0;     ///< px that a key press moves a body
+constexpr double rulerStep = 5.0;     ///< px that a key press moves an end of the ruler
+constexpr double toolStep = 20.0;     ///< px that a key press moves the pointer or the target
 constexpr double wheelOctave = 480.0; ///< eighths of a degree that double the zoom
-constexpr double wheelPan = 0.5;      ///< px of the screen an eighth of a degree
+constexpr double wheelPan = 0.5;      ///< screen px per eighth of a degree
 
-/// Two fingers on a pad move the picture; a wheel zooms.
+/// Returns whether a wheel event comes from a touch pad. Two fingers on a touch pad pan; a mouse wheel zooms.
 bool isPad(const QWheelEvent &event)
 {
     return event.device()->type() == QInputDevice::DeviceType::TouchPad ||
@@ -37,13 +37,14 @@ bool isPad(const QWheelEvent &event)
 
 void SceneView::mousePressEvent(QMouseEvent *event)
 {
+    m_session.preview().end(); // a press acts at the cursor of the run
     m_pointer = event->position();
     event->accept();
     if (event->button() == Qt::LeftButton && takeRuler()) {
         setFocus(Qt::MouseFocusReason);
     } else if (event->button() == Qt::LeftButton) {
-        const int point = Hand::bodyAt(m_shown, camera(), m_pointer);
-        const bool pointed = point >= 0 && point == m_shown.picture.look->pointerPoint;
+        const int point = BodyDrag::bodyAt(m_shown, camera(), m_pointer);
+        const bool pointed = point >= 0 && point == m_shown.picture.view->pointerPoint;
         if (pointed)
             m_session.select(nameOf(point));
         const EdgeMarker *outside = point < 0 ? markerAt(m_pointer) : nullptr;
@@ -54,12 +55,12 @@ void SceneView::mousePressEvent(QMouseEvent *event)
         } else if ((point < 0 || pointed) && m_tools.press(camera().back(m_pointer))) {
             setFocus(Qt::MouseFocusReason);
         } else if (point >= 0) {
-            m_hand.press(nameOf(point), m_shown.state().positionOf(point), camera().back(m_pointer),
+            m_drag.press(nameOf(point), m_shown.state().positionOf(point), camera().back(m_pointer),
                          m_pointer);
         } else {
             m_panFrom = m_pointer;
         }
-    } else if (event->button() == Qt::MiddleButton && !m_hand.isDown()) {
+    } else if (event->button() == Qt::MiddleButton && !m_drag.isDown()) {
         m_panFrom = m_pointer;
     }
     updateCursor();
@@ -83,15 +84,15 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
     if (m_ruled) {
         m_shown.ruler.at(*m_ruled) = camera().back(m_pointer);
         viewport()->update();
-    } else if (m_hand.isDown()) {
-        m_hand.carry(camera().back(m_pointer), m_pointer);
+    } else if (m_drag.isDown()) {
+        m_drag.carry(camera().back(m_pointer), m_pointer);
     } else if (m_tools.isPointing()) {
         m_tools.moveTo(camera().back(m_pointer));
     } else if (m_panFrom) {
         pan(m_pointer - *m_panFrom);
         m_panFrom = m_pointer;
     } else if (event->buttons() == Qt::NoButton) {
-        lookBack();
+        previewPointed();
     }
     updateCursor();
 }
@@ -102,9 +103,9 @@ void SceneView::mouseReleaseEvent(QMouseEvent *event)
     event->accept();
     if (event->button() == Qt::LeftButton) {
         m_ruled.reset();
-        m_hand.letGo();
+        m_drag.release();
         if (m_tools.isPointing())
-            m_tools.letUp();
+            m_tools.release();
     }
     if (event->buttons() == Qt::NoButton)
         m_panFrom.reset();
@@ -136,14 +137,14 @@ void SceneView::keyPressEvent(QKeyEvent *event)
         end = end + rulerStep * *way;
         viewport()->update();
     } else if (way && modifiers == Qt::AltModifier)
-        carrySelected(handStep * *way);
+        carrySelected(dragStep * *way);
     else if (event->key() == Qt::Key_BracketRight)
         selectNext();
     else if (event->key() == Qt::Key_BracketLeft)
         selectPrevious();
-    else if (event->key() == Qt::Key_Escape && (m_hand.isDown() || m_tools.isPointing())) {
-        m_hand.letGo();
-        m_tools.letUp();
+    else if (event->key() == Qt::Key_Escape && (m_drag.isDown() || m_tools.isPointing())) {
+        m_drag.release();
+        m_tools.release();
     } else if (!useTools(*event))
         event->ignore(); // arrows and Page Up belong to the window, not to the scroll bars
     updateCursor();
@@ -172,7 +173,7 @@ void SceneView::keyReleaseEvent(QKeyEvent *event)
 
 bool SceneView::event(QEvent *event)
 {
-    // An arrow key that steers must not step frames as well.
+    // An arrow key that steers must not also step through frames.
     if (event->type() == QEvent::ShortcutOverride && m_tools.wants(*static_cast<QKeyEvent *>(event))) {
         event->accept();
         return true;
@@ -194,13 +195,13 @@ void SceneView::selectBeside(int step)
 
 void SceneView::carrySelected(sim::Vec2 by)
 {
-    if (m_shown.selected < 0 || m_hand.isDown())
+    if (m_shown.selected < 0 || m_drag.isDown())
         return;
     const QString body = nameOf(m_shown.selected);
     const sim::Vec2 from = m_shown.state().positionOf(m_shown.selected);
-    m_session.grab(body);
-    m_session.moveHand(from + by);
-    m_session.letGo();
+    m_session.input().grab(body);
+    m_session.input().moveTo(from + by);
+    m_session.input().release();
 }
 
 void SceneView::focusInEvent(QFocusEvent *event)
@@ -214,8 +215,8 @@ void SceneView::focusInEvent(QFocusEvent *event)
 
 void SceneView::focusOutEvent(QFocusEvent *event)
 {
-    m_hand.letGo();
-    m_tools.letUp();
+    m_drag.release();
+    m_tools.release();
     m_panFrom.reset();
     m_shown.focusVisible = false;
     QGraphicsView::focusOutEvent(event);
@@ -228,8 +229,8 @@ bool SceneView::viewportEvent(QEvent *event)
     if (event->type() == QEvent::Leave) {
         m_pointer = {-1.0, -1.0};
         pointAt({});
-        if (m_looksBack)
-            m_session.endGlance();
+        if (m_ownsPreview)
+            m_session.preview().end();
     } else if (event->type() == QEvent::NativeGesture) {
         pinch(*static_cast<QNativeGestureEvent *>(event));
         return true;
@@ -259,7 +260,7 @@ const EdgeMarker *SceneView::markerAt(QPointF place)
 
 QString SceneView::tipAt(QPointF place)
 {
-    const int point = Hand::bodyAt(m_shown, camera(), place);
+    const int point = BodyDrag::bodyAt(m_shown, camera(), place);
     if (point >= 0)
         return bodySentence(nameOf(point), m_shown.state().positionOf(point),
                             m_shown.state().velocityOf(point));
@@ -285,7 +286,7 @@ void SceneView::updateCursor()
 {
     Qt::CursorShape shape = Qt::ArrowCursor;
     int outside = -1;
-    if (m_hand.isDown() || m_ruled)
+    if (m_drag.isDown() || m_ruled)
         shape = Qt::ClosedHandCursor;
     else if (m_shown.extras.ruler && m_shown.ruler.endAt(camera(), m_pointer))
         shape = Qt::OpenHandCursor;
@@ -293,7 +294,7 @@ void SceneView::updateCursor()
         shape = Qt::SizeAllCursor;
     else if (m_tools.isPointing())
         shape = Qt::CrossCursor;
-    else if (viewRect().contains(m_pointer) && Hand::bodyAt(m_shown, camera(), m_pointer) >= 0)
+    else if (viewRect().contains(m_pointer) && BodyDrag::bodyAt(m_shown, camera(), m_pointer) >= 0)
         shape = Qt::OpenHandCursor;
     else if (const EdgeMarker *marker = viewRect().contains(m_pointer) ? markerAt(m_pointer) : nullptr) {
         shape = Qt::PointingHandCursor;

@@ -1,10 +1,10 @@
 #include "app/ui/scene/scene_view.h"
 
-#include "app/model/accuracy_study.h"
-#include "app/model/player.h"
-#include "app/ui/scene/body_text.h"
-#include "app/ui/scene/layers.h"
-#include "app/ui/scene/reference_marks.h"
+#include "app/model/analysis/accuracy_study.h"
+#include "app/model/run/frame_clock.h"
+#include "app/ui/scene/drawing/body_text.h"
+#include "app/ui/scene/layers/layers.h"
+#include "app/ui/scene/layers/reference_marks.h"
 #include "lessons/api/view/view.h"
 #include "sim/run/phase_before.h"
 #include "sim/run/script/composed_interval.h"
@@ -18,16 +18,16 @@ namespace app {
 
 namespace {
 
-constexpr double dotStep = 25.0;    ///< px
-constexpr double dotRadius = 1.3;   ///< px of the screen
-constexpr int crossEvery = 4;       ///< dots, where a cross is drawn instead
-constexpr double gridArm = 4.0;     ///< px of the screen
-constexpr double densest = 18.0;    ///< px of the screen between two dots
-constexpr int mostSkinned = 20'000; ///< points: earlier moments of more would take too long to find again
-constexpr double ghostShows = 1e-9; ///< px: a ghost that is closer to the run is not drawn
+constexpr double dotStep = 25.0;         ///< px
+constexpr double dotRadius = 1.3;        ///< screen px
+constexpr int crossEvery = 4;            ///< dots per cross
+constexpr double gridArm = 4.0;          ///< screen px
+constexpr double densest = 18.0;         ///< smallest distance between two dots, screen px
+constexpr int mostSkinned = 20'000;      ///< points; with more, computing earlier moments would take too long
+constexpr double leastDifference = 1e-9; ///< px; a ghost closer to the run than this is not drawn
 
 template <class... Layers>
-void addLayers(QGraphicsScene &scene, const Shown &shown, const Theme &theme)
+void addLayers(QGraphicsScene &scene, const SceneContent &shown, const Theme &theme)
 {
     (scene.addItem(new Layers(shown, theme)), ...);
 }
@@ -35,14 +35,14 @@ void addLayers(QGraphicsScene &scene, const Shown &shown, const Theme &theme)
 bool differ(const Picture &a, const Picture &b)
 {
     return a.state.pointCount() != b.state.pointCount() ||
-           ((a.state.position - b.state.position).abs() > ghostShows).any();
+           ((a.state.position - b.state.position).abs() > leastDifference).any();
 }
 
 }
 
 SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
-    : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, m_beside, theme),
-      m_hand(session), m_tools(session)
+    : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, m_companion, theme),
+      m_drag(session), m_tools(session)
 {
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
@@ -53,30 +53,25 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     setTransformationAnchor(NoAnchor);
     setResizeAnchor(AnchorViewCenter);
     setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(false); // the window takes files
+    viewport()->setAcceptDrops(false);
     setMinimumSize(240, 160);
     setAccessibleName(tr("Scene"));
     viewport()->setMouseTracking(true);
 
     m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
-    addLayers<RoomLayer, RampLayer, GroundLayer, ShadowLayer, GhostLayer, OnionLayer, TrailLayer, TreeLayer,
-              MeadowLayer, LimbLayer, SkinLayer, SheetLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
-              BodyLayer, RestLayer, ReferenceLayer, GuideLayer, ArrowLayer>(m_scene, m_shown, theme);
+    addLayers<RoomLayer, RampLayer, GroundLayer, ShadowLayer, ComparisonLayer, OnionLayer, TrailLayer,
+              TreeLayer, MeadowLayer, LimbLayer, SkinLayer, SheetLayer, ChainLayer, LegLayer, SpringLayer,
+              StickLayer, BodyLayer, RestLayer, ReferenceLayer, OverlayLayer, ArrowLayer>(m_scene, m_shown,
+                                                                                          theme);
     addLayers<RoomLayer, ShadowLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
-              BodyLayer, RestLayer, GuideLayer, NameLayer>(m_scene, m_beside, theme);
+              BodyLayer, RestLayer, OverlayLayer, NameLayer>(m_scene, m_companion, theme);
     m_scene.addItem(new NameLayer(m_shown, theme));
-    m_scene.addItem(new RecordedHandLayer(session, m_shown, theme));
+    m_scene.addItem(new RecordedPointerLayer(session, m_shown, theme));
     setScene(&m_scene);
 
-    connect(&session, &Session::stepOpened, this, &SceneView::open);
-    connect(&session, &Session::moved, this, &SceneView::refresh);
-    connect(&session, &Session::glanceChanged, this, &SceneView::followGlance);
-    connect(&session, &Session::runChanged, this, [this] {
-        m_motion.reset();
-        refresh();
-    });
-    connect(&session, &Session::selectionChanged, this, &SceneView::refresh);
-    connect(&session, &Session::playingChanged, this, &SceneView::refresh);
+    connect(&session, &Session::changed, this, &SceneView::followChange);
     connect(&theme, &Theme::changed, this, &SceneView::readTheme);
     readTheme();
     open();
@@ -84,7 +79,7 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
 
 SceneView::~SceneView()
 {
-    // The scene dies before the view does: the view must not ask it anything then.
+    // The scene is destroyed before the view, which must not access it then.
     setScene(nullptr);
 }
 
@@ -92,42 +87,54 @@ void SceneView::readTheme()
 {
     m_shown.text = m_theme.ui(12);
     m_shown.figures = m_theme.ui(12, QFont::DemiBold);
-    m_beside.text = m_shown.text;
-    m_beside.figures = m_shown.figures;
+    m_companion.text = m_shown.text;
+    m_companion.figures = m_shown.figures;
     viewport()->update();
 }
 
 void SceneView::open()
 {
-    m_hand.letGo();
-    m_tools.letUp();
+    m_drag.release();
+    m_tools.release();
     m_shown.trail.clear();
     m_runScales = {};
     m_follows = true;
-    m_atHome = false; // another scene is shown as a whole
+    m_atHome = false; // show another scene as a whole
     m_motion.reset();
     refresh();
     takeExtrasOfStep();
     showHome();
 }
 
+void SceneView::followChange(const Change &change)
+{
+    if (change.isAny(ChangeKind::run))
+        m_motion.reset();
+    if (change.isAny(ChangeKind::step))
+        open();
+    else if (change.isAny(ChangeKind::preview))
+        followPreview(change);
+    else
+        refresh();
+}
+
 void SceneView::refresh()
 {
-    if (m_looksBack && m_session.isGlancing())
+    if (m_ownsPreview && m_session.preview().isActive())
         return;
     takeMoment();
-    if (!m_session.isGlancing()) { // what was stays that of the run
+    if (!m_session.preview().isActive()) { // a preview does not change the trail
         m_shown.trail.follow(m_session.timeline());
         takeOnion();
-        if (m_atHome && m_shown.look().stage != m_stage)
-            showHome(); // the scene has another size now
+        if (m_atHome && m_shown.view().stage != m_stage)
+            showHome(); // the stage has changed its size
     }
     m_shown.selected = m_shown.picture.interval->scene.find(m_session.selected().toStdString());
     m_shown.scales = m_runScales;
-    measureArrows(m_shown, m_session.shown().cursor().frame);
-    if (!m_session.isGlancing())
+    measureArrows(m_shown, m_session.preview().run().cursor().frame);
+    if (!m_session.preview().isActive())
         m_runScales = m_shown.scales;
-    if (!m_session.isPlaying())
+    if (!m_session.playback().isPlaying())
         describe();
     keepSubject();
     updateCursor();
@@ -136,11 +143,11 @@ void SceneView::refresh()
 
 void SceneView::takeMoment()
 {
-    m_shown.picture = m_session.picture();
-    m_shown.ghost = m_session.ghost();
-    if (m_shown.ghost && !differ(*m_shown.ghost, m_shown.picture))
-        m_shown.ghost.reset();
-    m_shown.ghostName = m_session.ghostName();
+    m_shown.picture = m_session.presentation().picture();
+    m_shown.comparison = m_session.presentation().comparison();
+    if (m_shown.comparison && !differ(*m_shown.comparison, m_shown.picture))
+        m_shown.comparison.reset();
+    m_shown.comparisonName = m_session.comparisons().comparisonName();
     takePulls();
     takeCaption();
     takeReference();
@@ -149,17 +156,18 @@ void SceneView::takeMoment()
 
 void SceneView::takePulls()
 {
-    const sim::Timeline &timeline = m_session.shown();
+    const sim::Timeline &timeline = m_session.preview().run();
     m_shown.isInside = timeline.cursor().phase > 0 && m_wantsVelocities.value_or(true);
     m_shown.before.reset();
     if (m_shown.isInside && !m_shown.isCrowd())
         m_shown.before = sim::stateBeforeLastPhase(timeline.track());
     m_shown.pullsAreAll = m_shown.extras.pulls && timeline.cursor().phase == 0;
-    m_shown.gathered = m_shown.pullsAreAll ? sim::currentForces(timeline.track()) : m_session.gathered();
+    m_shown.gathered =
+        m_shown.pullsAreAll ? sim::currentForces(timeline.track()) : m_session.presentation().forces();
     m_shown.clock =
         tr("frame %1 = %2\u2009s")
             .arg(timeline.cursor().frame)
-            .arg(QLocale().toString(double(timeline.cursor().frame) / Player::framesPerSecond, 'f', 2));
+            .arg(QLocale().toString(double(timeline.cursor().frame) / FrameClock::framesPerSecond, 'f', 2));
 }
 
 void SceneView::describe()
@@ -170,12 +178,12 @@ void SceneView::describe()
                             m_shown.state().velocityOf(m_shown.selected));
     if (!m_shown.caption.isEmpty())
         text += ". " + m_shown.caption;
-    if (const std::optional<sim::Vec2> hand = m_session.recordedHand())
-        text +=
-            ". " +
-            tr("The hand of the recorded run is at %1, %2").arg(hand->x, 0, 'f', 0).arg(hand->y, 0, 'f', 0);
-    if (m_beside.points() > 0)
-        text += ". " + tr("Beside it: %1").arg(m_beside.name);
+    if (const std::optional<sim::Vec2> pointer = m_session.input().recordedPointer())
+        text += ". " + tr("The hand of the recorded run is at %1, %2")
+                           .arg(pointer->x, 0, 'f', 0)
+                           .arg(pointer->y, 0, 'f', 0);
+    if (m_companion.points() > 0)
+        text += ". " + tr("Beside it: %1").arg(m_companion.name);
     if (m_shown.reference && m_shown.extras.reference)
         text += ". " + referenceSentence(*m_shown.reference);
     if (text != accessibleDescription())
@@ -193,7 +201,7 @@ void SceneView::setExtras(const Extras &extras)
         m_wantsVelocities = extras.velocities;
     if (extras.onion != m_shown.extras.onion)
         m_wantsOnion = extras.onion;
-    if (extras.ruler && !m_shown.extras.ruler) { // it comes to the middle of what is seen
+    if (extras.ruler && !m_shown.extras.ruler) { // put it in the middle of the view
         const QPointF middle = viewRect().center();
         m_shown.ruler = {camera().back(middle - QPointF(80.0, 0.0)),
                          camera().back(middle + QPointF(80.0, 0.0))};
@@ -205,8 +213,8 @@ void SceneView::setExtras(const Extras &extras)
 void SceneView::takeExtrasOfStep()
 {
     Extras extras = m_shown.extras;
-    extras.velocities = m_wantsVelocities.value_or(m_shown.look().showsVelocities);
-    extras.onion = m_wantsOnion.value_or(m_shown.look().showsOnionSkins);
+    extras.velocities = m_wantsVelocities.value_or(m_shown.view().showsVelocities);
+    extras.onion = m_wantsOnion.value_or(m_shown.view().showsOnionSkins);
     if (extras.velocities == m_shown.extras.velocities && extras.onion == m_shown.extras.onion)
         return;
     m_shown.extras = extras;
@@ -220,7 +228,7 @@ void SceneView::takeOnion()
     const sim::Track &track = m_session.timeline().track();
     if (!m_shown.extras.onion || track.state().pointCount() > mostSkinned)
         return;
-    // At whole multiples, so that a skin stays where it is while it fades.
+    // At multiples of `every`, so that an onion skin keeps its position while it fades.
     const std::int64_t every = onionFrames * track.framesPerOutput();
     std::int64_t frame = (track.cursor().frame - 1) / every * every;
     for (int k = 0; k < onionSkins && frame >= 0; ++k, frame -= every) {
@@ -239,25 +247,26 @@ void SceneView::attach(const AccuracyStudy &study)
 void SceneView::takeReference()
 {
     m_shown.reference.reset();
-    const sim::Cursor at = m_session.shown().cursor();
-    if (m_study && m_study->isWatched() && m_study->accuracy() && at.phase == 0)
+    const sim::Cursor at = m_session.preview().run().cursor();
+    if (m_study && m_study->isActive() && m_study->accuracy() && at.phase == 0)
         m_shown.reference = referencePlaces(m_shown, *m_study->accuracy(), at.frame);
     if (!m_shown.reference || !m_shown.extras.reference)
         return;
-    // The reference shows where the bodies should be: a step's guides of the same would say it twice.
-    std::erase_if(m_shown.picture.guides, [](const lessons::Overlay &guide) {
-        return guide.about == lessons::Overlay::About::exactMotion;
+    // The reference shows where the bodies should be. The step's own overlays of the exact motion would
+    // repeat it.
+    std::erase_if(m_shown.picture.overlays, [](const lessons::Overlay &overlay) {
+        return overlay.about == lessons::Overlay::About::exactMotion;
     });
 }
 
 void SceneView::takeCompanion()
 {
-    m_beside.picture = m_session.companion().value_or(Picture());
+    m_companion.picture = m_session.presentation().companion().value_or(Picture());
     const std::optional<lessons::Companion> &companion = m_session.step().companion;
-    m_shown.name = companion ? m_session.ownCaption() : QString();
-    m_beside.name = companion ? companion->caption : QString();
-    m_beside.shift = companion ? companion->offset : sim::Vec2();
-    m_beside.extras = m_shown.extras;
+    m_shown.name = companion ? m_session.presentation().ownCaption() : QString();
+    m_companion.name = companion ? companion->caption : QString();
+    m_companion.shift = companion ? companion->offset : sim::Vec2();
+    m_companion.extras = m_shown.extras;
 }
 
 void SceneView::drawGrid(QPainter &painter, const QTransform &toView, const QRectF &area) const
@@ -294,7 +303,7 @@ void SceneView::drawBackground(QPainter *painter, const QRectF &)
     const QTransform toView = painter->worldTransform();
     const QRectF area = viewRect();
     painter->setWorldTransform({});
-    const bool isPaper = m_shown.look().sky == lessons::View::Sky::paper;
+    const bool isPaper = m_shown.view().sky == lessons::View::Sky::paper;
     if (isPaper)
         painter->fillRect(area, m_theme.tokens().scene);
     else

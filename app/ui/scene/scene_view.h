@@ -1,11 +1,11 @@
 #pragma once
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
+#include "app/ui/scene/body_drag.h"
 #include "app/ui/scene/framing.h"
-#include "app/ui/scene/hand.h"
-#include "app/ui/scene/overlay.h"
-#include "app/ui/scene/shown.h"
-#include "app/ui/scene/sky.h"
+#include "app/ui/scene/hud/hud.h"
+#include "app/ui/scene/layers/scene_content.h"
+#include "app/ui/scene/layers/sky.h"
 #include "app/ui/scene/tools.h"
 
 #include <QGraphicsScene>
@@ -17,7 +17,7 @@ namespace app {
 
 class AccuracyStudy;
 
-/// The picture of the run: what happens, what happened, and a hand that reaches into it.
+/// A view of the scene at the moment of the run that is shown. Bodies can be dragged in it.
 class SceneView : public QGraphicsView
 {
     Q_OBJECT
@@ -26,47 +26,48 @@ public:
     SceneView(Session &session, const Theme &theme, QWidget *parent = nullptr);
     ~SceneView() override;
 
-    /// Shows the reference of `study` while that is watched.
+    /// Shows the reference of `study` while it is being shown elsewhere.
     void attach(const AccuracyStudy &study);
 
-    /// In percent: at 100, a px of the scene is one of the screen.
+    /// Returns the zoom in percent. At 100, one scene px is one screen px.
     double zoom() const;
     const Extras &extras() const { return m_shown.extras; }
-    /// All that is drawn now.
-    const Shown &shown() const { return m_shown; }
-    /// The companion beside it.
-    const Shown &beside() const { return m_beside; }
-    /// What differs from what was shown is the learner's choice from then on, in every step.
+    /// Returns all that is drawn now.
+    const SceneContent &shown() const { return m_shown; }
+    /// Returns the companion that is drawn beside the scene.
+    const SceneContent &companion() const { return m_companion; }
+    /// Sets what is shown besides the creature. Changes count as the learner's choice in all later steps.
     void setExtras(const Extras &extras);
-    /// Shows what the step shows first together with `motion`, the box of a span of the run: see MotionArea::area().
+    /// Shows the area that the step shows first, together with `motion`: the box of a span of the run, from
+    /// MotionArea::area().
     void showSpan(const QRectF &motion);
-    /// Moves the picture so that the body is in the middle.
+    /// Moves the view to centre the body.
     void bringBack(const QString &body);
-    /// The scene as it is shown, without legends and captions; each px of the screen is `scale` of the picture's.
+    /// Returns an image of the scene as shown, without legends and captions. `scale`: image px per screen px.
     QImage picture(double scale = 1.0);
-    /// Paints the same, in px of the screen.
+    /// Paints the same image in screen px.
     void paintPicture(QPainter &painter);
-    /// What is said inside a frame; empty between two frames.
+    /// Returns the caption inside a frame; empty between two frames.
     QString caption() const { return m_shown.caption; }
 
 public slots:
     void zoomIn();
     void zoomOut();
     void zoomTo100();
-    /// Shows the whole stage with all bodies, and stays with them from then on.
+    /// Shows the whole stage with all bodies, and keeps them in view from then on.
     void fit();
-    /// Shows what it showed before it zoomed by itself.
+    /// Goes back to the framing before the view zoomed by itself.
     void returnHome();
-    /// Selects the next of the bodies outside of the picture, and moves the picture to it.
+    /// Selects the next body outside the view, and moves the view to it.
     void showNextOutside();
     void selectNext() { selectBeside(1); }
     void selectPrevious() { selectBeside(-1); }
 
 signals:
     void zoomChanged(double percent);
-    /// A step shows other extras than the one before.
+    /// Emitted when a step shows other extras than the step before.
     void extrasChanged();
-    /// The mouse is on a body, or on none any more: then the name is empty.
+    /// Emitted when the mouse enters or leaves a body. The name is empty if there is no body under the mouse.
     void bodyPointedAt(const QString &body);
 
 protected:
@@ -87,16 +88,17 @@ protected:
 
 private:
     void open();
-    /// Dots every 25 px, and crosses every 100, or more widely where those would stand too close.
+    /// Draws dots every 25 px and crosses every 100 px, or at wider distances where these would be too dense.
     void drawGrid(QPainter &painter, const QTransform &toView, const QRectF &area) const;
     void refresh();
     void describe();
-    void followGlance();
+    void followChange(const Change &change);
+    void followPreview(const Change &change);
     void takeMoment();
     void takeCaption();
-    /// The moment of the trail or the skins that the mouse is at is looked at: the figure stays, and what it was then is
-    /// drawn where it was.
-    void lookBack();
+    /// Previews the moment of the trail or onion skin under the mouse. The figure stays, and its earlier pose
+    /// is drawn in its earlier position.
+    void previewPointed();
     void pointAt(const QString &body);
     void takeExtrasOfStep();
     void takeOnion();
@@ -108,9 +110,10 @@ private:
     QRectF viewRect() const { return QRectF(viewport()->rect()); }
     QString nameOf(int point) const;
 
-    /// Where the run goes from its start if nobody touches it, measured once a run; see MotionArea::area().
+    /// Returns the area that the run crosses from its start without user input. Measured once per run; see
+    /// MotionArea::area().
     const QRectF &motion();
-    /// The same in px of the scene, now.
+    /// Returns the same area at the present position of the followed point, scene px.
     QRectF motionHere();
     void showHome();
     void frameHome();
@@ -120,22 +123,23 @@ private:
     void pan(QPointF by);
     void movePicture(QPointF by);
     void shiftBy(QPointF by);
-    /// Moves the picture sideways when the point that the look follows leaves its place, shares of the view's width.
+    /// Moves the view sideways if the followed point is outside `from` to `to`, as fractions of the view's
+    /// width.
     void followWithin(double from, double to);
     void follow();
-    /// After a change: follows, zooms out or comes back, so that there is always something to see.
+    /// Keeps something in view after a change: follows the bodies, zooms out or moves back to them.
     void keepSubject();
-    /// The box of all bodies, px of the scene.
+    /// Returns the box of all bodies, scene px.
     QRectF subject() const;
-    /// The box of those bodies of the run, and of its companion, that are within `area`.
+    /// Returns the box of the bodies of the run and of its companion within `area`.
     QRectF subjectWithin(const QRectF &area) const;
     bool isSubjectInSight() const;
-    /// The shortest move, px of the screen, that brings a body into sight.
+    /// Returns the shortest move that brings a body into view, screen px.
     QPointF wayToSubject() const;
     void bringSubjectBack();
     void widen();
-    /// Inside a frame: enlarges a small creature, so that its arrows can be read.
-    void lookClosely();
+    /// Inside a frame: enlarges a small creature, to make its arrows readable.
+    void zoomToCreature();
     void updateCursor();
     const EdgeMarker *markerAt(QPointF place);
     QString tipAt(QPointF place);
@@ -143,38 +147,38 @@ private:
     void selectBeside(int step);
     void carrySelected(sim::Vec2 by);
     bool useTools(const QKeyEvent &event);
-    /// Whether the pointer is on an end of the ruler, which it then moves.
+    /// Starts to move an end of the ruler if the pointer is on it. Returns whether it is.
     bool takeRuler();
 
     Session &m_session;
     const AccuracyStudy *m_study = nullptr;
     const Theme &m_theme;
-    Shown m_shown;
-    ArrowScales m_runScales; ///< of the run itself: a look at another moment changes nothing of them
-    Shown m_beside;          ///< the companion; no picture where there is none
-    Overlay m_overlay;
-    Hand m_hand;
+    SceneContent m_shown;
+    ArrowScales m_runScales;  ///< of the run itself; a preview does not change them
+    SceneContent m_companion; ///< without a picture if there is no companion
+    Hud m_overlay;
+    BodyDrag m_drag;
     Tools m_tools;
     QGraphicsScene m_scene;
-    std::vector<EdgeMarker> m_markers; ///< as last asked for
-    QRectF m_home;                     ///< what a step shows first, px
-    QRectF m_stage;                    ///< of the look that this is from
-    bool m_atHome = true;              ///< nobody has zoomed or moved the picture yet
-    bool m_isFitted = false;           ///< `m_home` is all that there is to show
-    bool m_isClose = false;            ///< it looks closer, inside a frame
-    std::optional<Framing> m_narrow;   ///< before the picture zoomed by itself
-    std::optional<QRectF> m_motion;    ///< of the run in use, if it is measured
-    sim::Cursor m_seenAt;              ///< the moment that was in the picture last
-    bool m_follows = true;             ///< nobody has moved the picture away from what walks
+    std::vector<EdgeMarker> m_markers; ///< as last computed
+    QRectF m_home;                     ///< the area that a step shows first, px
+    QRectF m_stage;                    ///< the stage from which `m_home` was computed
+    bool m_atHome = true;              ///< the learner has not zoomed or panned yet
+    bool m_isFitted = false;           ///< `m_home` is the whole scene
+    bool m_isClose = false;            ///< enlarged, inside a frame
+    std::optional<Framing> m_narrow;   ///< before the view zoomed by itself
+    std::optional<QRectF> m_motion;    ///< of the run in use, once measured
+    sim::Cursor m_seenAt;              ///< the last moment shown
+    bool m_follows = true;             ///< the learner has not panned away from the followed point
     Sky m_sky;
-    std::optional<bool> m_wantsVelocities; ///< as the learner chose; a step's look decides before
+    std::optional<bool> m_wantsVelocities; ///< the learner's choice; until then, the lesson view decides
     std::optional<bool> m_wantsOnion;
     std::optional<QPointF> m_panFrom;
-    std::optional<Ruler::End> m_ruled; ///< the end of the ruler that the pointer moves
+    std::optional<Ruler::End> m_ruled; ///< the end of the ruler that is being dragged
     QPointF m_pointer{-1.0, -1.0};
-    QString m_pointed;             ///< the body that the mouse is on
-    bool m_looksBack = false;      ///< whether the moment that is looked at is that under the mouse
-    std::optional<QPoint> m_place; ///< what the scroll bars stood at before somebody looked elsewhere
+    QString m_pointed;             ///< the body under the mouse
+    bool m_ownsPreview = false;    ///< whether the preview is of the moment under the mouse
+    std::optional<QPoint> m_place; ///< the scroll positions before a preview
 };
 
 }

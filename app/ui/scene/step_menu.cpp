@@ -1,7 +1,7 @@
 #include "app/ui/scene/step_menu.h"
 
-#include "app/model/sentences.h"
-#include "app/model/step_words.h"
+#include "app/model/text/sentences.h"
+#include "app/model/text/step_text.h"
 #include "sim/base/error.h"
 
 #include <QActionGroup>
@@ -23,7 +23,7 @@ const std::array offeredTolerances{1.0, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7
 
 constexpr const char *tolerance = "tolerance"; ///< property of entries: whether they are tolerances
 
-/// Keeps Return to itself: in a menu it would trigger an entry besides the field that it was typed in.
+/// Accepts Return, which would otherwise also trigger an entry of the menu.
 class FieldRow : public QWidget
 {
 protected:
@@ -53,7 +53,7 @@ StepMenu::StepMenu(Session &session, QWidget *parent) : QMenu(parent), m_session
         offer(toleranceTitle(px), px, true);
     connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
         const double value = action->data().toDouble();
-        isAdaptive() ? m_session.setTolerance(value) : m_session.setStepSize(value);
+        isAdaptive() ? m_session.editor().setTolerance(value) : m_session.editor().setStepSize(value);
         emit chosen();
     });
     addSeparator();
@@ -69,7 +69,7 @@ void StepMenu::addOther()
     m_other->setFixedWidth(72);
     m_unit = new QLabel(content);
     label->setBuddy(m_other);
-    content->setFocusPolicy(Qt::StrongFocus); // the menu gives it the focus when its keys come there
+    content->setFocusPolicy(Qt::StrongFocus); // the menu focuses this widget when keys select its action
     content->setFocusProxy(m_other);
     m_why = new QLabel(content);
     m_why->setObjectName("caption");
@@ -108,8 +108,8 @@ void StepMenu::follow()
     m_unit->setText(adaptive ? tr("px") : tr("frames"));
     m_other->setPlaceholderText(adaptive ? QStringLiteral("5e-3") : QStringLiteral("1/6"));
     m_other->setToolTip(
-        adaptive ? tr("From 1e-13 to 100 px; Enter takes it")
-                 : tr("1 divided by a whole number, or a whole number, in frames; Enter takes it"));
+        adaptive ? tr("From 1e-13 to 100 px; press Enter to apply")
+                 : tr("A whole number of frames, or 1 divided by a whole number; press Enter to apply"));
     m_other->setAccessibleName(adaptive ? tr("Other tolerance, in px") : tr("Other step, in frames"));
 }
 
@@ -126,7 +126,7 @@ void StepMenu::takeOther()
         return;
     }
     close();
-    adaptive ? m_session.setTolerance(typed) : m_session.setStepSize(typed);
+    adaptive ? m_session.editor().setTolerance(typed) : m_session.editor().setStepSize(typed);
 }
 
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
 
 #include <QMenu>
 
@@ -9,7 +9,7 @@ class QLineEdit;
 
 namespace app {
 
-/// The steps that a method can take, or the tolerances where it chooses its steps itself, and a field for any other one.
+/// A menu of steps, or of tolerances for an adaptive method, with a field for any other value.
 class StepMenu : public QMenu
 {
     Q_OBJECT
@@ -17,11 +17,11 @@ class StepMenu : public QMenu
 public:
     explicit StepMenu(Session &session, QWidget *parent = nullptr);
 
-    /// Offers what the method in use takes, with a mark at what the run has.
+    /// Lists steps or tolerances, whichever the method takes, and checks the one in use.
     void follow();
 
 signals:
-    /// The learner has chosen one. What the method refuses changes nothing.
+    /// The learner has chosen a value. If the method rejects it, nothing has changed.
     void chosen();
 
 private:
@@ -31,8 +31,8 @@ private:
 
     Session &m_session;
     QLineEdit *m_other = nullptr;
-    QLabel *m_unit = nullptr; ///< of what is typed there
-    QLabel *m_why = nullptr;  ///< why it was refused
+    QLabel *m_unit = nullptr; ///< of the field
+    QLabel *m_why = nullptr;  ///< why the typed value is invalid
 };
 
 }

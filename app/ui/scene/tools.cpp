@@ -66,10 +66,10 @@ bool Tools::press(sim::Vec2 place)
     if (can(lessons::Interaction::pointer)) {
         m_pointing = true;
         moveTo(place);
-        m_session.sayThatTimeStands();
+        m_session.playback().reportIfPaused();
     } else if (can(lessons::Interaction::target)) {
-        m_session.aim(place);
-        m_session.sayThatTimeStands();
+        m_session.input().setTarget(place);
+        m_session.playback().reportIfPaused();
     }
     return any();
 }
@@ -77,19 +77,20 @@ bool Tools::press(sim::Vec2 place)
 void Tools::moveTo(sim::Vec2 place)
 {
     if (m_pointing)
-        m_session.point(place, true);
+        m_session.input().setPointer(place, true);
 }
 
-void Tools::letUp()
+void Tools::release()
 {
     m_pointing = false;
-    m_session.letUp();
+    m_session.input().releaseAll();
 }
 
 bool Tools::wants(const QKeyEvent &key) const
 {
     const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    return plain && steeringKey(key.key()) && can(lessons::Interaction::keys) && m_session.isPlaying();
+    return plain && steeringKey(key.key()) && can(lessons::Interaction::keys) &&
+           m_session.playback().isPlaying();
 }
 
 bool Tools::key(const QKeyEvent &key, bool down)
@@ -98,7 +99,7 @@ bool Tools::key(const QKeyEvent &key, bool down)
     if (!steering || !can(lessons::Interaction::keys) || (down && !wants(key)))
         return false;
     if (!key.isAutoRepeat())
-        m_session.steer(steering, down);
+        m_session.input().setKey(steering, down);
     return true;
 }
 
@@ -116,9 +117,9 @@ bool Tools::isDown() const
 bool Tools::nudge(sim::Vec2 by, sim::Vec2 middle)
 {
     if (can(lessons::Interaction::pointer))
-        m_session.point(pointer(middle) + by, isDown());
+        m_session.input().setPointer(pointer(middle) + by, isDown());
     else if (can(lessons::Interaction::target))
-        m_session.aim(m_session.timeline().state().input.target + by);
+        m_session.input().setTarget(m_session.timeline().state().input.target + by);
     return any();
 }
 
@@ -126,7 +127,7 @@ bool Tools::togglePointer(sim::Vec2 middle)
 {
     if (!can(lessons::Interaction::pointer))
         return false;
-    m_session.point(pointer(middle), !isDown());
+    m_session.input().setPointer(pointer(middle), !isDown());
     return true;
 }
 

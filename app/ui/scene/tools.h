@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/scene/canvas.h"
+#include "app/ui/scene/drawing/canvas.h"
 
 #include <QKeyEvent>
 
@@ -8,30 +8,30 @@
 
 namespace app {
 
-/// What the pointer and the keys do in steps whose scenes let more in than a hand: they blow, steer, or set targets.
+/// Handles pointer and keys in steps whose scenes accept more input than dragging: wind, steering, or targets.
 class Tools
 {
 public:
     explicit Tools(Session &session) : m_session(session) {}
 
-    /// Whether a press at `place`, on no body or on the one that the pointer carries, is the scene's: the pointer
-    /// is down then, or a target is set.
+    /// Handles a press at `place`, on no body or on the one that the pointer carries. Returns whether the scene uses it:
+    /// the pointer is down then, or a target is set.
     bool press(sim::Vec2 place);
     void moveTo(sim::Vec2 place);
-    /// The pointer's button comes up, and all keys.
-    void letUp();
+    /// Releases the pointer's button and all keys.
+    void release();
     bool isPointing() const { return m_pointing; }
 
-    /// Whether an arrow key steers now: while the run plays, in a step that knows keys.
+    /// Returns whether an arrow key steers now: while the run plays, in a step that accepts keys.
     bool wants(const QKeyEvent &key) const;
-    /// A key goes down or up. Returns whether it was one of these.
+    /// Handles a key that is pressed or released. Returns whether it steers.
     bool key(const QKeyEvent &key, bool down);
-    /// Moves the pointer (or the target) by keys, from where it is or, before the first time, from `middle`.
-    /// Returns whether the step has one.
+    /// Moves the pointer or the target by `by`. A pointer that has not been used yet starts at `middle`.
+    /// Returns whether the step has a pointer or a target.
     bool nudge(sim::Vec2 by, sim::Vec2 middle);
-    /// The pointer's button by the keyboard: down if it was up. Returns whether the step has a pointer.
+    /// Toggles the pointer's button by the keyboard. Returns whether the step has a pointer.
     bool togglePointer(sim::Vec2 middle);
-    /// Returns whether the scene has a use for the pointer or for targets.
+    /// Returns whether the scene uses the pointer or targets.
     bool any() const;
 
 private:

@@ -1,79 +1,65 @@
 #pragma once
 
-#include "app/model/stability_words.h"
-#include "app/ui/plots/plot_export.h"
-#include "app/ui/theme/custom_plot.h"
-#include "app/ui/theme/theme.h"
-
-#include <optional>
+#include "app/model/text/stability_text.h"
+#include "app/ui/plots/spot_plot.h"
 
 namespace app {
 
-/// The map of growth: stiffness across, step or damping up, coloured where disturbances grow; with where the learner
-/// is and has been. A click on a place of it, or Enter where the arrow keys went, goes there.
-class GrowthPlot : public QCustomPlot
+/// The map of growth: stiffness across, step or damping up, coloured where disturbances grow, with the place in use and
+/// the places before it. Each cell of the map is a spot; using it sets stiffness and step or damping.
+class GrowthPlot : public SpotPlot
 {
     Q_OBJECT
 
 public:
-    GrowthPlot(StabilityWatch &watch, const Theme &theme, QWidget *parent = nullptr);
+    GrowthPlot(StabilityMonitor &monitor, const Theme &theme, QWidget *parent = nullptr);
 
-    /// Where the learner is (or where the keys went) and what holds there, for those who cannot see it.
-    QString sentence() const;
-    /// What the map says at a place of the widget, in px; empty outside.
+    /// Returns the result at a place of the widget, in px; empty outside the map.
     QString wordsAt(QPointF place) const;
-    /// The same with what a click there does.
+    /// Returns the same together with what a click there does.
     QString tipAt(QPointF place) const;
-    /// Goes to where the keys or the pointer are; nothing where they are nowhere.
-    void adopt();
-    /// Where a spot is drawn, in px of the widget.
+    using Plot::onScreen;
+    /// Returns the place of a tried setting in the widget, in px.
     QPointF onScreen(const TriedSpot &spot) const;
-
-    /// The map as it is seen, without focus and pointer.
-    PlotPicture picture();
 
     QSize minimumSizeHint() const override { return {280, 200}; }
     QSize sizeHint() const override { return {368, 220}; }
 
 protected:
+    std::optional<Spot> spotAt(QPointF place) const override;
+    std::optional<Spot> spotBeyond(QPoint step) const override;
+    void use(const Spot &spot) override;
+    QString tipOf(const Spot &spot) const override;
+    QString overview() const override;
+    QRectF markOf(const Spot &spot) const override;
+    void applyTheme() override;
+    void paintMarks(QPainter &painter) override;
+    void paintPointer(QPainter &painter) override;
     bool event(QEvent *event) override;
-    void paintEvent(QPaintEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *) override {}
-    void leaveEvent(QEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
-    void focusInEvent(QFocusEvent *event) override;
-    void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    void dress();
     void refresh();
     void fill(const sim::GrowthMap &map);
     void label(const sim::GrowthMap &map);
     double upOf(const TriedSpot &spot) const;
-    /// The cell at a place of the widget; column and row.
-    std::optional<QPoint> cellAt(QPointF place) const;
-    TriedSpot spotOf(QPoint at) const;
-    QString wordsOf(QPoint at) const;
-    QString tipOf(QPoint at) const;
-    void choose(std::optional<QPoint> at);
+    /// Returns the spot of the nearest cell. The row of a spot is the index of its cell in the map.
+    Spot spotOf(int column, int row) const;
+    /// Returns column and row.
+    QPoint cellOf(const Spot &spot) const;
+    /// Returns the setting that using a spot makes.
+    TriedSpot triedAt(const Spot &spot) const;
+    QString wordsOf(const Spot &spot) const;
     bool grows(int column, int row) const;
     QRectF cell(int column, int row) const;
     void drawBorder(QPainter &painter) const;
     void drawWords(QPainter &painter) const;
     QRectF hereBox(const QFontMetricsF &metrics) const;
     void drawTried(QPainter &painter) const;
-    void drawMarks(QPainter &painter) const;
-    void drawChosen(QPainter &painter) const;
     void drawScale(QPainter &painter) const;
 
-    StabilityWatch &m_watch;
-    const Theme &m_theme;
+    StabilityMonitor &m_monitor;
     QCPColorMap *m_cells;
     QCPColorGradient m_gradient;
-    std::optional<QPoint> m_chosen; ///< the cell under the pointer, or the one that the keys went to
-    bool m_ringed = false;          ///< the keyboard is here
 };
 
 }

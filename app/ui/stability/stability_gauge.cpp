@@ -1,7 +1,9 @@
 #include "app/ui/stability/stability_gauge.h"
 
-#include "app/model/numbers.h"
+#include "app/model/text/numbers.h"
 
+#include <QAccessible>
+#include <QAccessibleWidget>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QTextDocumentFragment>
@@ -13,16 +15,67 @@ namespace app {
 
 namespace {
 
-constexpr int margin = 8;
+constexpr int gaugeMargin = 8;
 constexpr int gap = 8;
 constexpr int gaugeHeight = 24;
 constexpr int tickHeight = 12;
 constexpr double paleness = 0.45;
 
+/// A button with a value: the share of the limit.
+class GaugeAccess : public QAccessibleWidget, public QAccessibleValueInterface
+{
+public:
+    explicit GaugeAccess(StabilityGauge *gauge)
+        : QAccessibleWidget(gauge, QAccessible::PushButton), m_gauge(gauge)
+    {
+    }
+
+    void *interface_cast(QAccessible::InterfaceType type) override
+    {
+        if (type == QAccessible::ValueInterface)
+            return static_cast<QAccessibleValueInterface *>(this);
+        return QAccessibleWidget::interface_cast(type);
+    }
+    QString text(QAccessible::Text kind) const override
+    {
+        return kind == QAccessible::Value ? m_gauge->words() : QAccessibleWidget::text(kind);
+    }
+    QStringList actionNames() const override { return {pressAction()}; }
+    void doAction(const QString &name) override
+    {
+        if (name == pressAction())
+            m_gauge->click();
+    }
+
+    QVariant currentValue() const override { return m_gauge->percent(); }
+    void setCurrentValue(const QVariant &) override {}
+    QVariant minimumValue() const override { return 0.0; }
+    QVariant maximumValue() const override { return 100.0 / StabilityGauge::limitPlace; }
+    QVariant minimumStepSize() const override { return 1.0; }
+
+private:
+    StabilityGauge *m_gauge;
+};
+
+QAccessibleInterface *makeGaugeAccess(const QString &, QObject *object)
+{
+    auto *gauge = qobject_cast<StabilityGauge *>(object);
+    return gauge ? new GaugeAccess(gauge) : nullptr;
 }
 
-StabilityGauge::StabilityGauge(const StabilityWatch &watch, const Theme &theme, QWidget *parent)
-    : QAbstractButton(parent), m_watch(watch), m_theme(theme)
+void installGaugeAccess()
+{
+    static const bool once = [] {
+        QAccessible::installFactory(makeGaugeAccess);
+        return true;
+    }();
+    Q_UNUSED(once);
+}
+
+}
+
+StabilityGauge::StabilityGauge(const StabilityMonitor &monitor, const Theme &theme, QWidget *parent)
+    : QAbstractButton(parent), m_monitor(monitor), m_theme(theme)
 {
     installGaugeAccess();
     setObjectName("gauge");
@@ -30,16 +83,16 @@ StabilityGauge::StabilityGauge(const StabilityWatch &watch, const Theme &theme, 
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     setAttribute(Qt::WA_Hover);
-    connect(&watch, &StabilityWatch::changed, this, &StabilityGauge::refresh);
-    connect(&watch.look(), &StabilityLook::changed, this, &StabilityGauge::refresh);
+    connect(&monitor, &StabilityMonitor::changed, this, &StabilityGauge::refresh);
+    connect(&monitor.preview(), &StabilityPreview::changed, this, &StabilityGauge::refresh);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     refresh();
 }
 
 const StabilityReading *StabilityGauge::reading() const
 {
-    const StabilityLook &look = m_watch.look();
-    return look.isLooking() && look.reading() ? look.reading() : m_watch.reading();
+    const StabilityPreview &preview = m_monitor.preview();
+    return preview.isOpen() && preview.reading() ? preview.reading() : m_monitor.reading();
 }
 
 QString StabilityGauge::description() const
@@ -47,9 +100,10 @@ QString StabilityGauge::description() const
     if (!reading())
         return {};
     const QString verdict = QTextDocumentFragment::fromHtml(stabilityVerdict(*reading())).toPlainText();
-    const StabilityLook &look = m_watch.look();
-    return look.isLooking() && look.isCurrent() ? tr("Looking at frame %1: %2").arg(look.frame()).arg(verdict)
-                                                : verdict;
+    const StabilityPreview &preview = m_monitor.preview();
+    return preview.isOpen() && preview.isCurrent()
+               ? tr("Preview of frame %1: %2").arg(preview.frame()).arg(verdict)
+               : verdict;
 }
 
 void StabilityGauge::refresh()
@@ -63,7 +117,7 @@ void StabilityGauge::refresh()
     setAccessibleDescription(description());
     setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
                    .arg(reading() ? stabilityVerdict(*reading()) : QString(),
-                        tr("Click for the reasons, and for what would mend it (Ctrl+L).")));
+                        tr("Click for the reasons and the remedies (Ctrl+L).")));
     if (grows)
         updateGeometry();
     update();
@@ -99,11 +153,11 @@ QColor StabilityGauge::fillColor() const
 QSize StabilityGauge::sizeHint() const
 {
     const QFontMetrics metrics(m_theme.ui(12));
-    // Room for what changes while it plays, so that nothing beside it moves.
+    // Room for numbers that change during playback, so that nothing beside them moves.
     const int words =
         std::max(metrics.horizontalAdvance(m_words),
                  metrics.horizontalAdvance(tr("%1\u2009% of the limit").arg(fixedNumber(99.9, 1))));
-    return {2 * margin + metrics.horizontalAdvance(tr("Stability")) + gap + barWidth + gap + words,
+    return {2 * gaugeMargin + metrics.horizontalAdvance(tr("Stability")) + gap + barWidth + gap + words,
             gaugeHeight};
 }
 
@@ -146,7 +200,7 @@ void StabilityGauge::paintEvent(QPaintEvent *)
     const QFontMetricsF metrics(font);
     painter.setFont(font);
     painter.setPen(tokens.ink2);
-    QRectF row = QRectF(rect()).adjusted(margin, 0, -margin, 0);
+    QRectF row = QRectF(rect()).adjusted(gaugeMargin, 0, -gaugeMargin, 0);
     painter.drawText(row, Qt::AlignVCenter | Qt::AlignLeft, tr("Stability"));
     row.setLeft(row.left() + metrics.horizontalAdvance(tr("Stability")) + gap);
     paintBar(painter, QRectF(row.left(), row.center().y() - barHeight / 2.0, barWidth, barHeight));

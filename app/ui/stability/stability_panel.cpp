@@ -1,7 +1,7 @@
 #include "app/ui/stability/stability_panel.h"
 
-#include "app/model/growth_table.h"
-#include "app/ui/panels/panel_title.h"
+#include "app/model/analysis/growth_table.h"
+#include "app/ui/dock/panel_title.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/stability/growth_plot.h"
 
@@ -29,7 +29,7 @@ QLabel *textLabel(const char *name, const QString &text, QWidget *parent)
     return label;
 }
 
-/// Rich text breaks lines at thin spaces: a number and its unit stay together.
+/// Returns the text with a number and its unit kept together: rich text breaks lines at thin spaces.
 QString unbroken(QString text)
 {
     return text.replace(QChar(0x2009), QChar(QChar::Nbsp));
@@ -37,8 +37,8 @@ QString unbroken(QString text)
 
 }
 
-StabilityPanel::StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_watch(watch), m_theme(theme)
+StabilityPanel::StabilityPanel(StabilityMonitor &monitor, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_monitor(monitor), m_theme(theme)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -49,7 +49,7 @@ StabilityPanel::StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidge
     column->setContentsMargins(margin, 4, margin, 12);
     column->setSpacing(8);
     column->addWidget(card());
-    column->addWidget(mends());
+    column->addWidget(remedyRows());
     m_leftOut = textLabel("caption", {}, content);
     column->addWidget(m_leftOut);
     column->addWidget(map(), 1);
@@ -64,10 +64,10 @@ StabilityPanel::StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidge
     all->setSpacing(0);
     all->addWidget(title());
     all->addWidget(area, 1);
-    connect(&watch, &StabilityWatch::changed, this, &StabilityPanel::refresh);
-    connect(&watch, &StabilityWatch::mapChanged, this, &StabilityPanel::refreshMap);
-    connect(&theme, &Theme::changed, this, &StabilityPanel::dress);
-    dress();
+    connect(&monitor, &StabilityMonitor::changed, this, &StabilityPanel::refresh);
+    connect(&monitor, &StabilityMonitor::mapChanged, this, &StabilityPanel::refreshMap);
+    connect(&theme, &Theme::changed, this, &StabilityPanel::applyTheme);
+    applyTheme();
     refresh();
     refreshMap();
 }
@@ -82,7 +82,7 @@ QWidget *StabilityPanel::title()
     m_close->setFixedSize(28, 28);
     m_close->setFocusPolicy(Qt::TabFocus);
     m_close->setAccessibleName(tr("Close"));
-    m_close->setToolTip(tr("Close, and show what was here before (Ctrl+L)"));
+    m_close->setToolTip(tr("Close, and show the previous panel (Ctrl+L)"));
     connect(m_close, &QToolButton::clicked, this, &StabilityPanel::closed);
     m_title->addAction(m_close);
     return m_title;
@@ -102,26 +102,21 @@ QWidget *StabilityPanel::card()
     return card;
 }
 
-QWidget *StabilityPanel::mends()
+QWidget *StabilityPanel::remedyRows()
 {
-    m_mends = new QWidget(this);
-    m_rows = new QGridLayout(m_mends);
+    m_remedyRows = new QWidget(this);
+    m_rows = new QGridLayout(m_remedyRows);
     m_rows->setContentsMargins(0, 0, 0, 0);
     m_rows->setHorizontalSpacing(10);
     m_rows->setVerticalSpacing(4);
     m_rows->setColumnStretch(1, 1);
-    m_rows->addWidget(textLabel("heading", tr("What would help"), m_mends), 0, 0, 1, 2);
-    return m_mends;
+    m_rows->addWidget(textLabel("heading", tr("Remedies"), m_remedyRows), 0, 0, 1, 2);
+    return m_remedyRows;
 }
 
 QToolButton *StabilityPanel::mapButton(const QString &text, const QString &tip, MapPlane plane)
 {
-    auto *button = new QToolButton(this);
-    button->setObjectName("tab");
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setCheckable(true);
-    button->setFocusPolicy(Qt::TabFocus);
+    QToolButton *button = makeTab(text, tip, this);
     connect(button, &QToolButton::clicked, this,
             [this, plane](bool on) { showMap(on ? std::optional(plane) : std::nullopt); });
     m_planes.push_back(button);
@@ -137,15 +132,18 @@ QWidget *StabilityPanel::map()
     auto *row = new QHBoxLayout;
     row->setSpacing(2);
     row->addWidget(textLabel("heading", tr("Map"), part), 1);
-    row->addWidget(mapButton(tr("Stiffness and step"),
-                             tr("Which stiffness and which step hold, all else as it is; again to close"),
-                             MapPlane::step));
+    row->addWidget(mapButton(
+        tr("Stiffness and step"),
+        tr("Shows which stiffness and step are stable, with everything else unchanged. Click again to close"),
+        MapPlane::step));
     row->addWidget(mapButton(tr("Stiffness and damping"),
-                             tr("Which stiffness and which damping hold, all else as it is; again to close"),
+                             tr("Shows which stiffness and damping are stable, with everything else "
+                                "unchanged. Click again to close"),
                              MapPlane::damping));
-    m_plot = new GrowthPlot(m_watch, m_theme, part);
+    m_plot = new GrowthPlot(m_monitor, m_theme, part);
     m_export = new PlotExport([this] { return m_plot->picture(); }, m_theme, this);
-    m_export->setNumbersAsText([this] { return m_watch.map() ? growthTable(*m_watch.map()) : QByteArray(); });
+    m_export->setNumbersAsText(
+        [this] { return m_monitor.map() ? growthTable(*m_monitor.map()) : QByteArray(); });
     m_export->addContextMenu(*m_plot);
     column->addLayout(row);
     m_noMap = textLabel("caption", {}, part);
@@ -155,7 +153,7 @@ QWidget *StabilityPanel::map()
     return part;
 }
 
-void StabilityPanel::dress()
+void StabilityPanel::applyTheme()
 {
     m_verdict->setFont(m_theme.ui(14));
     m_close->setIcon(m_theme.icon("close"));
@@ -173,7 +171,7 @@ QString StabilityPanel::leftOut() const
 
 void StabilityPanel::refresh()
 {
-    const StabilityReading *reading = m_watch.reading();
+    const StabilityReading *reading = m_monitor.reading();
     if (!reading)
         return;
     m_title->setCaption(gaugeWords(*reading));
@@ -190,30 +188,31 @@ void StabilityPanel::refresh()
 
 QPushButton *StabilityPanel::remedyButton(const sim::Remedy &remedy)
 {
-    auto *button = new QPushButton(remedyTitle(remedy), m_mends);
+    auto *button = new QPushButton(remedyTitle(remedy), m_remedyRows);
     button->setObjectName("use");
     button->setAutoDefault(false);
+    button->setFocusPolicy(Qt::TabFocus);
     button->setToolTip(tr("%1: %2").arg(remedyTitle(remedy), remedyOutcome(remedy)));
     button->setAccessibleDescription(remedyOutcome(remedy));
-    connect(button, &QPushButton::clicked, this, [this, remedy] { m_watch.adopt(remedy); });
+    connect(button, &QPushButton::clicked, this, [this, remedy] { m_monitor.adopt(remedy); });
     return button;
 }
 
 void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
 {
     if (!isVisible())
-        return; // nobody reads them; and no child may come while children are hidden
-    // Beside a map they leave their outcomes to the tips: as many in a row as there is room for.
-    const bool isShort = m_watch.mapPlane().has_value();
+        return; // no child may be added while children are hidden
+    // Beside a map, outcomes are in tooltips only, and each row has as many buttons as fit.
+    const bool isShort = m_monitor.mapPlane().has_value();
     QStringList offered = {isShort ? QStringLiteral("short") : QString()};
     for (const sim::Remedy &one : remedies)
         offered << remedyTitle(one) + '\n' + remedyOutcome(one);
-    m_mends->setVisible(!remedies.empty());
+    m_remedyRows->setVisible(!remedies.empty());
     if (offered == m_offered)
         return;
     m_offered = offered;
     for (QWidget *cell : m_cells)
-        cell->deleteLater(); // perhaps the one whose click led here
+        cell->deleteLater(); // the click may come from one of them
     m_cells.clear();
     m_remedies.clear();
     for (const sim::Remedy &one : remedies) {
@@ -222,7 +221,7 @@ void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
         m_cells.push_back(m_remedies.back());
         if (isShort)
             continue;
-        auto *outcome = textLabel("caption", remedyOutcome(one), m_mends);
+        auto *outcome = textLabel("caption", remedyOutcome(one), m_remedyRows);
         m_cells.push_back(outcome);
         m_rows->addWidget(m_remedies.back(), 1 + count, 0, Qt::AlignLeft);
         m_rows->addWidget(outcome, 1 + count, 1);
@@ -264,25 +263,25 @@ void StabilityPanel::resizeEvent(QResizeEvent *event)
 
 void StabilityPanel::showMap(std::optional<MapPlane> plane)
 {
-    m_watch.watchMap(plane);
+    m_monitor.requestMap(plane);
     refreshMap();
 }
 
 void StabilityPanel::refreshMap()
 {
-    const std::optional<MapPlane> plane = m_watch.mapPlane();
+    const std::optional<MapPlane> plane = m_monitor.mapPlane();
     for (std::size_t i = 0; i < m_planes.size(); ++i) {
         const auto its = static_cast<MapPlane>(i);
         m_planes[i]->setChecked(plane == its);
-        m_planes[i]->setEnabled(m_watch.canMap(its) || plane == its);
+        m_planes[i]->setEnabled(m_monitor.canMap(its) || plane == its);
     }
-    if (const StabilityReading *reading = m_watch.reading()) {
+    if (const StabilityReading *reading = m_monitor.reading()) {
         std::vector<sim::Remedy> all = reading->remedies;
         if (reading->sticks)
             all.insert(all.end(), reading->sticks->remedies.begin(), reading->sticks->remedies.end());
         refreshRemedies(all);
     }
-    const bool can = m_watch.canMap(plane.value_or(MapPlane::step));
+    const bool can = m_monitor.canMap(plane.value_or(MapPlane::step));
     m_noMap->setVisible(!can);
     m_noMap->setText(whyNoMap());
     m_plot->setVisible(plane && can);
@@ -291,17 +290,17 @@ void StabilityPanel::refreshMap()
 
 QString StabilityPanel::whyNoMap() const
 {
-    if (!m_watch.session().step().parameter(QStringLiteral("k")))
+    if (!m_monitor.session().step().parameter(QStringLiteral("k")))
         return tr("There is no map for this step: it has no stiffness k to change.");
-    if (m_watch.nothingSwings())
-        return tr("There is no map here: no springs act, so any stiffness and any step hold.");
-    return tr("There is no map for this method: no stiffness is too much for its step.");
+    if (m_monitor.nothingSwings())
+        return tr("There is no map here: no springs act, so every stiffness and every step is stable.");
+    return tr("There is no map for this method: it is stable at every stiffness.");
 }
 
 void StabilityPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    m_watch.setDetailed(true);
+    m_monitor.setDetailed(true);
     refreshMap();
 }
 
@@ -309,9 +308,9 @@ void StabilityPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
     if (event->spontaneous())
-        return; // only the whole window is out of sight
-    m_watch.setDetailed(false);
-    m_watch.watchMap(std::nullopt);
+        return; // only the whole window is hidden
+    m_monitor.setDetailed(false);
+    m_monitor.requestMap(std::nullopt);
 }
 
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/stability_words.h"
+#include "app/model/text/stability_text.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -19,13 +19,14 @@ class GrowthPlot;
 class PanelTitle;
 class PlotExport;
 
-/// What bounds the step, which spring or body decides it, what would mend it, and on request the map of growth.
+/// The panel of stability: the limit of the step, the spring or body that decides it, remedies, and on request the map
+/// of growth.
 class StabilityPanel : public QWidget
 {
     Q_OBJECT
 
 public:
-    StabilityPanel(StabilityWatch &watch, const Theme &theme, QWidget *parent = nullptr);
+    StabilityPanel(StabilityMonitor &monitor, const Theme &theme, QWidget *parent = nullptr);
 
     QString verdict() const;
     QString leftOut() const;
@@ -45,10 +46,10 @@ protected:
 private:
     QWidget *title();
     QWidget *card();
-    QWidget *mends();
+    QWidget *remedyRows();
     QWidget *map();
     QToolButton *mapButton(const QString &text, const QString &tip, MapPlane plane);
-    void dress();
+    void applyTheme();
     void refresh();
     void refreshRemedies(const std::vector<sim::Remedy> &remedies);
     QPushButton *remedyButton(const sim::Remedy &remedy);
@@ -56,18 +57,18 @@ private:
     void refreshMap();
     QString whyNoMap() const;
 
-    StabilityWatch &m_watch;
+    StabilityMonitor &m_monitor;
     const Theme &m_theme;
     PanelTitle *m_title = nullptr;
     QToolButton *m_close = nullptr;
     QLabel *m_verdict = nullptr;
     QLabel *m_leftOut = nullptr;
-    QWidget *m_mends = nullptr;
+    QWidget *m_remedyRows = nullptr;
     QGridLayout *m_rows = nullptr;
-    QStringList m_offered; ///< what the rows say, so that they stay while it does
+    QStringList m_offered; ///< the texts of the rows, which are kept while these stay the same
     std::vector<QWidget *> m_cells;
     std::vector<QPushButton *> m_remedies;
-    std::vector<QHBoxLayout *> m_shortRows; ///< of these, beside a map
+    std::vector<QHBoxLayout *> m_shortRows; ///< of the remedies, beside a map
     std::vector<QToolButton *> m_planes;
     QLabel *m_noMap = nullptr;
     GrowthPlot *m_plot = nullptr;

@@ -1,7 +1,7 @@
 #pragma once
 
-// qcustomplot.h asks for all of QtPrintSupport, which asks for all of Qt's headers, and needs none of it: a file that
-// includes it takes four seconds to compile, and one second this way.
+// qcustomplot.h includes all of QtPrintSupport, and with it all Qt headers, but needs none of it. Without
+// this macro a file that includes it takes four seconds to compile; with it, one second.
 #define QT_QTPRINTSUPPORT_MODULE_H
 
 #include <QWidget>

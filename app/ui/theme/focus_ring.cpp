@@ -40,7 +40,7 @@ FocusRing::FocusRing(QObject *parent) : QObject(parent)
 
 FocusRing::~FocusRing()
 {
-    // A style is changed while the program walks through its widgets: none must go at once then.
+    // A style can change while Qt iterates over all widgets, so no widget may be deleted at once.
     if (m_frame && !QCoreApplication::closingDown())
         m_frame->deleteLater();
     else
@@ -56,7 +56,7 @@ void FocusRing::follow(QWidget *widget)
     if (!m_widget)
         return;
     m_widget->installEventFilter(this);
-    // The focus event itself came before this; the window remembers whether Tab was used last.
+    // The focus event came before this call, but the window remembers whether Tab was used last.
     if (isField(m_widget) || m_widget->window()->testAttribute(Qt::WA_KeyboardFocusChange))
         show();
 }

@@ -8,8 +8,8 @@ class QWidget;
 
 namespace app {
 
-/// Puts a ring round the standard control that has the focus: fields always, others once the keyboard is used.
-/// Widgets that draw their own get none.
+/// Draws a ring round the standard control that has the focus. Input fields always get one; other controls
+/// get one once the keyboard is used. Widgets that draw their own ring get none.
 class FocusRing : public QObject
 {
     Q_OBJECT

@@ -6,14 +6,15 @@
 
 namespace app {
 
-/// The icon `name` (assets/icons/NAME.svg, 16 grid) drawn in `color`, sharp at every size; 40 % when disabled.
-/// An icon that does not exist is empty.
+/// Returns the icon `name` (assets/icons/NAME.svg, 16 px grid) in `color`, sharp at every size. It has 40 %
+/// opacity when disabled. Returns an empty icon if the file does not exist.
 QIcon iconOf(const QString &name, const QColor &color);
 
-/// The same for a button that is `off` or `on`: in high contrast what is on stands on white.
+/// Returns the icon of a button that can be `off` or `on`. In high contrast a button that is on has a white
+/// background.
 QIcon iconOf(const QString &name, const QColor &off, const QColor &on);
 
-/// The program's sign on `ground`, drawn in `line`.
+/// Returns the program's logo, drawn in `line` on `ground`.
 QIcon signOf(const QColor &ground, const QColor &line);
 
 }

@@ -18,7 +18,7 @@ constexpr int scrollBar = 10;
 constexpr double controlRadius = 6.0;
 constexpr double buttonRadius = 8.0;
 
-/// A square of `side` in the middle of `rect`.
+/// Returns a square with this `side` in the centre of `rect`.
 QRectF middle(const QRect &rect, double side)
 {
     return {rect.x() + (rect.width() - side) / 2, rect.y() + (rect.height() - side) / 2, side, side};
@@ -75,7 +75,7 @@ int SpringstepStyle::styleHint(StyleHint hint, const QStyleOption *option, const
     case SH_DitherDisabledText:
     case SH_UnderlineShortcut:
     case SH_ComboBox_Popup:
-    case SH_FocusFrame_Mask: // would cut the ring's corners
+    case SH_FocusFrame_Mask: // a mask would cut off the ring's corners
         return 0;
     default:
         return QProxyStyle::styleHint(hint, option, widget, returned);
@@ -86,7 +86,7 @@ void SpringstepStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
                                     const QWidget *widget) const
 {
     if (element == PE_FrameTabBarBase)
-        return; // tabs of docks stand on nothing
+        return; // dock tabs have no base line
     switch (element) {
     case PE_IndicatorCheckBox:
     case PE_IndicatorItemViewItemCheck:
@@ -99,7 +99,7 @@ void SpringstepStyle::drawPrimitive(PrimitiveElement element, const QStyleOption
         if (option->state & State_On)
             iconOf("check", m_tokens.ink).paint(painter, middle(option->rect, 14).toRect());
         return;
-    case PE_FrameFocusRect: // the ring round the widget says it
+    case PE_FrameFocusRect: // the ring round the widget replaces it
     case PE_FrameGroupBox:
     case PE_FrameStatusBarItem:
         return;
@@ -158,7 +158,7 @@ void SpringstepStyle::drawCheckBox(const QStyleOption &option, QPainter &painter
     const double inset = on ? 0.0 : 0.5;
     painter.drawRoundedRect(box.adjusted(inset, inset, -inset, -inset), 5 - inset, 5 - inset);
     if (on) {
-        // White on the light scheme's deep green, nearly black on the dark scheme's pale one.
+        // White on the light scheme's deep green, nearly black on the dark scheme's pale green.
         const QColor tick = m_tokens.panel.lightnessF() > 0.5F ? QColor("#FFFFFF") : QColor("#10201A");
         iconOf("check", tick).paint(&painter, middle(option.rect, 12).toRect());
     }

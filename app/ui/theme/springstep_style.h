@@ -10,7 +10,8 @@ namespace app {
 
 class FocusRing;
 
-/// What a style sheet cannot say: the focus ring, check marks, combo boxes, and sliders that jump to a click.
+/// A style for details that a style sheet cannot express: the focus ring, check marks, combo boxes, and
+/// sliders that jump to a click.
 class SpringstepStyle : public QProxyStyle
 {
     Q_OBJECT

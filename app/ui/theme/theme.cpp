@@ -152,7 +152,7 @@ QColor Theme::kindColor(sim::EffectKind kind) const
 
 QFont Theme::ui(double pixels, QFont::Weight weight) const
 {
-    // Looked for once: asking the system takes as long as painting some of the text.
+    // Looked up once, because a font query takes as long as painting some of the text.
     static const QFont inter = found("Inter", QFontDatabase::GeneralFont);
     QFont result = sized(inter, pixels);
     result.setWeight(weight);

@@ -19,27 +19,27 @@ namespace app {
 /// The colours of one scheme, by role.
 struct Tokens
 {
-    QColor win, panel, scene;          ///< header and status bar, docks, scene and inputs
-    QColor sunk, onSunk, hover;        ///< selected entry and its text, hovered button
-    QColor well, wellLine;             ///< a card, the ground of a switch, and its edge
-    QColor track, computed;            ///< time to come, and what of it is computed
-    QColor line, line2, ctl;           ///< dividers, input frames, empty boxes
-    QColor ink, ink2, ink3;            ///< text, labels and icons, captions
-    QColor button, buttonText;         ///< Play, Next
-    QColor now, nowText, wash, wash2;  ///< the present: head, code line, its region
-    QColor washLine;                   ///< the frame of the code line; invisible where a wash shows it
-    QColor link, ok, near, past;       ///< links, ticks, warnings, failures
-    QColor body, bodyInk, ghost, dots; ///< creature, its eyes, the old run, the grid
-    QColor keyword, number, type, comment, chip;                   ///< code
+    QColor win, panel, scene;                    ///< header and status bar, docks, scene and inputs
+    QColor sunk, onSunk, hover;                  ///< selected entry and its text, hovered button
+    QColor well, wellLine;                       ///< a card, the background of a switch, and its edge
+    QColor track, computed;                      ///< future time, and its computed part
+    QColor line, line2, ctl;                     ///< dividers, input frames, empty boxes
+    QColor ink, ink2, ink3;                      ///< text, labels and icons, captions
+    QColor button, buttonText;                   ///< Play, Next
+    QColor now, nowText, wash, wash2;            ///< the current moment: playhead, code line, its region
+    QColor washLine;                             ///< the frame of the code line; invisible if a wash marks it
+    QColor link, ok, near, past;                 ///< links, ticks, warnings, failures
+    QColor body, bodyInk, ghost, dots;           ///< creature, its eyes, the comparison run, the grid
+    QColor keyword, number, type, comment, chip; ///< code
     QColor spring, gravity, damping, contact, driver, wind, stick; ///< kinds of effects
-    /// Methods in plots, by family: Euler, Verlet, Runge-Kutta, adaptive, implicit; three shades each. Shape and label
-    /// tell them apart, too.
+    /// Colours of the methods in plots, in three shades for each family: Euler, Verlet, Runge-Kutta,
+    /// adaptive, implicit. Shapes and labels also tell the methods apart.
     std::array<std::array<QColor, 3>, 5> methods;
 };
 
 enum class Scheme { light, dark, highContrast };
 
-/// What lies under a row or a button that stands out.
+/// The state of a row or button that has a highlighted background.
 enum class Surface { hovered, chosen };
 
 /// Fonts, colours and icons of the program. Widgets keep a reference and repaint on changed().
@@ -51,25 +51,25 @@ public:
     explicit Theme(Scheme scheme, QObject *parent = nullptr);
 
     Scheme scheme() const { return m_scheme; }
-    /// Whether what is bright stands on a dark ground.
+    /// Returns whether the scheme is light on dark.
     bool isDark() const { return m_scheme != Scheme::light; }
     void setScheme(Scheme scheme);
     const Tokens &tokens() const { return m_tokens; }
     QColor kindColor(sim::EffectKind kind) const;
 
-    /// Inter; `pixels` as designed.
+    /// Returns Inter, the font of the interface, at `pixels` px.
     QFont ui(double pixels = 13, QFont::Weight weight = QFont::Normal) const;
-    /// Hack, for code and for numbers that change.
+    /// Returns Hack, the font for code and for numbers that change, at `pixels` px.
     QFont mono(double pixels = 12) const;
 
-    /// Lays the ground for a row or button that is hovered or chosen; leaves the painter without a brush. In high
-    /// contrast a frame, so that the colours of kinds keep their contrast on it.
+    /// Paints the background of a row or button that is hovered or chosen, and leaves the painter without a
+    /// brush. In high contrast it paints a frame, so that the effect colours keep their contrast.
     void paintSurface(QPainter &painter, const QRectF &place, double radius, Surface surface) const;
 
-    /// The icon `name` of assets/icons, in `color` (ink2 if none is given), paler when disabled.
+    /// Returns the icon `name` of assets/icons in `color` (ink2 if none is given), paler when disabled.
     QIcon icon(const QString &name, const QColor &color = {}) const;
 
-    /// Style, palette, font and style sheet of the whole program.
+    /// Applies the style, palette, font and style sheet to the whole program.
     void apply(QApplication &application) const;
 
 signals:

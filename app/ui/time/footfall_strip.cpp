@@ -18,11 +18,11 @@ namespace {
 
 constexpr int titleHeight = 18;
 constexpr int tallRow = 14;
-constexpr int mostHeight = 84; ///< px for all rows
+constexpr int mostHeight = 84; ///< px, of all rows together
 constexpr int bottomMargin = 8;
-constexpr double widestUnnamed = 26.0; ///< px from which a stance has room for its slip
-constexpr double leastWidth = 1.5;     ///< px of a stance
-constexpr double leastSeen = 0.5;      ///< px of one that others do not cover
+constexpr double widestUnnamed = 26.0; ///< px; from this width on, a stance shows how far its foot slips
+constexpr double leastWidth = 1.5;     ///< px, of a stance
+constexpr double leastSeen = 0.5;      ///< px, of the part of a stance that others do not cover
 
 QString pixels(double value)
 {
@@ -31,21 +31,19 @@ QString pixels(double value)
 
 }
 
-FootfallStrip::FootfallStrip(Session &session, const Course &course, TimelineStrip &timeline,
+FootfallStrip::FootfallStrip(Session &session, const MeasureSeries &series, TimelineStrip &timeline,
                              const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_course(course), m_timeline(timeline), m_theme(theme)
+    : QWidget(parent), m_session(session), m_series(series), m_timeline(timeline), m_theme(theme)
 {
     setObjectName("footfall");
     setAccessibleName(tr("Feet on the ground"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(&course, &Course::changed, this, &FootfallStrip::read);
-    connect(&session, &Session::stepOpened, this, &FootfallStrip::open);
-    connect(&session, &Session::runChanged, this, &FootfallStrip::open);
-    connect(&session, &Session::moved, this, qOverload<>(&QWidget::update));
-    connect(&session, &Session::moved, this, &FootfallStrip::say);
-    connect(&session, &Session::glanceChanged, this, qOverload<>(&QWidget::update));
+    connect(&series, &MeasureSeries::changed, this, &FootfallStrip::read);
+    session.onChange(ChangeKind::step | ChangeKind::run, this, &FootfallStrip::open);
+    session.onChange(ChangeKind::cursor | ChangeKind::preview, this, qOverload<>(&QWidget::update));
+    session.onChange(ChangeKind::cursor, this, &FootfallStrip::updateDescription);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     open();
 }
@@ -65,9 +63,9 @@ void FootfallStrip::open()
 
 void FootfallStrip::read()
 {
-    m_stances.follow(m_course, m_names.size());
+    m_stances.follow(m_series, m_names.size());
     update();
-    say();
+    updateDescription();
 }
 
 int FootfallStrip::rowHeight() const
@@ -106,9 +104,9 @@ QString FootfallStrip::sentence() const
     return parts.join(' ');
 }
 
-void FootfallStrip::say()
+void FootfallStrip::updateDescription()
 {
-    if (!m_session.isPlaying() && isVisible())
+    if (!m_session.playback().isPlaying() && isVisible())
         setAccessibleDescription(sentence());
 }
 
@@ -118,13 +116,14 @@ void FootfallStrip::paintFoot(QPainter &painter, std::size_t foot, double top,
     const TimelineAxis &axis = m_timeline.axis();
     const double high = rowHeight() - (rowHeight() > 8 ? 3.0 : 1.0);
     const double round = std::min(3.0, high / 2);
-    double painted = 0.0; ///< px, up to which the row is
+    double painted = 0.0; ///< px, the row is painted up to here
     for (const Stance &stance : m_stances.of(foot)) {
-        // A row's state holds from its end on: a stance of one row is seen, too.
-        const double from = axis.xOf(stance.from - m_course.rowFrames() / 2);
+        // A sample belongs to the end of its output step. This shift also makes a stance of one sample
+        // visible.
+        const double from = axis.xOf(stance.from - m_series.rowFrames() / 2);
         const double to = std::max(axis.xOf(stance.to), from + leastWidth);
         if (to - painted < leastSeen)
-            continue; // in a long run thousands of them share a pixel
+            continue; // in long runs, thousands of stances share a pixel
         const QRectF bar(from, top, to - from, high);
         if (bar.width() > 2.0 * round) {
             painter.setPen(Qt::NoPen);
@@ -194,7 +193,7 @@ QString FootfallStrip::tipAt(const QPoint &place) const
 {
     const int row = rowAt(place.y());
     if (row < 0)
-        return tr("Which foot stands when. Click to go to that frame");
+        return tr("The times when each foot is on the ground. Click to go to that frame");
     const auto foot = static_cast<std::size_t>(row);
     const std::int64_t frame = m_timeline.axis().frameAt(place.x());
     const Stance *stance = stanceAt(foot, frame);
@@ -219,6 +218,7 @@ bool FootfallStrip::event(QEvent *event)
 
 void FootfallStrip::mousePressEvent(QMouseEvent *event)
 {
+    m_session.preview().end(); // a press acts at the cursor of the run
     if (event->button() == Qt::LeftButton)
         m_timeline.scrubTo(m_timeline.axis().frameAt(event->position().x()));
 }
@@ -229,14 +229,14 @@ void FootfallStrip::mouseMoveEvent(QMouseEvent *event)
     if (event->buttons() & Qt::LeftButton)
         m_timeline.scrubTo(frame);
     else if (frame <= m_session.timeline().computed())
-        m_session.glance({frame, 0});
+        m_session.preview().show({frame, 0});
     else
-        m_session.endGlance();
+        m_session.preview().end();
 }
 
 void FootfallStrip::leaveEvent(QEvent *)
 {
-    m_session.endGlance();
+    m_session.preview().end();
 }
 
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/stances.h"
+#include "app/model/series/stances.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -9,19 +9,19 @@ namespace app {
 
 class TimelineStrip;
 
-/// The feet diagram under the timeline: which foot stands when, and how far it slips. Has no height in steps without
-/// feet that stand.
+/// The footfall diagram under the timeline: when each foot is on the ground, and how far it slips. It has no height in
+/// steps without such feet.
 class FootfallStrip : public QWidget
 {
     Q_OBJECT
 
 public:
-    FootfallStrip(Session &session, const Course &course, TimelineStrip &timeline, const Theme &theme,
+    FootfallStrip(Session &session, const MeasureSeries &series, TimelineStrip &timeline, const Theme &theme,
                   QWidget *parent = nullptr);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {280, sizeHint().height()}; }
-    /// "foot0 stands, slipped 0.4 px. foot1 is in the air." at the cursor.
+    /// Returns the state of the feet at the cursor: "foot0 stands, slipped 0.4 px. foot1 is in the air."
     QString sentence() const;
 
 protected:
@@ -34,7 +34,7 @@ protected:
 private:
     void open();
     void read();
-    void say();
+    void updateDescription();
     int rowHeight() const;
     int rowAt(int y) const;
     const Stance *stanceAt(std::size_t foot, std::int64_t frame) const;
@@ -45,7 +45,7 @@ private:
     QString tipAt(const QPoint &place) const;
 
     Session &m_session;
-    const Course &m_course;
+    const MeasureSeries &m_series;
     TimelineStrip &m_timeline;
     const Theme &m_theme;
     std::vector<QString> m_names;

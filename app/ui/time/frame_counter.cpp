@@ -25,7 +25,6 @@ constexpr int lineHeight = 28;
 FrameCounter::FrameCounter(const Theme &theme, QWidget *parent) : QAbstractButton(parent), m_theme(theme)
 {
     setObjectName("frame");
-    setToolTip(tr("Go to a frame (Ctrl+G)"));
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
@@ -132,8 +131,9 @@ void FrameCounter::edit()
     m_before = QApplication::focusWidget();
     m_editor = new QLineEdit(m_number, this);
     m_editor->setObjectName("goToFrame");
+    m_editor->setAcceptDrops(false); // the window takes files
     m_editor->setAccessibleName(tr("Go to frame"));
-    m_editor->setToolTip(tr("Enter goes there, Escape leaves"));
+    m_editor->setToolTip(tr("Press Enter to go there, Esc to cancel"));
     m_editor->setValidator(
         new QRegularExpressionValidator(QRegularExpression("\\s*\\d{0,20}\\s*"), m_editor));
     m_editor->installEventFilter(this);
@@ -158,7 +158,7 @@ void FrameCounter::take()
         return;
     }
     leave();
-    emit asked(frame);
+    emit frameRequested(frame);
 }
 
 void FrameCounter::refuse()
@@ -190,7 +190,7 @@ bool FrameCounter::eventFilter(QObject *watched, QEvent *event)
     if (watched != m_editor)
         return QAbstractButton::eventFilter(watched, event);
     const QEvent::Type type = event->type();
-    // The context menu takes the focus and gives it back.
+    // The context menu takes the focus and returns it.
     if (type == QEvent::FocusOut && static_cast<QFocusEvent *>(event)->reason() != Qt::PopupFocusReason)
         leave();
     if (type != QEvent::KeyPress && type != QEvent::ShortcutOverride)
@@ -199,8 +199,8 @@ bool FrameCounter::eventFilter(QObject *watched, QEvent *event)
     const bool isEnter = key == Qt::Key_Return || key == Qt::Key_Enter;
     if (key != Qt::Key_Escape && !isEnter)
         return false;
-    // The window may have a use for Escape, and Enter on the counter opens the editor: while a number is typed,
-    // both are the editor's.
+    // Escape is a shortcut of the window, and Enter on the counter opens the editor. While a number is typed, both
+    // belong to the editor.
     event->accept();
     if (type == QEvent::KeyPress)
         isEnter ? take() : leave();

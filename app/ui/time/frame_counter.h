@@ -11,21 +11,21 @@ class QLineEdit;
 
 namespace app {
 
-/// "Frame 41 · 2 of 5 phases done". Every digit has the same width, so that numbers do not dance. Click (or Enter)
-/// to type a frame to go to.
+/// A label with the frame: "Frame 41 · 2 of 5 phases done". Every digit has the same width, so that the text does not
+/// jitter. A click or Enter turns it into a field for a frame to go to.
 class FrameCounter : public QAbstractButton
 {
     Q_OBJECT
 
 public:
-    /// The last frame that can be asked for.
+    /// The last frame that a learner can go to.
     static constexpr std::int64_t lastFrame = 10'000'000;
 
     explicit FrameCounter(const Theme &theme, QWidget *parent = nullptr);
 
-    /// `detail` stands after the frame, `brief` in its place where there is little room; both may be empty.
+    /// Shows a frame with `detail` after it, or with `brief` if space is short. Both may be empty.
     void show(std::int64_t frame, const QString &detail, const QString &brief);
-    /// Whether there is little room.
+    /// Sets whether space is short.
     void setBrief(bool brief);
     void edit();
     bool isEditing() const { return m_editor != nullptr; }
@@ -34,10 +34,10 @@ public:
     QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
-    void asked(std::int64_t frame);
-    /// What was typed is no frame: a sentence that says what is.
+    void frameRequested(std::int64_t frame);
+    /// The typed text is not a frame. `sentence` says what is.
     void refused(const QString &sentence);
-    /// The room that it needs is another.
+    /// sizeHint() has changed.
     void resized();
 
 protected:
@@ -61,7 +61,7 @@ private:
     QString m_brief;
     bool m_isBrief = false;
     QLineEdit *m_editor = nullptr;
-    QPointer<QWidget> m_before; ///< what had the focus before the editor
+    QPointer<QWidget> m_before; ///< had the focus before the editor
 };
 
 }

@@ -28,7 +28,7 @@ NameField::NameField(const QString &name, const Theme &theme, QWidget *parent)
     m_edit->setMaxLength(mostLetters);
     m_edit->setMinimumWidth(fieldWidth);
     m_edit->setAccessibleName(tr("Name of the run"));
-    m_edit->setToolTip(tr("Return takes this name, Escape leaves the one before"));
+    m_edit->setToolTip(tr("Press Return to apply, Esc to cancel"));
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(12, 8, 12, 8);
     row->setSpacing(8);
@@ -42,7 +42,7 @@ NameField::NameField(const QString &name, const Theme &theme, QWidget *parent)
 
 void NameField::popupAt(const QPoint &place)
 {
-    show(); // only now it knows how large its parts are
+    show(); // the layout has its sizes only from here on
     adjustSize();
     const QScreen *screen = QGuiApplication::screenAt(place);
     const QRect room = (screen ? screen : QGuiApplication::primaryScreen())->availableGeometry();

@@ -8,7 +8,7 @@ class QLineEdit;
 
 namespace app {
 
-/// A small field to type a name into, over the window: Return takes it, Escape or a click elsewhere leaves all as it is.
+/// A popup field for a name. Return accepts the name; Escape or a click elsewhere cancels.
 class NameField : public QFrame
 {
     Q_OBJECT
@@ -16,7 +16,7 @@ class NameField : public QFrame
 public:
     NameField(const QString &name, const Theme &theme, QWidget *parent);
 
-    /// Shows it there on the screen, or as near as it fits, with the whole name chosen.
+    /// Shows the field at a place on the screen, or as near as it fits, with the whole name selected.
     void popupAt(const QPoint &place);
 
 signals:

@@ -1,6 +1,6 @@
 #include "app/ui/time/phase_strip.h"
 
-#include "app/model/sentences.h"
+#include "app/model/text/sentences.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QFontMetricsF>
@@ -14,10 +14,10 @@ namespace app {
 
 namespace {
 
-constexpr double tip = 7.0;           ///< how far the present phase points into the next
+constexpr double tip = 7.0;           ///< how far the current phase's arrow extends into the next phase
 constexpr double markAndGap = 14.0;   ///< the square or tick before a name
 constexpr double leastPadding = 12.0; ///< of a name, both sides together
-constexpr double leastMark = 24.0;    ///< the width of a phase without its name: it can still be clicked
+constexpr double leastMark = 24.0;    ///< the width of a phase without its name, which still can be clicked
 constexpr double captionLead = 10.0;
 constexpr double corner = 7.0;
 
@@ -83,7 +83,8 @@ void PhaseStrip::measureCaptions(const Theme &theme)
         m_captions.front().width += captionLead;
 }
 
-/// As if every phase were the current one: where all have room, their places stay as that moves on.
+/// Uses the bold font of the current phase for every phase. If all names fit, positions then stay the same
+/// when the current phase changes.
 double PhaseStrip::wantedWidth(const Cell &cell, const Theme &theme)
 {
     return QFontMetricsF(theme.ui(12.5, QFont::DemiBold)).horizontalAdvance(cell.title) + markAndGap +
@@ -99,7 +100,7 @@ double PhaseStrip::roomBesideCaptions(double width, const Theme &theme)
     double room = width;
     for (const Caption &caption : m_captions)
         room -= caption.width;
-    // From the right: where the step has a number, that caption is the first.
+    // Hides captions from the right, because the first one is the step's number, if there is one.
     for (auto caption = m_captions.rbegin(); caption != m_captions.rend() && room < needed; ++caption) {
         room += caption->width;
         caption->width = 0.0;
@@ -136,7 +137,7 @@ std::vector<double> PhaseStrip::crowdedWidths(double available, const std::vecto
 {
     std::vector<std::size_t> order(m_cells.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // The current phase first, then the shortest names: so as many as possible are read.
+    // The current phase comes first, then the shortest names, so that as many names as possible are shown.
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         const bool isNowA = m_cells[a].state == State::now, isNowB = m_cells[b].state == State::now;
         return isNowA != isNowB ? isNowA : wanted[a] < wanted[b];
@@ -236,7 +237,7 @@ void PhaseStrip::paintCell(QPainter &painter, const Theme &theme, std::size_t in
     const bool now = cell.state == State::now;
     const QFont font = theme.ui(12.5, now ? QFont::DemiBold : QFont::Medium);
     const QFontMetricsF metrics(font);
-    // Only the current one can have less room than it needs.
+    // Only the current phase can be too narrow for its name.
     const QString name =
         metrics.elidedText(cell.title, Qt::ElideRight, std::max(0.0, cell.area.width() - markAndGap));
     const double nameWidth = cell.isNamed ? metrics.horizontalAdvance(name) : -6.0;

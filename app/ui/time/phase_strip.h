@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/ui/theme/theme.h"
-#include "app/ui/time/position.h"
+#include "app/ui/time/run_position.h"
 
 #include <QPainter>
 #include <QRectF>
@@ -10,24 +10,23 @@
 
 namespace app {
 
-/// The phases of one step, side by side: which are done, which was the last, which are to come.
+/// The phases of one step, side by side: those that are done, the last one, and those to come.
 class PhaseStrip
 {
 public:
     void setContent(const sim::ComposedInterval &interval, const Position &position);
-    /// Gives every phase its place in `area`. The current phase always has its name; of the others, those that do not
-    /// fit are marks.
+    /// Places all phases in `area`. The current phase always shows its name; others that do not fit become marks.
     void arrange(const QRectF &area, const Theme &theme);
     void paint(QPainter &painter, const Theme &theme, bool playing, int hovered) const;
 
     int count() const { return static_cast<int>(m_cells.size()); }
-    /// The phase at a place, or -1.
+    /// Returns the phase at a place, or -1.
     int phaseAt(const QPointF &place) const;
     QRectF areaOf(int phase) const { return m_cells[static_cast<std::size_t>(phase)].area; }
     QString titleOf(int phase) const { return m_cells[static_cast<std::size_t>(phase)].title; }
-    /// What a phase works on, if the step goes group by group.
+    /// Returns the bodies that a phase works on, if the step proceeds by groups.
     QString groupOf(int phase) const { return m_cells[static_cast<std::size_t>(phase)].group; }
-    /// Whether all phases have their names.
+    /// Returns whether all phases show their names.
     bool showsNames() const;
     bool showsName(int phase) const { return m_cells[static_cast<std::size_t>(phase)].isNamed; }
 
@@ -46,21 +45,21 @@ private:
     struct Caption
     {
         QString text;
-        QString widest; ///< what the text could become: places must not jump
+        QString widest; ///< the widest text that it can have, so that places stay
         double x = 0.0;
         double width = 0.0;
         bool rule = false;   ///< a line before it
-        bool isShown = true; ///< there is room for it
+        bool isShown = true; ///< whether it fits
     };
 
-    /// The width that a phase needs for its name.
+    /// Returns the width that a phase needs for its name, px.
     static double wantedWidth(const Cell &cell, const Theme &theme);
     std::vector<double> widths(double available, const Theme &theme);
-    /// The width of each cell where not all names fit; tells the cells whether they have theirs.
+    /// Returns the widths of the cells if not all names fit, and tells the cells whether they show theirs.
     std::vector<double> crowdedWidths(double available, const std::vector<double> &wanted);
     void measureCaptions(const Theme &theme);
-    /// Measures the captions, and leaves them out until the marks and the name of the current phase have room in `width` px. Returns the room
-    /// that is left for the cells.
+    /// Measures the captions, and hides some until the marks and the name of the current phase fit in `width`
+    /// px. Returns the width left for the cells.
     double roomBesideCaptions(double width, const Theme &theme);
     QPainterPath outline(std::size_t index) const;
     bool hasChevron(std::size_t index) const;
@@ -69,7 +68,7 @@ private:
     void paintCell(QPainter &painter, const Theme &theme, std::size_t index, bool playing) const;
 
     std::vector<Cell> m_cells;
-    std::vector<Caption> m_captions; ///< the step's, if it has one, then one a group
+    std::vector<Caption> m_captions; ///< the step's caption, if any, then one per group
     bool m_hasStep = false;
     QRectF m_area;
 };

@@ -1,6 +1,6 @@
 #include "app/ui/time/run_view.h"
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace app {
 
 namespace {
 
-/// Reads what the learner did, each thing from where it begins to where it ends.
+/// Converts the learner's input events to intervals.
 class InputReader
 {
 public:
@@ -30,10 +30,10 @@ public:
     }
 
 private:
-    /// What can go on at the same time.
-    enum Channel { hand, pointer, left, right, up, down, channels };
+    /// Kinds of input that can overlap in time.
+    enum Channel { drag, pointer, left, right, up, down, channels };
 
-    /// A thing begins, and ends, at the frame before the one that it first changes.
+    /// Returns the frame at which an input begins or ends: the frame before the first one that it changes.
     std::int64_t before(std::int64_t frame) const
     {
         return std::max<std::int64_t>(0, frame - m_timeline.track().framesPerOutput());
@@ -54,9 +54,9 @@ private:
         m_all.push_back({before(frame), before(frame), kind, true});
     }
 
-    void take(std::int64_t frame, const sim::Grab &) { set(hand, frame, true); }
+    void take(std::int64_t frame, const sim::Grab &) { set(drag, frame, true); }
     void take(std::int64_t, const sim::Move &) {}
-    void take(std::int64_t frame, const sim::Release &) { set(hand, frame, false); }
+    void take(std::int64_t frame, const sim::Release &) { set(drag, frame, false); }
     void take(std::int64_t frame, const sim::Pointer &event)
     {
         if (event.down != (m_open[pointer] >= 0))
@@ -95,7 +95,7 @@ void goOn(RunView &view)
 std::vector<Fork> forksOf(const Session &session, const Branch *shown)
 {
     std::map<std::int64_t, Fork> byFrame;
-    for (const Branch &branch : session.branches().all()) {
+    for (const Branch &branch : session.comparisons().branches().all()) {
         if (&branch == shown)
             continue;
         const std::int64_t at = lastShared(session.timeline().script(), *branch.script);
@@ -119,15 +119,15 @@ RunView runViewOf(const Session &session)
     view.computed = timeline.computed();
     view.input = InputReader(timeline).read();
     goOn(view);
-    view.playing = session.isPlaying();
-    const sim::Track *ghost = timeline.comparison();
-    const Branch *beside = session.beside();
-    if (ghost && beside) {
+    view.playing = session.playback().isPlaying();
+    const sim::Track *comparison = timeline.comparison();
+    const Branch *branch = session.comparisons().shown();
+    if (comparison && branch) {
         const std::int64_t shared = timeline.forkFrame() - timeline.track().framesPerOutput();
-        view.old = OldRun{std::max<std::int64_t>(0, shared), ghost->computed(), beside->name, beside->id,
-                          beside->isKept};
+        view.comparison = ComparisonRun{std::max<std::int64_t>(0, shared), comparison->computed(),
+                                        branch->name, branch->id, branch->isKept};
     }
-    view.forks = forksOf(session, view.old ? beside : nullptr);
+    view.forks = forksOf(session, view.comparison ? branch : nullptr);
     return view;
 }
 
@@ -137,8 +137,8 @@ void follow(RunView &view, const Session &session)
     view.at = timeline.cursor().frame;
     view.computed = timeline.computed();
     goOn(view);
-    if (view.old && timeline.comparison())
-        view.old->end = timeline.comparison()->computed();
+    if (view.comparison && timeline.comparison())
+        view.comparison->end = timeline.comparison()->computed();
 }
 
 }

@@ -6,10 +6,10 @@ namespace app {
 
 class Session;
 
-/// What the timeline shows of the session's run.
+/// Returns what the timeline shows of the session's run.
 RunView runViewOf(const Session &session);
 
-/// Brings `view` to where the cursor is now, when nothing else has changed.
+/// Updates `view` after only the cursor has moved.
 void follow(RunView &view, const Session &session);
 
 }

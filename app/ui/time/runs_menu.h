@@ -1,14 +1,14 @@
 #pragma once
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
 
 #include <QMenu>
 
 namespace app {
 
-/// The other runs of a step, newest first, each with a menu of what can be done with it. Filled when it is about to be
-/// seen.
+/// A menu of the other runs of a step, newest first, each with a submenu of its commands. It is filled before it
+/// opens.
 class RunsMenu : public QMenu
 {
     Q_OBJECT
@@ -16,26 +16,26 @@ class RunsMenu : public QMenu
 public:
     RunsMenu(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
-    /// Fills it with what can be done with one branch alone, in place of all.
+    /// Shows only the commands for one branch.
     void showOnly(int branch);
-    /// Fills it with some of the branches.
+    /// Shows only some branches; all if there are none.
     void showOnly(std::vector<int> branches);
-    /// Opens it right above a widget.
+    /// Opens the menu right above a widget.
     void popupAbove(const QWidget &widget);
 
 signals:
-    /// The two runs are to be compared in numbers.
+    /// The learner wants to compare the two runs in numbers.
     void compareWanted();
 
 private:
     void fill();
     void addRun(const Branch &branch);
-    void addDeeds(QMenu &menu, const Branch &branch);
+    void addCommands(QMenu &menu, const Branch &branch);
     void askName(int branch);
 
     Session &m_session;
     const Theme &m_theme;
-    std::vector<int> m_only; ///< empty: all
+    std::vector<int> m_only; ///< empty for all branches
 };
 
 }

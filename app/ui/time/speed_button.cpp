@@ -1,6 +1,6 @@
 #include "app/ui/time/speed_button.h"
 
-#include "app/model/player.h"
+#include "app/model/run/frame_clock.h"
 
 #include <QActionGroup>
 #include <QFontMetricsF>
@@ -33,7 +33,6 @@ SpeedButton::SpeedButton(const Theme &theme, QWidget *parent)
 {
     setObjectName("speed");
     setPopupMode(QToolButton::InstantPopup);
-    setToolTip(tr("Playing speed (− and +). It never changes the step"));
     setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
     QMenu *menu = new QMenu(this);
     for (const double speed : speeds) {
@@ -45,7 +44,7 @@ SpeedButton::SpeedButton(const Theme &theme, QWidget *parent)
     m_choices->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
     connect(m_choices, &QActionGroup::triggered, this, [this](const QAction *action) {
         emit chosen(action->data().toDouble());
-        setSpeed(m_speed); // a click on the checked one must not uncheck it
+        setSpeed(m_speed); // undoes the uncheck by a click on the checked entry
     });
     setMenu(menu);
     setSpeed(1.0);
@@ -89,7 +88,7 @@ QString SpeedButton::factor() const
 
 QString SpeedButton::rate() const
 {
-    return tr("%1 frames/s").arg(number(m_speed * Player::framesPerSecond));
+    return tr("%1 frames/s").arg(number(m_speed * FrameClock::framesPerSecond));
 }
 
 QSize SpeedButton::sizeHint() const

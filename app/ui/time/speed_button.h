@@ -8,7 +8,7 @@ class QActionGroup;
 
 namespace app {
 
-/// "1× 30 frames/s" with a menu of speeds.
+/// A button that shows the playing speed, "1× 30 frames/s", with a menu of speeds.
 class SpeedButton : public QToolButton
 {
     Q_OBJECT
@@ -17,9 +17,9 @@ public:
     explicit SpeedButton(const Theme &theme, QWidget *parent = nullptr);
 
     void setSpeed(double speed);
-    /// Whether there is little room: only the factor is shown.
+    /// Sets whether only the factor is shown, because space is short.
     void setBrief(bool brief);
-    /// The next speed of the menu below or above `speed`; `speed` itself if there is none.
+    /// Returns the next lower (higher) speed of the menu, or `speed` itself if there is none.
     static double slowerThan(double speed);
     static double fasterThan(double speed);
 

@@ -2,7 +2,7 @@
 
 namespace app {
 
-/// Makes timelines known to screen readers, as sliders that tell frame and phase. More calls than one do nothing.
+/// Makes timelines accessible to screen readers, as sliders with frame and phase. Further calls do nothing.
 void installTimelineAccess();
 
 }

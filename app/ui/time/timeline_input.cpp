@@ -1,5 +1,5 @@
-// What mouse, wheel and keyboard do on the timeline.
-#include "app/model/difference_words.h"
+// Mouse, wheel and keys of the timeline.
+#include "app/model/text/difference_text.h"
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
 
@@ -24,27 +24,28 @@ bool isOnTrack(const QPointF &place)
 
 void TimelineStrip::scrubTo(std::int64_t frame)
 {
-    m_session.pause();
-    m_session.goTo({frame, 0});
+    m_session.playback().pause();
+    m_session.playback().goTo({frame, 0});
 }
 
 void TimelineStrip::runTo(int phase)
 {
-    m_session.pause();
+    m_session.playback().pause();
     const Position position = positionOf(m_session.timeline());
-    m_session.goTo({position.frame, position.phaseAfter(phase)});
+    m_session.playback().goTo({position.frame, position.phaseAfter(phase)});
 }
 
 void TimelineStrip::step(bool forward, bool byPhase)
 {
     if (byPhase)
-        forward ? m_session.phaseForward() : m_session.phaseBack();
+        forward ? m_session.playback().phaseForward() : m_session.playback().phaseBack();
     else
-        forward ? m_session.frameForward() : m_session.frameBack();
+        forward ? m_session.playback().frameForward() : m_session.playback().frameBack();
 }
 
 void TimelineStrip::mousePressEvent(QMouseEvent *event)
 {
+    m_session.preview().end(); // a press acts at the cursor of the run
     if (event->button() != Qt::LeftButton) {
         QWidget::mousePressEvent(event);
         return;
@@ -66,15 +67,15 @@ void TimelineStrip::mouseMoveEvent(QMouseEvent *event)
     if (!m_scrubbing) {
         const int phase = m_phases.phaseAt(event->position());
         setHovered(phase);
-        if (phase >= 0 && !m_session.isPlaying())
-            m_session.glance({frame(), m_position.phaseAfter(phase)});
+        if (phase >= 0 && !m_session.playback().isPlaying())
+            m_session.preview().show({frame(), m_position.phaseAfter(phase)});
         else
             emit pointedAt(trackFrameAt(event->position()));
         return;
     }
     const std::int64_t frame = m_axis.frameAt(event->position().x());
-    // A hand that trembles within one frame asks for nothing new.
-    if (frame != m_session.goingTo().value_or(this->frame()))
+    // Small movements within one frame change nothing.
+    if (frame != m_session.playback().goal().value_or(this->frame()))
         scrubTo(frame);
 }
 
@@ -105,7 +106,7 @@ int TimelineStrip::phaseBefore(sim::Cursor moment) const
 
 void TimelineStrip::showMarked()
 {
-    const std::optional<sim::Cursor> &moment = m_session.marked();
+    const std::optional<sim::Cursor> &moment = m_session.preview().marked();
     setPointed(moment && moment->phase == 0 ? std::optional(moment->frame) : std::nullopt);
     const int phase = moment ? phaseBefore(*moment) : -1;
     if (phase == m_marked)
@@ -135,7 +136,7 @@ void TimelineStrip::wheelEvent(QWheelEvent *event)
 {
     constexpr int notch = 120;
     const QPoint turned = event->angleDelta();
-    // Some systems turn a wheel with Shift held into a sideways one.
+    // Some systems turn the wheel sideways while Shift is held.
     m_wheel += turned.y() != 0 ? turned.y() : turned.x();
     const bool byPhase = event->modifiers().testFlag(Qt::ShiftModifier);
     for (; std::abs(m_wheel) >= notch; m_wheel -= m_wheel > 0 ? notch : -notch)
@@ -159,7 +160,7 @@ void TimelineStrip::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Right:
         return step(true, shift);
     case Qt::Key_Home:
-        return shift ? m_session.repeat() : m_session.restart();
+        return shift ? m_session.playback().repeat() : m_session.editor().restart();
     case Qt::Key_End:
         return scrubTo(m_session.timeline().computed());
     default:
@@ -176,13 +177,13 @@ const Fork *TimelineStrip::forkAt(const QPointF &place) const
 
 bool TimelineStrip::isOnOldRun(const QPointF &place) const
 {
-    return m_view.old && oldRunArea(m_axis, *m_view.old, m_theme).contains(place);
+    return m_view.comparison && comparisonRunArea(m_axis, *m_view.comparison, m_theme).contains(place);
 }
 
 void TimelineStrip::press(const Fork &fork, const QPoint &onScreen)
 {
     if (fork.branches.size() == 1)
-        m_session.showBeside(fork.branches.front());
+        m_session.comparisons().show(fork.branches.front());
     else
         showRuns(fork.branches, onScreen);
 }
@@ -198,7 +199,7 @@ void TimelineStrip::showRuns(std::vector<int> branches, const QPoint &onScreen)
 
 void TimelineStrip::contextMenuEvent(QContextMenuEvent *event)
 {
-    if (m_session.branches().isEmpty()) {
+    if (m_session.comparisons().branches().isEmpty()) {
         event->ignore();
         return;
     }
@@ -206,7 +207,7 @@ void TimelineStrip::contextMenuEvent(QContextMenuEvent *event)
     if (const Fork *fork = byMouse ? forkAt(event->pos()) : nullptr)
         showRuns(fork->branches, event->globalPos());
     else if (byMouse && isOnOldRun(event->pos()))
-        showRuns({m_view.old->id}, event->globalPos());
+        showRuns({m_view.comparison->id}, event->globalPos());
     else
         showRuns({}, event->globalPos());
 }
@@ -225,9 +226,9 @@ void TimelineStrip::focusOutEvent(QFocusEvent *)
 
 QString TimelineStrip::hintOf(const Fork &fork) const
 {
-    const Branch *branch = m_session.branches().find(fork.branches.front());
+    const Branch *branch = m_session.comparisons().branches().find(fork.branches.front());
     if (fork.branches.size() > 1 || !branch)
-        return tr("%1 other runs part from this one at frame %2. Click to choose one.")
+        return tr("%1 other runs branch off from this one at frame %2. Click to choose one.")
             .arg(fork.branches.size())
             .arg(fork.at);
     return tr("Another run: %1. Click to show it beside this one, right-click for more.")
@@ -250,7 +251,7 @@ QString TimelineStrip::hintAt(const QPoint &place) const
     if (const Fork *fork = forkAt(place))
         return hintOf(*fork);
     if (isOnOldRun(place))
-        return tr("Beside this run: %1. Right-click for what you can do with it.").arg(m_view.old->name);
+        return tr("Beside this run: %1. Right-click for more.").arg(m_view.comparison->name);
     return tr("frame %1").arg(m_axis.frameAt(place.x()));
 }
 

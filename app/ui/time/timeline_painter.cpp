@@ -14,11 +14,11 @@ using Places = TimelinePlaces;
 
 constexpr double labelBaseline = 10.0;
 constexpr double nameGap = 8.0;
-constexpr double bend = 16.0; ///< px that the dots take to come down from the track
+constexpr double bend = 16.0; ///< px over which the dots descend from the track
 
-/// Where the dots of the old run end and its name begins. The name stays on the screen: near the right end it
-/// takes the place of the last dots, and if there are none before it, it stands left of the fork.
-struct OldRunPlace
+/// The position of the old run's dots and its name. Near the right end, the name replaces the last dots to
+/// stay visible. If no dots would be left, the name is left of the fork.
+struct ComparisonRunPlace
 {
     double from = 0.0;
     double to = 0.0;
@@ -26,12 +26,12 @@ struct OldRunPlace
     double nameWidth = 0.0;
 };
 
-OldRunPlace placeOf(const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+ComparisonRunPlace placeOf(const TimelineAxis &axis, const ComparisonRun &comparison, const Theme &theme)
 {
-    OldRunPlace place;
-    place.from = axis.xOf(old.fork);
-    place.to = std::max(axis.xOf(old.end), place.from + bend);
-    place.nameWidth = QFontMetricsF(theme.ui(11.5)).horizontalAdvance(old.name);
+    ComparisonRunPlace place;
+    place.from = axis.xOf(comparison.fork);
+    place.to = std::max(axis.xOf(comparison.end), place.from + bend);
+    place.nameWidth = QFontMetricsF(theme.ui(11.5)).horizontalAdvance(comparison.name);
     place.name = std::min(place.to + nameGap, axis.right() - place.nameWidth);
     if (place.name - nameGap >= place.from + bend)
         place.to = place.name - nameGap;
@@ -77,7 +77,7 @@ void paintTrack(QPainter &painter, const TimelineAxis &axis, const RunView &view
     paintBar(painter, axis.left(), axis.xOf(view.computed), t.computed);
     paintBar(painter, axis.left(), axis.xOf(view.at), t.ink2);
     for (const Stretch &stretch : view.input) {
-        // What is over in a moment can still be seen.
+        // A minimum width keeps a very short interval visible.
         const double from = std::min(axis.xOf(stretch.from), axis.right() - 3);
         paintBar(painter, from, std::max(axis.xOf(stretch.to), from + 3), theme.kindColor(stretch.kind));
     }
@@ -90,14 +90,14 @@ void paintRing(QPainter &painter, double x, const QColor &ink, const Tokens &t)
     painter.drawEllipse(QPointF(x, Places::track), 4, 4);
 }
 
-/// Round dots from the track at `from` down and on to `to`.
+/// Paints round dots from the track at `from`, downwards and on to `to`.
 void paintDots(QPainter &painter, double from, double to, const Tokens &t)
 {
-    const double drop = Places::oldRun - Places::track;
+    const double drop = Places::comparisonRun - Places::track;
     QPainterPath path({from, Places::track});
     path.cubicTo(QPointF(from + 8, Places::track), QPointF(from + 6, Places::track + drop),
-                 QPointF(from + bend, Places::oldRun));
-    path.lineTo(to, Places::oldRun);
+                 QPointF(from + bend, Places::comparisonRun));
+    path.lineTo(to, Places::comparisonRun);
     QPen dots(t.ghost, 3.0, Qt::CustomDashLine, Qt::RoundCap);
     dots.setDashPattern({1.0 / 3.0, 2.0});
     painter.setPen(dots);
@@ -112,17 +112,18 @@ void paintFork(QPainter &painter, const TimelineAxis &axis, const Fork &fork, co
     paintRing(painter, x, t.ghost, t);
 }
 
-void paintOldRun(QPainter &painter, const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+void paintComparisonRun(QPainter &painter, const TimelineAxis &axis, const ComparisonRun &comparison,
+                        const Theme &theme)
 {
     const Tokens &t = theme.tokens();
-    const OldRunPlace place = placeOf(axis, old, theme);
+    const ComparisonRunPlace place = placeOf(axis, comparison, theme);
     paintDots(painter, place.from, place.to, t);
     paintRing(painter, place.from, t.ink, t);
-    // The line that hangs from the head gives way to the name.
-    painter.fillRect(QRectF(place.name - 1, Places::oldRun - 6, place.nameWidth + 2, 13), t.panel);
+    // Hides the playhead's line behind the name.
+    painter.fillRect(QRectF(place.name - 1, Places::comparisonRun - 6, place.nameWidth + 2, 13), t.panel);
     painter.setFont(theme.ui(11.5));
     painter.setPen(t.ink3);
-    painter.drawText(QPointF(place.name, Places::oldRun + 4), old.name);
+    painter.drawText(QPointF(place.name, Places::comparisonRun + 4), comparison.name);
 }
 
 void paintFan(QPainter &painter, const TimelineAxis &axis, double x, bool playing, const Tokens &t)
@@ -162,8 +163,8 @@ void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &v
     const double x = axis.xOf(view.at);
     if (below == Below::fan)
         paintFan(painter, axis, x, view.playing, theme.tokens());
-    if (view.old)
-        paintOldRun(painter, axis, *view.old, theme);
+    if (view.comparison)
+        paintComparisonRun(painter, axis, *view.comparison, theme);
     paintHead(painter, x, theme.tokens());
 }
 
@@ -174,12 +175,12 @@ void paintPointed(QPainter &painter, const TimelineAxis &axis, std::int64_t fram
     painter.drawLine(QPointF(x, Places::track - 9.0), QPointF(x, Places::track + 9.0));
 }
 
-QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme)
+QRectF comparisonRunArea(const TimelineAxis &axis, const ComparisonRun &comparison, const Theme &theme)
 {
-    const OldRunPlace place = placeOf(axis, old, theme);
+    const ComparisonRunPlace place = placeOf(axis, comparison, theme);
     const double left = std::min(place.from, place.name) - 4;
     const double right = std::max(place.to, place.name + place.nameWidth) + 4;
-    return {left, Places::oldRun - 8, right - left, 16};
+    return {left, Places::comparisonRun - 8, right - left, 16};
 }
 
 QRectF forkArea(const TimelineAxis &axis, const Fork &fork)
@@ -190,7 +191,7 @@ QRectF forkArea(const TimelineAxis &axis, const Fork &fork)
 
 QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is, const Theme &theme)
 {
-    constexpr int reach = 8; // half a head, and what rounded ends and smoothing add
+    constexpr int reach = 8; // half a playhead, and a margin for round ends and antialiasing
     QRegion region(0, Places::fan, static_cast<int>(std::ceil(axis.right() + reach)),
                    Places::strip - Places::fan);
     const auto add = [&](std::int64_t from, std::int64_t to, int top, int bottom) {
@@ -203,10 +204,10 @@ QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunVie
     add(is.at, is.at, track - 12, Places::fan);
     add(was.at, is.at, track - 4, track + 4);
     add(was.computed, is.computed, track - 4, track + 4);
-    // The old run grows with this one, and its name moves along.
-    if (was.old && is.old && was.old->end != is.old->end) {
+    // The old run grows with the present run, which moves its name.
+    if (was.comparison && is.comparison && was.comparison->end != is.comparison->end) {
         for (const RunView *view : {&was, &is})
-            region += oldRunArea(axis, *view->old, theme).toAlignedRect();
+            region += comparisonRunArea(axis, *view->comparison, theme).toAlignedRect();
     }
     return region;
 }

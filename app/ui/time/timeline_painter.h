@@ -11,17 +11,17 @@
 
 namespace app {
 
-/// Some frames in a row in which the learner did something.
+/// Consecutive frames with the same input of the learner.
 struct Stretch
 {
     std::int64_t from = 0;
     std::int64_t to = 0;
     sim::EffectKind kind = sim::EffectKind::driver; ///< wind, or a hand
-    bool goesOn = false;                            ///< it ends where the run does
+    bool goesOn = false;                            ///< whether it lasts until the end of the run
 };
 
-/// The run as it was before a change to its past.
-struct OldRun
+/// The comparison run: the run before a change to its past.
+struct ComparisonRun
 {
     std::int64_t fork = 0; ///< the last frame that both runs share
     std::int64_t end = 0;
@@ -30,50 +30,50 @@ struct OldRun
     bool isKept = false;
 };
 
-/// Where other runs, which are not shown beside this one, leave it.
+/// A place where hidden branches part from the run.
 struct Fork
 {
     std::int64_t at = 0; ///< the last frame that they share with the run
     std::vector<int> branches;
 };
 
-/// What the upper part of the timeline shows of a run.
+/// The contents of the upper part of the timeline.
 struct RunView
 {
     std::int64_t at = 0;
     std::int64_t computed = 0;
     std::vector<Stretch> input;
-    std::optional<OldRun> old;
-    std::vector<Fork> forks; ///< by frame
+    std::optional<ComparisonRun> comparison;
+    std::vector<Fork> forks; ///< sorted by frame
     bool playing = false;
 };
 
-/// Heights, in px from the top of the timeline.
+/// Heights, px from the top of the timeline.
 struct TimelinePlaces
 {
     static constexpr int height = 98;
     static constexpr double track = 25.0;
-    static constexpr double oldRun = 40.0;
+    static constexpr double comparisonRun = 40.0;
     static constexpr int fan = 48;
     static constexpr int strip = 60;
     static constexpr int stripHeight = 28;
 };
 
-/// What hangs below the track.
+/// The part below the track: the fan to the phase strip, or nothing.
 enum class Below { fan, nothing };
-/// Tick labels, track, old run, head and, if it is wanted, the fan; not the phase strip.
+/// Paints tick labels, track, comparison run, playhead and, if wanted, the fan, but not the phase strip.
 void paintTimeline(QPainter &painter, const TimelineAxis &axis, const RunView &view, const Theme &theme,
                    Below below);
 
-/// A thin line through the track, at a frame that the mouse is at.
+/// Paints a thin line through the track, at the previewed frame.
 void paintPointed(QPainter &painter, const TimelineAxis &axis, std::int64_t frame, const Theme &theme);
 
-/// Where the old run's dots and name are.
-QRectF oldRunArea(const TimelineAxis &axis, const OldRun &old, const Theme &theme);
-/// Where the mark of a fork can be pressed: under the track, so that it keeps nobody from scrubbing.
+/// Returns the area of the dots and the name of the comparison run.
+QRectF comparisonRunArea(const TimelineAxis &axis, const ComparisonRun &comparison, const Theme &theme);
+/// Returns the area where the mark of a fork can be clicked: below the track, so that scrubbing works everywhere.
 QRectF forkArea(const TimelineAxis &axis, const Fork &fork);
 
-/// What looks different when nothing but the cursor and what is computed change from `was` to `is`.
+/// Returns the area that changes when only the cursor and the computed part change from `was` to `is`.
 QRegion changedByMove(const TimelineAxis &axis, const RunView &was, const RunView &is, const Theme &theme);
 
 }

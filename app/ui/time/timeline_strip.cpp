@@ -33,11 +33,7 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(&session, &Session::stepOpened, this, &TimelineStrip::startNew);
-    connect(&session, &Session::runChanged, this, &TimelineStrip::refresh);
-    connect(&session, &Session::playingChanged, this, &TimelineStrip::refresh);
-    connect(&session, &Session::moved, this, &TimelineStrip::follow);
-    connect(&session, &Session::glanceChanged, this, &TimelineStrip::showMarked);
+    connect(&session, &Session::changed, this, &TimelineStrip::follow);
     connect(&theme, &Theme::changed, this, &TimelineStrip::refresh);
     startNew();
 }
@@ -62,9 +58,10 @@ void TimelineStrip::setForm(Form form)
 
 QString TimelineStrip::sentence() const
 {
-    const QString stands = sentenceOf(m_session.timeline());
-    return m_session.isGlancing() ? tr("%1. Looking at: %2").arg(stands, sentenceOf(m_session.shown()))
-                                  : stands;
+    const QString current = sentenceOf(m_session.timeline());
+    return m_session.preview().isActive()
+               ? tr("%1. Preview: %2").arg(current, sentenceOf(m_session.preview().run()))
+               : current;
 }
 
 void TimelineStrip::startNew()
@@ -76,8 +73,8 @@ void TimelineStrip::startNew()
 bool TimelineStrip::coverRun()
 {
     bool grown = m_axis.cover(m_view.computed);
-    if (m_view.old)
-        grown = m_axis.cover(m_view.old->end) || grown;
+    if (m_view.comparison)
+        grown = m_axis.cover(m_view.comparison->end) || grown;
     for (const Stretch &stretch : m_view.input)
         grown = m_axis.cover(stretch.to) || grown;
     return grown;
@@ -105,7 +102,7 @@ void TimelineStrip::readPhases()
 bool TimelineStrip::showsEnd() const
 {
     const sim::Cursor at = m_session.timeline().cursor();
-    return !m_session.isPlaying() && at.phase == 0 && at.frame > 0;
+    return !m_session.playback().isPlaying() && at.phase == 0 && at.frame > 0;
 }
 
 std::shared_ptr<const sim::ComposedInterval> TimelineStrip::phasesShown() const
@@ -114,7 +111,19 @@ std::shared_ptr<const sim::ComposedInterval> TimelineStrip::phasesShown() const
     return showsEnd() ? track.intervalPtr() : track.nextInterval();
 }
 
-void TimelineStrip::follow()
+void TimelineStrip::follow(const Change &change)
+{
+    if (change.isAny(ChangeKind::step))
+        startNew();
+    else if (change.isAny(ChangeKind::run | ChangeKind::playing))
+        refresh();
+    if (change.isAny(ChangeKind::cursor))
+        followCursor();
+    if (change.isAny(ChangeKind::preview))
+        showMarked();
+}
+
+void TimelineStrip::followCursor()
 {
     const RunView was = m_view;
     const Position before = m_position;
@@ -128,7 +137,8 @@ void TimelineStrip::follow()
         update();
     } else {
         m_position = now;
-        // The strip looks the same between any two frames: while playing only the upper part changes.
+        // The phase strip looks the same between any two frames, so only the upper part needs repainting
+        // during playback.
         update(changedByMove(m_axis, was, m_view, m_theme));
     }
     announce();
@@ -136,7 +146,7 @@ void TimelineStrip::follow()
 
 void TimelineStrip::announce()
 {
-    if (!QAccessible::isActive() || m_session.isPlaying())
+    if (!QAccessible::isActive() || m_session.playback().isPlaying())
         return;
     QAccessibleValueChangeEvent event(this, QVariant::fromValue<qlonglong>(frame()));
     QAccessible::updateAccessibility(&event);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
 #include "app/ui/time/phase_strip.h"
 #include "app/ui/time/timeline_painter.h"
@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// The run in time, to scrub in, and under it the phases of the step at the cursor, enlarged.
+/// The timeline of the run, for scrubbing, above the phases of the step at the cursor.
 class TimelineStrip : public QWidget
 {
     Q_OBJECT
@@ -20,29 +20,29 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    /// What of it is shown: all, or the run in time alone, as high as a row of buttons.
+    /// What is shown: all, or only the track, as high as a row of buttons.
     enum class Form { whole, trackOnly };
     void setForm(Form form);
     Form form() const { return m_form; }
 
     const TimelineAxis &axis() const { return m_axis; }
     const PhaseStrip &phases() const { return m_phases; }
-    /// "Frame 41, after gravity, 2 of 5 phases done".
+    /// Returns "Frame 41, after gravity, 2 of 5 phases done".
     QString sentence() const;
     std::int64_t frame() const { return m_session.timeline().cursor().frame; }
     int rowFrames() const { return m_session.timeline().track().framesPerOutput(); }
-    /// Pauses, and goes to a frame.
+    /// Pauses and goes to a frame.
     void scrubTo(std::int64_t frame);
-    /// What is at a place, and what it does; empty where nothing is.
+    /// Returns a description of what is at a place, and what a click does; empty if nothing is there.
     QString hintAt(const QPoint &place) const;
-    /// A thin mark at a frame that the mouse is at, here or in a plot; nothing: there is none.
+    /// Sets the thin mark at the frame under the mouse, here or in a plot; empty removes it.
     void setPointed(std::optional<std::int64_t> frame);
     std::optional<std::int64_t> pointed() const { return m_pointed; }
 
 signals:
-    /// The mouse is at a frame of the track, or has left it.
+    /// Emitted when the mouse moves to another frame of the track, or leaves the track.
     void pointedAt(std::optional<std::int64_t> frame);
-    /// This run and the one beside it are to be compared in numbers.
+    /// The learner wants to compare this run and the one beside it in numbers.
     void compareWanted();
 
 protected:
@@ -61,27 +61,28 @@ protected:
 
 private:
     void startNew();
-    /// Reads all of the session again.
+    /// Reads everything from the session again.
     void refresh();
-    /// Reads where the cursor is, and repaints what that changes.
-    void follow();
+    void follow(const Change &change);
+    /// Reads the cursor, and repaints what has changed.
+    void followCursor();
     void readPhases();
-    /// Whether the strip shows all phases of the frame just done: while the run stands at its end.
+    /// Returns whether the strip shows all phases of the frame just done, because the run is at its end.
     bool showsEnd() const;
     std::shared_ptr<const sim::ComposedInterval> phasesShown() const;
     bool coverRun();
-    /// The fork whose mark is at a place, away from the old run's dots; null if none is.
+    /// Returns the fork whose mark is at a place, or null. The dots of the comparison run take precedence.
     const Fork *forkAt(const QPointF &place) const;
     bool isOnOldRun(const QPointF &place) const;
     void press(const Fork &fork, const QPoint &onScreen);
-    /// A menu of these branches; of all if there are none.
+    /// Opens a menu of these branches, or of all if there are none.
     void showRuns(std::vector<int> branches, const QPoint &onScreen);
     QString hintOf(const Fork &fork) const;
     void setHovered(int phase);
     void showMarked();
-    /// The phase of the strip after which a moment is; -1 for none.
+    /// Returns the phase of the strip right before a moment, or -1.
     int phaseBefore(sim::Cursor moment) const;
-    /// The computed frame under a place; nothing where there is none.
+    /// Returns the computed frame under a place, if there is one.
     std::optional<std::int64_t> trackFrameAt(const QPointF &place) const;
     void runTo(int phase);
     void step(bool forward, bool byPhase);
@@ -93,15 +94,15 @@ private:
     PhaseStrip m_phases;
     RunView m_view;
     Position m_position;
-    std::shared_ptr<const sim::ComposedInterval> m_interval; ///< whose phases are shown
+    std::shared_ptr<const sim::ComposedInterval> m_interval; ///< the interval whose phases are shown
     bool m_showsEnd = false;
-    int m_hovered = -1;                    ///< the phase that the mouse is on
-    std::optional<std::int64_t> m_pointed; ///< the frame that it is on
+    int m_hovered = -1;                    ///< the phase under the mouse
+    std::optional<std::int64_t> m_pointed; ///< the frame under the mouse
     int m_marked = -1;                     ///< the phase that is marked elsewhere
     Form m_form = Form::whole;
-    int m_wheel = 0; ///< what is left of a notch
+    int m_wheel = 0; ///< rest of a notch that was not used yet
     bool m_scrubbing = false;
-    bool m_byKeyboard = false; ///< whether focus came with the keyboard, and shows
+    bool m_byKeyboard = false; ///< whether focus came from the keyboard, so that its ring shows
 };
 
 }

@@ -1,12 +1,13 @@
 #include "app/ui/time/transport_bar.h"
 
-#include "app/model/sentences.h"
+#include "app/ui/actions/command.h"
+#include "app/ui/actions/command_button.h"
+#include "app/ui/actions/run_commands.h"
 #include "app/ui/time/frame_counter.h"
-#include "app/ui/time/position.h"
+#include "app/ui/time/run_position.h"
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/speed_button.h"
 
-#include <QAction>
 #include <QHBoxLayout>
 #include <QShortcut>
 #include <QToolButton>
@@ -15,11 +16,11 @@ namespace app {
 
 namespace {
 
-/// While playing, numbers change at most ten times a second: faster ones cannot be read. A little less, so that
-/// every third frame counts however exactly the timer ticks.
+/// While playing, numbers change at most ten times a second, because faster changes cannot be read. It is a little less
+/// than 100 ms, so that every third frame is shown although the timer is not exact.
 constexpr qint64 leastMilliseconds = 90;
 
-/// A button that gives up some of its width where there is little room.
+/// A button that becomes narrower if space is short.
 class TransportButton : public QToolButton
 {
 public:
@@ -36,75 +37,74 @@ private:
     int m_least;
 };
 
-void describe(QToolButton *button, const QString &what, const QString &keys, const QString &whyNot)
-{
-    button->setEnabled(whyNot.isEmpty());
-    button->setAccessibleName(what);
-    button->setToolTip(whyNot.isEmpty() ? TransportBar::tr("%1 (%2)").arg(what, keys) : whyNot);
 }
 
-}
-
-TransportBar::TransportBar(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_layout(new QHBoxLayout(this)),
-      m_goToFrame(new QAction(tr("Go to frame…"), this)), m_cancel(new QShortcut(Qt::Key_Escape, this))
+TransportBar::TransportBar(Session &session, const RunCommands &commands, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_commands(commands), m_theme(theme),
+      m_layout(new QHBoxLayout(this)), m_cancel(new QShortcut(RunCommands::cancelKey, this))
 {
     setObjectName("transport");
     setFixedHeight(52);
     setAutoFillBackground(true);
     build();
-    m_goToFrame->setShortcut(Qt::CTRL | Qt::Key_G);
-    addAction(m_goToFrame);
-    connect(m_goToFrame, &QAction::triggered, this, &TransportBar::editFrame);
-    connect(m_cancel, &QShortcut::activated, &session, &Session::stopGoing);
-    connect(m_cancel, &QShortcut::activatedAmbiguously, &session, &Session::stopGoing);
-    connect(m_frame, &FrameCounter::asked, this, [this](std::int64_t frame) { m_session.runTo({frame, 0}); });
-    connect(m_frame, &FrameCounter::refused, &session, &Session::said);
+    connect(commands.goToFrame, &QAction::triggered, this, &TransportBar::editFrame);
+    connect(commands.slower, &QAction::triggered, this, &TransportBar::slower);
+    connect(commands.faster, &QAction::triggered, this, &TransportBar::faster);
+    connect(commands.chooseRun, &QAction::triggered, this, [this] { m_runs->popupAbove(*m_runsButton); });
+    connect(m_cancel, &QShortcut::activated, &session, &Session::cancelComputing);
+    connect(m_cancel, &QShortcut::activatedAmbiguously, &session, &Session::cancelComputing);
+    connect(m_frame, &FrameCounter::frameRequested, this, [this](std::int64_t frame) {
+        m_session.playback().runTo({frame, 0});
+    });
+    connect(m_frame, &FrameCounter::refused, &session, &Session::showMessage);
     connect(m_frame, &FrameCounter::resized, this, &TransportBar::fit);
-    connect(m_speed, &SpeedButton::chosen, &session, &Session::setSpeed);
-    connect(&session, &Session::moved, this, &TransportBar::follow);
-    connect(&session, &Session::glanceChanged, this, &TransportBar::showFrame);
-    connect(&session, &Session::runChanged, this, &TransportBar::refresh);
-    connect(&session, &Session::stepOpened, this, &TransportBar::refresh);
-    connect(&session, &Session::playingChanged, this, &TransportBar::refresh);
-    connect(&theme, &Theme::changed, this, &TransportBar::dress);
-    dress();
+    connect(m_speed, &SpeedButton::chosen, &session.playback(), &Playback::setSpeed);
+    connect(&session, &Session::changed, this, &TransportBar::follow);
+    connect(&theme, &Theme::changed, this, [this] {
+        refresh();
+        update();
+    });
+    refresh();
 }
 
 void TransportBar::build()
 {
     m_layout->setContentsMargins(12, 0, 12, 0);
     m_layout->setSpacing(0);
-    m_reset = addButton("reset", 32, 28, &TransportBar::restart);
+    addButton("reset", *m_commands.restart, {32, 28}, &Tokens::ink2);
     addSpace(14);
-    m_phaseBack = addButton("phaseBack", 32, 28, &TransportBar::phaseBack);
+    addButton("phaseBack", *m_commands.phaseBack, {32, 28}, &Tokens::ink2);
     addSpace(4);
-    m_frameBack = addButton("frameBack", 32, 28, &TransportBar::frameBack);
+    addButton("frameBack", *m_commands.frameBack, {32, 28}, &Tokens::ink);
     addSpace(10);
-    m_play = addButton("play", 44, 38, &TransportBar::playOrPause);
-    m_play->setIconSize({18, 18});
+    addButton("play", *m_commands.play, {44, 38}, &Tokens::buttonText)->setIconSize({18, 18});
     addSpace(10);
-    m_frameForward = addButton("frameForward", 32, 28, &TransportBar::frameForward);
+    addButton("frameForward", *m_commands.frameForward, {32, 28}, &Tokens::ink);
     addSpace(4);
-    m_phaseForward = addButton("phaseForward", 32, 28, &TransportBar::phaseForward);
+    addButton("phaseForward", *m_commands.phaseForward, {32, 28}, &Tokens::ink2);
     addSpace(18);
     m_frame = new FrameCounter(m_theme, this);
+    m_frame->setToolTip(m_commands.goToFrame->toolTip());
     m_layout->addWidget(m_frame);
     m_layout->addSpacerItem(new QSpacerItem(8, 0, QSizePolicy::Expanding));
     m_runs = new RunsMenu(m_session, m_theme, this);
-    m_runsButton = addButton("runsButton", 32, 28, &TransportBar::chooseRun);
+    m_runsButton = addButton("runsButton", *m_commands.chooseRun, {32, 28}, &Tokens::ink2);
     addSpace(6);
     m_speed = new SpeedButton(m_theme, this);
+    m_speed->setToolTip(
+        tr("Playing speed (%1 and %2). It never changes the step")
+            .arg(keyText(m_commands.slower->shortcut()), keyText(m_commands.faster->shortcut())));
     m_layout->addWidget(m_speed);
 }
 
-QToolButton *TransportBar::addButton(const QString &name, int width, int least,
-                                     void (TransportBar::*pressed)())
+QToolButton *TransportBar::addButton(const QString &name, Command &command, ButtonWidths widths,
+                                     QColor Tokens::*ink)
 {
-    QToolButton *button = new TransportButton({width, name == "play" ? 36 : 32}, least, this);
+    const int height = name == QLatin1String("play") ? 36 : 32;
+    QToolButton *button = new TransportButton({widths.usual, height}, widths.least, this);
     button->setObjectName(name);
     button->setIconSize({16, 16});
-    connect(button, &QToolButton::clicked, this, pressed);
+    showCommand(*button, command, m_theme, ink);
     m_layout->addWidget(button);
     return button;
 }
@@ -114,54 +114,35 @@ void TransportBar::addSpace(int width)
     m_layout->addSpacerItem(new QSpacerItem(width, 0, QSizePolicy::Maximum));
 }
 
-void TransportBar::dress()
-{
-    const QColor ink = m_theme.tokens().ink;
-    m_reset->setIcon(m_theme.icon("reset"));
-    m_phaseBack->setIcon(m_theme.icon("phase-back"));
-    m_frameBack->setIcon(m_theme.icon("frame-back", ink));
-    m_frameForward->setIcon(m_theme.icon("frame-forward", ink));
-    m_phaseForward->setIcon(m_theme.icon("phase-forward"));
-    m_runsButton->setIcon(m_theme.icon("runs"));
-    refresh();
-    update();
-}
-
 void TransportBar::refresh()
 {
-    m_speed->setSpeed(m_session.speed());
-    showPlay();
+    m_speed->setSpeed(m_session.playback().speed());
     showFrame();
-    showButtons();
-    showRuns();
+    followCancel();
     fit();
 }
 
-void TransportBar::showRuns()
+void TransportBar::followCancel()
 {
-    const std::size_t count = m_session.branches().all().size();
-    const QString what = count == 0   ? tr("Other runs: none yet")
-                         : count == 1 ? tr("Other runs: one")
-                                      : tr("Other runs: %1").arg(count);
-    describe(m_runsButton, what, tr("Ctrl+Shift+R"),
-             count == 0
-                 ? tr("Go back in time and change something: the run as it was stays, and is found here.")
-                 : QString());
+    m_cancel->setEnabled(m_session.playback().goal() || m_session.comparisons().isComputing());
 }
 
-void TransportBar::chooseRun()
+void TransportBar::follow(const Change &change)
 {
-    if (m_runsButton->isEnabled())
-        m_runs->popupAbove(*m_runsButton);
-    else
-        emit m_session.said(m_runsButton->toolTip());
-}
-
-void TransportBar::follow()
-{
-    if (!m_session.isPlaying() || !m_sinceFrame.isValid() || m_sinceFrame.elapsed() >= leastMilliseconds)
+    if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::playing))
+        refresh();
+    else if (change.isAny(ChangeKind::preview))
         showFrame();
-    showButtons();
+    else if (change.isAny(ChangeKind::cursor))
+        followCursor();
+}
+
+void TransportBar::followCursor()
+{
+    if (!m_session.playback().isPlaying() || !m_sinceFrame.isValid() ||
+        m_sinceFrame.elapsed() >= leastMilliseconds)
+        showFrame();
+    followCancel();
 }
 
 void TransportBar::showFrame()
@@ -170,11 +151,11 @@ void TransportBar::showFrame()
     const Position position = positionOf(m_session.timeline());
     QString detail = progressOf(position);
     QString brief = shortProgressOf(position);
-    if (m_session.isGlancing()) {
-        showLook(position.frame);
+    if (m_session.preview().isActive()) {
+        showPreview(position.frame);
         return;
     }
-    if (const std::optional<std::int64_t> target = m_session.goingTo()) {
+    if (const std::optional<std::int64_t> target = m_session.playback().goal()) {
         detail = tr("going to %1… Esc stops").arg(*target);
         brief = tr("going to %1…").arg(*target);
     }
@@ -182,87 +163,29 @@ void TransportBar::showFrame()
     m_frame->show(position.frame, dotted(detail), dotted(brief));
 }
 
-void TransportBar::showLook(std::int64_t stands)
+void TransportBar::showPreview(std::int64_t current)
 {
-    const Position look = positionOf(m_session.shown());
-    const QString full = look.isInside() ? tr("· looking: %1").arg(progressOf(look))
-                                         : tr("· looking at frame %1").arg(look.frame);
+    const Position shown = positionOf(m_session.preview().run());
+    const QString full = shown.isInside() ? tr("· preview: %1").arg(progressOf(shown))
+                                          : tr("· preview of frame %1").arg(shown.frame);
     const QString brief =
-        look.isInside() ? tr("· %1").arg(shortProgressOf(look)) : tr("· at %1").arg(look.frame);
+        shown.isInside() ? tr("· %1").arg(shortProgressOf(shown)) : tr("· at %1").arg(shown.frame);
     for (const QString &text : {full, brief, QString()}) {
-        m_frame->show(stands, text, text);
+        m_frame->show(current, text, text);
         m_layout->invalidate();
         if (m_layout->sizeHint().width() <= width())
             return;
     }
 }
 
-QString TransportBar::whyNoPast() const
-{
-    return m_session.timeline().cursor() == sim::Cursor{} ? tr("This is frame 0: nothing comes before it.")
-                                                          : QString();
-}
-
-QString TransportBar::whyNoFuture() const
-{
-    const std::optional<sim::Stop> &stop = m_session.timeline().stop();
-    return stop && m_session.timeline().cursor().frame >= stop->frame ? sentenceFor(*stop) : QString();
-}
-
-void TransportBar::showButtons()
-{
-    const bool inside = m_session.timeline().cursor().phase > 0;
-    const QString noPast = whyNoPast();
-    const QString noFuture = whyNoFuture();
-    showRestart();
-    describe(m_phaseBack, tr("One phase back"), tr("Shift+←"), noPast);
-    describe(m_frameBack, inside ? tr("Back to the start of this frame") : tr("One frame back"), tr("←"),
-             noPast);
-    describe(m_frameForward, inside ? tr("On to the end of this frame") : tr("One frame forward"), tr("→"),
-             noFuture);
-    describe(m_phaseForward, tr("One phase forward"), tr("Shift+→"), noFuture);
-    if (m_session.goingTo())
-        describe(m_play, tr("Stop here"), tr("Esc"), {});
-    else
-        describe(m_play, m_session.isPlaying() ? tr("Pause") : tr("Play"), tr("Space"), noFuture);
-    const bool canStop = m_session.goingTo() || m_session.isBringing();
-    if (m_cancel->isEnabled() != canStop) {
-        m_cancel->setEnabled(canStop);
-        showPlay();
-    }
-}
-
-void TransportBar::showRestart()
-{
-    const bool repeats = m_session.hasInput();
-    describe(m_reset, tr("Restart"), tr("Home"), repeats ? QString() : whyNoPast());
-    if (!m_reset->isEnabled())
-        return;
-    QStringList tip{m_reset->toolTip(), tr("A fresh run from frame 0, with the parameters as they are now.")};
-    if (repeats)
-        tip << tr("Shift+Home repeats this run instead, with all that was done in it.");
-    m_reset->setToolTip(tip.join('\n'));
-}
-
-void TransportBar::showPlay()
-{
-    const bool goes = m_session.isPlaying() || m_session.goingTo();
-    m_play->setIcon(m_theme.icon(goes ? "pause" : "play", m_theme.tokens().buttonText));
-}
-
-void TransportBar::playOrPause()
-{
-    m_session.goingTo() ? m_session.pause() : m_session.togglePlaying();
-}
-
 void TransportBar::slower()
 {
-    m_session.setSpeed(SpeedButton::slowerThan(m_session.speed()));
+    m_session.playback().setSpeed(SpeedButton::slowerThan(m_session.playback().speed()));
 }
 
 void TransportBar::faster()
 {
-    m_session.setSpeed(SpeedButton::fasterThan(m_session.speed()));
+    m_session.playback().setSpeed(SpeedButton::fasterThan(m_session.playback().speed()));
 }
 
 void TransportBar::editFrame()
@@ -270,7 +193,7 @@ void TransportBar::editFrame()
     m_frame->edit();
 }
 
-void TransportBar::takeIn(QWidget *widget)
+void TransportBar::insertMiddle(QWidget *widget)
 {
     m_middle = widget;
     m_layout->insertWidget(m_layout->indexOf(m_frame) + 1, widget, 1000);
@@ -278,7 +201,7 @@ void TransportBar::takeIn(QWidget *widget)
     fit();
 }
 
-void TransportBar::giveOut(QWidget *widget)
+void TransportBar::removeMiddle(QWidget *widget)
 {
     m_middle = nullptr;
     m_layout->removeWidget(widget);
@@ -293,7 +216,7 @@ QSize TransportBar::minimumSizeHint() const
 
 void TransportBar::fit()
 {
-    // In this order: buttons and spaces narrow by themselves, then the rate goes, then the phases' words.
+    // Buttons and spaces become narrower by themselves. Then the rate is hidden, then the phases.
     m_speed->setBrief(false);
     m_frame->setBrief(false);
     const auto fits = [this] { return m_layout->minimumSize().width() <= width(); };

@@ -1,95 +1,82 @@
 #pragma once
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
 
-class QAction;
 class QBoxLayout;
 class QShortcut;
 class QToolButton;
 
 namespace app {
 
+class Command;
 class FrameCounter;
+class RunCommands;
 class RunsMenu;
 class SpeedButton;
 
-/// Play, pause and step in time; the frame; the playing speed. 52 px high.
+/// The bar with the commands of time, the frame counter and the playing speed. 52 px high.
 class TransportBar : public QWidget
 {
     Q_OBJECT
 
 public:
-    TransportBar(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    /// All arguments must outlive it.
+    TransportBar(Session &session, const RunCommands &commands, const Theme &theme,
+                 QWidget *parent = nullptr);
 
-    /// "Go to frame", with its shortcut Ctrl+G; it works wherever the focus is, and may be put into a menu.
-    QAction *goToFrameAction() const { return m_goToFrame; }
-    /// The other runs of the step; the menu may be put into others.
+    /// Returns the menu of the other runs of the step, which the Run menu shows, too.
     RunsMenu &runs() const { return *m_runs; }
-    /// Opens that menu above its button.
-    void chooseRun();
 
-    /// Puts a widget between the frame and the other runs, and owns it from then on.
-    void takeIn(QWidget *widget);
-    /// Gives it up again: whoever calls takes it.
-    void giveOut(QWidget *widget);
+    /// Inserts a widget between the frame counter and the other runs, and takes ownership of it.
+    void insertMiddle(QWidget *widget);
+    /// Removes that widget; the caller takes ownership.
+    void removeMiddle(QWidget *widget);
 
-    /// Less high and wide than this is not to be had.
     QSize minimumSizeHint() const override;
 
 public slots:
-    /// The next speed of the menu.
+    /// Sets the next lower speed of the menu.
     void slower();
+    /// Sets the next higher speed of the menu.
     void faster();
-    /// Turns the counter into an editor.
+    /// Turns the frame counter into an editor.
     void editFrame();
-    /// Ends going to a far frame where it is; if nothing goes anywhere, plays or pauses.
-    void playOrPause();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QToolButton *addButton(const QString &name, int width, int least, void (TransportBar::*pressed)());
+    struct ButtonWidths
+    {
+        int usual; ///< px
+        int least; ///< px, in a narrow bar
+    };
+
+    QToolButton *addButton(const QString &name, Command &command, ButtonWidths widths, QColor Tokens::*ink);
     void addSpace(int width);
     void build();
-    void dress();
     void refresh();
-    void follow();
+    void follow(const Change &change);
+    void followCursor();
+    void followCancel();
     void showFrame();
-    /// What is looked at, in as many words as there is room for: no button moves for it.
-    void showLook(std::int64_t stands);
-    void showButtons();
-    void showRuns();
-    void showPlay();
+    /// Shows the previewed moment behind the frame `current`, in as many words as fit, so that no button moves.
+    void showPreview(std::int64_t current);
     void fit();
-    QString whyNoPast() const;
-    QString whyNoFuture() const;
-    void restart() { m_session.restart(); }
-    void showRestart();
-    void phaseBack() { m_session.phaseBack(); }
-    void frameBack() { m_session.frameBack(); }
-    void frameForward() { m_session.frameForward(); }
-    void phaseForward() { m_session.phaseForward(); }
 
     Session &m_session;
+    const RunCommands &m_commands;
     const Theme &m_theme;
     QBoxLayout *m_layout;
-    QToolButton *m_reset;
-    QToolButton *m_phaseBack;
-    QToolButton *m_frameBack;
-    QToolButton *m_play;
-    QToolButton *m_frameForward;
-    QToolButton *m_phaseForward;
-    QToolButton *m_runsButton;
-    RunsMenu *m_runs;
-    FrameCounter *m_frame;
-    QWidget *m_middle = nullptr; ///< what was taken in
-    SpeedButton *m_speed;
-    QAction *m_goToFrame;
+    QToolButton *m_runsButton = nullptr;
+    RunsMenu *m_runs = nullptr;
+    FrameCounter *m_frame = nullptr;
+    QWidget *m_middle = nullptr; ///< see insertMiddle()
+    SpeedButton *m_speed = nullptr;
     QShortcut *m_cancel; ///< Escape, while the session goes to a far frame or computes a run again
     QElapsedTimer m_sinceFrame;
 };

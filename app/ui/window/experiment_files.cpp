@@ -1,11 +1,11 @@
 #include "app/ui/window/experiment_files.h"
 
-#include "app/model/experiment_line.h"
-#include "app/model/recent_files.h"
-#include "app/model/words.h"
-#include "app/ui/panels/ask_file.h"
-#include "app/ui/window/attempt.h"
-#include "app/ui/window/notice.h"
+#include "app/model/experiment/experiment_line.h"
+#include "app/model/files/recent_files.h"
+#include "app/model/text/quoting.h"
+#include "app/ui/dialogs/ask_file.h"
+#include "app/ui/dialogs/notice.h"
+#include "app/ui/dialogs/report_errors.h"
 
 #include <QClipboard>
 #include <QDropEvent>
@@ -22,7 +22,7 @@ namespace app {
 
 namespace {
 
-/// The file that is dragged over the window; empty: something else, or several.
+/// Returns the file that is dragged over the window, or an empty path for anything else, such as several files.
 QString fileOf(const QMimeData *data)
 {
     const QList<QUrl> urls = data->urls();
@@ -36,11 +36,12 @@ ExperimentFiles::ExperimentFiles(Session &session, Notice &notice, QWidget &wind
 {
 }
 
-bool ExperimentFiles::opens(const std::function<void()> &deed)
+bool ExperimentFiles::opens(const std::function<void()> &action)
 {
-    const bool isOpen = attempt(m_notice, tr("Experiment not opened: %1 Your scene is unchanged."), deed);
+    const bool isOpen =
+        attempt(m_notice, tr("Could not open the experiment: %1 Your scene is unchanged."), action);
     if (isOpen)
-        m_notice.say({});
+        m_notice.showMessage({});
     return isOpen;
 }
 
@@ -52,29 +53,30 @@ void ExperimentFiles::open(const QString &path)
 
 bool ExperimentFiles::save(const QString &path)
 {
-    if (!attempt(m_notice, tr("Experiment not saved: %1"), [&] { m_document.save(path); }))
+    if (!attempt(m_notice, tr("Could not save the experiment: %1"), [&] { m_document.save(path); }))
         return false;
     addRecentFile(path);
-    emit said(tr("Saved as %1.").arg(shownPath(QFileInfo(path).fileName())));
+    emit messageRequested(tr("Saved as %1.").arg(shownPath(QFileInfo(path).fileName())));
     return true;
 }
 
-void ExperimentFiles::unlessLost(const std::function<void()> &deed)
+void ExperimentFiles::unlessLost(const std::function<void()> &action)
 {
     if (!m_document.isChanged()) {
-        deed();
+        action();
         return;
     }
     const QString path = m_document.path();
-    const QString sentence =
-        path.isEmpty() ? tr("What you did in “%1” is not saved.").arg(m_session.step().title)
-                       : tr("%1 has changes that are not saved.").arg(shownPath(QFileInfo(path).fileName()));
-    const auto save = [this, deed] {
+    const QString sentence = path.isEmpty()
+                                 ? tr("“%1” has unsaved changes.").arg(m_session.step().title)
+                                 : tr("%1 has unsaved changes.").arg(shownPath(QFileInfo(path).fileName()));
+    const auto save = [this, action] {
         if (saveOrAsk())
-            deed();
+            action();
     };
-    m_notice.ask(sentence, {{tr("Save it first"), tr("Save it, then go on"), save},
-                            {tr("Go on without"), tr("Go on; what was not saved is gone"), deed}});
+    m_notice.ask(sentence,
+                 {{tr("Save"), tr("Save the changes, then continue"), save},
+                  {tr("Discard changes"), tr("Continue without saving: your changes are lost"), action}});
 }
 
 void ExperimentFiles::askOpen()
@@ -102,12 +104,12 @@ bool ExperimentFiles::saveOrAsk()
 
 void ExperimentFiles::startNew()
 {
-    const auto deed = [this] {
+    const auto action = [this] {
         m_document.startNew();
-        emit said(tr("The step as it is published."));
+        emit messageRequested(tr("The step has its published state again."));
     };
-    // Without a file nothing is lost: undo brings it back.
-    m_document.path().isEmpty() ? deed() : unlessLost(deed);
+    // Without a file nothing is lost, because undo brings the scene back.
+    m_document.path().isEmpty() ? action() : unlessLost(action);
 }
 
 void ExperimentFiles::fillRecent(QMenu &menu)
@@ -122,8 +124,8 @@ void ExperimentFiles::fillRecent(QMenu &menu)
         connect(one, &QAction::triggered, this, [this, path] { openRecent(path); });
     }
     if (menu.isEmpty()) {
-        QAction *none = menu.addAction(tr("No file yet"));
-        none->setToolTip(tr("Experiments that you open or save will be listed here"));
+        QAction *none = menu.addAction(tr("No recent files"));
+        none->setToolTip(tr("Experiments that you open or save are listed here"));
         none->setEnabled(false);
     }
 }
@@ -135,19 +137,21 @@ void ExperimentFiles::openRecent(const QString &path)
         return;
     }
     dropRecentFile(path);
-    m_notice.say(tr("%1 is not there any more, and was taken out of the list. If you moved it, open it from "
-                    "where it is now.")
-                     .arg(path));
+    m_notice.showMessage(
+        tr("Could not find %1, so it was removed from the list. If you moved it, open it from its new "
+           "place.")
+            .arg(path));
 }
 
 void ExperimentFiles::copyAsText()
 {
     QString line;
-    if (!attempt(m_notice, tr("Experiment not copied: %1"),
+    if (!attempt(m_notice, tr("Could not copy the experiment: %1"),
                  [&] { line = experimentLine(m_session.experiment(), m_session.library()); }))
         return;
     QGuiApplication::clipboard()->setText(line);
-    emit said(tr("Copied: %n character(s), in one line.", nullptr, static_cast<int>(line.size())));
+    emit messageRequested(
+        tr("Copied: %n character(s), in one line.", nullptr, static_cast<int>(line.size())));
 }
 
 void ExperimentFiles::pasteText()
@@ -158,19 +162,13 @@ void ExperimentFiles::pasteText()
         unlessLost([this, pasted] { opens([&] { m_document.open(*pasted); }); });
 }
 
-bool ExperimentFiles::takesDrop(const QObject *watched, QEvent &event)
+bool ExperimentFiles::takesDrop(QDropEvent &event)
 {
-    if (event.type() != QEvent::DragEnter && event.type() != QEvent::DragMove && event.type() != QEvent::Drop)
-        return false;
-    const auto *widget = qobject_cast<const QWidget *>(watched);
-    if (!widget || widget->window() != &m_window)
-        return false;
-    auto &drop = static_cast<QDropEvent &>(event);
-    const QString path = fileOf(drop.mimeData());
+    const QString path = fileOf(event.mimeData());
     if (path.isEmpty())
         return false;
-    drop.setDropAction(Qt::CopyAction);
-    drop.accept();
+    event.setDropAction(Qt::CopyAction);
+    event.accept();
     if (event.type() == QEvent::Drop)
         unlessLost([this, path] { open(path); });
     return true;
@@ -181,21 +179,21 @@ bool ExperimentFiles::mayClose()
     for (const StepName &name : m_document.changed()) {
         const QString path = m_document.pathOf(name);
         if (path.isEmpty())
-            continue; // it is kept for the next start
-        QMessageBox question(
-            QMessageBox::NoIcon, tr("Springstep"),
-            tr("%1 has changes that are not saved.").arg(shownPath(QFileInfo(path).fileName())),
-            QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+            continue; // the next start recovers it
+        QMessageBox question(QMessageBox::NoIcon, tr("Springstep"),
+                             tr("%1 has unsaved changes.").arg(shownPath(QFileInfo(path).fileName())),
+                             QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
         question.setDefaultButton(QMessageBox::Save);
         question.button(QMessageBox::Save)->setText(tr("&Save"));
         question.button(QMessageBox::Discard)->setText(tr("Close &without saving"));
-        question.button(QMessageBox::Cancel)->setText(tr("&Stay"));
+        question.button(QMessageBox::Cancel)->setText(tr("&Cancel"));
         const int answer = question.exec();
         if (answer == QMessageBox::Cancel)
             return false;
         if (answer == QMessageBox::Discard)
             m_document.giveUp(name);
-        else if (!attempt(m_notice, tr("Experiment not saved: %1"), [&] { m_document.save(name, path); }))
+        else if (!attempt(m_notice, tr("Could not save the experiment: %1"),
+                          [&] { m_document.save(name, path); }))
             return false;
     }
     return true;

@@ -1,57 +1,61 @@
 #pragma once
 
-#include "app/model/document.h"
+#include "app/model/files/document.h"
 
 #include <QObject>
 
 #include <functional>
 
+class QDropEvent;
 class QMenu;
 
 namespace app {
 
 class Notice;
 
-/// What a window does with experiments: opens and saves them, as files, as text and by drag and drop, asks the learner
-/// where something would be lost, and tells what was refused.
+/// Opens and saves the experiments of a window: as files, as text, and by drag and drop. It asks before changes would be
+/// lost, and shows errors.
 class ExperimentFiles : public QObject
 {
     Q_OBJECT
 
 public:
-    /// Dialogs stand before `window`. All must outlive it.
+    /// Dialogs belong to `window`. All arguments must outlive it.
     ExperimentFiles(Session &session, Notice &notice, QWidget &window);
 
     Document &document() { return m_document; }
     const Document &document() const { return m_document; }
 
-    /// Opens a file. One that is refused is named with the reason, and nothing changes.
+    /// Opens a file. If it is invalid, the reason is shown and nothing changes.
     void open(const QString &path);
     /// Writes the run so far. Returns whether it was written; a failure is shown.
     bool save(const QString &path);
+    /// Asks for a file, and opens it.
     void askOpen();
+    /// Asks for a file, and saves to it. Returns whether it was written.
     bool askSave();
-    /// Into its own file, or into one that is asked for.
+    /// Saves to the experiment's own file, or asks for one. Returns whether it was written.
     bool saveOrAsk();
-    /// The step as it is published.
+    /// Opens the step as it was published.
     void startNew();
-    /// Lists the files that were open last.
+    /// Fills a menu with the files that were open last.
     void fillRecent(QMenu &menu);
     void copyAsText();
     void pasteText();
-    /// Whether an event of a widget in the window is a file that is dragged over it; what is dropped is opened.
-    bool takesDrop(const QObject *watched, QEvent &event);
+    /// Accepts a file that is dragged over the window, and opens it when it is dropped. Returns false if the event is
+    /// about something else.
+    bool takesDrop(QDropEvent &event);
 
-    /// Asks about files that are not saved. Returns whether the window may close.
+    /// Asks about files with unsaved changes. Returns whether the window may close.
     bool mayClose();
-    /// Does `deed`, at once or when the learner has agreed to lose what is not saved.
-    void unlessLost(const std::function<void()> &deed);
-    /// Does `deed`, which opens something. Returns whether it was opened; a refusal is shown.
-    bool opens(const std::function<void()> &deed);
+    /// Runs `action`, but asks first if unsaved changes would be lost.
+    void unlessLost(const std::function<void()> &action);
+    /// Runs `action`, which opens something. Returns whether that succeeded; an error is shown.
+    bool opens(const std::function<void()> &action);
 
 signals:
-    /// Something for the status bar.
-    void said(const QString &sentence);
+    /// A message for the status bar.
+    void messageRequested(const QString &sentence);
 
 private:
     void openRecent(const QString &path);

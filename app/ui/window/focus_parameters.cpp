@@ -1,7 +1,7 @@
 #include "app/ui/window/focus_parameters.h"
 
-#include "app/model/offered_parameters.h"
-#include "app/ui/panels/parameter_row.h"
+#include "app/model/session/offered_parameters.h"
+#include "app/ui/parameters/parameter_row.h"
 
 #include <algorithm>
 
@@ -20,18 +20,17 @@ FocusParameters::FocusParameters(Session &session, const Theme &theme, QWidget *
 {
     setObjectName("focusParameters");
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    m_soon.setSingleShot(true);
-    m_soon.setInterval(refreshMilliseconds);
-    connect(&m_soon, &QTimer::timeout, this, &FocusParameters::refresh);
+    m_refreshTimer.setSingleShot(true);
+    m_refreshTimer.setInterval(refreshMilliseconds);
+    connect(&m_refreshTimer, &QTimer::timeout, this, &FocusParameters::refresh);
     const auto refreshSoon = [this] {
-        if (!m_session.isPlaying())
+        if (!m_session.playback().isPlaying())
             refresh();
-        else if (!m_soon.isActive())
-            m_soon.start();
+        else if (!m_refreshTimer.isActive())
+            m_refreshTimer.start();
     };
-    connect(&session, &Session::stepOpened, this, &FocusParameters::open);
-    connect(&session, &Session::moved, this, refreshSoon);
-    connect(&session, &Session::runChanged, this, refreshSoon);
+    session.onChange(ChangeKind::step, this, &FocusParameters::open);
+    session.onChange(ChangeKind::run | ChangeKind::cursor, this, refreshSoon);
     open();
 }
 
@@ -39,7 +38,7 @@ void FocusParameters::open()
 {
     for (ParameterRow *row : m_rows) {
         row->hide();
-        row->deleteLater(); // it may be its own change that opened a step
+        row->deleteLater(); // its own signal may have opened a step
     }
     m_rows.clear();
     for (const lessons::Parameter *parameter : offeredParameters(m_session)) {
@@ -54,7 +53,7 @@ void FocusParameters::open()
 
 void FocusParameters::refresh()
 {
-    m_soon.stop();
+    m_refreshTimer.stop();
     for (ParameterRow *row : m_rows)
         row->refresh();
 }

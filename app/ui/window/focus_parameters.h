@@ -12,7 +12,7 @@ namespace app {
 class ParameterRow;
 class Session;
 
-/// The first parameters of a step in a bar, as many as have room.
+/// The first parameters of a step in a bar, as many as fit.
 class FocusParameters : public QWidget
 {
     Q_OBJECT
@@ -22,7 +22,7 @@ public:
 
     FocusParameters(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
-    /// Those that the step has, whether or not they have room.
+    /// Returns the rows of the first parameters, including those that do not fit.
     const std::vector<ParameterRow *> &rows() const { return m_rows; }
 
     QSize sizeHint() const override;
@@ -39,7 +39,7 @@ private:
     Session &m_session;
     const Theme &m_theme;
     std::vector<ParameterRow *> m_rows;
-    QTimer m_soon; ///< numbers change as often as they can be read
+    QTimer m_refreshTimer; ///< limits how often numbers change while the run plays
 };
 
 }

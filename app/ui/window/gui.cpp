@@ -1,12 +1,14 @@
 #include "app/ui/window/gui.h"
 
-#include "app/model/language.h"
-#include "app/model/session.h"
+#include "app/model/session/session.h"
+#include "app/model/text/language.h"
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/plots/plots_panel.h"
-#include "app/ui/window/appearance.h"
+#include "app/ui/settings/appearance.h"
+#include "app/ui/window/failure_notice.h"
+#include "app/ui/window/last_step.h"
 #include "app/ui/window/main_window.h"
-#include "app/ui/window/stop_notice.h"
+#include "app/ui/window/tour.h"
 
 #include <QAction>
 #include <QApplication>
@@ -52,16 +54,16 @@ void retranslate(LessonLibrary &library, LessonLibrary other)
                 continue;
             one.title = same->title;
             one.summary = same->summary;
-            // Each step stays where it is: the session looks at it.
+            // Each step keeps its address, because the session refers to it.
             std::move(same->steps.begin(), same->steps.end(), one.steps.begin());
         }
     };
     replace(library.lessons, other.lessons);
-    replace(library.workshops, other.workshops);
+    replace(library.sandboxes, other.sandboxes);
 }
 
 WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
-                    const std::optional<Left> &from)
+                    const std::optional<Handover> &from)
 {
     Language language(Language::chosen(QSettings().value("window/language").toString()));
     if (!work.session) {
@@ -73,28 +75,28 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
         retranslate(work.library, LessonLibrary::load(LessonLibrary::folders(), &language));
     }
     work.language = language.code();
-    Theme theme(keptScheme());
+    Theme theme(storedScheme());
     theme.apply(application);
     MainWindow window(*work.session, theme);
     window.fitInto(window.screen()->availableSize());
     if (!from)
-        window.openLast();
+        LastStep::load().openIn(*work.session);
     window.show();
     if (from)
         window.goOn(*from);
     else if (!file.isEmpty())
         window.openFile(file);
-    else if (MainWindow::wantsTour())
+    else if (Tour::isWanted())
         QTimer::singleShot(0, &window, &MainWindow::startTour);
-    window.keepScenesIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
+    window.autosaveIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();
-    QApplication::processEvents(); // what the session has put off for a moment ends with this application
-    return {code, window.left()};
+    QApplication::processEvents(); // what the session has postponed needs this application
+    return {code, window.handover()};
 }
 
 int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
 {
-    // A learner's own settings and progress stay out of the picture, and untouched.
+    // The learner's own settings and progress neither show in the picture nor change.
     const QTemporaryDir settings;
     QSettings::setDefaultFormat(QSettings::IniFormat);
     QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
@@ -124,8 +126,8 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
             window.showPlots(true);
         while (window.study().stage() == AccuracyStudy::Stage::measuring)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        session.goTo({request.frame, request.phase});
-        while (session.goingTo())
+        session.playback().goTo({request.frame, request.phase});
+        while (session.playback().goal())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (request.reasons)
             window.showStability(true);
@@ -143,11 +145,11 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (!window.grab().save(request.out))
             return refuse(QApplication::translate("Gui",
-                                                  "%1 cannot be written: name a folder that you may write "
-                                                  "to, and a file that ends in .png or .jpg.")
+                                                  "%1 could not be written: give a folder that you may write "
+                                                  "to, and a name that ends in .png or .jpg.")
                               .arg(request.out));
-    } catch (const Refusal &refusal) {
-        return refuse(refusal.sentence());
+    } catch (const UserError &error) {
+        return refuse(error.sentence());
     }
     return 0;
 }

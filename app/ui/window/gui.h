@@ -1,9 +1,9 @@
 #pragma once
 
-#include "app/model/map_plane.h"
-#include "app/model/session.h"
+#include "app/model/analysis/map_plane.h"
+#include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
-#include "app/ui/window/left.h"
+#include "app/ui/window/handover.h"
 
 #include <QSize>
 #include <QString>
@@ -16,7 +16,7 @@ class QApplication;
 
 namespace app {
 
-/// A picture of the window, as `springstep screenshot` makes it.
+/// A picture of the window, for `springstep screenshot`.
 struct ScreenshotRequest
 {
     QString lesson;
@@ -25,24 +25,24 @@ struct ScreenshotRequest
     int phase = 0; ///< phases done inside the frame
     QSize size{1280, 800};
     Scheme scheme = Scheme::light;
-    bool measuring = false;      ///< arranged for measuring, with all that is measured
-    bool energy = false;         ///< whether the ledger of energy is shown
-    bool effects = false;        ///< whether the ledger of effects is shown, and measured
+    bool measuring = false;      ///< in the measure mode
+    bool energy = false;         ///< with the energy panel
+    bool effects = false;        ///< with the effects panel, measured
     bool plots = false;          ///< in front of other tabs
-    bool reasons = false;        ///< with what bounds the step
-    std::optional<MapPlane> map; ///< and the map of growth
+    bool reasons = false;        ///< with the stability panel
+    std::optional<MapPlane> map; ///< with the growth map
     QString out;                 ///< a file name; its ending tells the format
 };
 
 /// How a window ended.
 struct WindowEnd
 {
-    int code = 0;             ///< the exit code
-    std::optional<Left> left; ///< for another window that is to open at once
+    int code = 0;                     ///< the exit code
+    std::optional<Handover> handover; ///< for another window that opens at once
 };
 
-/// The lessons and what is open of them: stays while a window closes and the next one opens, each with an application of
-/// its own.
+/// The lessons and the session. They stay while a window closes and the next one opens, each with an application of its
+/// own.
 struct Work
 {
     LessonLibrary library;
@@ -50,15 +50,15 @@ struct Work
     QString language;                 ///< of the library's texts
 };
 
-/// Shows the window, with the experiment `file` unless that is empty, or with what another one has left for it, and runs
-/// until it is closed.
+/// Shows the window until it is closed. It opens the experiment `file` unless that is empty, or continues from an
+/// earlier window.
 WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
-                    const std::optional<Left> &from = {});
+                    const std::optional<Handover> &from = {});
 
-/// Puts the texts of `other` in place of those of `library`, where lessons and steps are the same.
+/// Replaces the texts of `library` by those of `other`, where lessons and steps are the same.
 void retranslate(LessonLibrary &library, LessonLibrary other);
 
-/// Draws the window without showing it. Returns the exit code; says on stderr what is wrong.
+/// Draws the window without showing it. Returns the exit code; errors go to stderr.
 int takeScreenshot(QApplication &application, const ScreenshotRequest &request);
 
 }

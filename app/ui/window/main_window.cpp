@@ -1,123 +1,404 @@
 #include "app/ui/window/main_window.h"
 
-#include "app/model/course.h"
-#include "app/model/words.h"
-#include "app/ui/panels/help_page.h"
+#include "app/model/sandbox/build_guide.h"
+#include "app/model/sandbox/sandbox.h"
+#include "app/model/sandbox/sandbox_editor.h"
+#include "app/model/series/measure_series.h"
+#include "app/model/text/quoting.h"
+#include "app/ui/accuracy/accuracy_panel.h"
+#include "app/ui/actions/sandbox_commands.h"
+#include "app/ui/branches/branches_panel.h"
+#include "app/ui/code/code_panel.h"
+#include "app/ui/dialogs/notice.h"
+#include "app/ui/dialogs/recovery_prompt.h"
+#include "app/ui/dock/arrange_menu.h"
+#include "app/ui/dock/dock_fitter.h"
+#include "app/ui/dock/dock_title.h"
+#include "app/ui/dock/rail_choice.h"
+#include "app/ui/dock/stability_dock.h"
+#include "app/ui/dock/window_layouts.h"
+#include "app/ui/effects/effects_panel.h"
+#include "app/ui/energy/energy_panel.h"
+#include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/narration.h"
+#include "app/ui/plots/plot_export.h"
+#include "app/ui/plots/plots_panel.h"
+#include "app/ui/sandbox/build_panel.h"
+#include "app/ui/sandbox/scene_builder.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
+#include "app/ui/settings/appearance.h"
+#include "app/ui/settings/language_menu.h"
+#include "app/ui/settings/size_menu.h"
 #include "app/ui/stability/stability_gauge.h"
-#include "app/ui/time/footfall_strip.h"
+#include "app/ui/stability/stability_panel.h"
+#include "app/ui/status/status_line.h"
+#include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
-#include "app/ui/window/commands.h"
-#include "app/ui/window/divider.h"
 #include "app/ui/window/experiment_files.h"
-#include "app/ui/window/kept_offer.h"
-#include "app/ui/window/notice.h"
-#include "app/ui/window/room.h"
-#include "app/ui/window/status_line.h"
-#include "app/ui/window/stop_notice.h"
+#include "app/ui/window/focus_keys.h"
+#include "app/ui/window/header.h"
+#include "app/ui/window/help_pages.h"
+#include "app/ui/window/last_step.h"
+#include "app/ui/window/left_pages.h"
+#include "app/ui/window/menus.h"
+#include "app/ui/window/numbers_panel.h"
+#include "app/ui/window/preview_links.h"
+#include "app/ui/window/scene_column.h"
+#include "app/ui/window/scene_export.h"
+#include "app/ui/window/tour_stops.h"
 
+#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileInfo>
-#include <QHBoxLayout>
-#include <QMenuBar>
-#include <QSettings>
-#include <QVBoxLayout>
+#include <QMenu>
 
 namespace app {
 
+namespace {
+
+/// Tells a panel whether another tab covers its dock, so that it computes only what is seen.
+template <typename Content>
+void followCover(const QDockWidget &dock, Content *content)
+{
+    QObject::connect(&dock, &QDockWidget::visibilityChanged, content,
+                     [content](bool isSeen) { content->setCovered(!isSeen); });
+}
+
+}
+
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, CostFunction cost,
                        QWidget *parent)
-    : QMainWindow(parent), m_session(session), m_theme(theme), m_course(new Course(session, this)),
-      m_study(new AccuracyStudy(session, std::move(study), this)),
-      m_stability(new StabilityWatch(session, this)), m_trip(session)
+    : QMainWindow(parent), m_session(session), m_theme(theme), m_commands(*this, session), m_layout(*this),
+      m_visit(session), m_measures(new MeasureSeries(session, this)),
+      m_study(new AccuracyStudy(session, std::move(study), m_measuringThread, this)),
+      m_stability(new StabilityMonitor(session, this)),
+      m_centre(new SceneColumn(session, *m_measures, m_commands.run, theme, this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
     setDockOptions(QMainWindow::AnimatedDocks);
     setDocumentMode(true);
-    setMinimumSize(leastWindow); // panels step aside before it is as small as that
+    setMinimumSize(leastWindow); // panels hide before it is as small as that
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
-    setCentralWidget(centre());
-    m_commands = std::make_unique<Commands>(*this);
+    setAcceptDrops(true);
+    setCentralWidget(m_centre);
+    m_centre->bar().attach(m_centre->scene(), *m_commands.view.fit);
+    m_centre->scene().attach(*m_study);
     makeDocks(std::move(cost));
-    makeStability();
-    makeActions();
-    makeBuilding();
-    setMenuWidget(header());
-    setStatusBar(new StatusLine(m_session, *m_study, *m_stability, m_gauge, this));
-    connect(&theme, &Theme::changed, this, [this] { m_theme.apply(*qApp); });
+    connectPanels();
+    makeLayouts();
+    makeSandbox();
     makeFiles();
-    restore();
-    qApp->installEventFilter(this);
-    connect(qApp, &QApplication::focusChanged, this, &MainWindow::catchFocus);
-    m_scene->setFocus();
+    connectCommands();
+    makeMenus();
+    setStatusBar(new StatusLine(m_session, *m_study, *m_stability, m_gauge, this));
+    if (!m_place.restore())
+        resize(1280, 800);
+    m_layouts->restoreAtStart();
+    m_stabilityDock->hide();
+    showPlots(PlotsDock::isWanted());
+    m_centre->scene().setFocus();
 }
 
 MainWindow::~MainWindow()
 {
-    qApp->removeEventFilter(this);
     qApp->disconnect(this);
 }
 
-void MainWindow::catchFocus(const QWidget *before, const QWidget *now)
+void MainWindow::makeDocks(CostFunction cost)
 {
-    const bool isHere = before && now && before->window() == this && now->window() == this;
-    if (isHere && !before->isVisible())
-        m_scene->setFocus();
+    m_learn = new LearnPanel(m_session, m_theme, this);
+    m_accuracy = new AccuracyPanel(*m_study, m_theme, this);
+    m_energy = new EnergyPanel(m_session, m_theme, this);
+    m_effects = new EffectsPanel(m_session, m_theme, std::move(cost), m_measuringThread, this);
+    m_branches = new BranchesPanel(m_session, m_theme, this);
+    m_code = new CodePanel(m_session, m_theme, this);
+    m_plots = new PlotsPanel(m_session, m_theme, this);
+    m_numbers = new NumbersPanel(m_session, *m_measures, m_theme, this);
+    m_gauge = new StabilityGauge(*m_stability, m_theme, this);
+    m_stabilityPanel = new StabilityPanel(*m_stability, m_theme, this);
+    auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
+    codeTitle->setCaption(m_code->caption());
+    codeTitle->addAction(m_code->titleActions());
+    connect(m_code, &CodePanel::captionChanged, codeTitle, &DockTitle::setCaption);
+
+    const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea,
+               below = Qt::BottomDockWidgetArea;
+    const DockEntry entries[] = {
+        {Panel::lessons, "lessons", tr("Lessons"), left, m_learn, nullptr, DockStart::open},
+        {Panel::accuracy, "accuracy", tr("Accuracy"), right, m_accuracy, nullptr, DockStart::hidden},
+        {Panel::energy, "energy", tr("Energy"), below, m_energy, nullptr, DockStart::hidden},
+        {Panel::effects, "effects", tr("Effects"), below, m_effects, nullptr, DockStart::hidden},
+        {Panel::branches, "branches", tr("Two runs"), below, m_branches, nullptr, DockStart::hidden},
+        {Panel::code, "code", tr("Code"), right, m_code, codeTitle, DockStart::open},
+        {Panel::plots, "plots", tr("Plots"), right, m_plots, nullptr, DockStart::open},
+        {Panel::parameters, "parameters", tr("Parameters"), right, m_numbers, nullptr, DockStart::open},
+        {Panel::stability, "stability", tr("Stability"), right, m_stabilityPanel, nullptr, DockStart::hidden},
+    };
+    for (const DockEntry &entry : entries)
+        m_layout.docks.add(entry);
 }
 
-QWidget *MainWindow::centre()
+void MainWindow::connectPanels()
 {
-    auto *centre = new QWidget(this);
-    centre->setObjectName("panel");
-    centre->setAttribute(Qt::WA_StyledBackground);
-    m_notice = new Notice(m_theme, centre);
-    m_sceneBar = new SceneBar(m_session, m_theme, centre);
-    m_scene = new SceneView(m_session, m_theme, centre);
-    m_scene->setMinimumSize(leastScene);
-    m_stopNotice = new StopNotice(m_session, m_theme, m_scene);
-    m_transport = new TransportBar(m_session, m_theme, centre);
-    m_timeline = new TimelineStrip(m_session, m_theme, centre);
-    m_footfall = new FootfallStrip(m_session, *m_course, *m_timeline, m_theme, centre);
-    m_sceneBar->attach(*m_scene);
-    m_scene->attach(*m_study);
-    auto *column = new QVBoxLayout(centre);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_notice);
-    column->addWidget(m_sceneBar);
-    column->addWidget(divider(centre));
-    column->addWidget(m_scene, 1);
-    column->addWidget(divider(centre));
-    column->addWidget(m_transport);
-    column->addWidget(m_timeline);
-    column->addWidget(m_footfall);
-    return centre;
+    const Docks &docks = m_layout.docks;
+    followCover(docks[Panel::energy], m_energy);
+    followCover(docks[Panel::effects], m_effects);
+    followCover(docks[Panel::branches], m_branches);
+    followCover(docks[Panel::plots], m_plots);
+    Notice *notice = &m_centre->notice();
+    connect(m_code, &CodePanel::messageRequested, &m_session, &Session::showMessage);
+    connect(m_plots, &PlotsPanel::messageRequested, &m_session, &Session::showMessage);
+    connect(m_plots, &PlotsPanel::failed, notice, &Notice::showMessage);
+    for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports(), &m_branches->exports(),
+                                      &m_stabilityPanel->exports()}) {
+        connect(exports, &PlotExport::messageRequested, &m_session, &Session::showMessage);
+        connect(exports, &PlotExport::failed, notice, &Notice::showMessage);
+    }
+    const auto compare = [this] { showBranches(true); };
+    connect(&m_centre->transport().runs(), &RunsMenu::compareWanted, this, compare);
+    connect(&m_centre->timeline(), &TimelineStrip::compareWanted, this, compare);
+    connectPreviews(m_session, {*m_centre, *m_plots, *m_energy, *m_branches, *m_accuracy});
+    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget *before, const QWidget *now) {
+        // Qt passes the focus of a widget that was hidden to the next one, which Space would press.
+        if (before && now && before->window() == this && now->window() == this && !before->isVisible())
+            m_centre->scene().setFocus();
+    });
+}
+
+void MainWindow::makeLayouts()
+{
+    const auto fitHeights = [this] { m_sizes.fitHeights(); };
+    m_rail =
+        std::make_unique<RailChoice>(m_layout, *m_learn, m_session, m_sizes, *m_commands.view.lessonRail);
+    m_fitter = std::make_unique<DockFitter>(m_layout, *m_learn, m_centre->scene());
+    m_stabilityDock = std::make_unique<StabilityDock>(m_layout, m_sizes);
+    m_layouts = std::make_unique<WindowLayouts>(m_layout, *m_fitter, m_sizes, m_plotsDock, *m_rail);
+    connect(m_plots, &PlotsPanel::wantedHeightChanged, this, fitHeights);
+    connect(m_numbers, &NumbersPanel::wantedHeightChanged, this, fitHeights);
+    connect(m_fitter.get(), &DockFitter::sidesChanged, this, [this] {
+        m_sizes.fitWidths();
+        m_sizes.fitHeights();
+    });
+    m_gauge->setCheckable(true);
+    connect(m_gauge, &StabilityGauge::clicked, this, &MainWindow::showStability);
+    connect(m_stabilityPanel, &StabilityPanel::closed, m_stabilityDock.get(), &StabilityDock::hide);
+    connect(m_stabilityDock.get(), &StabilityDock::shownChanged, m_gauge, &StabilityGauge::setChecked);
+    connect(m_stabilityDock.get(), &StabilityDock::shownChanged, m_commands.view.stability,
+            &QAction::setChecked);
+    connect(m_stabilityDock.get(), &StabilityDock::closed, &m_centre->scene(),
+            qOverload<>(&QWidget::setFocus));
+    connect(m_layouts.get(), &WindowLayouts::aboutToArrange, this, [this] {
+        m_commands.view.sceneOnly->setChecked(false);
+        m_stabilityDock->hide();
+    });
+    connect(m_layouts.get(), &WindowLayouts::modeChanged, this, [this](Mode mode) {
+        m_commands.view.modes().at(static_cast<std::size_t>(mode))->setChecked(true);
+    });
+}
+
+void MainWindow::makeSandbox()
+{
+    auto *editor = new SandboxEditor(m_session, this);
+    auto *guide = new BuildGuide(m_session, *editor, this);
+    new SceneBuilder(m_session, *editor, *guide, m_centre->scene(), m_theme); // owned by the scene
+    m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
+    m_centre->bar().addTool(*m_sandbox->take);
+    m_build = new BuildPanel(m_session, *editor, *guide, m_sandbox->tools(), m_theme, this);
+    m_leftPages = new LeftPages(m_learn, m_build, this);
+    m_layout.docks[Panel::lessons].setWidget(m_leftPages);
+    connect(m_build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
+    connect(editor, &SandboxEditor::changed, this, &MainWindow::followSandbox);
+    m_session.onChange(ChangeKind::step, this, &MainWindow::followSandbox);
+    followSandbox();
+}
+
+void MainWindow::followSandbox()
+{
+    const bool isOpen = m_session.isSandbox();
+    isOpen ? m_leftPages->showTools() : m_leftPages->showLessons();
+    m_rail->fitDock();
+    m_commands.view.build->setEnabled(sandboxOf(m_session.library()));
+    m_visit.note();
+    if (mode() != Mode::measure)
+        m_layouts->setMode(isOpen ? Mode::build : Mode::learn);
 }
 
 void MainWindow::makeFiles()
 {
-    m_files = std::make_unique<ExperimentFiles>(m_session, *m_notice, *this);
-    m_kept = std::make_unique<KeptOffer>(m_session, *m_files, *m_notice, m_theme);
-    connect(m_files.get(), &ExperimentFiles::said, &m_session, &Session::said);
-    connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::nameWindow);
-    connect(&m_session, &Session::stepOpened, this, &MainWindow::nameWindow);
-    connect(&m_session, &Session::stepOpened, this, &MainWindow::rememberStep);
-    setAcceptDrops(true);
-    nameWindow();
+    m_files = std::make_unique<ExperimentFiles>(m_session, m_centre->notice(), *this);
+    m_recovery = std::make_unique<RecoveryPrompt>(m_session, *m_files, m_centre->notice(), m_theme);
+    m_help = std::make_unique<HelpPages>(m_session, m_commands.list, m_learn->glossary(), m_theme, *this);
+    m_export =
+        std::make_unique<SceneExport>(m_session, m_centre->scene(), m_centre->notice(), m_theme, *this);
+    connect(m_files.get(), &ExperimentFiles::messageRequested, &m_session, &Session::showMessage);
+    connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::updateTitle);
+    m_session.onChange(ChangeKind::step, this, &MainWindow::updateTitle);
+    m_session.onChange(ChangeKind::step, this, [this] { LastStep::store(m_session); });
+    updateTitle();
 }
 
-void MainWindow::nameWindow()
+void MainWindow::connectCommands()
+{
+    const FileCommands &file = m_commands.file;
+    const EditCommands &edit = m_commands.edit;
+    const RunCommands &run = m_commands.run;
+    const ViewCommands &view = m_commands.view;
+    const HelpCommands &help = m_commands.help;
+    const auto on = [this](const Command *command, auto slot) {
+        connect(command, &QAction::triggered, this, slot);
+    };
+    on(file.startNew, [this] { m_files->startNew(); });
+    on(file.open, [this] { m_files->askOpen(); });
+    on(file.recover, [this] { m_recovery->showList(); });
+    on(file.save, [this] { m_files->saveOrAsk(); });
+    on(file.saveAs, [this] { m_files->askSave(); });
+    on(file.exportPicture, [this] { m_export->askPicture(); });
+    on(file.exportFilm, [this] { m_export->showFilm(); });
+    on(file.quit, [this] { close(); });
+    on(edit.copyText, [this] { m_files->copyAsText(); });
+    on(edit.pasteText, [this] { m_files->pasteText(); });
+    on(edit.copyPicture, [this] { m_export->copyPicture(); });
+    on(run.nextStep, [this] { m_learn->goOn(); });
+    on(run.previousStep, [this] { m_learn->goBack(); });
+
+    auto *modes = new QActionGroup(this);
+    for (const Mode mode : {Mode::learn, Mode::measure, Mode::build}) {
+        Command *command = view.modes().at(static_cast<std::size_t>(mode));
+        modes->addAction(command);
+        command->setChecked(mode == this->mode());
+        on(command, [this, mode] { setMode(mode); });
+    }
+    on(view.zoomIn, [this] { m_centre->scene().zoomIn(); });
+    on(view.zoomOut, [this] { m_centre->scene().zoomOut(); });
+    on(view.fit, [this] { m_centre->scene().fit(); });
+    on(view.nextOutside, [this] { m_centre->scene().showNextOutside(); });
+    Docks &docks = m_layout.docks;
+    docks.toggle(*view.lessons, {Panel::lessons});
+    docks.toggle(*view.codeAndParameters, {Panel::code, Panel::parameters});
+    docks.toggle(*view.energy, Panel::energy, [this](bool shown) { showEnergy(shown); });
+    docks.toggle(*view.effects, Panel::effects, [this](bool shown) { showEffects(shown); });
+    docks.toggle(*run.compare, Panel::branches, [this](bool shown) { showBranches(shown); });
+    docks.toggle(*view.plots, Panel::plots, [this](bool shown) { showPlots(shown); });
+    on(view.stability, [this](bool shown) { showStability(shown); });
+    m_commands.list.add(*m_effects->measureAgain(), KeyGroup::window);
+    on(view.resetPanels, [this] {
+        m_layouts->reset();
+        m_session.showMessage(tr("The panels are back in their original places."));
+    });
+    connect(view.sceneOnly, &QAction::toggled, this, &MainWindow::setSceneOnly);
+    on(view.fullScreen, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+
+    on(help.keys, [this] { m_help->showKeys(); });
+    on(help.hint, [this] {
+        m_layout.docks[Panel::lessons].show();
+        m_learn->setForm(LearnPanel::Form::whole);
+        m_learn->showSummary(false);
+        m_learn->narration().showNextHint();
+    });
+    on(help.glossary, [this] { m_help->showGlossary({}); });
+    on(help.tour, &MainWindow::startTour);
+    on(help.about, [this] { m_help->showAbout(); });
+    connect(m_learn, &LearnPanel::glossaryRequested, this,
+            [this](const QString &typed) { m_help->showGlossary(typed); });
+}
+
+void MainWindow::makeMenus()
+{
+    auto *recent = new QMenu(tr("Open &recent"), this);
+    recent->setToolTipsVisible(true);
+    connect(recent, &QMenu::aboutToShow, this, [this, recent] { m_files->fillRecent(*recent); });
+    const ViewCommands &view = m_commands.view;
+    auto *arrange = new ArrangeMenu(*this, *view.unlockPanels, *view.resetPanels, m_theme);
+    connect(arrange, &ArrangeMenu::moved, this, [this] { m_sizes.fitHeights(); });
+    auto *language = new LanguageMenu(this);
+    auto *size = new SizeMenu(this);
+    const auto dismiss = [this] { m_centre->notice().showMessage({}); };
+    connect(language, &LanguageMenu::unchanged, this, dismiss);
+    connect(language, &LanguageMenu::restartWanted, this, &MainWindow::restartUnlessFilming);
+    connect(size, &SizeMenu::unchanged, this, dismiss);
+    connect(size, &SizeMenu::restartWanted, this, &MainWindow::restartUnlessFilming);
+    new Appearance(*this, m_centre->bar(), m_centre->scene(), view, m_theme);
+    const Submenus submenus{recent, &m_centre->transport().runs(), arrange, language, size};
+    setMenuWidget(new Header(makeMenuBar(m_commands, *m_sandbox, submenus, this), m_commands, m_theme, this));
+}
+
+void MainWindow::updateTitle()
 {
     const QString path = m_files->document().path();
     const QString name = path.isEmpty() ? m_session.step().title : shownPath(QFileInfo(path).fileName());
     setWindowTitle(tr("%1[*] – Springstep").arg(name));
     setWindowModified(m_files->document().isChanged());
+}
+
+void MainWindow::setMode(Mode mode)
+{
+    if (mode == this->mode())
+        return;
+    m_layouts->setMode(mode);
+    if (mode == Mode::build)
+        m_visit.go();
+    else if (mode == Mode::learn)
+        m_visit.comeBack();
+    m_sizes.fitHeights();
+}
+
+const FailureNotice &MainWindow::stopNotice() const
+{
+    return m_centre->failure();
+}
+
+void MainWindow::showPlots(bool shown)
+{
+    m_plotsDock.show(shown);
+    m_sizes.fitHeights();
+}
+
+void MainWindow::showStability(bool shown)
+{
+    shown ? m_stabilityDock->show() : m_stabilityDock->hide();
+}
+
+void MainWindow::showGrowthMap(MapPlane plane)
+{
+    m_stabilityPanel->showMap(plane);
+}
+
+void MainWindow::setSceneOnly(bool isOn)
+{
+    if (isOn) {
+        m_stabilityDock->hide();
+        m_layouts->hideAll();
+        m_centre->showAlone();
+    } else {
+        m_centre->showBesidePanels();
+        m_layouts->showAll();
+    }
+}
+
+void MainWindow::fitInto(QSize room)
+{
+    resize(size().boundedTo(room));
+    m_fitter->share();
+}
+
+void MainWindow::startTour()
+{
+    setMode(Mode::learn);
+    for (const Panel panel : {Panel::lessons, Panel::code, Panel::parameters})
+        m_layout.docks[panel].show();
+    m_learn->setForm(LearnPanel::Form::whole);
+    if (!m_tour) {
+        m_tour =
+            new Tour(tourStops(*this, *m_centre, *m_learn, *m_code, m_numbers->parameters()), m_theme, this);
+        connect(m_tour, &Tour::ended, &m_centre->scene(), qOverload<>(&QWidget::setFocus));
+    }
+    m_tour->start();
 }
 
 void MainWindow::openFile(const QString &path)
@@ -130,62 +411,122 @@ bool MainWindow::saveFile(const QString &path)
     return m_files->save(path);
 }
 
-void MainWindow::keepScenesIn(const QString &folder, int within)
+bool MainWindow::savePictureAs(const QString &path)
 {
-    m_kept->keepIn(folder, within);
+    return m_export->savePicture(path);
 }
 
-void MainWindow::restore()
+void MainWindow::autosaveIn(const QString &folder, int within)
 {
-    const QSettings settings;
-    if (!m_place.restore())
-        resize(1280, 800);
-    m_firstDocks = saveState();
-    m_layoutKey = layoutKey(m_mode);
-    useKeptForm();
-    restorePanels(m_layouts.kept(m_layoutKey));
-    m_accuracyDock->hide(); // the window opens for learning
-    m_energyDock->hide();
-    m_branchesDock->hide();
-    m_effectsDock->hide();
-    showStability(false);
-    showPlots(settings.value("plots/shown", true).toBool());
+    m_recovery->autosaveIn(folder, within);
+}
+
+void MainWindow::restartUnlessFilming(const QString &sentence)
+{
+    if (!m_export->isMakingFilm()) {
+        startAgain();
+        return;
+    }
+    m_centre->notice().ask(
+        tr("%1 A film is being made.").arg(sentence),
+        {{tr("Restart now"), tr("Cancels the film; everything else is kept"), [this] { startAgain(); }}});
+}
+
+void MainWindow::startAgain()
+{
+    const bool isPlaying = m_session.playback().isPlaying();
+    const auto goal = m_session.playback().goal();
+    m_session.input().releaseAll();
+    m_session.preview().end();
+    m_session.cancelComputing(); // no time passes between two windows
+    m_handover = Handover{m_files->document().saved(), mode(), goal, isPlaying,
+                          m_commands.view.sceneOnly->isChecked()};
+    close();
+}
+
+void MainWindow::goOn(const Handover &from)
+{
+    const LastStep last = LastStep::load();
+    m_visit.comeBackTo(last.lesson, last.step);
+    m_files->document().setSaved(from.saved);
+    m_layouts->setMode(from.mode); // the session is there already
+    m_sizes.fitHeights();
+    m_commands.view.sceneOnly->setChecked(from.isSceneOnly);
+    if (from.goal)
+        m_session.playback().goTo({*from.goal, 0});
+    if (from.isPlaying)
+        m_session.playback().play();
 }
 
 bool MainWindow::event(QEvent *event)
 {
-    if (event->type() == QEvent::MouseButtonPress)
-        noteSeparator(*static_cast<QMouseEvent *>(event));
+    switch (event->type()) {
+    case QEvent::DragEnter:
+    case QEvent::DragMove:
+    case QEvent::Drop:
+        return m_files->takesDrop(static_cast<QDropEvent &>(*event)) || QMainWindow::event(event);
+    case QEvent::ShortcutOverride: {
+        m_session.preview().end(); // a key acts at the cursor of the run, not at a moment that is previewed
+        const QWidget *focus = QApplication::focusWidget();
+        if (!focus || focus->window() != this || !usesKey(*focus, static_cast<QKeyEvent &>(*event)))
+            return QMainWindow::event(event);
+        event->accept();
+        return true;
+    }
+    case QEvent::MouseButtonPress:
+        m_sizes.notePress(static_cast<QMouseEvent &>(*event));
+        break;
+    default:
+        break;
+    }
     const bool isDone = QMainWindow::event(event);
     if (event->type() == QEvent::LayoutRequest && isVisible())
-        m_room->share(); // a panel may want more than before
+        m_fitter->share(); // a panel may want more than before
     else if (event->type() == QEvent::MouseButtonRelease)
-        keepSides();
+        m_sizes.storeDragged();
+    else if (event->type() == QEvent::WindowStateChange)
+        m_commands.view.fullScreen->setChecked(isFullScreen());
     return isDone;
 }
 
-void MainWindow::fitInto(QSize room)
+void MainWindow::keyPressEvent(QKeyEvent *event)
 {
-    resize(size().boundedTo(room));
-    m_room->share();
+    // Keys of enabled commands never get here.
+    const QString obstacle = m_commands.list.obstacleOf(event->keyCombination());
+    if (obstacle.isEmpty())
+        QMainWindow::keyPressEvent(event);
+    else
+        m_session.showMessage(obstacle);
 }
 
 void MainWindow::showEvent(QShowEvent *event)
 {
     QMainWindow::showEvent(event);
-    placeSides();
-    fitParameters();
+    m_sizes.fitWidths();
+    m_sizes.fitHeights();
+}
+
+void MainWindow::resizeEvent(QResizeEvent *event)
+{
+    QMainWindow::resizeEvent(event);
+    if (isVisible())
+        m_fitter->share();
+    if (!event->oldSize().isValid() || hasRoomForPlots(event->oldSize()) != hasRoomForPlots(event->size()))
+        m_plotsDock.arrange();
+    // Panels that became smaller with the window get their sizes back.
+    m_sizes.fitWidths();
+    m_sizes.fitHeights();
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!m_leaves && !m_files->mayClose()) {
+    if (!m_handover && !m_files->mayClose()) {
         event->ignore();
         return;
     }
     m_place.keep();
-    showStability(false);
-    saveLayouts();
+    m_stabilityDock->hide();
+    m_layouts->save();
     QMainWindow::closeEvent(event);
 }
 

@@ -1,8 +1,8 @@
 #include "app/ui/window/scene_card.h"
 
-#include "app/model/session.h"
-#include "app/ui/panels/prose.h"
-#include "app/ui/scene/free_area.h"
+#include "app/model/session/session.h"
+#include "app/ui/learn/prose.h"
+#include "app/ui/scene/hud/free_area.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QEvent>
@@ -16,12 +16,12 @@ namespace app {
 
 namespace {
 
-constexpr int gap = 20;        ///< px, to the picture's edges
-constexpr int mostWidth = 420; ///< px
-constexpr double radius = 10.0;
-constexpr double cover = 0.86; ///< how much of the picture it hides
+constexpr int cardGap = 20;    ///< px, to the edges of the scene
+constexpr int cardWidth = 420; ///< px
+constexpr double cardRadius = 10.0;
+constexpr double cover = 0.86; ///< opacity
 
-/// The first sentence of a text.
+/// Returns the first sentence of a text.
 QString firstSentence(const QString &text)
 {
     const QString line = text.section('\n', 0, 0, QString::SectionSkipEmpty);
@@ -46,16 +46,16 @@ SceneCard::SceneCard(Session &session, const Theme &theme, SceneView &scene)
     column->setSpacing(4);
     column->addWidget(m_title);
     column->addWidget(m_text);
-    connect(&session, &Session::stepOpened, this, &SceneCard::refresh);
-    connect(&session, &Session::moved, this, &SceneCard::place);
+    session.onChange(ChangeKind::step, this, &SceneCard::refresh);
+    session.onChange(ChangeKind::cursor, this, &SceneCard::place);
     connect(&session.progress(), &Progress::changed, this, &SceneCard::refresh);
-    connect(&theme, &Theme::changed, this, &SceneCard::dress);
+    connect(&theme, &Theme::changed, this, &SceneCard::applyTheme);
     scene.installEventFilter(this);
-    dress();
+    applyTheme();
     refresh();
 }
 
-void SceneCard::dress()
+void SceneCard::applyTheme()
 {
     m_title->setFont(m_theme.ui(15, QFont::DemiBold));
     m_text->setFont(m_theme.ui(13));
@@ -72,8 +72,8 @@ QString SceneCard::sentence() const
     }
     if (step.tries.empty())
         return firstSentence(plainText(step.narration));
-    return m_session.following() ? tr("Done: all there is to try here. Page Down opens the next step.")
-                                 : tr("Done: all there is to try here.");
+    return m_session.following() ? tr("Done! You have tried everything here. Page Down opens the next step.")
+                                 : tr("Done! You have tried everything here.");
 }
 
 void SceneCard::refresh()
@@ -86,12 +86,12 @@ void SceneCard::refresh()
 
 void SceneCard::place()
 {
-    const int width = std::min(mostWidth, m_scene.width() - 2 * gap);
-    // Below what the picture itself says at its top.
+    const int width = std::min(cardWidth, m_scene.width() - 2 * cardGap);
+    // Below the caption of the scene.
     const double top =
-        m_scene.shown().caption.isEmpty() ? gap : freeArea(m_scene.shown(), QRectF(m_scene.rect())).top();
+        m_scene.shown().caption.isEmpty() ? cardGap : freeArea(m_scene.shown(), QRectF(m_scene.rect())).top();
     const int wanted = std::min(width, sizeHint().width());
-    const QRect box(gap, qRound(top), wanted, heightForWidth(wanted));
+    const QRect box(cardGap, qRound(top), wanted, heightForWidth(wanted));
     if (box != geometry())
         setGeometry(box);
 }
@@ -112,14 +112,14 @@ void SceneCard::showEvent(QShowEvent *event)
 void SceneCard::paintEvent(QPaintEvent *)
 {
     const Tokens &t = m_theme.tokens();
-    const bool isPlain = m_theme.scheme() == Scheme::highContrast; // nothing shines through
+    const bool isPlain = m_theme.scheme() == Scheme::highContrast; // without transparency
     QColor fill = t.panel;
     fill.setAlphaF(isPlain ? 1.0F : static_cast<float>(cover));
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(t.line);
     painter.setBrush(fill);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), cardRadius, cardRadius);
 }
 
 }

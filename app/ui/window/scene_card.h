@@ -11,8 +11,7 @@ namespace app {
 class SceneView;
 class Session;
 
-/// The step and what there is to do in it, in a sentence, over the picture: for whoever has put everything else away. The
-/// mouse goes through it.
+/// A card over the scene, for a window without panels: the step and the next thing to try. The mouse goes through it.
 class SceneCard : public QFrame
 {
     Q_OBJECT
@@ -20,7 +19,7 @@ class SceneCard : public QFrame
 public:
     SceneCard(Session &session, const Theme &theme, SceneView &scene);
 
-    /// The next thing to try; where all are done, that, and the way on.
+    /// Returns the next thing to try, or that all are done and how to go on.
     QString sentence() const;
 
 protected:
@@ -29,7 +28,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    void dress();
+    void applyTheme();
     void refresh();
     void place();
 

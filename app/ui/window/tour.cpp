@@ -1,6 +1,6 @@
 #include "app/ui/window/tour.h"
 
-#include "app/ui/panels/prose.h"
+#include "app/ui/learn/prose.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
+#include <QSettings>
 #include <QShortcut>
 #include <QVBoxLayout>
 
@@ -18,14 +19,15 @@ namespace app {
 
 namespace {
 
-constexpr int cardWidth = 360;  ///< px, its tip included, where its buttons need no more
-constexpr int tipLength = 10;   ///< px round the card, in which the tip lies
-constexpr int tipHalf = 9;      ///< px
-constexpr int padding = 16;     ///< px inside the card
-constexpr double radius = 10.0; ///< px
-constexpr int edge = 8;         ///< px that the card keeps from the window's edges
+constexpr const char *tourSeenKey = "tour/seen";
+constexpr int tourCardWidth = 360;  ///< px, its tip included, where its buttons need no more
+constexpr int tipLength = 10;       ///< px round the card, in which the tip lies
+constexpr int tipHalf = 9;          ///< px
+constexpr int padding = 16;         ///< px inside the card
+constexpr double tourRadius = 10.0; ///< px
+constexpr int edge = 8;             ///< px that the card keeps from the window's edges
 
-/// A ring round the part that a card tells about.
+/// A ring round the part that a card explains.
 class Ring : public QWidget
 {
 public:
@@ -73,9 +75,9 @@ Tour::Tour(std::vector<TourStop> stops, const Theme &theme, QWidget *window)
     m_escape->setEnabled(false);
     connect(m_escape, &QShortcut::activated, this, &Tour::end);
     connect(m_escape, &QShortcut::activatedAmbiguously, this, &Tour::end);
-    connect(&theme, &Theme::changed, this, &Tour::dress);
+    connect(&theme, &Theme::changed, this, &Tour::applyTheme);
     window->installEventFilter(this);
-    dress();
+    applyTheme();
 }
 
 void Tour::makeButtons()
@@ -86,10 +88,11 @@ void Tour::makeButtons()
     row->addStretch(1);
     for (QPushButton *button : {m_skip, m_back, m_next}) {
         button->setAutoDefault(false);
+        button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
     }
     m_skip->setToolTip(tr("Ends the tour (Esc). It is in the Help menu."));
-    m_back->setToolTip(tr("The card before"));
+    m_back->setToolTip(tr("The previous card"));
     m_next->setProperty("primary", true);
     static_cast<QVBoxLayout *>(layout())->addLayout(row);
     connect(m_skip, &QPushButton::clicked, this, &Tour::end);
@@ -97,15 +100,21 @@ void Tour::makeButtons()
     connect(m_next, &QPushButton::clicked, this, &Tour::forward);
 }
 
-void Tour::dress()
+void Tour::applyTheme()
 {
     m_text->setFont(m_theme.ui(13));
     update();
     m_ring->update();
 }
 
+bool Tour::isWanted()
+{
+    return !QSettings().value(tourSeenKey).toBool();
+}
+
 void Tour::start()
 {
+    QSettings().setValue(tourSeenKey, true);
     m_escape->setEnabled(true);
     show();
     m_ring->show();
@@ -172,7 +181,7 @@ bool Tour::eventFilter(QObject *watched, QEvent *event)
 Tour::Place Tour::placeBeside(const QRect &part) const
 {
     const QRect room = parentWidget()->rect().adjusted(edge, edge, -edge, -edge);
-    const int width = std::max(cardWidth, layout()->totalMinimumSize().width());
+    const int width = std::max(tourCardWidth, layout()->totalMinimumSize().width());
     const QSize size(width, layout()->totalHeightForWidth(width));
     const int y = std::clamp(part.center().y() - size.height() / 2, room.top(),
                              std::max(room.top(), room.bottom() - size.height()));
@@ -198,7 +207,7 @@ void Tour::place()
     m_side = found.side;
     const bool isBeside = m_side == Side::right || m_side == Side::left;
     const int to = isBeside ? part.center().y() - found.card.top() : part.center().x() - found.card.left();
-    const int least = tipLength + tipHalf + static_cast<int>(radius);
+    const int least = tipLength + tipHalf + static_cast<int>(tourRadius);
     const int most = (isBeside ? found.card.height() : found.card.width()) - least;
     m_tip = std::clamp(to, least, most);
     m_ring->setGeometry(part);
@@ -212,7 +221,7 @@ void Tour::paintEvent(QPaintEvent *)
 {
     const QRectF body = QRectF(rect()).adjusted(tipLength, tipLength, -tipLength, -tipLength);
     QPainterPath card;
-    card.addRoundedRect(body.adjusted(0.5, 0.5, -0.5, -0.5), radius, radius);
+    card.addRoundedRect(body.adjusted(0.5, 0.5, -0.5, -0.5), tourRadius, tourRadius);
     // The tip is drawn to the left and turned to the side of the part.
     QPolygonF tip;
     const double at = m_tip;

@@ -18,23 +18,25 @@ struct TourStop
 {
     QString title;
     QString text;
-    std::function<QRect()> part; ///< where it is in the window; asked for whenever the window changes
+    std::function<QRect()> part; ///< returns its place, again after each change of the window
 };
 
-/// A few cards, one after the other, each beside the part of the window that it tells about. The window can be used
-/// all the while; Esc ends it.
+/// The tour: cards, one after the other, each beside the part of the window that it explains. The window can be used
+/// meanwhile. Esc ends the tour.
 class Tour : public QFrame
 {
     Q_OBJECT
 
 public:
-    /// Lies over `window`, hidden until it is started. `stops` must not be empty.
+    /// The cards lie over `window`, hidden until the tour is started. `stops` must not be empty.
     Tour(std::vector<TourStop> stops, const Theme &theme, QWidget *window);
 
+    /// Returns whether the tour was never started on this computer.
+    static bool isWanted();
     void start();
     void end();
     bool isRunning() const { return !isHidden(); }
-    /// The number of the card, from 0.
+    /// Returns the number of the card, from 0.
     std::size_t stop() const { return m_stop; }
     std::size_t count() const { return m_stops.size(); }
 
@@ -52,9 +54,9 @@ private:
     void forward();
     void back();
     void place();
-    void dress();
+    void applyTheme();
 
-    /// Where the card stands, seen from the part.
+    /// The side of the part on which the card is.
     enum class Side { right, left, below, above, inside };
     struct Place
     {

@@ -17,30 +17,6 @@ constexpr std::int64_t maxRecordedCalls = 8;       ///< of one kind
 constexpr double secondsPerReplay = 10e-6;         ///< duration of a sample of one recorded call
 constexpr int maxReplays = 2000;
 
-/// One effect under measurement.
-struct MeasuredEffect
-{
-    MeasuredEffect(const EffectPtr &original, const State &state, DirectionRule directionRule)
-        : MeasuredEffect(original, state, affectedPoints(*original, state), directionRule)
-    {
-    }
-    MeasuredEffect(const EffectPtr &original, const State &state, const std::vector<char> &movers,
-                   DirectionRule directionRule)
-        : effect(original), counter(std::make_unique<CallCounter>(movers)),
-          points(pointsOf(*original, state, movers, directionRule))
-    {
-    }
-
-    bool isCalled() const { return counter->effectCalls.count + counter->jacobianCalls.count > 0; }
-
-    EffectPtr effect;
-    std::unique_ptr<CallCounter> counter;
-    int points = 0;
-    bool isInner = false; ///< whether phases of the method compute it inside
-    double evaluations = 0.0;
-    Samples samples = {};
-};
-
 bool computes(const Phase &phase, const EffectPtr &effect)
 {
     return phase.effect == effect || std::find(phase.innerEffects.begin(), phase.innerEffects.end(),
@@ -58,6 +34,30 @@ std::ptrdiff_t firstPhaseOf(const Pipeline &pipeline, const EffectPtr &effect)
 
 class CostMeter::Work
 {
+    /// One effect under measurement.
+    struct MeasuredEffect
+    {
+        MeasuredEffect(const EffectPtr &original, const State &state, DirectionRule directionRule)
+            : MeasuredEffect(original, state, affectedPoints(*original, state), directionRule)
+        {
+        }
+        MeasuredEffect(const EffectPtr &original, const State &state, const std::vector<char> &movers,
+                       DirectionRule directionRule)
+            : effect(original), counter(std::make_unique<CallCounter>(movers)),
+              points(pointsOf(*original, state, movers, directionRule))
+        {
+        }
+
+        bool isCalled() const { return counter->effectCalls.count + counter->jacobianCalls.count > 0; }
+
+        EffectPtr effect;
+        std::unique_ptr<CallCounter> counter;
+        int points = 0;
+        bool isInner = false; ///< whether phases of the method compute it inside
+        double evaluations = 0.0;
+        Samples samples = {};
+    };
+
 public:
     Work(const Scene &scene, const MethodPtr &method, StepSize step, State from, TimerKind clocks)
         : m_plain(compose(scene, *method, step)), m_framesPerOutput(step.framesPerOutput),

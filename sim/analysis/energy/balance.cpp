@@ -7,13 +7,13 @@ namespace sim {
 const std::array<AccountName, accountCount> &accountNames()
 {
     static const std::array<AccountName, accountCount> names = {{
-        {Account::hand, "hand", SIM_TEXT("Done by the hand")},
-        {Account::changes, "changes", SIM_TEXT("Changed with a number")},
-        {Account::motors, "motors", SIM_TEXT("Done by what drives")},
+        {Account::hand, "hand", SIM_TEXT("Done by dragging")},
+        {Account::changes, "changes", SIM_TEXT("Changed with a parameter")},
+        {Account::motors, "motors", SIM_TEXT("Done by clocks and steering")},
         {Account::wind, "wind", SIM_TEXT("Done by wind")},
         {Account::pulls, "pulls", SIM_TEXT("Done by one-way pulls")},
         {Account::gravity, "gravity", SIM_TEXT("Given by gravity")},
-        {Account::anchors, "anchors", SIM_TEXT("Given by what stands fast")},
+        {Account::anchors, "anchors", SIM_TEXT("Given by fixed places")},
         {Account::damping, "damping", SIM_TEXT("Lost by damping")},
         {Account::impact, "impact", SIM_TEXT("At impacts")},
         {Account::sticks, "sticks", SIM_TEXT("Changed by sticks")},

@@ -10,7 +10,7 @@ namespace sim {
 
 namespace {
 
-constexpr double factorPastLimit = 1.02; ///< the first growing mode is distinct from others here
+constexpr double factorToDistinctMode = 1.02; ///< the first growing mode is distinct from others here
 
 Bound boundOf(const Method &method)
 {
@@ -45,7 +45,7 @@ double stepShowingMode(const Stability &found)
 {
     if (found.growth > 1.0 || !std::isfinite(found.limit) || found.limit <= 0.0)
         return found.h;
-    return factorPastLimit * found.limit;
+    return factorToDistinctMode * found.limit;
 }
 
 }

@@ -7,14 +7,14 @@ namespace sim::hard {
 
 namespace {
 
-constexpr double k = 0.2;
-constexpr double damp = 0.85;
+constexpr double legStiffness = 0.2;
+constexpr double legDamp = 0.85;
 constexpr double radius = 50.0;
 
 /// Returns all legs of a creature as one spring; see StiffestSpring.
 StiffestSpring legsAsOne(double feet, double stretch)
 {
-    return {stretch, feet * k, 1.0 / feet, 1.0, damp};
+    return {stretch, feet * legStiffness, 1.0 / feet, 1.0, legDamp};
 }
 
 /// Returns the rest in which all legs have the given length (px).
@@ -30,9 +30,13 @@ Rest legsAtLength(int feet, double length, double within)
 
 HardCase feetOnBody(const char *id, const char *title, const char *story, int feet, std::int64_t brief)
 {
-    HardCase hardCase = caseOf(
-        id, title, story, creature,
-        valuesOf({{"k", k}, {"damp", damp}, {"radius", radius}, {"feet", double(feet)}, {"out", 150}}), 400);
+    HardCase hardCase = caseOf(id, title, story, creature,
+                               valuesOf({{"k", legStiffness},
+                                         {"damp", legDamp},
+                                         {"radius", radius},
+                                         {"feet", double(feet)},
+                                         {"out", 150}}),
+                               400);
     hardCase.brief.frames = brief;
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest};
     if (feet >= 1000)
@@ -48,9 +52,11 @@ HardCase coincident(const char *id, const char *title, const char *story, Scene 
                     double length)
 {
     const int feet = 5;
-    HardCase hardCase =
-        caseOf(id, title, story, scene,
-               valuesOf({{"k", k / 2}, {"damp", damp}, {"radius", length}, {"feet", feet}, {"out", 0}}), 400);
+    HardCase hardCase = caseOf(
+        id, title, story, scene,
+        valuesOf(
+            {{"k", legStiffness / 2}, {"damp", legDamp}, {"radius", length}, {"feet", feet}, {"out", 0}}),
+        400);
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::noDirection,
                              Requirement::centreStays};
     hardCase.stiffest = legsAsOne(feet, 100.0);
@@ -66,14 +72,13 @@ HardCase squeezed()
     const int feet = 12;
     const double stiff = 1e6;
     HardCase hardCase = caseOf(
-        "crowd_squeezed", SIM_TEXT("pressed into one px"),
-        SIM_TEXT(
-            "Twelve feet stand within 1 px of their body, on springs of stiffness a million that are 50 px "
-            "long: pressed together they turn over at a touch."),
-        creature, valuesOf({{"k", stiff}, {"damp", damp}, {"radius", radius}, {"feet", feet}, {"out", 1}}),
+        "crowd_squeezed", SIM_TEXT("squeezed into one pixel"),
+        SIM_TEXT("Twelve feet stand within 1 px of their body, on springs of stiffness one million that are "
+                 "50 px long. Squeezed like this, they flip over at the slightest touch."),
+        creature, valuesOf({{"k", stiff}, {"damp", legDamp}, {"radius", radius}, {"feet", feet}, {"out", 1}}),
         400);
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::noDirection};
-    hardCase.stiffest = StiffestSpring{radius, feet * stiff, 1.0 / feet, 1.0, damp};
+    hardCase.stiffest = StiffestSpring{radius, feet * stiff, 1.0 / feet, 1.0, legDamp};
     hardCase.bound.reach = 500.0;
     hardCase.rest = legsAtLength(feet, radius, 1e-3);
     return hardCase;
@@ -95,7 +100,7 @@ HardCase chargesInOnePlace()
         "charges_in_one_place", SIM_TEXT("two charges in one place"),
         SIM_TEXT("Two like charges begin in one place, where the force between them is greatest "
                  "and has no direction."),
-        chargesTogether, valuesOf({{"charge_strength", 1000}, {"softening", 10}, {"damp", damp}}), 400);
+        chargesTogether, valuesOf({{"charge_strength", 1000}, {"softening", 10}, {"damp", legDamp}}), 400);
     hardCase.requirements = {Requirement::noDirection, Requirement::centreStays};
     hardCase.bound.reach = 200.0;
     hardCase.bound.drift = 1e-6;
@@ -105,11 +110,11 @@ HardCase chargesInOnePlace()
 HardCase runaway()
 {
     const double spring = 0.3, keep = 0.9;
-    HardCase hardCase = caseOf(
-        "runaway_pair", SIM_TEXT("the pair that runs away"),
-        SIM_TEXT("A foot and a body pull each other, but one after the other: so the pair drives itself on, "
-                 "though nothing pushes it."),
-        runawayPair, valuesOf({{"k", spring}, {"damp", keep}, {"radius", radius}}), 1000);
+    HardCase hardCase =
+        caseOf("runaway_pair", SIM_TEXT("the pair that runs away"),
+               SIM_TEXT("A foot and a body pull each other, but one after the other. So the pair drives "
+                        "itself forward, although nothing pushes it."),
+               runawayPair, valuesOf({{"k", spring}, {"damp", keep}, {"radius", radius}}), 1000);
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::centreStays};
     hardCase.stiffest = StiffestSpring{50.0, spring, 1.0, 1.0, keep};
     hardCase.bound.reach = 200.0;
@@ -124,9 +129,10 @@ std::vector<HardCase> manyFeet()
 {
     return {
         runaway(),
-        feetOnBody("feet_60", SIM_TEXT("sixty feet"),
-                   SIM_TEXT("Each foot alone is soft, but sixty together pull the body too hard for a step."),
-                   60, 400),
+        feetOnBody(
+            "feet_60", SIM_TEXT("sixty feet"),
+            SIM_TEXT("Each foot has a soft spring, but sixty together pull the body too hard for one step."),
+            60, 400),
         feetOnBody("feet_100", SIM_TEXT("a hundred feet"),
                    SIM_TEXT("A hundred soft springs on one body make a stiff one."), 100, 400),
         feetOnBody("feet_1000", SIM_TEXT("a thousand feet"),
@@ -141,14 +147,15 @@ std::vector<HardCase> coincidentPoints()
 {
     return {
         coincident("one_place", SIM_TEXT("all in one place"),
-                   SIM_TEXT("Body and feet begin in one place, where no spring has a direction."), creature,
-                   radius),
+                   SIM_TEXT("Body and feet start in the same place, where no spring has a direction."),
+                   creature, radius),
         coincident("on_one_line", SIM_TEXT("all on one line"),
-                   SIM_TEXT("Body and feet stand in line, so nothing pulls them off it."), creatureOnLine,
+                   SIM_TEXT("Body and feet stand on one line, so nothing pulls them off it."), creatureOnLine,
                    radius),
         coincident(
             "no_rest_length", SIM_TEXT("springs without a length"),
-            SIM_TEXT("Springs of length 0 pull all points into one place, where their directions are lost."),
+            SIM_TEXT(
+                "Springs of length 0 pull all points to one place, where the springs have no direction."),
             creatureOnLine, 0.0),
         squeezed(),
         chargesInOnePlace(),

@@ -8,24 +8,24 @@ namespace sim::hard {
 
 namespace {
 
-constexpr double damp = 0.85;
-constexpr int feet = 3;
+constexpr double outsideDamp = 0.85;
+constexpr int footCount = 3;
 
 /// Returns a case of a creature that is dragged by `input`. `stretch`: px, see StiffestSpring. `speed`: see
 /// Rest.
 HardCase dragged(const char *id, const char *title, const char *story, double k, double stretch, double speed,
                  std::vector<Event> input)
 {
-    HardCase hardCase =
-        caseOf(id, title, story, creature,
-               valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 60}}), 600);
+    HardCase hardCase = caseOf(
+        id, title, story, creature,
+        valuesOf({{"k", k}, {"damp", outsideDamp}, {"radius", 50}, {"feet", footCount}, {"out", 60}}), 600);
     hardCase.script.input = std::move(input);
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::dragging};
-    hardCase.stiffest = StiffestSpring{stretch, feet * k, 1.0 / feet, 1.0, damp};
-    // A thrown body goes 1 / (1 - damp) times its speed far. The factor allows for several such overshoots.
+    hardCase.stiffest = StiffestSpring{stretch, footCount * k, 1.0 / footCount, 1.0, outsideDamp};
+    // A thrown body goes 1 / (1 - outsideDamp) times its speed far. The factor allows for several such overshoots.
     hardCase.bound.reach = 100.0 * stretch;
     hardCase.rest = Rest{600, {}, {}, speed};
-    for (int i = 0; i < feet; ++i)
+    for (int i = 0; i < footCount; ++i)
         hardCase.rest->distances.push_back({"foot" + std::to_string(i), "body", 50.0, 1e-2});
     return hardCase;
 }
@@ -36,9 +36,9 @@ HardCase inRoom(const char *id, const char *title, const char *story, double gra
     const double k = 0.2;
     HardCase hardCase = caseOf(id, title, story, creatureInRoom,
                                valuesOf({{"k", k},
-                                         {"damp", damp},
+                                         {"damp", outsideDamp},
                                          {"radius", 50},
-                                         {"feet", feet},
+                                         {"feet", footCount},
                                          {"out", 60},
                                          {"gravity", gravity},
                                          {"left", 20},
@@ -47,17 +47,16 @@ HardCase inRoom(const char *id, const char *title, const char *story, double gra
                                          {"bounce", bounce}}),
                                600);
     hardCase.requirements = {Requirement::oscillates, Requirement::bounces};
-    hardCase.stiffest = StiffestSpring{100.0, feet * k, 1.0 / feet, 1.0, damp};
+    hardCase.stiffest = StiffestSpring{100.0, footCount * k, 1.0 / footCount, 1.0, outsideDamp};
     return hardCase;
 }
 
 HardCase thrownIntoCorner()
 {
-    HardCase hardCase =
-        inRoom("thrown_into_corner", SIM_TEXT("thrown into a corner"),
-               SIM_TEXT("A body comes into a corner at a million px a frame: in one step it would "
-                        "be two thousand rooms away."),
-               0.0, 0.5);
+    HardCase hardCase = inRoom("thrown_into_corner", SIM_TEXT("thrown into a corner"),
+                               SIM_TEXT("A body flies into a corner at a million px a frame. In one step, it "
+                                        "would fly through two thousand rooms."),
+                               0.0, 0.5);
     hardCase.script.bodies = {{"body", {middle, Vec2{1e6, 1e6}}}};
     hardCase.stiffest->stretch = 1e7;
     hardCase.bounces = 2000.0;
@@ -69,7 +68,9 @@ HardCase narrowRoom()
 {
     HardCase hardCase = inRoom(
         "walls_closer_than_body", SIM_TEXT("walls closer than the body"),
-        SIM_TEXT("The body is 30 px wide and the room 15: wherever it is, it is in a wall."), 0.5, 1.0);
+        SIM_TEXT(
+            "The body is 30 px wide but the room only 15 px. Wherever the body is, it is inside a wall."),
+        0.5, 1.0);
     hardCase.script.values.set("left", 265.0);
     hardCase.script.values.set("right", 280.0);
     hardCase.requirements.push_back(Requirement::noRoom);
@@ -80,8 +81,8 @@ HardCase narrowRoom()
 HardCase heavyGravity()
 {
     HardCase hardCase = inRoom("gravity_1e6", SIM_TEXT("a million times the gravity"),
-                               SIM_TEXT("All falls at a million px a frame, each frame, onto a floor that "
-                                        "gives nothing back."),
+                               SIM_TEXT("In each frame, gravity makes everything a million px a frame "
+                                        "faster, above a floor without bounce."),
                                1e6, 0.0);
     hardCase.brief.frames = hardCase.full.frames = 1000;
     hardCase.stiffest->stretch = 500.0;
@@ -107,9 +108,9 @@ HardCase walking(const char *id, const char *title, const char *story, double sp
 /// Returns a case whose input is not finite, so that it must be rejected.
 HardCase notANumber(const char *id, const char *title, const char *story, Event event)
 {
-    HardCase hardCase =
-        caseOf(id, title, story, creature,
-               valuesOf({{"k", 0.2}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 60}}), 60);
+    HardCase hardCase = caseOf(
+        id, title, story, creature,
+        valuesOf({{"k", 0.2}, {"damp", outsideDamp}, {"radius", 50}, {"feet", footCount}, {"out", 60}}), 60);
     hardCase.script.input = {{4, Grab{"body"}}, event};
     hardCase.requirements = {Requirement::refused, Requirement::dragging};
     hardCase.refusal = "input-not-finite";
@@ -122,14 +123,14 @@ std::vector<HardCase> suddenDrags()
 {
     return {
         dragged("grabbed_one_frame", SIM_TEXT("grabbed and let go"),
-                SIM_TEXT("A hand takes the body for one frame and lets it go."), 0.2, 100.0, 1e-3,
+                SIM_TEXT("The body is grabbed for one frame and let go."), 0.2, 100.0, 1e-3,
                 {{10, Grab{"body"}}, {11, Release{}}}),
         dragged("dragged_1e9", SIM_TEXT("torn away"),
-                SIM_TEXT("A hand takes the body a billion px away in one frame, and lets it go."), 0.2, 1e9,
-                1e-3, {{10, Grab{"body"}}, {11, Move{{1e9, -1e9}}}, {12, Release{}}}),
+                SIM_TEXT("The body is dragged a billion px away in one frame and let go."), 0.2, 1e9, 1e-3,
+                {{10, Grab{"body"}}, {11, Move{{1e9, -1e9}}}, {12, Release{}}}),
         dragged(
             "dragged_1e9_stiff", SIM_TEXT("torn away on stiff springs"),
-            SIM_TEXT("The same on springs of stiffness a million."), 1e6, 1e9,
+            SIM_TEXT("The same, with springs of stiffness one million."), 1e6, 1e9,
             10.0, // at 1e10 px a double has six decimal places, and the springs respond to the rounding error
             {{10, Grab{"body"}}, {11, Move{{1e9, -1e9}}}, {12, Release{}}}),
     };
@@ -141,9 +142,11 @@ std::vector<HardCase> wallsAndWalking()
         thrownIntoCorner(),
         narrowRoom(),
         heavyGravity(),
-        walking("gait_pi", SIM_TEXT("legs that flip"),
-                SIM_TEXT("The gait turns by half a circle each frame: a step sees two places of it only."),
-                std::numbers::pi),
+        walking(
+            "gait_pi", SIM_TEXT("legs that flip"),
+            SIM_TEXT(
+                "The gait turns by half a circle in each frame, so the steps see only two of its positions."),
+            std::numbers::pi),
         walking("gait_1e6", SIM_TEXT("legs that whirl"), SIM_TEXT("The gait turns 159,155 times in a frame."),
                 1e6),
     };
@@ -154,12 +157,13 @@ std::vector<HardCase> invalidInput()
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     constexpr double infinite = std::numeric_limits<double>::infinity();
     return {
-        notANumber("hand_not_a_number", SIM_TEXT("a hand that is nowhere"),
-                   SIM_TEXT("The hand moves to a place that is not a number."), {5, Move{{nan, 200.0}}}),
-        notANumber("pointer_infinite", SIM_TEXT("a pointer at the end of the world"),
-                   SIM_TEXT("The pointer goes to a place that is infinitely far away."),
+        notANumber("hand_not_a_number", SIM_TEXT("a drag to nowhere"),
+                   SIM_TEXT("The body is dragged to a position that is not a number."),
+                   {5, Move{{nan, 200.0}}}),
+        notANumber("pointer_infinite", SIM_TEXT("a pointer infinitely far away"),
+                   SIM_TEXT("The pointer moves to a position that is infinitely far away."),
                    {5, Pointer{{270.0, infinite}, true}}),
-        notANumber("parameter_infinite", SIM_TEXT("an endless stiffness"),
+        notANumber("parameter_infinite", SIM_TEXT("an infinite stiffness"),
                    SIM_TEXT("The stiffness is set to infinity."), {5, Set{"k", infinite}}),
     };
 }

@@ -61,7 +61,7 @@ HardCase suddenlyStiff()
     const double feet = 3, k = 0.2, stiff = 1e6, damp = 0.85;
     HardCase hardCase =
         caseOf("stiffness_jumps", SIM_TEXT("suddenly stiff"),
-               SIM_TEXT("In the middle of a run the stiffness goes from 0.2 to a million."), creature,
+               SIM_TEXT("In the middle of the run, the stiffness jumps from 0.2 to one million."), creature,
                valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 150}}), 400);
     hardCase.script.input = {{30, Set{"k", stiff}}};
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::parameterJumps};
@@ -78,13 +78,13 @@ HardCase suddenlyStiff()
 std::vector<HardCase> stiffSprings()
 {
     return {
-        nearLimit(oneSpring("stiffness_below_limit", SIM_TEXT("just below the limit"),
-                            SIM_TEXT("A spring that one step a frame can just follow: stiffness 3.99, where "
-                                     "the limit is 4."),
-                            3.99, 1.0)),
+        nearLimit(
+            oneSpring("stiffness_below_limit", SIM_TEXT("just below the limit"),
+                      SIM_TEXT("With one step a frame, the limit is a stiffness of 4. This spring has 3.99."),
+                      3.99, 1.0)),
         nearLimit(oneSpring("stiffness_at_limit", SIM_TEXT("at the limit"),
-                            SIM_TEXT("At stiffness 4 the foot comes to the other side in one step, with all "
-                                     "its speed: it goes farther each time."),
+                            SIM_TEXT("At stiffness 4, each step takes the foot to the other side at full "
+                                     "speed, so it swings farther each time."),
                             4.0, 1.0)),
         nearLimit(oneSpring("stiffness_above_limit", SIM_TEXT("just above the limit"),
                             SIM_TEXT("At stiffness 4.01 each swing is a tenth larger than the one before."),
@@ -96,28 +96,29 @@ std::vector<HardCase> stiffSprings()
                               SIM_TEXT("A spring of stiffness a million swings 159 times in a frame."), 1e6,
                               0.9)),
         comesToRest(oneSpring("stiffness_1e9", SIM_TEXT("nearly rigid"),
-                              SIM_TEXT("A spring of stiffness 1e9 is as good as a stick."), 1e9, 0.9)),
-        oneSpring("stiffness_1e9_undamped", SIM_TEXT("nearly rigid, and nothing slows it"),
-                  SIM_TEXT("The same without damping: it may swing for ever, but no farther than it began."),
-                  1e9, 1.0),
+                              SIM_TEXT("A spring of stiffness 1e9 behaves almost like a stick."), 1e9, 0.9)),
+        oneSpring(
+            "stiffness_1e9_undamped", SIM_TEXT("nearly rigid, without damping"),
+            SIM_TEXT("The same without damping: it may swing for ever, but no farther than at the start."),
+            1e9, 1.0),
         [] {
             HardCase hardCase =
-                oneSpring("damp_0", SIM_TEXT("damping that stops all"),
-                          SIM_TEXT("With damping 0 no velocity is left: nothing may move."), 0.2, 0.0);
+                oneSpring("damp_0", SIM_TEXT("damping that stops everything"),
+                          SIM_TEXT("With damping 0, no velocity is left, so nothing may move."), 0.2, 0.0);
             hardCase.rest = Rest{1, {{"foot", middle + Vec2{100.0, 0.0}, 0.0}}, {}, 0.0};
             return hardCase;
         }(),
         oneSpring("damp_1", SIM_TEXT("no damping"),
-                  SIM_TEXT("With damping 1 nothing is lost: the foot swings for ever, and no farther."), 0.2,
-                  1.0),
-        oneSpring("damp_1e-300", SIM_TEXT("next to nothing is left"),
-                  SIM_TEXT("Damping of 1e-300 leaves numbers that are nearly too small to write."), 0.2,
-                  1e-300),
+                  SIM_TEXT("With damping 1, nothing is lost: the foot swings for ever, but never farther."),
+                  0.2, 1.0),
+        oneSpring("damp_1e-300", SIM_TEXT("almost no velocity left"),
+                  SIM_TEXT("A damping of 1e-300 leaves velocities that are almost too small to be stored."),
+                  0.2, 1e-300),
         suddenlyStiff(),
         unequal("masses_1_to_1e9", SIM_TEXT("a fly and a mountain"),
                 SIM_TEXT("One body is a billion times as heavy as the one on its spring."), 0.2),
         unequal("masses_1_to_1e9_stiff", SIM_TEXT("the mountain swings, too"),
-                SIM_TEXT("The spring is stiff enough to move the heavy body, and so a hundred million "
+                SIM_TEXT("The spring is stiff enough to move the heavy body, and therefore a hundred million "
                          "times too stiff for the light one."),
                 1e8),
     };

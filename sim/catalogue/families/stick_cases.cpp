@@ -75,10 +75,10 @@ HardCase heavyChain(const char *id, const char *title, const char *story, double
 
 HardCase contradictorySticks()
 {
-    HardCase hardCase = caseOf(
-        "contradictory_triangle", SIM_TEXT("sticks that contradict each other"),
-        SIM_TEXT("Three sticks of lengths 1, 1 and 10 make no triangle: whatever moves, one is wrong."),
-        contradiction, valuesOf({{"damp", 0.9}}), 600);
+    HardCase hardCase = caseOf("contradictory_triangle", SIM_TEXT("sticks that contradict each other"),
+                               SIM_TEXT("Three sticks of lengths 1, 1 and 10 cannot form a triangle. "
+                                        "Wherever the points move, at least one length is wrong."),
+                               contradiction, valuesOf({{"damp", 0.9}}), 600);
     hardCase.requirements = {Requirement::constraints, Requirement::noDirection};
     hardCase.bound.reach = 50.0;
     hardCase.stickError = 8.0; // the complete shortage: 10 - 1 - 1
@@ -108,8 +108,8 @@ std::vector<HardCase> rigidSticks()
     return {
         contradictorySticks(),
         chain("chain_stretched", SIM_TEXT("a chain that is too short"),
-              SIM_TEXT("A chain of a thousand links between two nails is a tenth too short: no link can be "
-                       "right."),
+              SIM_TEXT("A chain of a thousand links between two nails is a tenth too short, so its links "
+                       "cannot keep their lengths."),
               1.1),
         heavyChain(
             "chain_heavy", SIM_TEXT("a chain too heavy for its sticks"),
@@ -117,15 +117,15 @@ std::vector<HardCase> rigidSticks()
                      "links much too long."),
             1.0, 20.0),
         heavyChain("chain_heavy_small_steps", SIM_TEXT("a heavy chain in small steps"),
-                   SIM_TEXT("The same chain and the same work: in place of 20 passes a frame 20 steps of one "
-                            "pass each. Its links err a ninth as much."),
+                   SIM_TEXT("The same chain and the same work, but with 20 steps of one pass each instead of "
+                            "20 passes a frame. The errors of its links are a ninth as large."),
                    1.0 / 20.0, 1.0),
         hanging("stick_without_length", SIM_TEXT("a stick without a length"),
                 SIM_TEXT("Two points on a stick of length 0 have no direction between them, and a body hangs "
                          "on them."),
                 noLengthStick, "p2", middle + Vec2{0.0, 60.0}),
         hanging("stick_between_nails", SIM_TEXT("a stick between two nails"),
-                SIM_TEXT("A stick that is too short between two points that stand fast: neither gives way."),
+                SIM_TEXT("A stick between two fixed points is too short, and neither point can move."),
                 fixedStick, "p2", middle + Vec2{50.0, 40.0}),
     };
 }
@@ -145,7 +145,7 @@ std::vector<HardCase> swimmers()
 
     HardCase inside =
         swims("tail_in_lead", SIM_TEXT("the tail is in the lead"),
-              SIM_TEXT("Lead and tail begin in one place, on a soft stick that has no direction there."),
+              SIM_TEXT("Lead and tail start in the same place, on a soft stick that has no direction there."),
               valuesOf({{"keep", 0.7}, {"target_x", 400}, {"target_y", 200}, {"behind", 0}, {"soft", 1}}));
     inside.rest = atTarget({400.0, 200.0}, 1e-6);
     inside.requirements.insert(inside.requirements.end(),
@@ -153,7 +153,7 @@ std::vector<HardCase> swimmers()
 
     HardCase far =
         swims("target_1e9", SIM_TEXT("a target beyond the horizon"),
-              SIM_TEXT("The target is a billion px away, and the motor pulls the harder the farther it is."),
+              SIM_TEXT("The target is a billion px away, and the motor pulls harder the farther away it is."),
               valuesOf({{"keep", 0.7}, {"target_x", 1e9}, {"target_y", -1e9}, {"behind", 40}, {"soft", 0}}));
     far.bound.reach = 3e9;
     far.stickError = 1e-5; // at 1e9 px a double has seven decimal places

@@ -17,11 +17,10 @@ HardCase stepped(const char *id, const char *title, const char *story, RunSize b
 
 HardCase tenMillionFrames()
 {
-    HardCase hardCase = footOnSpringCase(
-        "ten_million_frames", SIM_TEXT("ten million frames"),
-        SIM_TEXT("A foot swings for nearly four days of playing, and nothing slows it: no error may "
-                 "add up."),
-        0.2, 1.0, 10'000'000);
+    HardCase hardCase = footOnSpringCase("ten_million_frames", SIM_TEXT("ten million frames"),
+                                         SIM_TEXT("A foot swings without damping for ten million frames, "
+                                                  "almost four days of playing. Its errors must not add up."),
+                                         0.2, 1.0, 10'000'000);
     hardCase.brief.frames = 20'000;
     hardCase.requirements.push_back(Requirement::longRun);
     hardCase.bound.reach = 120.0;
@@ -33,8 +32,8 @@ HardCase atRest()
     const double feet = 2, k = 0.2, damp = 0.85;
     HardCase hardCase =
         caseOf("million_frames_at_rest", SIM_TEXT("a million frames at rest"),
-               SIM_TEXT("What has come to rest keeps velocities that are nearly too small to write, "
-                        "and must keep still."),
+               SIM_TEXT("At rest, bodies still have velocities that are almost too small to be stored, but "
+                        "they must not move."),
                creature, valuesOf({{"k", k}, {"damp", damp}, {"radius", 50}, {"feet", feet}, {"out", 100}}),
                1'000'000);
     hardCase.brief.frames = 10'000;
@@ -52,15 +51,16 @@ HardCase atRest()
 std::vector<HardCase> unusualSteps()
 {
     return {
-        stepped("step_1e-6", SIM_TEXT("a million steps a frame"),
-                SIM_TEXT("Steps of a millionth of a frame: what each adds is nearly lost in rounding."),
-                {1, 1e-4}, {20, 1e-6}),
+        stepped(
+            "step_1e-6", SIM_TEXT("a million steps a frame"),
+            SIM_TEXT("Each step is a millionth of a frame, so its small change is almost lost in rounding."),
+            {1, 1e-4}, {20, 1e-6}),
         comesToRest(stepped("step_third", SIM_TEXT("a third of a frame"),
-                            SIM_TEXT("Three steps a frame, of a length that no binary number is equal to."),
+                            SIM_TEXT("Three steps a frame: no binary number is exactly a third."),
                             {600, 1.0 / 3}, {600, 1.0 / 3}),
                     600),
         comesToRest(stepped("step_100", SIM_TEXT("a hundred frames in a step"),
-                            SIM_TEXT("One step leaps over seven swings of the spring."), {60'000, 100},
+                            SIM_TEXT("One step skips seven swings of the spring."), {60'000, 100},
                             {60'000, 100}),
                     600),
     };

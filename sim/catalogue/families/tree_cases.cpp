@@ -5,7 +5,6 @@ namespace sim::hard {
 
 namespace {
 
-constexpr Vec2 root = {275.0, 400.0};
 constexpr Vec2 trunkEnd = {275.0, 300.0};
 
 /// Returns a case of a tree in the wind from `pointer`.
@@ -14,7 +13,7 @@ HardCase blown(const char *id, const char *title, const char *story, Values valu
     HardCase hardCase = caseOf(id, title, story, windyTree, std::move(values), 300);
     hardCase.script.input = {{1, Pointer{pointer, true}}};
     hardCase.requirements = {Requirement::driven, Requirement::noDirection};
-    hardCase.bound = {1000.0, root, {}};
+    hardCase.bound = {1000.0, treeRoot, {}};
     return hardCase;
 }
 
@@ -33,13 +32,12 @@ Values windBy(double by, double formula)
 
 HardCase noDistancePublished()
 {
-    HardCase hardCase = blown(
-        "wind_no_distance_published", SIM_TEXT("no distance to divide by"),
-        SIM_TEXT("In the printed formula the pointer can be at distance 0: it divides by that, and the run "
-                 "must end with a word about it."),
-        windBy(1, 1), root);
+    HardCase hardCase = blown("wind_no_distance_published", SIM_TEXT("no distance to divide by"),
+                              SIM_TEXT("The printed formula divides by the distance of the pointer, which "
+                                       "can be 0. Then the run must stop with a message."),
+                              windBy(1, 1), treeRoot);
     // Here the published sum of the pointer and the branch's end is exactly 0.
-    hardCase.script.input = {{1, Pointer{root - Vec2{100.0, 0.0}, true}}};
+    hardCase.script.input = {{1, Pointer{treeRoot - Vec2{100.0, 0.0}, true}}};
     hardCase.script.values.set("levels", 0);
     hardCase.script.values.set("turned", 90);
     hardCase.requirements = {Requirement::overflows};
@@ -50,11 +48,11 @@ HardCase turned()
 {
     HardCase hardCase =
         caseOf("pointer_on_root", SIM_TEXT("the pointer on the root"),
-               SIM_TEXT("The trunk turns to a pointer that is exactly where it begins."), turningTree,
+               SIM_TEXT("The trunk turns towards a pointer that is exactly at its root."), turningTree,
                valuesOf({{"levels", 4}, {"slope", 0.8}, {"base_length", 100}}), 60);
-    hardCase.script.input = {{1, Pointer{root, true}}};
+    hardCase.script.input = {{1, Pointer{treeRoot, true}}};
     hardCase.requirements = {Requirement::driven, Requirement::noDirection};
-    hardCase.bound = {600.0, root, {}};
+    hardCase.bound = {600.0, treeRoot, {}};
     return hardCase;
 }
 
@@ -76,7 +74,7 @@ HardCase deep()
 HardCase endless()
 {
     HardCase hardCase =
-        caseOf("tree_without_end", SIM_TEXT("a tree without an end"),
+        caseOf("tree_without_end", SIM_TEXT("a tree that never ends"),
                SIM_TEXT("Branches that are as large as their parents never get small enough to stop "
                         "forking."),
                grownTree, valuesOf({{"slope", 1}, {"min_scale", 0.2}}), 60);
@@ -102,7 +100,7 @@ HardCase stiffTree()
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest};
     // Gershgorin's circle theorem bounds the fastest oscillation; see Torsion::stiffnessBound().
     hardCase.stiffest = StiffestSpring{10.0, 10.0 * k, 1.0, 0.0, damp};
-    hardCase.bound = {600.0, root, {}};
+    hardCase.bound = {600.0, treeRoot, {}};
     hardCase.rest = Rest{100, {{"branch1", trunkEnd, 1e-3}}, {}, 1e-3};
     return hardCase;
 }
@@ -116,7 +114,7 @@ std::vector<HardCase> windyTrees()
               SIM_TEXT("The pointer is exactly where the trunk ends: the wind has no direction there."),
               windBy(0, 0), trunkEnd),
         blown("wind_no_distance", SIM_TEXT("wind without a distance"),
-              SIM_TEXT("What resists the wind is the distance to the pointer, and it is 0."), windBy(1, 0),
+              SIM_TEXT("The distance to the pointer resists the wind, and here it is 0."), windBy(1, 0),
               trunkEnd),
         noDistancePublished(),
         turned(),

@@ -10,8 +10,6 @@ using std::make_shared;
 
 namespace {
 
-constexpr Vec2 root = {275.0, 400.0};
-
 TreeFormula formulaOf(const Values &values)
 {
     return values.integer("formula") == 1 ? TreeFormula::published : TreeFormula::corrected;
@@ -29,7 +27,7 @@ Scene windyTree(const Values &values)
 {
     const TreePtr tree = treeOf(values);
     const TreeFormula formula = formulaOf(values);
-    Scene scene = scenes::standingTree(*tree, root, formula);
+    Scene scene = scenes::standingTree(*tree, treeRoot, formula);
     scene.start.angle[0] += values["turned"];
     const auto by = static_cast<Resistance::By>(values.integer("by"));
     const Resistance resistance{by, by == Resistance::By::ease ? values["ease"] : values["wind"]};
@@ -41,7 +39,7 @@ Scene windyTree(const Values &values)
 Scene turningTree(const Values &values)
 {
     const TreePtr tree = treeOf(values);
-    Scene scene = scenes::standingTree(*tree, root, TreeFormula::corrected);
+    Scene scene = scenes::standingTree(*tree, treeRoot, TreeFormula::corrected);
     scene.effects = {make_shared<Joints>(tree, degreesPerRadian),
                      make_shared<TurnToPointer>(tree, TreeFormula::corrected)};
     return scene;
@@ -50,7 +48,7 @@ Scene turningTree(const Values &values)
 Scene springyTree(const Values &values)
 {
     const TreePtr tree = treeOf(values);
-    Scene scene = scenes::standingTree(*tree, root, TreeFormula::corrected);
+    Scene scene = scenes::standingTree(*tree, treeRoot, TreeFormula::corrected);
     scenes::enableSpins(scene);
     scene.start.angle += values["bent"];
     forEachFromTrunk(*tree, scene.start, degreesPerRadian, [](int) {});
@@ -66,7 +64,7 @@ Scene grownTree(const Values &values)
     const double slope = values["slope"];
     const TreePtr tree = make_shared<const Tree>(
         scenes::forkedTree(static_cast<int>(std::log(values["min_scale"]) / std::log(slope)), slope, 100.0));
-    Scene scene = scenes::standingTree(*tree, root, TreeFormula::corrected);
+    Scene scene = scenes::standingTree(*tree, treeRoot, TreeFormula::corrected);
     scene.effects = {make_shared<Joints>(tree, degreesPerRadian)};
     return scene;
 }

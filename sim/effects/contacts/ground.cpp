@@ -97,7 +97,7 @@ constinit const EffectDescription ground = {
     .id = "ground",
     .title = SIM_TEXT("ground"),
     .kind = EffectKind::contact,
-    .purpose = SIM_TEXT("Keeps the feet from sinking in, and from slipping where it holds them."),
+    .purpose = SIM_TEXT("Keeps feet from sinking into the ground, and from slipping unless it is icy."),
     .parameters = groundParameters,
     .make = makeGround};
 }

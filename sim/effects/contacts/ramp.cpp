@@ -105,7 +105,7 @@ constinit const EffectDescription ramp = {
     .id = "ramp",
     .title = SIM_TEXT("ramp"),
     .kind = EffectKind::contact,
-    .purpose = SIM_TEXT("Keeps everything on one side of a straight line, which leans as you like."),
+    .purpose = SIM_TEXT("Keeps everything on one side of a straight line at any angle."),
     .parameters = rampParameters,
     .make = makeRamp};
 }

@@ -52,7 +52,7 @@ constexpr ParameterSpec roomParameters[] = {
     {
         .id = "friction",
         .name = SIM_TEXT("Friction"),
-        .help = SIM_TEXT("How much a wall’s push holds back what slides along it. 0: like ice."),
+        .help = SIM_TEXT("How much a wall slows things that slide along it. 0: like ice."),
         .defaultValue = 0.5,
         .min = 0.0,
         .max = 10.0,
@@ -73,7 +73,7 @@ constinit const EffectDescription room = {
     .title = SIM_TEXT("room"),
     .kind = EffectKind::contact,
     .purpose =
-        SIM_TEXT("Keeps everything between two walls and above a floor, with friction and without a bounce."),
+        SIM_TEXT("Keeps everything between two walls and above a floor, with friction and without bounce."),
     .parameters = roomParameters,
     .make = makeRoom};
 }

@@ -62,7 +62,8 @@ constinit const EffectDescription walls = {
     .id = "walls",
     .title = SIM_TEXT("walls"),
     .kind = EffectKind::contact,
-    .purpose = SIM_TEXT("Put back what has gone past a wall or the floor, and turn its velocity round."),
+    .purpose =
+        SIM_TEXT("Put back points that have gone past a wall or the floor, and reverse their velocity."),
     .parameters = wallsParameters,
     .make = makeWalls};
 }

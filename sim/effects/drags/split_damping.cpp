@@ -40,7 +40,7 @@ std::vector<LiveValue> SplitDamping::explain(const State &before, const State &a
 namespace descriptions {
 constinit const EffectDescription split_damping = {
     "split_damping", SIM_TEXT("drag along, across"), EffectKind::damping,
-    SIM_TEXT("Slows the tail, and more so across the body than along it, as water does.")};
+    SIM_TEXT("Slows the tail as water does: more across the body than along it.")};
 }
 
 }

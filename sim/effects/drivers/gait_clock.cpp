@@ -27,7 +27,7 @@ std::vector<LiveValue> GaitClock::explain(const State &before, const State &afte
 namespace descriptions {
 constinit const EffectDescription gait_clock = {
     "gait_clock", SIM_TEXT("gait clock"), EffectKind::driver,
-    SIM_TEXT("Turns the angle that swings the legs on, a little each frame: the beat of the walk.")};
+    SIM_TEXT("Advances the angle of the legs a little in each frame: the rhythm of the walk.")};
 }
 
 }

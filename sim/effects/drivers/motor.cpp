@@ -75,10 +75,11 @@ std::vector<LiveValue> Anticipation::explain(const State &before, const State &a
 
 namespace descriptions {
 constinit const EffectDescription motor = {"motor", SIM_TEXT("motor"), EffectKind::spring,
-                                           SIM_TEXT("Pulls the swimmer to its target, as a spring does.")};
+                                           SIM_TEXT("Pulls the swimmer to its target, like a spring.")};
 constinit const EffectDescription anticipation = {
     "anticipation", SIM_TEXT("anticipation"), EffectKind::driver,
-    SIM_TEXT("Shifts the swimmer back before it goes to a new target, as a cat draws back before it leaps.")};
+    SIM_TEXT("Moves the swimmer back a little before it starts towards a new target, like a cat before it "
+             "jumps.")};
 }
 
 }

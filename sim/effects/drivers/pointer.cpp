@@ -46,7 +46,7 @@ std::vector<LiveValue> CarriedByPointer::explain(const State &before, const Stat
 
 namespace descriptions {
 constinit const EffectDescription pointer = {"pointer", SIM_TEXT("pointer"), EffectKind::driver,
-                                             SIM_TEXT("Carries a point to where the pointer is.")};
+                                             SIM_TEXT("Moves a point to the pointer.")};
 }
 
 }

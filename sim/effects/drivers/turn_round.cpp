@@ -61,7 +61,7 @@ constinit const EffectDescription turn_round = {
     .id = "turn_round",
     .title = SIM_TEXT("turn round"),
     .kind = EffectKind::driver,
-    .purpose = SIM_TEXT("Makes a creature that meets a wall walk the other way."),
+    .purpose = SIM_TEXT("Makes a creature turn round when it meets a wall."),
     .parameters = turnRoundParameters,
     .make = makeTurnRound};
 }

@@ -69,7 +69,7 @@ constexpr ParameterSpec breezeParameters[] = {
     {
         .id = "gusts",
         .name = SIM_TEXT("Gusts"),
-        .help = SIM_TEXT("The share by which the wind swells and ebbs."),
+        .help = SIM_TEXT("The share by which the strength of the wind changes."),
         .defaultValue = 0.5,
         .min = 0.0,
         .max = 1.0,
@@ -88,7 +88,7 @@ constinit const EffectDescription breeze = {
     .id = "breeze",
     .title = SIM_TEXT("wind"),
     .kind = EffectKind::wind,
-    .purpose = SIM_TEXT("Blows everything sideways, wide bodies more, and swells and ebbs."),
+    .purpose = SIM_TEXT("Blows everything sideways, wide bodies more strongly, and can come in gusts."),
     .parameters = breezeParameters,
     .make = buildBreeze};
 }

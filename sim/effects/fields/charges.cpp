@@ -146,8 +146,8 @@ constinit const EffectDescription charges = {
     .id = "charges",
     .title = SIM_TEXT("charges"),
     .kind = EffectKind::spring,
-    .purpose = SIM_TEXT("Push points with like charges apart, and pull unlike "
-                        "ones together: the harder, the closer they are."),
+    .purpose = SIM_TEXT("Push points with like charges apart, and pull unlike ones together: the closer they "
+                        "are, the harder."),
     .parameters = chargeParameters,
     .pointProperties = pointParameters,
     .variables = variables,

@@ -94,8 +94,7 @@ namespace descriptions {
 constinit const EffectDescription gravity = {.id = "gravity",
                                              .title = SIM_TEXT("gravity"),
                                              .kind = EffectKind::gravity,
-                                             .purpose =
-                                                 SIM_TEXT("Pulls everything down, and everything alike."),
+                                             .purpose = SIM_TEXT("Pulls everything down equally."),
                                              .parameters = gravityParameters,
                                              .make = buildGravity};
 }

@@ -99,8 +99,8 @@ constinit const EffectDescription push = {
     .id = "push",
     .title = SIM_TEXT("push"),
     .kind = EffectKind::spring,
-    .purpose =
-        SIM_TEXT("Pushes apart what comes too close, so that creatures do not walk through each other."),
+    .purpose = SIM_TEXT(
+        "Pushes bodies apart that come too close, so that creatures do not walk through each other."),
     .parameters = pushParameters,
     .make = buildPush};
 }

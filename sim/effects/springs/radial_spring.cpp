@@ -39,7 +39,8 @@ std::vector<LiveValue> RadialLaw::liveValues(Vec2 mover, Vec2 anchor, Vec2 fallb
 namespace descriptions {
 constinit const EffectDescription radial_spring = {
     "radial_spring", SIM_TEXT("springs"), EffectKind::spring,
-    SIM_TEXT("Keep two points a length apart: they pull when it is more, and push when it is less.")};
+    SIM_TEXT("Keep two points a length apart: they pull when the distance is longer, and push when it is "
+             "shorter.")};
 }
 
 }

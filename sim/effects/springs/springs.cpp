@@ -40,9 +40,9 @@ Springs::Springs(const std::vector<Spring> &springs, int points)
 }
 
 namespace descriptions {
-constinit const EffectDescription springs = {
-    "springs", SIM_TEXT("springs"), EffectKind::spring,
-    SIM_TEXT("Keep two points a length apart: they pull when it is more, and push when it is less.")};
+constinit const EffectDescription springs = {"springs", SIM_TEXT("springs"), EffectKind::spring,
+                                             SIM_TEXT("Keep two points a length apart: they pull when the "
+                                                      "distance is longer, and push when it is shorter.")};
 }
 
 }

@@ -35,7 +35,7 @@ std::vector<LiveValue> ReturnToRest::explain(const State &before, const State &a
 namespace descriptions {
 constinit const EffectDescription return_to_rest = {
     "return_to_rest", SIM_TEXT("return to rest"), EffectKind::spring,
-    SIM_TEXT("Turns each branch a part of the way back to where it grew.")};
+    SIM_TEXT("Turns each branch part of the way back to its direction at rest.")};
 }
 
 }

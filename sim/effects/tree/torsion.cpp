@@ -131,7 +131,8 @@ double Torsion::stiffnessBound() const
 namespace descriptions {
 constinit const EffectDescription torsion = {
     "torsion", SIM_TEXT("springs"), EffectKind::spring,
-    SIM_TEXT("Bend each joint back: the harder, the farther a branch has turned from where it grew.")};
+    SIM_TEXT(
+        "Bend each joint back: the farther a branch has turned from its direction at rest, the harder.")};
 }
 
 }

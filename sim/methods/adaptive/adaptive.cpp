@@ -64,7 +64,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
         throw Error("method-does-not-fit", {{"method", id()}, {"effect", firstDrag(scene)}});
     Phase phase;
     phase.id = "integrate";
-    phase.title = SIM_TEXT("steps of its own");
+    phase.title = SIM_TEXT("adaptive steps");
     phase.points = {0, scene.start.pointCount()};
     phase.consumesAcceleration = true;
     phase.integrates = true;

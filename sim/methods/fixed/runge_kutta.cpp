@@ -199,7 +199,7 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
     PhaseBuilder step(scene, directionRule(), size.h);
     const auto plan = std::make_shared<const Plan>(scene, m_tableau, directionRule(), size.h);
     const auto trial = [&](int stage) {
-        Phase phase = stagePhase("trial", SIM_TEXT("try a place"), scene, m_shown);
+        Phase phase = stagePhase("trial", SIM_TEXT("trial step"), scene, m_shown);
         phase.kernels = {{[plan, stage](State &state) {
                               storeStage(state, *plan, stage - 1);
                               goTo(state, *plan, stage);

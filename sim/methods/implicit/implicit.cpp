@@ -107,7 +107,7 @@ Phase ImplicitMethod::solvePhase(const Scene &scene, double h) const
 {
     Phase phase;
     phase.id = "solve";
-    phase.title = SIM_TEXT("solve for the new place");
+    phase.title = SIM_TEXT("solve for new positions");
     phase.points = everything(scene);
     phase.consumesAcceleration = true;
     phase.integrates = true;

@@ -103,6 +103,8 @@ void beginOutputStep(State &state, const Script &script,
     const int draggedPoint = state.hold.point;
     if (draggedPoint < 0)
         return;
+    state.hold.positionBefore = state.positionOf(draggedPoint);
+    state.hold.velocityBefore = state.velocityOf(draggedPoint);
     if (now->scene.start.isDynamic(draggedPoint) && now->scene.movesByVelocity(draggedPoint))
         state.setVelocity(draggedPoint,
                           (1.0 / framesPerOutput) * (state.hold.hand - state.positionOf(draggedPoint)));

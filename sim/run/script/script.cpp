@@ -56,6 +56,7 @@ Scene sceneOf(const Script &script, const Values &values)
         return std::find(script.effectsOff.begin(), script.effectsOff.end(), effect->id()) !=
                script.effectsOff.end();
     });
+    scene.values = std::make_shared<const Values>(values);
     script.method->prepareState(scene.start);
     return scene;
 }

@@ -85,7 +85,7 @@ State transferState(const State &state, const Scene &from, const Scene &to)
             copyMotion(state, old, next, i);
             addInitialTurn(from, old, to, next, i);
             if (state.hold.point == old)
-                next.hold = {i, state.hold.hand};
+                next.hold = {i, state.hold.hand, state.hold.positionBefore, state.hold.velocityBefore};
         } else if (commonPoints > 0) {
             next.place(i, next.positionOf(i) + (1.0 / commonPoints) * shift);
         }
@@ -96,6 +96,7 @@ State transferState(const State &state, const Scene &from, const Scene &to)
         copyRow(state.gait, i, next.gait, i);
     copyGaitSpeeds(state, from.start, next);
     next.gustExtent = state.gustExtent;
+    next.memory = state.memory;
     next.frame = state.frame;
     next.pointEvaluations = state.pointEvaluations;
     const bool targetMoved = from.start.input.target != to.start.input.target;

@@ -2,15 +2,15 @@
 
 #include "tests/app/by_hand/learner.h"
 
-#include "app/ui/panels/learn_panel.h"
-#include "app/ui/panels/lesson_list.h"
-#include "app/ui/panels/lesson_model.h"
-#include "app/ui/panels/narration.h"
-#include "app/ui/panels/narration_text.h"
-#include "app/ui/panels/step_button.h"
-#include "app/ui/panels/try_row.h"
-#include "app/ui/panels/why_box.h"
-#include "app/ui/scene/hand.h"
+#include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/lesson_list.h"
+#include "app/ui/learn/lesson_model.h"
+#include "app/ui/learn/narration.h"
+#include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/step_button.h"
+#include "app/ui/learn/try_row.h"
+#include "app/ui/learn/why_box.h"
+#include "app/ui/scene/body_drag.h"
 #include "app/ui/scene/scene_view.h"
 #include "lessons/api/checks/drag_gesture.h"
 
@@ -158,7 +158,7 @@ QPoint Learner::inPicture(sim::Vec2 place) const
 
 int Learner::bodyAt(QPoint place) const
 {
-    return Hand::bodyAt(m_view.shown(), Camera(m_view.viewportTransform()), place);
+    return BodyDrag::bodyAt(m_view.shown(), Camera(m_view.viewportTransform()), place);
 }
 
 void Learner::press(QPoint place)
@@ -179,7 +179,7 @@ void Learner::move(QPoint place)
               m_isDown ? Qt::LeftButton : Qt::NoButton);
 }
 
-void Learner::release()
+void Learner::releaseButton()
 {
     m_isDown = false;
     sendMouse(m_view.viewport(), QEvent::MouseButtonRelease, m_pointer, Qt::LeftButton, Qt::NoButton);
@@ -201,23 +201,23 @@ void Learner::grab(const std::string &body)
     press(place);
     move(place + QPoint(enoughToGrab, 0)); // a click alone holds nothing
     const QString wanted = QString::fromStdString(body);
-    if (m_session.selected() != wanted || !m_session.isHolding())
+    if (m_session.selected() != wanted || !m_session.input().isHolding())
         throw std::runtime_error("the mouse cannot take " + body);
 }
 
-void Learner::moveHand(sim::Vec2 to)
+void Learner::movePointer(sim::Vec2 to)
 {
     move(inPicture(to));
 }
 
-void Learner::letGo()
+void Learner::release()
 {
-    release();
+    releaseButton();
 }
 
 QPoint Learner::freePlaceNear(QPoint place) const
 {
-    const int pointed = m_view.shown().picture.look->pointerPoint;
+    const int pointed = m_view.shown().picture.view->pointerPoint;
     for (const QPoint &way : {QPoint(0, 0), QPoint(0, -1), QPoint(1, 0), QPoint(-1, 0), QPoint(0, 1)}) {
         const QPoint free = place + awayFromBody * way;
         const int body = bodyAt(free);
@@ -233,13 +233,13 @@ void Learner::point(sim::Vec2 where, bool down)
         press(freePlaceNear(inPicture(where)));
     move(onScreen(where)); // with the button down it may go past the edge
     if (!down && m_isDown)
-        release();
+        releaseButton();
 }
 
 void Learner::target(sim::Vec2 where)
 {
     press(freePlaceNear(inPicture(where)));
-    release();
+    releaseButton();
 }
 
 }

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "app/model/session.h"
+#include "app/model/session/session.h"
 #include "app/ui/window/main_window.h"
-#include "tests/lessons/player.h"
+#include "tests/lessons/support/player.h"
 
 #include <QPoint>
 
@@ -17,10 +17,10 @@ class SceneView;
 
 namespace support {
 
-/// Lets the window paint and tidy up.
+/// Lets the window paint, and delete the widgets that it has replaced.
 void settle();
 
-/// A learner in the window: every deed is done with the mouse or the keys, and nothing else.
+/// A learner who uses the window with the mouse and the keys only.
 class Learner : public Player
 {
 public:
@@ -45,8 +45,8 @@ public:
 
     void play(int frames) override;
     void grab(const std::string &body) override;
-    void moveHand(sim::Vec2 to) override;
-    void letGo() override;
+    void movePointer(sim::Vec2 to) override;
+    void release() override;
     void point(sim::Vec2 at, bool down) override;
     void target(sim::Vec2 at) override;
     void key(bool sim::Keys::*key, bool down) override;
@@ -70,7 +70,7 @@ private:
     QPoint freePlaceNear(QPoint place) const;
     void press(QPoint place);
     void move(QPoint place);
-    void release();
+    void releaseButton();
     /// Before the mouse does something elsewhere, and after a menu or a list was open.
     void leavePicture();
     void comeBack();

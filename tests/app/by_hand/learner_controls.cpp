@@ -1,8 +1,8 @@
 // What a learner does with keys, buttons, menus and fields.
 
-#include "app/ui/panels/number_box.h"
-#include "app/ui/panels/parameter_panel.h"
-#include "app/ui/panels/parameter_row.h"
+#include "app/ui/parameters/number_box.h"
+#include "app/ui/parameters/parameter_panel.h"
+#include "app/ui/parameters/parameter_row.h"
 #include "app/ui/scene/flat_button.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
@@ -78,7 +78,7 @@ void Learner::step(bool byPhase)
         press(freePlaceNear({awayFromBody, awayFromBody})); // out of a field, and into the picture
         release();
     }
-    if (m_session.isPlaying() && m_session.step().accepts(lessons::Interaction::keys))
+    if (m_session.playback().isPlaying() && m_session.step().accepts(lessons::Interaction::keys))
         QTest::keyClick(&m_view,
                         Qt::Key_Space); // a hand has started time, and the arrow keys steer while it runs
     // With the mouse only where the picture does not have the keys.
@@ -183,9 +183,10 @@ void Learner::set(const std::string &parameter, double value)
             replaceText(box, QString::number(value, 'g', 12));
         }
         settle(); // the row may be gone with the run that it belonged to
-        if (std::abs(m_session.parameter(QString::fromStdString(parameter)) - value) > 1e-9)
-            throw std::runtime_error("the field does not take a value for " + parameter + ": it is " +
-                                     std::to_string(m_session.parameter(QString::fromStdString(parameter))));
+        if (std::abs(m_session.editor().parameter(QString::fromStdString(parameter)) - value) > 1e-9)
+            throw std::runtime_error(
+                "the field does not take a value for " + parameter + ": it is " +
+                std::to_string(m_session.editor().parameter(QString::fromStdString(parameter))));
         return;
     }
     throw std::runtime_error("no parameter is called " + parameter);
@@ -264,7 +265,7 @@ void Learner::goTo(std::int64_t frame)
     if (!field)
         throw std::runtime_error("no frame can be typed");
     replaceText(field, QString::number(frame));
-    if (!QTest::qWaitFor([&] { return !m_session.goingTo(); }, mostMilliseconds))
+    if (!QTest::qWaitFor([&] { return !m_session.playback().goal(); }, mostMilliseconds))
         throw std::runtime_error("it does not get to that frame");
 }
 

@@ -1,13 +1,13 @@
 // A learner walks through one lesson, with mouse and keys only: opens it in the list, reads each step, does each
-// thing to try, sees its tick, and goes on. Built once for each lesson, with that lesson's attempts. In a window of
+// thing to try, sees its tick, and goes on. A suite for each lesson, with that lesson's attempts. In a window of
 // another size: SPRINGSTEP_WINDOW=1920x1080.
 
-#include "app/ui/panels/summary_page.h"
+#include "app/ui/learn/summary_page.h"
 #include "tests/app/by_hand/learner.h"
-#include "tests/lessons/attempts.h"
+#include "tests/app/support/window_fixture.h"
+#include "tests/lessons/attempts/attempts.h"
+#include "tests/suite.h"
 
-#include <QSettings>
-#include <QTemporaryDir>
 #include <QTest>
 
 #include <algorithm>
@@ -19,15 +19,16 @@ class ByHand : public QObject
 {
     Q_OBJECT
 
+    const char *m_id;
     const LessonLibrary m_library = LessonLibrary::load({LESSON_DIR});
-    QTemporaryDir m_settings;
-    Theme m_theme{Scheme::light};
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<MainWindow> m_window;
+    std::unique_ptr<tests::WindowFixture> m_fixture;
     std::unique_ptr<Learner> m_learner;
 
-    const LessonEntry &lesson() const { return *m_library.lesson(LESSON); }
+    const LessonEntry &lesson() const { return *m_library.lesson(m_id); }
     void followTry(const Attempt &attempt);
+
+public:
+    explicit ByHand(const char *lesson) : m_id(lesson) {}
 
 private slots:
     void initTestCase();
@@ -39,21 +40,17 @@ private slots:
 
 void ByHand::initTestCase()
 {
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings.path());
-    m_theme.apply(*qApp);
-    m_session = std::make_unique<Session>(m_library);
-    m_window = std::make_unique<MainWindow>(*m_session, m_theme);
     const QList<QByteArray> size =
         qEnvironmentVariable("SPRINGSTEP_WINDOW", "1280x800").toLatin1().split('x');
     QCOMPARE(size.size(), 2);
-    m_window->resize(size[0].toInt(), size[1].toInt());
-    m_window->show();
-    QApplication::setActiveWindow(m_window.get());
-    QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
-    m_learner = std::make_unique<Learner>(*m_session, *m_window);
+    m_fixture =
+        std::make_unique<tests::WindowFixture>(tests::WindowSetup{.lesson = {},
+                                                                  .size = {size[0].toInt(), size[1].toInt()},
+                                                                  .study = sim::studyAccuracy,
+                                                                  .cost = measureCost});
+    m_learner = std::make_unique<Learner>(m_fixture->session, m_fixture->window);
     m_learner->openLesson(lesson().title);
-    QCOMPARE(m_session->lesson().id, QString(LESSON));
+    QCOMPARE(m_fixture->session.lesson().id, QString(m_id));
 }
 
 void ByHand::aStepIsReadAndDone_data()
@@ -67,9 +64,9 @@ void ByHand::aStepIsReadAndDone()
 {
     QFETCH(int, number);
     const lessons::Step &step = lesson().steps[static_cast<std::size_t>(number)];
-    if (m_session->step().id != step.id) // the row before did not lead here, or was left out
+    if (m_fixture->session.step().id != step.id) // the row before did not lead here, or was left out
         m_learner->openStep(step.title);
-    QCOMPARE(m_session->step().id, step.id);
+    QCOMPARE(m_fixture->session.step().id, step.id);
 
     QVERIFY(m_learner->narration().size() > 100);
     const QStringList hints = m_learner->hints();
@@ -82,7 +79,7 @@ void ByHand::aStepIsReadAndDone()
         QVERIFY(!answer.isEmpty());
 
     for (std::size_t i = 0; i < step.tries.size(); ++i) {
-        const std::vector<Attempt> all = attempts();
+        const std::vector<Attempt> all = attemptsOf(m_id);
         const auto found = std::find_if(all.begin(), all.end(), [&](const Attempt &attempt) {
             return step.id == attempt.step && attempt.number == i && !attempt.isNearMiss();
         });
@@ -93,15 +90,15 @@ void ByHand::aStepIsReadAndDone()
     }
     m_learner->pressNext();
     if (number + 1 == static_cast<int>(lesson().steps.size())) {
-        QVERIFY(m_window->findChild<SummaryPage *>()->isVisible());
+        QVERIFY(m_fixture->window.findChild<SummaryPage *>()->isVisible());
     } else {
-        QCOMPARE(m_session->step().id, lesson().steps[static_cast<std::size_t>(number) + 1].id);
+        QCOMPARE(m_fixture->session.step().id, lesson().steps[static_cast<std::size_t>(number) + 1].id);
     }
 }
 
 void ByHand::followTry(const Attempt &attempt)
 {
-    const QString text = m_session->step().tries[attempt.number].text;
+    const QString text = m_fixture->session.step().tries[attempt.number].text;
     try {
         m_learner->begin(attempt.number);
         if (!m_learner->done()) // what was tried before may have done it, too
@@ -112,21 +109,22 @@ void ByHand::followTry(const Attempt &attempt)
     }
     // A budget that was measured just before is measured again only after a while.
     const bool isTicked = QTest::qWaitFor([&] { return m_learner->sees(attempt.number); }, 2000);
-    const QString todo = m_session->step().tries[attempt.number].conditions.todo(m_session->timeline());
+    const QString todo =
+        m_fixture->session.step().tries[attempt.number].conditions.todo(m_fixture->session.timeline());
     QVERIFY2(isTicked, qPrintable(text + " Still to do: " + todo));
 }
 
 void ByHand::theSummarySaysThatAllIsDone()
 {
-    const auto *page = m_window->findChild<SummaryPage *>();
+    const auto *page = m_fixture->window.findChild<SummaryPage *>();
     QVERIFY(page->isVisible());
-    const LessonSummary summary = summaryOf(lesson(), m_library, m_session->progress());
+    const LessonSummary summary = summaryOf(lesson(), m_library, m_fixture->session.progress());
     QCOMPARE(summary.done, summary.count);
     for (const StepSummary &step : summary.steps)
         QVERIFY2(!step.learnt.isEmpty() && step.open.isEmpty(), qPrintable(step.id));
     m_learner->pressNext();
     if (summary.next)
-        QCOMPARE(m_session->lesson().id, summary.next->id);
+        QCOMPARE(m_fixture->session.lesson().id, summary.next->id);
     else
         QVERIFY(page->isVisible());
 }
@@ -134,9 +132,24 @@ void ByHand::theSummarySaysThatAllIsDone()
 void ByHand::cleanupTestCase()
 {
     m_learner.reset();
-    m_window.reset();
-    m_session.reset();
+    m_fixture.reset();
 }
 
-QTEST_MAIN(ByHand)
+#define BY_HAND(lesson)                                                                                      \
+    std::unique_ptr<QObject> tst_by_hand_##lesson()                                                          \
+    {                                                                                                        \
+        return std::make_unique<ByHand>(#lesson);                                                            \
+    }
+
+BY_HAND(single_spring)
+BY_HAND(two_body)
+BY_HAND(multi_foot)
+BY_HAND(gravity_walls)
+BY_HAND(walking_gait)
+BY_HAND(swaying_tree)
+BY_HAND(rigid_constraint)
+BY_HAND(codeling)
+BY_HAND(accuracy)
+BY_HAND(hard_cases)
+
 #include "tst_by_hand.moc"

@@ -11,7 +11,7 @@ namespace sim {
 namespace {
 
 constexpr int maxDampings = 6;           ///< each twice the previous one
-constexpr double maxWork = 2e7;          ///< per trial: points times phases, plus force evaluations
+constexpr double maxTrialWork = 2e7;     ///< per trial: points times phases, plus force evaluations
 constexpr double toleranceFactor = 10.0; ///< from one tolerance to the next
 constexpr double maxTolerance = 100.0;   ///< px
 constexpr double firstKeptPart = 0.95;   ///< of a velocity, when there was no damping
@@ -49,7 +49,7 @@ try {
     const bool isReached = track.seek({frames, 0}, [&] {
         phases += 1.0;
         const double forces = static_cast<double>(track.state().pointEvaluations);
-        return points * phases + forces < maxWork && shouldContinue();
+        return points * phases + forces < maxTrialWork && shouldContinue();
     });
     if (!isReached)
         return Trial::tooLong;
@@ -59,7 +59,7 @@ try {
     return Trial::unstable; // the script does not compose
 }
 
-std::vector<Remedy> smallerSteps(const Script &script)
+std::vector<Remedy> withSmallerSteps(const Script &script)
 {
     std::vector<Remedy> all;
     for (const StepSize step : shorterSteps(script.step.h))
@@ -148,7 +148,7 @@ std::vector<Remedy> remediesAfter(const Script &script, const Stop &stop, const 
     std::vector<Remedy> all;
     const std::int64_t frames = stop.frame + framesAfterStop;
     if (!script.step.isAdaptive())
-        addFirst(smallerSteps(script), script, frames, shouldContinue, all);
+        addFirst(withSmallerSteps(script), script, frames, shouldContinue, all);
     else if (stop.reason == StopReason::tooManySteps)
         addFirst(largerTolerances(script), script, frames, shouldContinue, all);
     if (damp)

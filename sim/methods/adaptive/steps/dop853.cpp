@@ -186,7 +186,7 @@ const EmbeddedPair &dop853Pair()
 
 namespace {
 
-const StepRule &rule()
+const StepRule &dop853Rule()
 {
     static const EmbeddedRungeKutta instance(dop853Pair());
     return instance;
@@ -195,8 +195,8 @@ const StepRule &rule()
 }
 
 Dop853::Dop853()
-    : Adaptive(rule(), {{"sim/methods/adaptive/steps/embedded_runge_kutta.cpp", "embedded_step"},
-                        {"sim/methods/adaptive/steps/dop853.cpp", "dop853_tableau"}})
+    : Adaptive(dop853Rule(), {{"sim/methods/adaptive/steps/embedded_runge_kutta.cpp", "embedded_step"},
+                              {"sim/methods/adaptive/steps/dop853.cpp", "dop853_tableau"}})
 {
 }
 

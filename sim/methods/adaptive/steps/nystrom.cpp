@@ -10,7 +10,7 @@ namespace sim {
 
 namespace {
 
-NystromTableau eighthOrder()
+NystromTableau nystromOfOrderEight()
 {
     NystromTableau t;
     //! [nystrom_tableau]
@@ -94,7 +94,7 @@ void NystromWeights::set(const NystromTableau &coefficients, double c, double st
     }
 }
 
-RungeKuttaNystrom::RungeKuttaNystrom() : m_tableau(eighthOrder()) {}
+RungeKuttaNystrom::RungeKuttaNystrom() : m_tableau(nystromOfOrderEight()) {}
 
 // Shown lines are short.
 // clang-format off
@@ -186,7 +186,7 @@ void RungeKuttaNystrom::dense(const double *columns, int size, int first, int en
 
 namespace {
 
-const StepRule &rule()
+const StepRule &nystromRule()
 {
     static const RungeKuttaNystrom instance;
     return instance;
@@ -195,8 +195,8 @@ const StepRule &rule()
 }
 
 Nystrom::Nystrom()
-    : Adaptive(rule(), {{"sim/methods/adaptive/steps/nystrom.cpp", "nystrom_step"},
-                        {"sim/methods/adaptive/steps/nystrom.cpp", "nystrom_tableau"}})
+    : Adaptive(nystromRule(), {{"sim/methods/adaptive/steps/nystrom.cpp", "nystrom_step"},
+                               {"sim/methods/adaptive/steps/nystrom.cpp", "nystrom_tableau"}})
 {
 }
 

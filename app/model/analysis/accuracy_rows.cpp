@@ -1,0 +1,79 @@
+#include "app/model/analysis/accuracy_rows.h"
+
+#include "app/model/text/accuracy_text.h"
+#include "app/model/text/csv.h"
+#include "sim/pipeline/method.h"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+void append(QByteArray &text, double value)
+{
+    text += ',';
+    appendNumber(text, value);
+}
+
+void appendRow(QByteArray &text, const sim::AccuracyRow &row)
+{
+    text += quotedField(QString::fromStdString(row.setup.method->id()));
+    text += ',' + QByteArray::number(row.setup.method->order()) + ',';
+    if (!row.setup.step.isAdaptive())
+        appendNumber(text, row.setup.step.h);
+    text += ',';
+    if (row.setup.step.isAdaptive())
+        appendNumber(text, row.setup.step.tolerance);
+    append(text, row.error);
+    append(text, row.evaluations);
+    const bool isTimed = row.nsPerFrame > 0.0;
+    text += ',';
+    if (isTimed)
+        appendNumber(text, row.nsPerFrame);
+    text += ',';
+    if (isTimed)
+        appendNumber(text, row.spread);
+    text += row.front ? ",1\n" : ",0\n";
+}
+
+}
+
+QByteArray accuracyRows(const sim::Accuracy &accuracy)
+{
+    // The same column titles as in the command line.
+    const QByteArray titles = "method,order,\"h [frames]\",\"tolerance [px]\",\"error [px]\",evaluations,"
+                              "ns_per_frame,spread,front\n";
+    QByteArray text;
+    for (const sim::AccuracyRow &row : accuracy.rows) {
+        if (row.outcome == sim::Outcome::measured)
+            appendRow(text, row);
+    }
+    return text.isEmpty() ? text : titles + text;
+}
+
+QByteArray errorsOverRun(const sim::Accuracy &accuracy, const std::vector<std::size_t> &rows)
+{
+    if (rows.empty())
+        return {};
+    QByteArray text = "frame";
+    std::size_t frames = 0;
+    for (const std::size_t row : rows) {
+        text += ',' + quotedField(QStringLiteral("%1 [px]").arg(wayWords(accuracy.rows[row].setup)));
+        frames = std::max(frames, accuracy.rows[row].errorAt.size());
+    }
+    text += '\n';
+    for (std::size_t frame = 0; frame < frames; ++frame) {
+        text += QByteArray::number(static_cast<qulonglong>(frame));
+        for (const std::size_t row : rows) {
+            const std::vector<double> &errors = accuracy.rows[row].errorAt;
+            text += ',';
+            if (frame < errors.size())
+                appendNumber(text, errors[frame]);
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+}

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace app {
+
+/// The vertical axis of a growth map. The horizontal axis is always stiffness.
+enum class MapPlane { step, damping };
+
+}

@@ -1,0 +1,191 @@
+#include "app/model/breakpoints/breakpoint_monitor.h"
+
+#include "app/model/code/code_listing.h"
+#include "app/model/code/source_files.h"
+#include "app/model/text/sentences.h"
+#include "app/model/text/user_error.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/sleeping/sleep.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct BreakpointMonitorText
+{
+    Q_DECLARE_TR_FUNCTIONS(BreakpointMonitorText)
+};
+
+const sim::Phase &nextPhase(const sim::Timeline &run)
+{
+    return run.track().nextInterval()->pipeline.phaseAt(run.cursor().phase);
+}
+
+QString sentenceFor(const Breakpoint &breakpoint, const sim::Timeline &run)
+{
+    const QString why = !breakpoint.condition.isEmpty() ? breakpoint.condition
+                                                        : BreakpointMonitorText::tr("%1, line %2")
+                                                              .arg(fileName(breakpoint.place->file))
+                                                              .arg(breakpoint.place->line);
+    return BreakpointMonitorText::tr("Stopped at frame %1 before %2: %3.")
+        .arg(QString::number(run.cursor().frame), phrase(nextPhase(run).title), why);
+}
+
+}
+
+ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &timeline)
+{
+    const sim::Track &track = timeline.track();
+    ConditionNames names{track.interval().scene, timeline.values(), track.nextInterval()->pipeline};
+    for (const lessons::Parameter &parameter : step.parameters) {
+        if (!parameter.choices.isEmpty())
+            names.choices[parameter.id] = parameter.choices;
+    }
+    return names;
+}
+
+std::vector<int> phasesAt(const CodePlace &place, const sim::Pipeline &pipeline)
+{
+    SourceFiles book;
+    const auto has = [&](const sim::Region &region) {
+        if (QString::fromStdString(region.file) != place.file)
+            return false;
+        const auto text = book.text(region);
+        return text && std::any_of(text->begin(), text->end(),
+                                   [&](const SourceLine &line) { return line.number == place.line; });
+    };
+    std::vector<int> found;
+    for (int i = 0; i < pipeline.phasesPerStep(); ++i) {
+        const std::vector<sim::Region> &regions = pipeline.phases[static_cast<std::size_t>(i)].regions;
+        if (std::any_of(regions.begin(), regions.end(), has))
+            found.push_back(i);
+    }
+    return found;
+}
+
+void BreakpointMonitor::watch(const std::vector<Breakpoint> &breakpoints, const lessons::Step &step)
+{
+    m_step = &step;
+    m_watched.clear();
+    for (const Breakpoint &one : breakpoints) {
+        if (one.isOn)
+            m_watched.push_back({one, {}, {}});
+    }
+    m_shown = m_next = nullptr;
+    m_rowsOver = 0;
+}
+
+void BreakpointMonitor::fit(const sim::Timeline &run)
+{
+    const std::shared_ptr<const sim::ComposedInterval> shown = run.track().intervalPtr(),
+                                                       next = run.track().nextInterval();
+    if (shown == m_shown && next == m_next)
+        return;
+    m_shown = shown;
+    m_next = next;
+    const ConditionNames names = conditionNames(*m_step, run);
+    for (Watched &one : m_watched) {
+        one.condition.reset();
+        one.phases.clear();
+        if (one.breakpoint.place)
+            one.phases = phasesAt(*one.breakpoint.place, next->pipeline);
+        one.isInForce = !one.breakpoint.place || !one.phases.empty();
+        if (one.breakpoint.condition.isEmpty())
+            continue;
+        try {
+            one.condition = Condition::parse(one.breakpoint.condition, names);
+        } catch (const UserError &) {
+            one.isInForce = false; // a name in it does not exist here; the list of breakpoints says so
+        }
+    }
+}
+
+bool BreakpointMonitor::holds(const Watched &one, const sim::Timeline &run) const
+{
+    return one.isInForce &&
+           (!one.condition || one.condition->holds({run.state(), run.cursor().frame, &nextPhase(run)}));
+}
+
+void BreakpointMonitor::checkBreakpoints(const sim::Timeline &run)
+{
+    fit(run);
+    for (Watched &one : m_watched)
+        one.held = !one.breakpoint.place && holds(one, run);
+}
+
+sim::Cursor BreakpointMonitor::nextPlace(const sim::Timeline &run, sim::Cursor target) const
+{
+    const sim::Pipeline &pipeline = run.track().nextInterval()->pipeline;
+    const auto mayStopAt = [&](int phase) {
+        return std::any_of(m_watched.begin(), m_watched.end(), [&](const Watched &one) {
+            return one.isInForce &&
+                   (!one.breakpoint.place || std::find(one.phases.begin(), one.phases.end(),
+                                                       phase % pipeline.phasesPerStep()) != one.phases.end());
+        });
+    };
+    const sim::Cursor at = run.cursor();
+    const sim::Cursor outputEnd{at.frame + run.track().framesPerOutput(), 0};
+    for (int phase = at.phase + 1; phase < pipeline.phasesPerOutput(); ++phase) {
+        if (mayStopAt(phase))
+            return std::min(target, {at.frame, phase});
+    }
+    return std::min(target, outputEnd);
+}
+
+std::optional<BreakHit> BreakpointMonitor::hitAt(const sim::Timeline &run)
+{
+    fit(run);
+    const int phase = run.cursor().phase % m_next->pipeline.phasesPerStep();
+    const Breakpoint *hit = nullptr;
+    for (Watched &one : m_watched) {
+        const bool isHere = !one.breakpoint.place ||
+                            std::find(one.phases.begin(), one.phases.end(), phase) != one.phases.end();
+        if (!isHere)
+            continue;
+        const bool now = holds(one, run);
+        if (now && !one.held && !hit)
+            hit = &one.breakpoint;
+        one.held = now && !one.breakpoint.place;
+    }
+    if (!hit)
+        return std::nullopt;
+    return BreakHit{hit->id, run.cursor(), sentenceFor(*hit, run)};
+}
+
+std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor target)
+{
+    if (run.cursor() != m_last)
+        m_rowsOver = 0;
+    checkBreakpoints(run);
+    target.frame =
+        target.frame / run.track().framesPerOutput() * run.track().framesPerOutput(); // rounded as in seek()
+    std::optional<BreakHit> hit;
+    while (!hit && run.cursor() < target) {
+        const sim::Cursor wanted = nextPlace(run, target);
+        run.seek(wanted);
+        if (run.cursor() != wanted) { // the run ends before the target
+            run.seek(target);
+            break;
+        }
+        hit = hitAt(run);
+        if (run.cursor().phase == 0)
+            m_rowsOver = run.isFinished() ? m_rowsOver + 1 : 0;
+    }
+    m_last = run.cursor();
+    return hit;
+}
+
+bool BreakpointMonitor::mayStillStop(const sim::Timeline &run) const
+{
+    const bool readsFrame = std::any_of(m_watched.begin(), m_watched.end(), [](const Watched &one) {
+        return one.isInForce && one.condition && one.condition->readsFrame();
+    });
+    // Sleeping bodies repeat a cycle of states. After one whole cycle, all of them have been checked.
+    return isWatching() && (readsFrame || !run.isFinished() || m_rowsOver <= sim::CycleDetector::longest);
+}
+
+}

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "app/model/breakpoints/breakpoints.h"
+#include "app/model/breakpoints/condition.h"
+#include "lessons/api/step.h"
+#include "sim/run/timeline.h"
+
+namespace app {
+
+/// The breakpoint at which a run has stopped.
+struct BreakHit
+{
+    int id = 0; ///< id of the breakpoint
+    sim::Cursor at;
+    QString sentence; ///< "Stopped at frame 41 before gravity: foot0.y > 380."
+};
+
+/// Returns the names that conditions of `step` may use at the cursor of `timeline`.
+ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &timeline);
+
+/// Returns the phases in one step of `pipeline` whose source contains the line `place`.
+std::vector<int> phasesAt(const CodePlace &place, const sim::Pipeline &pipeline);
+
+/// Advances runs and stops them at breakpoints. A breakpoint with a line stops before each phase of that line, if its
+/// condition holds. A breakpoint without a line stops before the first phase at which its condition becomes true. The
+/// starting point never counts, so a stopped run can go on.
+class BreakpointMonitor
+{
+public:
+    /// Sets the breakpoints of `step` to watch from now on. `step` must outlive this monitor.
+    void watch(const std::vector<Breakpoint> &breakpoints, const lessons::Step &step);
+    /// Returns whether there are breakpoints to watch.
+    bool isWatching() const { return !m_watched.empty(); }
+
+    /// Advances `run` to `target`, to the end of the run, or to the next breakpoint. Returns the breakpoint if the run
+    /// stopped at one.
+    std::optional<BreakHit> run(sim::Timeline &run, sim::Cursor target);
+    /// Returns whether a finished run (see Timeline::isOver()) may still reach a breakpoint if time goes on.
+    bool mayStillStop(const sim::Timeline &run) const;
+
+private:
+    struct Watched
+    {
+        Breakpoint breakpoint;
+        std::optional<Condition> condition;
+        std::vector<int> phases; ///< of a step; empty without a line
+        bool isInForce = false;  ///< whether the line runs here, and the condition is valid here
+        bool held = false;       ///< whether the condition held one phase ago; only without a line
+    };
+
+    /// Parses the conditions and finds the phases again if the scene or the pipeline has changed.
+    void fit(const sim::Timeline &run);
+    void checkBreakpoints(const sim::Timeline &run);
+    bool holds(const Watched &one, const sim::Timeline &run) const;
+    sim::Cursor nextPlace(const sim::Timeline &run, sim::Cursor target) const;
+    std::optional<BreakHit> hitAt(const sim::Timeline &run);
+
+    const lessons::Step *m_step = nullptr;
+    std::vector<Watched> m_watched;
+    std::shared_ptr<const sim::ComposedInterval> m_shown,
+        m_next;         ///< the intervals that m_watched was prepared for
+    sim::Cursor m_last; ///< where run() stopped last
+    int m_rowsOver = 0; ///< consecutive output steps checked since the run was over
+};
+
+}

@@ -1,0 +1,120 @@
+#include "app/model/breakpoints/condition.h"
+
+#include "app/model/breakpoints/condition_parser.h"
+#include "sim/pipeline/method.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+using Kind = Condition::Operation::Kind;
+
+/// Returns the number that an operation without operands reads.
+double read(const Condition::Operation &operation, const ConditionMoment &moment)
+{
+    const sim::State &state = moment.state;
+    switch (operation.kind) {
+    case Kind::frame:
+        return static_cast<double>(moment.frame);
+    case Kind::x:
+        return state.position(operation.point, 0);
+    case Kind::y:
+        return state.position(operation.point, 1);
+    case Kind::vx:
+        return state.velocity(operation.point, 0);
+    case Kind::vy:
+        return state.velocity(operation.point, 1);
+    case Kind::angle:
+        return state.angle[operation.point];
+    case Kind::spin:
+        return state.spin[operation.point];
+    case Kind::phaseIs:
+        return moment.next && std::find(operation.phases.begin(), operation.phases.end(),
+                                        moment.next->id + '/' + moment.next->title) != operation.phases.end();
+    default:
+        return operation.number;
+    }
+}
+
+double single(Kind kind, double value)
+{
+    switch (kind) {
+    case Kind::minus:
+        return -value;
+    case Kind::absolute:
+        return std::abs(value);
+    case Kind::root:
+        return std::sqrt(value);
+    default:
+        return value == 0.0; // negate
+    }
+}
+
+double ofTwo(Kind kind, double a, double b)
+{
+    switch (kind) {
+    case Kind::add:
+        return a + b;
+    case Kind::subtract:
+        return a - b;
+    case Kind::multiply:
+        return a * b;
+    case Kind::divide:
+        return a / b;
+    case Kind::less:
+        return a < b;
+    case Kind::lessOrEqual:
+        return a <= b;
+    case Kind::greater:
+        return a > b;
+    case Kind::greaterOrEqual:
+        return a >= b;
+    case Kind::equal:
+        return a == b;
+    case Kind::notEqual:
+        return a != b;
+    case Kind::both:
+        return a != 0.0 && b != 0.0;
+    default:
+        return a != 0.0 || b != 0.0; // either
+    }
+}
+
+}
+
+Condition Condition::parse(const QString &text, const ConditionNames &names)
+{
+    Condition condition;
+    condition.m_program = ConditionParser(text, names).parse();
+    return condition;
+}
+
+bool Condition::holds(const ConditionMoment &moment) const
+{
+    std::vector<double> stack;
+    stack.reserve(m_program.size());
+    for (const Operation &operation : m_program) {
+        if (operation.kind >= Kind::add && operation.kind <= Kind::either) {
+            const double right = stack.back();
+            stack.pop_back();
+            stack.back() = ofTwo(operation.kind, stack.back(), right);
+        } else if (operation.kind == Kind::minus || operation.kind == Kind::absolute ||
+                   operation.kind == Kind::root || operation.kind == Kind::negate) {
+            stack.back() = single(operation.kind, stack.back());
+        } else {
+            stack.push_back(read(operation, moment));
+        }
+    }
+    return stack.back() != 0.0;
+}
+
+bool Condition::readsFrame() const
+{
+    return std::any_of(m_program.begin(), m_program.end(),
+                       [](const Operation &one) { return one.kind == Kind::frame; });
+}
+
+}

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "app/model/breakpoints/condition.h"
+
+#include <QHash>
+
+/// The names that a condition may use, for look-up and for error messages.
+namespace app::condition_names {
+
+/// @throws UserError "Character 7: why"
+[[noreturn]] void refuse(qsizetype place, const QString &why);
+
+/// Returns a few of `names` for a sentence.
+QString someOf(const QStringList &names);
+/// Returns the names of the first bodies.
+QStringList bodiesOf(const sim::Scene &scene);
+QStringList parametersOf(const sim::Values &values);
+/// Returns each phase title once, in the learner's language.
+QStringList phasesOf(const sim::Pipeline &pipeline);
+/// Returns the numbers that each body has in a state such as `state`, by name.
+QHash<QString, Condition::Operation::Kind> membersOf(const sim::State &state);
+/// Returns the names of `members` as a list for a sentence.
+QString listOf(const QHash<QString, Condition::Operation::Kind> &members);
+
+}

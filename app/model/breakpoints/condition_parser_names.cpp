@@ -1,0 +1,109 @@
+// Resolves the names in a condition.
+
+#include "app/model/breakpoints/condition_names.h"
+#include "app/model/breakpoints/condition_parser.h"
+#include "app/model/text/quoting.h"
+#include "app/model/text/sentences.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/scene/scene.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+using namespace condition_names;
+
+namespace {
+
+struct ConditionParserNamesText
+{
+    Q_DECLARE_TR_FUNCTIONS(ConditionParserNamesText)
+};
+
+}
+
+ConditionParser::Part ConditionParser::phaseIs(const Part &text, bool equal)
+{
+    Condition::Operation is{Kind::phaseIs};
+    for (const sim::Phase &phase : m_names.pipeline.phases) {
+        const bool called = text.text == phrase(phase.title) ||
+                            text.text == QString::fromStdString(phase.title) ||
+                            text.text == QString::fromStdString(phase.id);
+        if (called)
+            is.phases.push_back(phase.id + '/' + phase.title);
+    }
+    if (is.phases.empty())
+        refuse(text.place, ConditionParserNamesText::tr("there is no phase %1; there are %2.")
+                               .arg(quoted(text.text), someOf(phasesOf(m_names.pipeline))));
+    Part whole{Type::truth, {is}, text.place, {}, {}};
+    if (!equal)
+        whole.program.push_back({Kind::negate});
+    return whole;
+}
+
+ConditionParser::Part ConditionParser::choiceIs(const Part &choice, const Part &text, Part whole, Kind kind)
+{
+    const qsizetype index = choice.choices.indexOf(text.text);
+    if (index < 0)
+        refuse(text.place, ConditionParserNamesText::tr("%1 is never %2; it can be %3.")
+                               .arg(choice.text, quoted(text.text), someOf(choice.choices)));
+    Part value{Type::number, {{Kind::number, static_cast<double>(index)}}, text.place, {}, {}};
+    return joined(std::move(whole), std::move(value), kind, Type::truth);
+}
+
+ConditionParser::Part ConditionParser::named()
+{
+    const ConditionToken word = now();
+    if (word.text == u"abs" || word.text == u"sqrt")
+        return function(word.text == u"abs" ? Kind::absolute : Kind::root);
+    if (word.text.contains('.'))
+        return bodyNumber(word);
+    ++m_at;
+    if (word.text == u"frame")
+        return {Type::number, {{Kind::frame}}, word.place, word.text, {}};
+    if (word.text == u"phase")
+        return {Type::phase, {}, word.place, word.text, {}};
+    const std::string id = word.text.toStdString();
+    if (!m_names.values.has(id))
+        refuseName(word);
+    const auto choices = m_names.choices.find(word.text);
+    const bool isChoice = choices != m_names.choices.end() && !choices->second.isEmpty();
+    return {isChoice ? Type::choice : Type::number,
+            {{Kind::number, m_names.values[id]}},
+            word.place,
+            word.text,
+            isChoice ? choices->second : QStringList()};
+}
+
+ConditionParser::Part ConditionParser::bodyNumber(const ConditionToken &word)
+{
+    ++m_at;
+    const qsizetype dot = word.text.lastIndexOf('.');
+    const QString body = word.text.left(dot), member = word.text.mid(dot + 1);
+    const int point = m_names.scene.find(body.toStdString());
+    const QHash<QString, Kind> members = membersOf(m_names.scene.start);
+    if (m_names.scene.find(word.text.toStdString()) >= 0)
+        refuseName(word);
+    if (point < 0)
+        refuse(word.place, ConditionParserNamesText::tr("there is no body %1 here; there are %2.")
+                               .arg(quoted(body), someOf(bodiesOf(m_names.scene))));
+    if (!members.contains(member))
+        refuse(word.place + dot + 1, ConditionParserNamesText::tr("%1 has no %2; it has %3.")
+                                         .arg(body, quoted(member), listOf(members)));
+    return {Type::number, {{members[member], 0.0, point}}, word.place, word.text, {}};
+}
+
+void ConditionParser::refuseName(const ConditionToken &word) const
+{
+    if (m_names.scene.find(word.text.toStdString()) >= 0)
+        refuse(word.place,
+               ConditionParserNamesText::tr("%1 is a body; ask for one of its numbers, as in %1.y (%2).")
+                   .arg(word.text, listOf(membersOf(m_names.scene.start))));
+    QStringList known = {QStringLiteral("frame"), QStringLiteral("phase")};
+    known += parametersOf(m_names.values);
+    refuse(word.place, ConditionParserNamesText::tr(
+                           "there is no %1 here; there are %2, and numbers of bodies, as in %3.y.")
+                           .arg(quoted(word.text), someOf(known), bodiesOf(m_names.scene).value(0)));
+}
+
+}

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "app/model/code/code_listing.h"
+
+#include <utility>
+
+namespace app {
+
+// Helpers for comparing the lines of two listings.
+
+/// File and line number.
+using CodeLinePlace = std::pair<QString, int>;
+
+inline CodeLinePlace placeOf(const CodeLine &line)
+{
+    return {line.file, line.source.number};
+}
+
+/// Returns the text of the line without spaces. Empty for a line without meaning of its own, such as a lone brace.
+QString comparable(const CodeLine &line);
+
+}

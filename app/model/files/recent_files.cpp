@@ -1,0 +1,35 @@
+#include "app/model/files/recent_files.h"
+
+#include <QFileInfo>
+#include <QSettings>
+
+namespace app {
+
+namespace {
+
+const char *const key = "files/recent";
+
+}
+
+QStringList recentFiles()
+{
+    return QSettings().value(key).toStringList().mid(0, mostRecentFiles);
+}
+
+void addRecentFile(const QString &path)
+{
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList files = recentFiles();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    QSettings().setValue(key, QStringList(files.mid(0, mostRecentFiles)));
+}
+
+void dropRecentFile(const QString &path)
+{
+    QStringList files = recentFiles();
+    files.removeAll(QFileInfo(path).absoluteFilePath());
+    QSettings().setValue(key, files);
+}
+
+}

@@ -1,0 +1,32 @@
+#include "app/model/run/idle_task.h"
+
+#include <algorithm>
+
+namespace app {
+
+IdleTask::IdleTask(Work work) : m_work(std::move(work))
+{
+    m_timer.setSingleShot(true);
+    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] { runSlice(); });
+}
+
+void IdleTask::goOn()
+{
+    m_timer.start(0);
+}
+
+void IdleTask::runSlice()
+{
+    m_work(m_timer.interval() > 0 ? small : whole);
+}
+
+void IdleTask::runWhileMoved()
+{
+    const bool breathes = m_timer.isActive() && m_timer.interval() > 0;
+    const int left = breathes ? std::max(1, m_timer.remainingTime()) : breath;
+    m_work(atOnce);
+    if (m_timer.isActive())
+        m_timer.start(left);
+}
+
+}

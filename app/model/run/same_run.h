@@ -1,0 +1,18 @@
+#pragma once
+
+#include "sim/run/script/script.h"
+
+namespace app {
+
+// Comparison of scripts, to tell whether a cached run is still up to date.
+
+/// Returns `script` without its input and without the functions that build its scene.
+sim::Script withoutInput(const sim::Script &script);
+
+/// Returns whether two scripts of the same step make the same run, apart from their input.
+bool sameRun(const sim::Script &a, const sim::Script &b);
+
+/// Returns whether two scripts of the same step make the same run, including their input.
+bool sameScript(const sim::Script &a, const sim::Script &b);
+
+}

@@ -1,0 +1,197 @@
+#include "app/model/sandbox/sandbox.h"
+
+#include "app/model/sandbox/blueprint_limits.h"
+#include "app/model/text/quoting.h"
+#include "app/model/text/sentences.h"
+#include "lessons/api/blueprint_of.h"
+#include "sim/base/error.h"
+#include "sim/effects/all_effects.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/blueprint_draft.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct SandboxText
+{
+    Q_DECLARE_TR_FUNCTIONS(SandboxText)
+};
+
+/// Returns the parameter values of the sandbox run: the exported values, limited to their ranges.
+sim::Values valuesOf(const lessons::Step &sandbox, const sim::BlueprintDraft &draft)
+{
+    sim::Values values = sandbox.defaultValues();
+    for (const auto &[id, number] : draft.parameters) {
+        const lessons::Parameter *parameter = sandbox.parameter(QString::fromStdString(id));
+        if (parameter)
+            values.set(id, std::clamp(number, parameter->min, parameter->max));
+    }
+    values.blueprint = std::make_shared<const sim::Blueprint>(draft.blueprint);
+    return values;
+}
+
+/// Returns the order in which the groups of a scene move, if there are several and `method` keeps it. Empty if all move
+/// at once. A sandbox scene is one group.
+QStringList orderOf(const sim::Scene &scene, const sim::Method &method)
+{
+    const std::vector<std::string> needs = method.requirements();
+    QStringList order;
+    if (scene.groups.size() > 1 && std::find(needs.begin(), needs.end(), "groups") != needs.end()) {
+        for (const sim::Group &group : scene.groups)
+            order << phrase(group.title);
+    }
+    return order;
+}
+
+QString sentenceOf(const sim::BlueprintDraft &draft, const QStringList &order)
+{
+    QStringList names;
+    for (const std::string &one : draft.omitted)
+        names << phrase(one);
+    if (!order.isEmpty())
+        names << SandboxText::tr("the order in which points move (%1), because here all move at once")
+                     .arg(order.join(QStringLiteral(", ")));
+    if (names.isEmpty())
+        return SandboxText::tr("This is your own copy of the scene: change what you like.");
+    return SandboxText::tr(
+               "This is your own copy of the scene. It could not be copied completely. Missing: %1.")
+        .arg(names.join(QStringLiteral(", ")));
+}
+
+/// Returns whether a file can hold the positions and velocities of all points.
+bool isWithinLimits(const sim::Blueprint &plan)
+{
+    return std::all_of(plan.points.begin(), plan.points.end(), [](const sim::BlueprintPoint &one) {
+        return built::place.holds(one.x.x) && built::place.holds(one.x.y) && built::speed.holds(one.v.x) &&
+               built::speed.holds(one.v.y);
+    });
+}
+
+/// Returns whether the run of `script` can be set up.
+bool fits(const sim::Script &script)
+{
+    try {
+        sim::compose(sim::sceneOf(script, script.values), *script.method, script.step);
+        return true;
+    } catch (const sim::Error &) {
+        return false;
+    }
+}
+
+}
+
+const LessonEntry *sandboxOf(const LessonLibrary &library)
+{
+    return library.sandboxes.empty() ? nullptr : &library.sandboxes.front();
+}
+
+ExportedScene takenScene(const Session &session, const lessons::Step &sandbox)
+{
+    const Picture picture = session.presentation().picture();
+    if (picture.state.pointCount() > int(built::mostPoints))
+        throw UserError(
+            SandboxText::tr(
+                "This scene has %1 points, but the sandbox allows only %2. Choose a smaller scene.")
+                .arg(picture.state.pointCount())
+                .arg(built::mostPoints));
+    const std::optional<sim::BlueprintDraft> draft =
+        lessons::blueprintOf(picture.interval->scene, picture.state, *picture.view);
+    if (!draft)
+        throw UserError(
+            SandboxText::tr("The sandbox cannot open this scene, because it has no branches with joints. "
+                            "Take another scene, or look at the examples in the sandbox."));
+    if (!isWithinLimits(draft->blueprint))
+        throw UserError(
+            SandboxText::tr("This scene has flown apart: a point is more than %1 px away, or moves that far "
+                            "in a frame. Go back in time, and take the scene from there.")
+                .arg(exactNumber(built::place.max)));
+    const sim::Script &now = session.timeline().script();
+    ExportedScene scene;
+    scene.script = sandbox.scriptWith(valuesOf(sandbox, *draft), now.method);
+    scene.script.step = now.step;
+    scene.sentence = sentenceOf(*draft, orderOf(picture.interval->scene, *now.method));
+    if (!fits(scene.script)) {
+        scene.script = sandbox.script();
+        scene.script.values = valuesOf(sandbox, *draft);
+    }
+    return scene;
+}
+
+void takeToSandbox(Session &session)
+{
+    const LessonEntry *sandbox = sandboxOf(session.library());
+    if (!sandbox || session.isSandbox())
+        return;
+    try {
+        const ExportedScene scene = takenScene(session, sandbox->steps.front());
+        session.openStep(sandbox->id, sandbox->steps.front().id);
+        if (session.editor().replaceScene({SandboxText::tr("Take scene to sandbox"), {}, {}}, scene.script))
+            session.showMessage(scene.sentence);
+    } catch (const UserError &error) {
+        session.showMessage(error.sentence());
+    }
+}
+
+bool takeExample(Session &session, const lessons::Example &example)
+{
+    try {
+        const Experiment read = readExperiment(example.file, session.library());
+        return session.editor().replaceScene({SandboxText::tr("Open example %1").arg(example.title), {}, {}},
+                                             read.script);
+    } catch (const UserError &error) {
+        session.showMessage(error.sentence());
+        return false;
+    }
+}
+
+bool canBuild(const Session &session)
+{
+    return session.isSandbox() && session.editor().blueprint() && !session.playback().isPlaying() &&
+           session.timeline().cursor() == sim::Cursor{};
+}
+
+bool setBuiltEffect(Session &session, const QString &id, bool present)
+{
+    const sim::EffectDescription *effect =
+        sim::findDescription(session.step().availableEffects, id.toStdString());
+    if (!effect || !session.editor().blueprint())
+        return false;
+    if (!canBuild(session)) {
+        session.showMessage(
+            SandboxText::tr("You can only build at the start of the run. Press Home to go there."));
+        return false;
+    }
+    sim::Blueprint plan = *session.editor().blueprint();
+    std::erase(plan.effects, effect->id);
+    if (present)
+        plan.effects.push_back(effect->id);
+    const QString title = phrase(effect->title);
+    return session.editor().build(
+        {present ? SandboxText::tr("Add %1").arg(title) : SandboxText::tr("Remove %1").arg(title), {}, {}},
+        std::move(plan));
+}
+
+bool startEmpty(Session &session)
+{
+    sim::Script script = session.step().script();
+    sim::Blueprint plan;
+    plan.points = {{"p0", {270, 200}, {}, 1.0, 20.0, false}};
+    plan.effects = {"gravity", "damping", "walls"};
+    std::erase_if(plan.effects, [&](const std::string &id) {
+        return !sim::findDescription(session.step().availableEffects, id);
+    });
+    script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
+    if (!session.editor().replaceScene({SandboxText::tr("Start new scene"), {}, {}}, script))
+        return false;
+    session.showMessage(SandboxText::tr(
+        "A new scene has one point, the fewest that a scene can have. Move it, or add parts to it."));
+    return true;
+}
+
+}

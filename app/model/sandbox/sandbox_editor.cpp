@@ -1,0 +1,173 @@
+#include "app/model/sandbox/sandbox_editor.h"
+
+#include "app/model/sandbox/sandbox.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+void toggle(std::vector<int> &numbers, int one)
+{
+    const auto place = std::lower_bound(numbers.begin(), numbers.end(), one);
+    if (place != numbers.end() && *place == one)
+        numbers.erase(place);
+    else
+        numbers.insert(place, one);
+}
+
+bool sameParts(const sim::Blueprint &a, const sim::Blueprint &b)
+{
+    const auto sameName = [](const sim::BlueprintPoint &one, const sim::BlueprintPoint &other) {
+        return one.name == other.name;
+    };
+    return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), sameName) &&
+           a.springs.size() == b.springs.size() && a.sticks.size() == b.sticks.size();
+}
+
+}
+
+SandboxEditor::SandboxEditor(Session &session, QObject *parent) : QObject(parent), m_session(session)
+{
+    session.onChange(ChangeKind::step, this, [this] {
+        m_tool = BuildTool::select;
+        m_seen.reset();
+    });
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this,
+                     &SandboxEditor::follow);
+    session.onChange(ChangeKind::selection, this, &SandboxEditor::followSelection);
+}
+
+bool SandboxEditor::canBuild() const
+{
+    return app::canBuild(m_session);
+}
+
+void SandboxEditor::follow()
+{
+    const std::shared_ptr<const sim::Blueprint> now = isOpen() ? m_session.editor().blueprint() : nullptr;
+    const bool can = canBuild();
+    if (now == m_seen && can == m_couldBuild)
+        return;
+    if (!now || !m_seen || (!m_isChanging && !sameParts(*now, *m_seen))) {
+        m_chosen = {}; // after undo, or in another scene, the indices mean other parts
+        m_first.reset();
+    } else {
+        m_chosen = within(*now, m_chosen);
+    }
+    const bool isAnother = now && m_seen && !m_isChanging &&
+                           std::max(now->points.size(), m_seen->points.size()) >
+                               std::min(now->points.size(), m_seen->points.size()) + 1;
+    m_seen = now;
+    m_couldBuild = can;
+    emit changed();
+    if (isAnother)
+        emit replaced();
+}
+
+void SandboxEditor::followSelection()
+{
+    if (m_isSharing || !isOpen())
+        return;
+    const std::string name = m_session.selected().toStdString();
+    const std::vector<sim::BlueprintPoint> &points = plan().points;
+    const auto found = std::find_if(points.begin(), points.end(),
+                                    [&](const sim::BlueprintPoint &one) { return one.name == name; });
+    if (found == points.end())
+        return;
+    const int point = static_cast<int>(found - points.begin());
+    if (!std::binary_search(m_chosen.points.begin(), m_chosen.points.end(), point))
+        choose({{point}, {}, {}});
+}
+
+/// The session shows the values of one body: the last selected one.
+void SandboxEditor::shareChoice()
+{
+    if (m_chosen.points.empty())
+        return;
+    m_isSharing = true;
+    m_session.select(QString::fromStdString(plan().points[std::size_t(m_chosen.points.back())].name));
+    m_isSharing = false;
+}
+
+void SandboxEditor::setTool(BuildTool tool)
+{
+    if (tool == m_tool)
+        return;
+    m_tool = tool;
+    m_first.reset();
+    emit changed();
+}
+
+void SandboxEditor::choose(Selection chosen)
+{
+    if (!isOpen() || chosen == m_chosen)
+        return;
+    m_chosen = within(plan(), chosen);
+    shareChoice();
+    emit changed();
+}
+
+void SandboxEditor::togglePoint(int point)
+{
+    Selection chosen = m_chosen;
+    toggle(chosen.points, point);
+    choose(std::move(chosen));
+}
+
+void SandboxEditor::toggleSpring(int spring)
+{
+    Selection chosen = m_chosen;
+    toggle(chosen.springs, spring);
+    choose(std::move(chosen));
+}
+
+void SandboxEditor::toggleStick(int stick)
+{
+    Selection chosen = m_chosen;
+    toggle(chosen.sticks, stick);
+    choose(std::move(chosen));
+}
+
+bool SandboxEditor::leave()
+{
+    if (m_first) {
+        m_first.reset();
+        emit changed();
+        return true;
+    }
+    if (m_tool != BuildTool::select) {
+        setTool(BuildTool::select);
+        return true;
+    }
+    const bool any = !m_chosen.isEmpty();
+    choose({});
+    return any;
+}
+
+void SandboxEditor::chooseAll()
+{
+    if (isOpen())
+        choose(everything(plan()));
+}
+
+void SandboxEditor::chooseNextLink(int step)
+{
+    if (!isOpen())
+        return;
+    const int springs = static_cast<int>(plan().springs.size());
+    const int all = springs + static_cast<int>(plan().sticks.size());
+    if (all == 0)
+        return;
+    int at = step > 0 ? -1 : 0;
+    if (!m_chosen.springs.empty())
+        at = m_chosen.springs.front();
+    else if (!m_chosen.sticks.empty())
+        at = springs + m_chosen.sticks.front();
+    const int next = (at + step + all) % all;
+    choose(next < springs ? Selection{{}, {next}, {}} : Selection{{}, {}, {next - springs}});
+}
+
+}

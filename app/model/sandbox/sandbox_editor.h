@@ -1,0 +1,109 @@
+#pragma once
+
+#include "app/model/sandbox/blueprint_edits.h"
+#include "app/model/session/session.h"
+
+#include <functional>
+
+namespace app {
+
+/// The action of a click in the view of a sandbox scene.
+enum class BuildTool { select, point, nail, spring, stick, foot };
+
+/// Returns whether the tool links two points.
+inline bool isLinkTool(BuildTool tool)
+{
+    return tool == BuildTool::spring || tool == BuildTool::stick || tool == BuildTool::foot;
+}
+
+/// The editor of a sandbox scene: the current tool, the selection, and the edits. Each edit is one undo step.
+class SandboxEditor : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit SandboxEditor(Session &session, QObject *parent = nullptr);
+
+    /// Returns whether a sandbox scene is open.
+    bool isOpen() const { return m_session.isSandbox() && m_session.editor().blueprint(); }
+    /// Returns whether the selection belongs to the present scene. While a change is being announced, it may still
+    /// belong to the previous one.
+    bool isUpToDate() const { return isOpen() && m_seen == m_session.editor().blueprint(); }
+    /// Returns whether the scene can be edited now, which requires the run to be at its start.
+    bool canBuild() const;
+    /// Returns the scene's plan. Valid only while a sandbox scene is open.
+    const sim::Blueprint &plan() const { return *m_session.editor().blueprint(); }
+
+    BuildTool tool() const { return m_tool; }
+    void setTool(BuildTool tool);
+    const Selection &chosen() const { return m_chosen; }
+    void choose(Selection chosen);
+    /// Adds a part to the selection, or removes it.
+    void togglePoint(int point);
+    void toggleSpring(int spring);
+    void toggleStick(int stick);
+    /// Returns the first end of the spring, stick or foot that was begun, if any.
+    std::optional<int> first() const { return m_first; }
+
+    /// Handles a click with the tool (not `select`) at `at` (px). `hit` is the point under the pointer, or -1.
+    void use(sim::Vec2 at, int hit);
+    /// One end of a drag: a place (px), and the point there, or -1.
+    struct End
+    {
+        sim::Vec2 at;
+        int hit = -1;
+    };
+    /// Handles a drag with the spring, stick or foot tool. It makes one link and any missing points, as one undo step.
+    /// It also ends a chain of clicks.
+    void drag(End from, End to);
+    /// Cancels the innermost action: first an unfinished link, then the tool, then the selection. Returns whether there
+    /// was one.
+    bool leave();
+
+    void moveChosen(sim::Vec2 by);
+    void eraseChosen();
+    void duplicateChosen();
+    void chooseAll();
+    /// Selects the link after (or before) the selected one, springs before sticks.
+    void chooseNextLink(int step);
+    void setEffect(const QString &id, bool present);
+    bool has(const QString &effect) const;
+    void addGaitFor(int foot);
+
+    /// Changes the plan as one undo step with the title `what`. Consecutive edits with the same gesture are merged. If
+    /// the scene cannot be edited now, a message says so and nothing changes. Returns whether the plan was changed.
+    bool change(const QString &what, const std::function<void(sim::Blueprint &)> &edit,
+                const QString &gesture = {});
+
+signals:
+    /// The tool, the selection, the plan, or whether it can be edited has changed.
+    void changed();
+    /// The scene was replaced by another one: an example, a new scene, or the result of undo.
+    void replaced();
+
+private:
+    void follow();
+    void followSelection();
+    void shareChoice();
+    /// Links two points, and adds missing ones, as one edit.
+    void link(End from, End to);
+    /// Adds a link of the tool's kind. Returns its index if there was room.
+    std::optional<int> addLink(sim::Blueprint &plan, int a, int b) const;
+    /// Explains why there is no link. `made` is the link that made the scene invalid; empty if there was no room for
+    /// one.
+    void reportWhyNoLink(int hit, std::optional<int> made);
+    int pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const;
+    void useOnPoint(sim::Vec2 at, int hit);
+    void reportFull();
+
+    Session &m_session;
+    BuildTool m_tool = BuildTool::select;
+    Selection m_chosen;
+    std::optional<int> m_first;
+    std::shared_ptr<const sim::Blueprint> m_seen; ///< the plan that the selection belongs to
+    bool m_couldBuild = false;
+    bool m_isChanging = false; ///< an edit of this editor is changing the plan
+    bool m_isSharing = false;  ///< the selection is being sent to the session
+};
+
+}

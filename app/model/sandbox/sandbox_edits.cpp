@@ -1,0 +1,240 @@
+// Edits of a sandbox scene: each one is one undo step.
+
+#include "app/model/sandbox/sandbox.h"
+#include "app/model/sandbox/sandbox_editor.h"
+#include "app/model/text/sentences.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+const sim::Vec2 besideCopied{20.0, 20.0}; ///< px: offset of copies
+
+QString pointTitle(const sim::Blueprint &plan, int point)
+{
+    return bodyTitle(QString::fromStdString(plan.points[std::size_t(point)].name));
+}
+
+/// Names the selection in a few words, as the object of a sentence: "p1", "spring", "3 parts".
+QString titleOf(const sim::Blueprint &plan, const Selection &chosen)
+{
+    if (chosen.points.size() == 1)
+        return pointTitle(plan, chosen.points.front()); // together with its links
+    if (chosen.count() != 1)
+        return SandboxEditor::tr("%1 parts").arg(chosen.count());
+    return chosen.springs.empty() ? SandboxEditor::tr("stick") : SandboxEditor::tr("spring");
+}
+
+}
+
+bool SandboxEditor::change(const QString &what, const std::function<void(sim::Blueprint &)> &edit,
+                           const QString &gesture)
+{
+    if (!isOpen())
+        return false;
+    if (!canBuild()) {
+        m_session.showMessage(tr("You can only build at the start of the run. Press Home to go there."));
+        return false;
+    }
+    sim::Blueprint next = plan();
+    edit(next);
+    if (next == plan())
+        return false;
+    m_isChanging = true;
+    const bool built = m_session.editor().build({what, {}, gesture}, std::move(next));
+    m_isChanging = false;
+    return built;
+}
+
+void SandboxEditor::reportFull()
+{
+    m_session.showMessage(tr("The scene has too many of this kind. Delete some first."));
+}
+
+int SandboxEditor::pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const
+{
+    return hit >= 0 ? hit : addPoint(plan, at).value_or(-1);
+}
+
+void SandboxEditor::useOnPoint(sim::Vec2 at, int hit)
+{
+    const bool nails = m_tool == BuildTool::nail;
+    int point = hit;
+    const auto edit = [&](sim::Blueprint &plan) {
+        point = pointAt(plan, at, hit);
+        if (point >= 0 && nails)
+            plan.points[std::size_t(point)].fixed = !plan.points[std::size_t(point)].fixed;
+    };
+    if (hit >= 0 && !nails) { // there is a point already
+        choose({{hit}, {}, {}});
+        return;
+    }
+    const QString what = !nails    ? tr("Add point")
+                         : hit < 0 ? tr("Add nail")
+                         : plan().points[std::size_t(hit)].fixed
+                             ? tr("Free %1").arg(pointTitle(plan(), hit))
+                             : tr("Nail %1 down").arg(pointTitle(plan(), hit));
+    if (change(what, edit))
+        choose({{point}, {}, {}});
+    else if (point < 0)
+        reportFull();
+}
+
+void SandboxEditor::use(sim::Vec2 at, int hit)
+{
+    if (!isOpen() || m_tool == BuildTool::select)
+        return;
+    if (!canBuild()) {
+        change({}, [](sim::Blueprint &) {}); // shows the message that explains why
+        return;
+    }
+    if (m_tool == BuildTool::point || m_tool == BuildTool::nail) {
+        useOnPoint(at, hit);
+        return;
+    }
+    if (m_first) {
+        link({{}, *m_first}, {at, hit});
+        return;
+    }
+    int point = hit;
+    if (hit < 0 && !change(tr("Add point"), [&](sim::Blueprint &plan) { point = pointAt(plan, at, hit); })) {
+        if (point < 0)
+            reportFull();
+        return;
+    }
+    m_first = point;
+    choose({{point}, {}, {}});
+    emit changed();
+}
+
+void SandboxEditor::drag(End from, End to)
+{
+    if (!isOpen() || !isLinkTool(m_tool))
+        return;
+    m_first.reset();
+    link(from, to);
+    m_first.reset(); // a drag makes one link: the next one starts anew
+    emit changed();
+}
+
+std::optional<int> SandboxEditor::addLink(sim::Blueprint &plan, int a, int b) const
+{
+    return m_tool == BuildTool::spring  ? addSpring(plan, a, b)
+           : m_tool == BuildTool::stick ? addStick(plan, a, b)
+                                        : addFoot(plan, b, a);
+}
+
+void SandboxEditor::link(End from, End to)
+{
+    std::optional<int> made;
+    int a = from.hit, b = to.hit;
+    const bool isOnePoint = a >= 0 && a == b;
+    const auto edit = [&](sim::Blueprint &plan) {
+        const sim::Blueprint before = plan;
+        a = pointAt(plan, from.at, from.hit);
+        b = pointAt(plan, to.at, to.hit);
+        if (a >= 0 && b >= 0)
+            made = addLink(plan, a, b);
+        if (!made)
+            plan = before; // do not keep a point without its link
+    };
+    const BuildTool tool = m_tool;
+    const QString what = tool == BuildTool::spring  ? tr("Add spring")
+                         : tool == BuildTool::stick ? tr("Add stick")
+                                                    : tr("Add foot");
+    const bool isDone = !isOnePoint && change(what, edit);
+    if (!isDone && !isOnePoint) {
+        reportWhyNoLink(to.hit, made);
+        if (from.hit < 0 || to.hit < 0)
+            return; // keep the first end, so that the learner can click again
+    }
+    m_first = tool == BuildTool::foot ? std::optional(a) // next, another foot of the same body
+              : a != b                ? std::optional(b) // the next link starts here
+                                      : std::nullopt;
+    if (isDone && tool == BuildTool::spring)
+        choose({{}, {*made}, {}});
+    else if (isDone && tool == BuildTool::stick)
+        choose({{}, {}, {*made}});
+    else
+        choose({{b}, {}, {}});
+    emit changed();
+}
+
+void SandboxEditor::reportWhyNoLink(int hit, std::optional<int> made)
+{
+    if (m_tool == BuildTool::foot && hit >= 0 && footOf(plan(), hit))
+        m_session.showMessage(
+            tr("This point is already a foot, and a point can be the foot of only one body. "
+               "Choose another point."));
+    else if (!made)
+        reportFull();
+    // Otherwise the scene was rejected, with a message.
+}
+
+void SandboxEditor::moveChosen(sim::Vec2 by)
+{
+    if (m_chosen.points.empty())
+        return;
+    const std::vector<int> points = m_chosen.points;
+    change(
+        tr("Move %1").arg(titleOf(plan(), {points, {}, {}})),
+        [&](sim::Blueprint &plan) { moveBy(plan, points, by); }, QStringLiteral(":place"));
+}
+
+void SandboxEditor::eraseChosen()
+{
+    if (m_chosen.isEmpty())
+        return;
+    if (m_chosen.points.size() == plan().points.size()) {
+        m_session.showMessage(tr("A scene needs at least one point that can move. Leave one free."));
+        return;
+    }
+    const Selection gone = m_chosen;
+    if (!change(tr("Delete %1").arg(titleOf(plan(), gone)), [&](sim::Blueprint &plan) { erase(plan, gone); }))
+        return;
+    m_chosen = {}; // the indices mean other parts now
+    m_first.reset();
+    emit changed();
+}
+
+void SandboxEditor::duplicateChosen()
+{
+    if (m_chosen.points.empty())
+        return;
+    const Selection old = m_chosen;
+    std::optional<Selection> added;
+    const auto edit = [&](sim::Blueprint &plan) { added = duplicate(plan, old, besideCopied); };
+    if (change(tr("Duplicate %1").arg(titleOf(plan(), old)), edit))
+        choose(*added);
+    else if (canBuild() && !added)
+        m_session.showMessage(
+            tr("With this copy, the scene would have too many parts. Select fewer parts, or "
+               "delete some first."));
+}
+
+bool SandboxEditor::has(const QString &effect) const
+{
+    if (!isOpen())
+        return false;
+    const std::vector<std::string> &all = plan().effects;
+    return std::find(all.begin(), all.end(), effect.toStdString()) != all.end();
+}
+
+void SandboxEditor::setEffect(const QString &id, bool present)
+{
+    if (has(id) != present)
+        setBuiltEffect(m_session, id, present);
+}
+
+void SandboxEditor::addGaitFor(int foot)
+{
+    change(tr("Add gait group"), [&](sim::Blueprint &plan) {
+        if (const std::optional<int> gait = addGait(plan))
+            plan.feet[std::size_t(foot)].gait = *gait;
+    });
+}
+
+}

@@ -1,0 +1,225 @@
+#include "app/model/series/plot_series.h"
+
+#include <QElapsedTimer>
+
+#include <algorithm>
+
+namespace app {
+
+PlotSeries::PlotSeries(Session &session, QObject *parent)
+    : QObject(parent), m_session(session), m_idleTask([this](double milliseconds) { fillFor(milliseconds); })
+{
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::selection | ChangeKind::cursor, this,
+                     &PlotSeries::follow);
+}
+
+void PlotSeries::setActive(bool isActive)
+{
+    m_isActive = isActive;
+    if (!isActive) {
+        m_idleTask.stop();
+        m_isStale = true;
+    } else if (m_isStale) {
+        restart();
+    }
+}
+
+void PlotSeries::setQuantities(std::vector<Quantity> quantities)
+{
+    if (quantities == m_quantities)
+        return;
+    m_quantities = std::move(quantities);
+    restart();
+}
+
+void PlotSeries::setMostRows(std::int64_t rows)
+{
+    rows = std::clamp(rows, PlotWindow::leastRows, allRows);
+    if (rows == m_mostRows)
+        return;
+    m_mostRows = rows;
+    followCursor();
+    announce();
+}
+
+std::size_t PlotSeries::columnOf(const Quantity &quantity) const
+{
+    const auto found = std::find(m_quantities.begin(), m_quantities.end(), quantity);
+    return static_cast<std::size_t>(found - m_quantities.begin());
+}
+
+std::vector<Quantity> PlotSeries::allBound() const
+{
+    std::vector<Quantity> all = m_quantities;
+    for (Quantity &one : all)
+        one = bound(one);
+    return all;
+}
+
+void PlotSeries::restart()
+{
+    m_isStale = !m_isActive;
+    if (m_isStale)
+        return;
+    const sim::Timeline &timeline = m_session.timeline();
+    m_framesPerOutput = timeline.track().framesPerOutput();
+    m_window =
+        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
+    const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
+    m_run = RunSampler(allBound(), m_window.first, m_framesPerOutput, stride);
+    restartComparison();
+    announce();
+    fill();
+}
+
+void PlotSeries::announce()
+{
+    ++m_revision;
+    emit changed();
+}
+
+void PlotSeries::restartComparison()
+{
+    ++m_comparisonRevision;
+    const sim::Track *comparison = m_session.timeline().comparison();
+    const bool fits = comparison && comparison->framesPerOutput() == m_framesPerOutput;
+    m_comparisonScript = fits ? shownBranch() : nullptr;
+    m_comparison =
+        fits ? RunSampler(allBound(), comparisonStart(), m_framesPerOutput, m_run.samples().stride())
+             : RunSampler();
+}
+
+std::int64_t PlotSeries::comparisonStart() const
+{
+    // Start at the last shared moment, so that the two curves meet.
+    const std::int64_t wide = strideOf(m_window, m_framesPerOutput, mostBuckets) * m_framesPerOutput;
+    const std::int64_t fork = std::max<std::int64_t>(0, m_session.timeline().forkFrame() - m_framesPerOutput);
+    return std::max(m_window.first, fork / wide * wide);
+}
+
+std::shared_ptr<const sim::Script> PlotSeries::shownBranch() const
+{
+    const Branch *shown = m_session.comparisons().shown();
+    return shown && m_session.timeline().comparison() ? shown->script : nullptr;
+}
+
+void PlotSeries::follow(const Change &change)
+{
+    if (change.isAny(ChangeKind::step) || change.firstFrame == 0 ||
+        (change.isAny(ChangeKind::selection) && followsSelection()))
+        restart();
+    else if (change.isAny(ChangeKind::run))
+        dropFrom(change.firstFrame);
+    else if (change.isAny(ChangeKind::cursor))
+        followCursor();
+}
+
+void PlotSeries::dropFrom(std::int64_t frame)
+{
+    if (!m_isActive) {
+        m_isStale = true;
+        return;
+    }
+    m_run.forgetAfter(frame - 1);
+    if (m_comparisonScript != shownBranch())
+        restartComparison();
+    moveWindow();
+    announce();
+    fill();
+}
+
+bool PlotSeries::followsSelection() const
+{
+    return std::any_of(m_quantities.begin(), m_quantities.end(), [](const Quantity &one) {
+        return aboutOf(one.what) != About::run && one.body.isEmpty();
+    });
+}
+
+void PlotSeries::move(RunSampler &sampler, std::int64_t first, std::int64_t stride)
+{
+    const Samples &samples = sampler.samples();
+    const std::int64_t wide = samples.stride() * m_framesPerOutput;
+    const bool goesOn = first >= samples.firstFrame() && first <= samples.nextFrame() &&
+                        (first - samples.firstFrame()) % wide == 0;
+    if (!goesOn || stride < samples.stride()) {
+        sampler = RunSampler(allBound(), first, m_framesPerOutput, stride);
+        return;
+    }
+    sampler.forgetBefore(first);
+    while (sampler.samples().stride() < stride)
+        sampler.thin();
+}
+
+bool PlotSeries::moveWindow()
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    const PlotWindow next =
+        windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
+    if (next == m_window)
+        return false;
+    m_window = next;
+    const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
+    move(m_run, m_window.first, stride);
+    if (m_comparisonScript) {
+        ++m_comparisonRevision;
+        move(m_comparison, comparisonStart(), stride);
+    }
+    return true;
+}
+
+void PlotSeries::followCursor()
+{
+    if (!m_isActive)
+        return;
+    if (moveWindow())
+        announce();
+    if (m_session.playback().isPlaying())
+        fill();
+    else
+        m_idleTask.runWhileMoved();
+}
+
+std::int64_t PlotSeries::endOf(const sim::Track &track) const
+{
+    return std::min(track.computed(), m_window.last);
+}
+
+bool PlotSeries::takeRow()
+{
+    const sim::Timeline &timeline = m_session.timeline();
+    if (m_run.samples().nextFrame() <= endOf(timeline.track())) {
+        m_run.takeRow(timeline.track());
+        return true;
+    }
+    const sim::Track *comparison = m_comparisonScript ? timeline.comparison() : nullptr;
+    if (!comparison || m_comparison.samples().nextFrame() > endOf(*comparison))
+        return false;
+    ++m_comparisonRevision;
+    m_comparison.takeRow(*comparison);
+    return true;
+}
+
+bool PlotSeries::isReading() const
+{
+    return m_idleTask.isDue();
+}
+
+void PlotSeries::fillFor(double milliseconds)
+{
+    if (!m_isActive || m_quantities.empty())
+        return;
+    QElapsedTimer clock;
+    clock.start();
+    bool any = false;
+    while (takeRow()) {
+        any = true;
+        if (static_cast<double>(clock.nsecsElapsed()) > 1e6 * milliseconds) {
+            m_idleTask.goOn();
+            break;
+        }
+    }
+    if (any)
+        announce();
+}
+
+}

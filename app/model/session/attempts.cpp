@@ -1,0 +1,94 @@
+#include "app/model/session/attempts.h"
+
+#include <QTimer>
+
+#include <utility>
+#include <vector>
+
+namespace app {
+
+namespace {
+
+/// What a run costs is measured no more often than this.
+constexpr int measureAgainMilliseconds = 500;
+
+/// How many frames later it is looked whether something to try is done by waiting. What sleeps is there at once; what does not
+/// yet is computed if its points are not too many.
+constexpr int manyPoints = 1000;
+constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
+
+}
+
+void Attempts::check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline,
+                     bool plays)
+{
+    const bool mayMeasure =
+        !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
+    const auto keeps = [&](const lessons::Budget &budget) {
+        if (!mayMeasure) {
+            scheduleCheck();
+            return false;
+        }
+        const bool kept = lessons::staysWithin(budget, timeline.script(), m_timing);
+        m_sinceMeasured.start();
+        return kept;
+    };
+    for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
+        const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
+        if (m_progress.isDone(lesson, step.id, i) || (one.onlyWhilePaused && plays))
+            continue;
+        if (one.isDone(timeline) && (!one.budget || keeps(*one.budget)))
+            m_progress.markDone(lesson, step.id, i);
+    }
+}
+
+QString Attempts::todo(const QString &lesson, const lessons::Step &step, int number,
+                       const sim::Timeline &timeline, bool plays) const
+{
+    const lessons::Try &one = step.tries[static_cast<std::size_t>(number)];
+    if (m_progress.isDone(lesson, step.id, number))
+        return {};
+    if (!one.isDone(timeline))
+        return one.conditions.todo(timeline);
+    if (one.onlyWhilePaused && plays)
+        return tr("stop here: press **Space**.");
+    if (one.budget && !m_isCheckScheduled)
+        return tr("the error is too large, or a frame takes too long. Try another method or step.");
+    return {};
+}
+
+void Attempts::scheduleCheck()
+{
+    if (std::exchange(m_isCheckScheduled, true))
+        return;
+    QTimer::singleShot(measureAgainMilliseconds, this, [this] {
+        m_isCheckScheduled = false;
+        emit checkDue();
+    });
+}
+
+bool Attempts::mayBeDoneByWaiting(const QString &lesson, const lessons::Step &step,
+                                  const sim::Timeline &timeline) const
+{
+    std::vector<const lessons::Try *> open;
+    for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
+        const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
+        if (!m_progress.isDone(lesson, step.id, i) && !one.isDone(timeline))
+            open.push_back(&one);
+    }
+    if (open.empty())
+        return false;
+    if (timeline.state().pointCount() > manyPoints && !timeline.isFinished())
+        return true; // to find out takes too long before it sleeps
+    sim::Timeline later = timeline;
+    for (const std::int64_t frames : laterFrames) {
+        later.seek({timeline.cursor().frame + frames, 0});
+        for (const lessons::Try *one : open) {
+            if (one->isDone(later))
+                return true;
+        }
+    }
+    return false;
+}
+
+}

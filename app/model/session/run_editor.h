@@ -1,0 +1,117 @@
+#pragma once
+
+#include "app/model/session/comparison_runs.h"
+#include "app/model/session/playback.h"
+#include "app/model/session/user_input.h"
+#include "sim/analysis/stability/remedies/remedies.h"
+
+#include <QObject>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace app {
+
+/// Changes the run at the cursor: parameters, method, step size, effects, and the scene of a sandbox. Every edit can be
+/// undone. If the replaced run had a future, it becomes a branch, shown as the ghost. An edit that fails says why, and
+/// changes nothing.
+class RunEditor : public QObject
+{
+    Q_OBJECT
+
+public:
+    RunEditor(OpenRun &run, Preview &preview, CompanionFollower &companion, Playback &playback,
+              ComparisonRuns &comparisons, EditHistory &history);
+
+    UserInput &input() { return m_input; }
+    const UserInput &input() const { return m_input; }
+
+    double parameter(const QString &id) const;
+    /// Sets a parameter. Values outside its range are brought into it. An unknown `id` changes nothing.
+    void setParameter(const QString &id, double value);
+    void resetParameters();
+    /// Sets the method. If it takes another kind of step (a length, or a tolerance), the last one of that kind is used.
+    void setMethod(const QString &id);
+    /// Sets the step size to `h` frames.
+    void setStepSize(double h);
+    /// Sets the error, in px, that an adaptive method may make in each of its own steps.
+    void setTolerance(double tolerance);
+    /// Sets method and step size in one edit.
+    void use(const sim::MethodPtr &method, sim::StepSize step);
+    /// Applies a remedy. If the run has ended by itself, the remedy holds from frame 0 on, and the session goes to the
+    /// same frame again. All input stays.
+    void use(const sim::Remedy &remedy);
+    /// Returns the parameter of the step that damps, if it has one.
+    std::optional<sim::DampRange> damping() const;
+    /// Returns the parameter of the step that counts passes over sticks, if it has one.
+    std::optional<sim::IterationRange> passes() const;
+
+    /// Returns all effects of the scene in order, including those that are switched off.
+    std::vector<sim::EffectPtr> listedEffects() const;
+    bool isOff(const QString &effect) const;
+    /// Switches the effects with this id off or on, from frame 0 on. An unknown id changes nothing. If nothing would
+    /// move without the effects, that is said.
+    void setEffect(const QString &id, bool on);
+
+    /// Starts the run again with a preset's values. Playback goes on.
+    void startWith(const lessons::Preset &preset);
+    /// Starts the step as it was when it was first opened: without input, with its first values.
+    void startAfresh();
+    /// Starts the run again at frame 0 without user input, with the parameters, method and effects in use. Without
+    /// any user input, goes to frame 0.
+    void restart();
+    /// Returns whether there is input besides what the step begins with.
+    bool hasInput() const;
+
+    /// Returns the blueprint of the sandbox's scene; null if a lesson sets the scene up.
+    std::shared_ptr<const sim::Blueprint> blueprint() const;
+    /// Replaces the blueprint, and goes to frame 0. Returns whether the new scene could be built.
+    bool build(const EditLabel &label, sim::Blueprint blueprint);
+    /// Replaces the script of a sandbox, and goes to frame 0. Returns whether the new scene could be built.
+    bool replaceScene(const EditLabel &label, const sim::Script &script);
+
+    /// Makes a branch the run again, bit for bit, at the same frame. The run in use becomes a branch.
+    void goBackTo(int branch);
+
+    const QUndoStack &undoStack() const { return m_history.stack(); }
+    void undo();
+    void redo();
+    /// The next edit is not merged with the last one.
+    void endGesture() { m_history.endGesture(); }
+
+    /// Edits a timeline. Returns whether the replaced run became the timeline's comparison.
+    using Edit = std::function<bool(sim::Timeline &)>;
+    /// Runs `edit` on the run, announces the change, and makes it undoable.
+    void edit(const EditLabel &label, const Edit &edit);
+    /// Starts the run of `script` at `at` with these branches, in place of everything that is open. It cannot be undone.
+    /// Throws sim::Error if there is no such run; nothing has changed then.
+    void begin(sim::Script script, sim::Cursor at, Branches branches);
+
+private:
+    void setStep(sim::StepSize step);
+    void runAgain(const sim::Remedy &remedy);
+    /// Starts the step's run with these values and without user input, by the first of `methods` that can compute it.
+    void startAnew(const EditLabel &label, const sim::Values &values,
+                   const std::vector<sim::MethodPtr> &methods);
+    void startAnew(const EditLabel &label, sim::Script script);
+    void restore(const RunSnapshot &to, const QString &replacedName, KeepRun keepReplaced);
+    /// Returns whether the step has to be opened anew for `script`.
+    bool needsNewStart(const sim::Script &script) const;
+    /// Replaces the script and moves the cursor before the first difference. Returns whether the replaced run is the
+    /// timeline's comparison now.
+    bool replaceRun(const sim::Script &script);
+
+    OpenRun &m_run;
+    Preview &m_preview;
+    CompanionFollower &m_companion;
+    Playback &m_playback;
+    ComparisonRuns &m_comparisons;
+    EditHistory &m_history;
+    UserInput m_input;
+    std::optional<sim::StepSize>
+        m_otherStep; ///< the last step of the kind that the method in use does not take
+};
+
+}

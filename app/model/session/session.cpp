@@ -1,0 +1,148 @@
+#include "app/model/session/session.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+Session::Session(const LessonLibrary &library, QObject *parent)
+    : QObject(parent), m_run(library, m_changes), m_preview(m_run, [this] { return isBusy(); }),
+      m_companion(m_run, m_preview), m_presentation(m_run, m_preview, m_companion),
+      m_playback(m_run, m_preview, m_companion, m_attempts), m_comparisons(m_run, m_history),
+      m_editor(m_run, m_preview, m_companion, m_playback, m_comparisons, m_history)
+{
+    connect(&m_changes, &ChangeNotifier::changed, this, &Session::changed);
+    connect(&m_changes, &ChangeNotifier::messageRequested, this, &Session::messageRequested);
+    m_editor.begin(step().script(), {}, {});
+    m_changes.setPreparation([this](ChangeKinds kinds) { prepare(kinds); });
+}
+
+bool Session::isBusy() const
+{
+    return m_playback.isPlaying() || m_playback.goal() || m_comparisons.isComputing() || input().isActive() ||
+           m_companion.isComing();
+}
+
+void Session::prepare(ChangeKinds kinds)
+{
+    const Change change{kinds};
+    if (change.isAny(ChangeKind::run))
+        m_playback.wakeUp();
+    if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing)) {
+        m_preview.endIfShown();
+        m_playback.checkAttempts();
+    }
+    if (m_preview.isActive())
+        m_companion.follow(); // a companion run that takes longer is not shown
+    else
+        m_companion.followSoon();
+}
+
+const lessons::Step *Session::following() const
+{
+    const std::size_t next = m_run.stepNumber() + 1;
+    if (next < lesson().steps.size())
+        return &lesson().steps[next];
+    const std::size_t nextLesson = m_run.lessonNumber() + 1;
+    return nextLesson < library().lessons.size() ? &library().lessons[nextLesson].steps.front() : nullptr;
+}
+
+const lessons::Step *Session::preceding() const
+{
+    if (m_run.stepNumber() > 0)
+        return &lesson().steps[m_run.stepNumber() - 1];
+    return m_run.lessonNumber() > 0 && !isSandbox()
+               ? &library().lessons[m_run.lessonNumber() - 1].steps.back()
+               : nullptr;
+}
+
+bool Session::isStepDone(const LessonEntry &lesson, const lessons::Step &step) const
+{
+    for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
+        if (!m_progress.isDone(lesson.id, step.id, i))
+            return false;
+    }
+    return !step.tries.empty();
+}
+
+void Session::openStep(const QString &lessonId, const QString &stepId)
+{
+    for (std::size_t i = 0; i < library().entries(); ++i) {
+        const LessonEntry &entry = library().entry(i);
+        for (std::size_t j = 0; j < entry.steps.size(); ++j) {
+            if (entry.id != lessonId || entry.steps[j].id != stepId)
+                continue;
+            const ChangeNotifier::Batch batch(m_changes);
+            leave();
+            m_history.stack().clear();
+            m_run.setStep(i, j);
+            const auto handover = m_handovers.find(m_run.key());
+            if (handover != m_handovers.end())
+                m_editor.begin(handover->second.script, handover->second.at, handover->second.branches);
+            else
+                m_editor.begin(step().script(), {}, {});
+            return;
+        }
+    }
+}
+
+void Session::openFollowing()
+{
+    if (!following())
+        return;
+    const bool isSameLesson = m_run.stepNumber() + 1 < lesson().steps.size();
+    openStep(isSameLesson ? lesson().id : library().lessons[m_run.lessonNumber() + 1].id, following()->id);
+}
+
+void Session::openPreceding()
+{
+    if (!preceding())
+        return;
+    const bool isSameLesson = m_run.stepNumber() > 0;
+    openStep(isSameLesson ? lesson().id : library().lessons[m_run.lessonNumber() - 1].id, preceding()->id);
+}
+
+void Session::open(const Experiment &experiment)
+{
+    sim::Timeline trial(experiment.script); // throws before anything has changed
+    const ChangeNotifier::Batch batch(m_changes);
+    openStep(experiment.lesson, experiment.step);
+    m_editor.begin(experiment.script, {}, m_comparisons.renumbered(experiment.branches));
+    m_history.stack().clear();
+}
+
+Experiment Session::experiment() const
+{
+    return {lesson().id, step().id, std::max<std::int64_t>(1, timeline().computed()), timeline().script(),
+            m_comparisons.branches().marked()};
+}
+
+std::optional<Experiment> Session::experimentOf(const QString &lesson, const QString &step) const
+{
+    const auto found = m_handovers.find(OpenRun::keyOf(lesson, step));
+    if (found == m_handovers.end())
+        return std::nullopt;
+    return Experiment{lesson, step, std::max<std::int64_t>(1, found->second.at.frame), found->second.script,
+                      found->second.branches.marked()};
+}
+
+void Session::leave()
+{
+    m_playback.pause();
+    input().releaseAll();
+    m_handovers.insert_or_assign(
+        m_run.key(), StepHandover{timeline().script(), timeline().cursor(), m_comparisons.branches()});
+}
+
+QString Session::todo(int number) const
+{
+    return m_attempts.todo(lesson().id, step(), number, timeline(), m_playback.isPlaying());
+}
+
+void Session::cancelComputing()
+{
+    m_playback.pause();
+    m_comparisons.cancel();
+}
+
+}

@@ -1,0 +1,128 @@
+#pragma once
+
+#include "app/model/catalog/progress.h"
+#include "app/model/experiment/experiment.h"
+#include "app/model/session/presentation.h"
+#include "app/model/session/run_editor.h"
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <type_traits>
+
+namespace app {
+
+/// The open step of a lesson, and the parts that show and change its run. It opens steps and experiments, and keeps the
+/// steps that were open before. Widgets change nothing but these parts, and follow changed().
+class Session : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Opens the first step of the first lesson. `library` must not be empty and must outlive the session.
+    explicit Session(const LessonLibrary &library, QObject *parent = nullptr);
+
+    // The parts
+    Playback &playback() { return m_playback; }
+    const Playback &playback() const { return m_playback; }
+    Preview &preview() { return m_preview; }
+    const Preview &preview() const { return m_preview; }
+    RunEditor &editor() { return m_editor; }
+    const RunEditor &editor() const { return m_editor; }
+    UserInput &input() { return m_editor.input(); }
+    const UserInput &input() const { return m_editor.input(); }
+    ComparisonRuns &comparisons() { return m_comparisons; }
+    const ComparisonRuns &comparisons() const { return m_comparisons; }
+    const Presentation &presentation() const { return m_presentation; }
+    Progress &progress() { return m_progress; }
+
+    // The open step
+    const LessonLibrary &library() const { return m_run.library(); }
+    const LessonEntry &lesson() const { return m_run.lesson(); }
+    const lessons::Step &step() const { return m_run.step(); }
+    const sim::Timeline &timeline() const { return m_run.timeline(); }
+    /// Returns whether the user builds the scene of the open step.
+    bool isSandbox() const { return step().points == lessons::PointSource::scene; }
+    /// Returns the body whose values are shown.
+    QString selected() const { return m_run.selected(); }
+    void select(const QString &body) { m_run.select(body); }
+
+    /// Returns the step after this one, in this lesson or the next; null after the last.
+    const lessons::Step *following() const;
+    const lessons::Step *preceding() const;
+    /// Opens a step as it was left, or new. Names that do not exist change nothing.
+    void openStep(const QString &lesson, const QString &step);
+    void openFollowing();
+    void openPreceding();
+    /// Opens an experiment in place of the step's run, at frame 0.
+    void open(const Experiment &experiment);
+    /// Returns the run so far, for a file.
+    Experiment experiment() const;
+    /// Returns the run of a step that was open before, as it was left.
+    std::optional<Experiment> experimentOf(const QString &lesson, const QString &step) const;
+
+    bool isStepDone(const LessonEntry &lesson, const lessons::Step &step) const;
+    /// Returns what remains to do for the thing to try with this number, if it was begun; see Attempts::todo().
+    QString todo(int number) const;
+    /// Sets the function that measures run times, for things to try within a budget.
+    void setTiming(lessons::TimeMeasurement timing) { m_attempts.setTiming(std::move(timing)); }
+
+    /// Pauses, and cancels the computing of a distant moment or of a branch.
+    void cancelComputing();
+    /// Shows `sentence` in the status line.
+    void showMessage(const QString &sentence) { m_changes.showMessage(sentence); }
+
+    /// Calls `slot`, a member function of `receiver` or a functor, for each change of at least one of these kinds. It
+    /// may take the Change.
+    template <typename Receiver, typename Slot>
+    void onChange(ChangeKinds kinds, Receiver *receiver, Slot slot) const
+    {
+        connect(this, &Session::changed, receiver, [kinds, receiver, slot](const Change &change) {
+            if (!change.isAny(kinds))
+                return;
+            if constexpr (std::is_invocable_v<Slot, Receiver *, const Change &>)
+                std::invoke(slot, receiver, change);
+            else if constexpr (std::is_invocable_v<Slot, Receiver *>)
+                std::invoke(slot, receiver);
+            else if constexpr (std::is_invocable_v<Slot, const Change &>)
+                std::invoke(slot, change);
+            else
+                std::invoke(slot);
+        });
+    }
+
+signals:
+    /// Something changed. Each edit is announced once, when all of it is consistent.
+    void changed(const app::Change &change);
+    /// A message for the status line.
+    void messageRequested(const QString &sentence);
+
+private:
+    /// A step that was open before, as it was left.
+    struct StepHandover
+    {
+        sim::Script script;
+        sim::Cursor at;
+        Branches branches;
+    };
+
+    bool isBusy() const;
+    /// Brings the parts up to date before changes of these kinds are announced.
+    void prepare(ChangeKinds kinds);
+    void leave();
+
+    ChangeNotifier m_changes;
+    OpenRun m_run;
+    Progress m_progress;
+    Attempts m_attempts{m_progress};
+    Preview m_preview;
+    CompanionFollower m_companion;
+    Presentation m_presentation;
+    Playback m_playback;
+    EditHistory m_history;
+    ComparisonRuns m_comparisons;
+    RunEditor m_editor;
+    std::map<QString, StepHandover> m_handovers;
+};
+
+}

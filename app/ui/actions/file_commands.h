@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QCoreApplication>
+
+namespace app {
+
+class Command;
+class CommandList;
+
+/// The commands of the File menu.
+struct FileCommands
+{
+    Q_DECLARE_TR_FUNCTIONS(FileCommands)
+
+public:
+    explicit FileCommands(CommandList &list);
+
+    Command *startNew;
+    Command *open;
+    Command *recover; ///< lists scenes that were not saved
+    Command *save;
+    Command *saveAs;
+    Command *exportPicture;
+    Command *exportFilm;
+    Command *quit;
+};
+
+}

@@ -1,0 +1,81 @@
+#include "app/ui/dock/docks.h"
+
+#include "app/ui/actions/command.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+
+#include <algorithm>
+
+namespace app {
+
+void Docks::add(const DockEntry &entry)
+{
+    auto *dock = new QDockWidget(entry.title, &m_window);
+    dock->setObjectName(QLatin1String(entry.name));
+    dock->setFeatures(QDockWidget::DockWidgetClosable);
+    dock->setTitleBarWidget(entry.titleBar ? entry.titleBar : new QWidget(&m_window));
+    dock->setWidget(entry.content);
+    m_window.addDockWidget(entry.area, dock);
+    dock->setHidden(entry.start == DockStart::hidden);
+    const auto below = std::find_if(m_docks.begin(), m_docks.end(), [this](const auto &other) {
+        return m_window.dockWidgetArea(other.second) == Qt::BottomDockWidgetArea;
+    });
+    if (entry.area == Qt::BottomDockWidgetArea && below != m_docks.end())
+        m_window.tabifyDockWidget(below->second, dock);
+    m_docks[entry.panel] = dock;
+}
+
+std::vector<QDockWidget *> Docks::all() const
+{
+    std::vector<QDockWidget *> docks;
+    for (const auto &[panel, dock] : m_docks)
+        docks.push_back(dock);
+    return docks;
+}
+
+void Docks::show(Panel panel, bool isShown) const
+{
+    QDockWidget &dock = (*this)[panel];
+    dock.setVisible(isShown);
+    if (isShown)
+        dock.raise();
+}
+
+bool Docks::isCovered(Panel panel) const
+{
+    const QDockWidget &dock = (*this)[panel];
+    return !dock.isHidden() && dock.widget()->visibleRegion().isEmpty();
+}
+
+bool Docks::isIn(Panel panel, Qt::DockWidgetArea area) const
+{
+    QDockWidget &dock = (*this)[panel];
+    return !dock.isHidden() && !dock.isFloating() && m_window.dockWidgetArea(&dock) == area;
+}
+
+void Docks::toggle(Command &command, const std::vector<Panel> &panels)
+{
+    connect(&command, &QAction::triggered, this, [this, panels](bool isShown) {
+        for (const Panel panel : panels)
+            (*this)[panel].setVisible(isShown);
+    });
+    command.setChecked(true);
+    follow(command, panels.front());
+}
+
+void Docks::toggle(Command &command, Panel panel, const std::function<void(bool)> &show)
+{
+    connect(&command, &QAction::triggered, this,
+            [this, panel, show](bool isShown) { show(isShown || isCovered(panel)); });
+    follow(command, panel);
+}
+
+void Docks::follow(Command &command, Panel panel)
+{
+    QDockWidget &dock = (*this)[panel];
+    connect(&dock, &QDockWidget::visibilityChanged, &command,
+            [&command, &dock] { command.setChecked(!dock.isHidden()); });
+}
+
+}

@@ -1,0 +1,97 @@
+#include "app/ui/dock/panel_title.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace app {
+
+PanelTitle::PanelTitle(const QString &title, CaptionPlace place, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_theme(theme), m_title(new QLabel(title, this)), m_caption(new QLabel(this)),
+      m_row(new QHBoxLayout(this))
+{
+    setObjectName("dockTitle");
+    setAttribute(Qt::WA_StyledBackground);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    m_title->setObjectName("title");
+    m_caption->setObjectName("caption");
+    m_caption->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_caption->setAlignment(place == CaptionPlace::right ? Qt::AlignRight | Qt::AlignVCenter
+                                                         : Qt::AlignLeft | Qt::AlignVCenter);
+    m_row->setContentsMargins(16, 4, 12, 4);
+    m_row->setSpacing(8);
+    m_row->addWidget(m_title);
+    m_row->addWidget(m_caption, 1);
+    connect(&theme, &Theme::changed, this, &PanelTitle::applyTheme);
+    applyTheme();
+}
+
+void PanelTitle::applyTheme()
+{
+    m_title->setFont(m_theme.ui(13, QFont::DemiBold));
+    m_caption->setFont(m_theme.ui(12));
+}
+
+void PanelTitle::setTitle(const QString &title)
+{
+    m_title->setText(title);
+}
+
+QString PanelTitle::caption() const
+{
+    return m_captionText;
+}
+
+void PanelTitle::setCaption(const QString &caption)
+{
+    m_captionText = caption;
+    m_caption->setAccessibleName(caption);
+    fitCaption();
+}
+
+void PanelTitle::addAction(QWidget *widget)
+{
+    m_row->addWidget(widget, 0, Qt::AlignVCenter);
+}
+
+void PanelTitle::fitCaption()
+{
+    const QString fitting =
+        m_caption->fontMetrics().elidedText(m_captionText, Qt::ElideRight, m_caption->width());
+    m_caption->setText(fitting);
+    m_caption->setToolTip(fitting == m_captionText ? QString() : m_captionText);
+}
+
+void PanelTitle::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    // The actions take precedence, because the tab also shows the panel's name.
+    const int needed = m_row->minimumSize().width() +
+                       (m_title->isHidden() ? m_title->minimumSizeHint().width() + m_row->spacing() : 0);
+    m_title->setVisible(needed <= width());
+    m_row->activate();
+    fitCaption();
+}
+
+QSize PanelTitle::sizeHint() const
+{
+    return {QWidget::sizeHint().width(), height};
+}
+
+QSize PanelTitle::minimumSizeHint() const
+{
+    return {QWidget::minimumSizeHint().width(), height};
+}
+
+QToolButton *makeTab(const QString &text, const QString &tip, QWidget *parent)
+{
+    auto *tab = new QToolButton(parent);
+    tab->setObjectName("tab");
+    tab->setText(text);
+    tab->setToolTip(tip);
+    tab->setCheckable(true);
+    tab->setFocusPolicy(Qt::TabFocus);
+    return tab;
+}
+
+}

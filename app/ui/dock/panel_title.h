@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace app {
+
+/// The title row of a panel, 36 px high: a bold title, a caption, and actions on the right.
+class PanelTitle : public QWidget
+{
+    Q_OBJECT
+
+public:
+    static constexpr int height = 36;
+    enum class CaptionPlace { besideTitle, right };
+
+    PanelTitle(const QString &title, CaptionPlace place, const Theme &theme, QWidget *parent = nullptr);
+
+    void setTitle(const QString &title);
+    QString caption() const;
+    void setCaption(const QString &caption);
+    /// Adds a widget at the right end.
+    void addAction(QWidget *widget);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+private:
+    void applyTheme();
+    void fitCaption();
+    void resizeEvent(QResizeEvent *event) override;
+
+    const Theme &m_theme;
+    QLabel *m_title;
+    QLabel *m_caption;
+    QString m_captionText;
+    QHBoxLayout *m_row;
+};
+
+/// Returns a checkable button that looks like a tab, for the title row of a panel.
+QToolButton *makeTab(const QString &text, const QString &tip, QWidget *parent);
+
+}

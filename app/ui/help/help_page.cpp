@@ -1,0 +1,175 @@
+#include "app/ui/help/help_page.h"
+
+#include "app/ui/dialogs/dialog_place.h"
+#include "app/ui/help/key_caps.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QRegularExpression>
+#include <QScreen>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int columnWidth = 360;
+constexpr int margin = 24;
+constexpr int rowHeight = 28;
+constexpr int rowGap = 3; ///< px, above and below a text
+constexpr int longestPage = 720;
+constexpr int headHeight = 90;
+
+/// Makes a label. `name` is its object name in the style sheet.
+QLabel *label(const QString &text, const char *name, QWidget *parent)
+{
+    auto *label = new QLabel(text, parent);
+    label->setObjectName(name);
+    label->setTextFormat(Qt::PlainText);
+    return label;
+}
+
+QString sentence(QString text)
+{
+    if (!text.isEmpty())
+        text[0] = text[0].toUpper();
+    return text;
+}
+
+}
+
+HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_theme(theme), m_page(new QWidget)
+{
+    setWindowTitle(tr("Keys and mouse"));
+    setModal(false);
+    m_page->setObjectName("panel");
+    m_page->setAttribute(Qt::WA_StyledBackground);
+    auto *title = label(tr("Keys and mouse"), "stepTitle", m_page);
+    auto *hint =
+        label(tr("Everything works without the mouse, too. Esc closes this page."), "caption", m_page);
+    auto *columns = new QHBoxLayout;
+    columns->setSpacing(2 * margin);
+    for (QVBoxLayout *&column : m_columns) {
+        column = new QVBoxLayout;
+        column->setSpacing(20);
+        column->addStretch(1); // an alignment would ignore that wrapped texts need more height
+        columns->addLayout(column, 1);
+    }
+    auto *page = new QVBoxLayout(m_page);
+    page->setContentsMargins(margin, 20, margin, margin);
+    page->setSpacing(2);
+    page->addWidget(title);
+    page->addWidget(hint);
+    page->addSpacing(16);
+    page->addLayout(columns);
+    page->addStretch(1);
+    auto *area = m_area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    area->setAccessibleName(windowTitle());
+    area->setWidget(m_page);
+    auto *all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->addWidget(area);
+}
+
+void HelpPage::addAction(const QString &group, const QAction *action)
+{
+    if (action->shortcuts().isEmpty())
+        return;
+    QString text = action->text();
+    text.remove('&').remove(QChar(0x2026));
+    addRow(group, text, new KeyCaps(action->shortcuts(), m_theme));
+}
+
+void HelpPage::addGesture(const QString &group, const QString &gesture, const QString &effect)
+{
+    addRow(group, sentence(effect), new KeyCaps(gesture, m_theme));
+}
+
+HelpPage::Group &HelpPage::groupCalled(const QString &name)
+{
+    const auto found = std::find_if(m_groups.begin(), m_groups.end(),
+                                    [&](const Group &group) { return group.name == name; });
+    if (found != m_groups.end())
+        return *found;
+    auto *box = new QWidget(m_page);
+    auto *column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    QLabel *heading = label(name, "heading", box);
+    heading->setMinimumHeight(rowHeight);
+    column->addWidget(heading);
+    return m_groups.emplace_back(Group{name, box, column, 0});
+}
+
+void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
+{
+    Group &to = groupCalled(group);
+    ++to.rows;
+    static const QRegularExpression beforeUnit(QStringLiteral("(?<=\\d) (?=px)"));
+    auto *what = label(QString(text).replace(beforeUnit, QChar(QChar::Nbsp)), "action", to.box);
+    what->setWordWrap(true);
+    what->setMinimumHeight(rowHeight - 2 * rowGap);
+    what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
+    auto *row =
+        new QHBoxLayout; // its own layout: a text beside many keys is narrower than one beside few keys
+    row->setContentsMargins(0, rowGap, 0, rowGap);
+    row->setSpacing(16);
+    row->addWidget(what, 1);
+    row->addWidget(caps, 0, Qt::AlignVCenter);
+    to.column->addLayout(row);
+}
+
+void HelpPage::arrange()
+{
+    // The lengths of the groups are known only now. Each group goes into the shorter column.
+    int rows[2] = {0, 0};
+    for (const Group &group : m_groups) {
+        const int column = rows[1] < rows[0] ? 1 : 0;
+        m_columns[0]->removeWidget(group.box);
+        m_columns[1]->removeWidget(group.box);
+        m_columns[column]->insertWidget(m_columns[column]->count() - 1, group.box);
+        group.box->setVisible(group.rows > 0);
+        rows[column] += group.rows > 0 ? group.rows + 2 : 0;
+    }
+    const int high = std::max(rows[0], rows[1]) * rowHeight + headHeight;
+    const int most = screen()->availableGeometry().height() - 80;
+    m_page->setMinimumHeight(0);
+    resize(2 * (columnWidth + margin) + 2 * margin, std::min({high, longestPage, most}));
+}
+
+void HelpPage::resizeEvent(QResizeEvent *event)
+{
+    QDialog::resizeEvent(event);
+    makeRoom();
+}
+
+void HelpPage::makeRoom()
+{
+    // A scroll area does not use the height-for-width of its page, so wrapped texts would be squashed. The
+    // height is negative if it does not depend on the width.
+    m_page->setMinimumHeight(std::max(0, m_page->layout()->totalHeightForWidth(m_area->viewport()->width())));
+}
+
+void HelpPage::setVisible(bool visible)
+{
+    if (visible && !isVisible()) {
+        arrange();
+        placeOverParent(*this);
+    }
+    QDialog::setVisible(visible);
+    if (!visible)
+        return;
+    makeRoom(); // the groups had no height while the page was hidden
+    // The page got its height when it was shown, but its layout was not notified.
+    m_page->layout()->invalidate();
+    m_page->layout()->activate();
+}
+
+}

@@ -1,0 +1,257 @@
+#include "app/ui/learn/learn_panel.h"
+
+#include "app/ui/dock/panel_title.h"
+#include "app/ui/learn/lesson_delegate.h"
+#include "app/ui/learn/lesson_list.h"
+#include "app/ui/learn/lesson_model.h"
+#include "app/ui/learn/lesson_rail.h"
+#include "app/ui/learn/narration.h"
+#include "app/ui/learn/summary_page.h"
+#include "app/ui/learn/word_card.h"
+
+#include <QEvent>
+#include <QFrame>
+#include <QKeyEvent>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int leastRows = 2;       ///< list rows that stay visible with a long text, with the open step
+constexpr int summaryHeight = 400; ///< px, preferred height of a summary; it scrolls
+constexpr int topMargin = 4;
+constexpr int listMargin = 8;
+
+}
+
+LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme), m_glossary(session.library()),
+      m_title(new PanelTitle(tr("Lessons"), PanelTitle::CaptionPlace::right, theme, this)),
+      m_list(new LessonList(session, theme, this)),
+      m_narration(new Narration(session, m_glossary, theme, this)),
+      m_summary(new SummaryPage(session, theme, this)), m_rail(new LessonRail(theme, this)),
+      m_unfold(new QToolButton(m_title)), m_divider(new QFrame(this)),
+      m_card(new WordCard(m_glossary, theme, this))
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_divider->setObjectName("divider");
+    m_divider->setFixedHeight(1);
+    m_title->addAction(m_unfold);
+    m_title->addAction(foldButton());
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, topMargin, 0, 0);
+    column->setSpacing(0);
+    column->setSizeConstraint(QLayout::SetNoConstraint); // the list's height depends on the panel's height
+    column->addWidget(m_title);
+    column->addWidget(&m_rail->head());
+    column->addWidget(m_list);
+    column->addSpacing(listMargin);
+    column->addWidget(m_divider);
+    column->addWidget(m_narration, 1);
+    column->addWidget(m_summary, 1);
+    column->addStretch(0);
+    column->addWidget(&m_rail->foot());
+    m_summary->hide();
+    m_rail->setVisible(false);
+    makeUnfold();
+    session.onChange(ChangeKind::step, this, [this] { showSummary(false); });
+    connect(m_list, &LessonList::contentHeightChanged, this, &LearnPanel::shareHeight);
+    connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::showCount);
+    connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::updateRail);
+    session.onChange(ChangeKind::step, this, &LearnPanel::updateRail);
+    listen();
+    showCount();
+    updateRail();
+    shareHeight();
+}
+
+QWidget *LearnPanel::foldButton()
+{
+    auto *fold = new QToolButton(m_title);
+    fold->setObjectName("fold");
+    fold->setFixedSize(28, 28);
+    fold->setIconSize({16, 16});
+    fold->setFocusPolicy(Qt::TabFocus);
+    fold->setToolTip(tr("Fold the lessons to a narrow strip (Ctrl+Shift+1)"));
+    fold->setAccessibleName(tr("Fold the lessons to a narrow strip"));
+    const auto applyTheme = [this, fold] { fold->setIcon(m_theme.icon("left")); };
+    connect(&m_theme, &Theme::changed, fold, applyTheme);
+    applyTheme();
+    connect(fold, &QToolButton::clicked, this, [this] { emit formRequested(Form::rail); });
+    return fold;
+}
+
+void LearnPanel::makeUnfold()
+{
+    m_unfold->setObjectName("allLessons");
+    m_unfold->setFixedSize(28, 28);
+    m_unfold->setIconSize({16, 16});
+    m_unfold->setCheckable(true);
+    m_unfold->setFocusPolicy(Qt::TabFocus);
+    m_unfold->setAccessibleName(tr("All lessons"));
+    const auto applyTheme = [this] { m_unfold->setIcon(m_theme.icon("down")); };
+    connect(&m_theme, &Theme::changed, m_unfold, applyTheme);
+    applyTheme();
+    connect(m_unfold, &QToolButton::toggled, this, [this](bool on) {
+        m_unfold->setToolTip(on ? tr("Back to the text (Esc)") : tr("Show all lessons instead of the text"));
+        showPages();
+    });
+    m_unfold->setToolTip(tr("Show all lessons instead of the text"));
+}
+
+void LearnPanel::keyPressEvent(QKeyEvent *event)
+{
+    if (event->key() == Qt::Key_Escape && m_unfold->isChecked())
+        m_unfold->setChecked(false);
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void LearnPanel::setForm(Form form)
+{
+    if (form == m_form)
+        return;
+    m_form = form;
+    m_unfold->setChecked(false);
+    m_title->setVisible(form == Form::whole);
+    m_divider->setVisible(form == Form::whole);
+    m_rail->setVisible(form == Form::rail);
+    // The rail is too narrow for a scroll bar; the wheel and the keys still scroll.
+    m_list->setVerticalScrollBarPolicy(form == Form::rail ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
+    showSummary(m_isSummary && form == Form::whole);
+    updateGeometry();
+    emit formChanged();
+}
+
+void LearnPanel::updateRail()
+{
+    m_rail->setWays(m_narration->backTip(), m_narration->nextTip(), m_session.preceding());
+    m_rail->setDone(m_session.isStepDone(m_session.lesson(), m_session.step()));
+}
+
+void LearnPanel::listen()
+{
+    connect(m_narration, &Narration::heightChanged, this, &LearnPanel::shareHeight);
+    connect(m_narration, &Narration::summaryRequested, this, [this] { showSummary(true); });
+    connect(m_narration, &Narration::wordRequested, m_card, &WordCard::popUp);
+    connect(m_card, &WordCard::stepRequested, &m_session, &Session::openStep);
+    connect(m_card, &WordCard::glossaryRequested, this, &LearnPanel::glossaryRequested);
+    connect(m_summary, &SummaryPage::closed, this, [this] { showSummary(false); });
+    connect(&m_list->lessons(), &LessonModel::summaryRequested, this, [this] {
+        setForm(Form::whole); // the rail has no room for it
+        showSummary(true);
+    });
+    connect(m_rail, &LessonRail::unfolded, this, [this] { emit formRequested(Form::whole); });
+    connect(m_rail, &LessonRail::backRequested, this, &LearnPanel::goBack);
+    connect(m_rail, &LessonRail::nextRequested, this, &LearnPanel::goOn);
+    connect(&m_list->lessons(), &LessonModel::stepRequested, this, [this] { showSummary(false); });
+}
+
+void LearnPanel::showSummary(bool shown)
+{
+    m_isSummary = shown;
+    m_unfold->setChecked(false);
+    m_list->markSummary(shown);
+    showPages();
+}
+
+void LearnPanel::showPages()
+{
+    const bool hasPage = m_form == Form::whole && !m_unfold->isChecked();
+    m_narration->setVisible(hasPage && !m_isSummary);
+    m_summary->setVisible(hasPage && m_isSummary);
+    shareHeight();
+}
+
+void LearnPanel::goOn()
+{
+    const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
+    if (isVisible() && isLast && !m_isSummary) {
+        setForm(Form::whole);
+        showSummary(true);
+    } else {
+        m_session.openFollowing();
+    }
+}
+
+void LearnPanel::goBack()
+{
+    if (isVisible() && m_isSummary)
+        showSummary(false);
+    else
+        m_session.openPreceding();
+}
+
+void LearnPanel::showCount()
+{
+    const LessonModel &lessons = m_list->lessons();
+    m_title->setCaption(tr("%1 of %2 steps").arg(lessons.stepsDone()).arg(lessons.stepCount()));
+}
+
+void LearnPanel::shareHeight()
+{
+    // The text comes first: the list stays usable when it scrolls, but learners do not read a text that they
+    // have to scroll.
+    if (m_form == Form::rail) {
+        shareRail();
+        return;
+    }
+    m_narration->fitText();
+    const int all = m_list->contentHeight();
+    const int least = std::min(all, leastRows * LessonDelegate::lessonHeight);
+    const int room = height() - topMargin - PanelTitle::height - listMargin - 1;
+    if (m_unfold->isChecked()) {
+        m_list->setFixedHeight(std::min(room, all));
+        m_list->showOpen();
+        return;
+    }
+    const bool isSummary = m_isSummary;
+    const int full = isSummary ? summaryHeight : m_narration->fullHeight();
+    const int fewest = isSummary
+                           ? m_summary->minimumSizeHint().height()
+                           : std::max(m_narration->minimumSizeHint().height(), m_narration->leastHeight());
+    const int wanted = std::clamp(room - full, least, all);
+    const int most = room - fewest;
+    m_list->setFixedHeight(std::max(m_list->minimumSizeHint().height(), std::min(wanted, most)));
+    m_unfold->setVisible(m_list->height() < all);
+    m_list->showOpen();
+}
+
+void LearnPanel::shareRail()
+{
+    const int room = height() - topMargin - listMargin - m_rail->head().sizeHint().height() -
+                     m_rail->foot().sizeHint().height();
+    m_list->setFixedHeight(
+        std::max(m_list->minimumSizeHint().height(), std::min(room, m_list->contentHeight())));
+    m_list->showOpen();
+}
+
+QSize LearnPanel::minimumSizeHint() const
+{
+    if (m_form == Form::rail)
+        return {railWidth, topMargin + listMargin + m_rail->head().sizeHint().height() +
+                               m_list->minimumSizeHint().height() + m_rail->foot().sizeHint().height()};
+    return {200, topMargin + PanelTitle::height + m_list->minimumSizeHint().height() + listMargin + 1 +
+                     m_narration->minimumSizeHint().height()};
+}
+
+bool LearnPanel::event(QEvent *event)
+{
+    // The height of the text is known only once it has its width.
+    if (event->type() == QEvent::LayoutRequest)
+        shareHeight();
+    return QWidget::event(event);
+}
+
+void LearnPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    shareHeight();
+}
+
+}

@@ -1,0 +1,152 @@
+#include "app/ui/learn/lesson_list.h"
+
+#include "app/ui/learn/lesson_delegate.h"
+#include "app/ui/learn/lesson_model.h"
+
+#include <QHeaderView>
+#include <QHelpEvent>
+#include <QKeyEvent>
+#include <QToolTip>
+
+namespace app {
+
+LessonList::LessonList(Session &session, const Theme &theme, QWidget *parent)
+    : QTreeView(parent), m_model(new LessonModel(session, this))
+{
+    setModel(m_model);
+    setItemDelegate(new LessonDelegate(theme, this));
+    setAccessibleName(tr("Lessons"));
+    setFocusPolicy(Qt::TabFocus); // after a click, the keys of time still work
+    setHeaderHidden(true);
+    header()->setMinimumSectionSize(1);
+    header()->setStretchLastSection(false); // a hidden header would keep the old width of its section
+    setRootIsDecorated(false);
+    setIndentation(0);
+    setExpandsOnDoubleClick(false);
+    setItemsExpandable(false);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setMouseTracking(true);
+    connect(this, &QTreeView::clicked, this, &LessonList::openRow);
+    session.onChange(ChangeKind::step, this, &LessonList::follow);
+    connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
+    follow();
+}
+
+void LessonList::follow()
+{
+    const QModelIndex open = m_model->openLesson();
+    for (int i = 0; i < m_model->rowCount(); ++i)
+        setExpanded(m_model->index(i, 0), i == open.row());
+    setCurrentIndex(m_model->openRow());
+    updateGeometry();
+    emit contentHeightChanged();
+    showOpen();
+}
+
+void LessonList::showOpen()
+{
+    const QModelIndex lesson = m_model->openLesson();
+    if (openLessonHeight() <= viewport()->height()) {
+        scrollTo(m_model->index(m_model->rowCount(lesson) - 1, 0, lesson));
+        scrollTo(lesson);
+    } else { // also shows the lesson's title if the open step is close enough
+        scrollTo(lesson, QAbstractItemView::PositionAtTop);
+        scrollTo(m_model->openRow());
+    }
+}
+
+void LessonList::markSummary(bool shown)
+{
+    m_model->setSummaryShown(shown);
+    setCurrentIndex(m_model->openRow());
+    showOpen();
+}
+
+void LessonList::openRow(const QModelIndex &index)
+{
+    m_model->open(index);
+    if (index == m_model->openLesson())
+        setCurrentIndex(m_model->openRow());
+}
+
+int LessonList::contentHeight() const
+{
+    return (m_model->rowCount() - 1) * LessonDelegate::lessonHeight + openLessonHeight();
+}
+
+int LessonList::openLessonHeight() const
+{
+    return LessonDelegate::lessonHeight +
+           m_model->rowCount(m_model->openLesson()) * LessonDelegate::stepHeight;
+}
+
+QSize LessonList::sizeHint() const
+{
+    return {280, contentHeight()};
+}
+
+QSize LessonList::minimumSizeHint() const
+{
+    return {LessonDelegate::markRow, LessonDelegate::lessonHeight + LessonDelegate::stepHeight};
+}
+
+void LessonList::keyPressEvent(QKeyEvent *event)
+{
+    m_byKeyboard = true;
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        openRow(currentIndex());
+        event->accept();
+        return;
+    }
+    QTreeView::keyPressEvent(event);
+}
+
+void LessonList::focusInEvent(QFocusEvent *event)
+{
+    m_byKeyboard = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
+                   event->reason() == Qt::ShortcutFocusReason;
+    QTreeView::focusInEvent(event);
+}
+
+void LessonList::mousePressEvent(QMouseEvent *event)
+{
+    m_byKeyboard = false;
+    QTreeView::mousePressEvent(event);
+}
+
+void LessonList::resizeEvent(QResizeEvent *event)
+{
+    QTreeView::resizeEvent(event);
+    header()->resizeSection(0, viewport()->width());
+    // The rows have moved away from under the pointer.
+    QHoverEvent leave(QEvent::HoverLeave, QPointF(), QPointF(), QPointF());
+    viewportEvent(&leave);
+}
+
+bool LessonList::viewportEvent(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip || viewport()->width() >= LessonDelegate::leastTextWidth)
+        return QTreeView::viewportEvent(event);
+    // The tooltip shows text that is cut off in the row.
+    const auto &help = *static_cast<QHelpEvent *>(event);
+    QToolTip::showText(help.globalPos(), indexAt(help.pos()).data(Qt::AccessibleTextRole).toString(),
+                       viewport());
+    return true;
+}
+
+void LessonList::initViewItemOption(QStyleOptionViewItem *option) const
+{
+    QTreeView::initViewItemOption(option);
+    option->state.setFlag(QStyle::State_KeyboardFocusChange, m_byKeyboard);
+}
+
+void LessonList::drawBranches(QPainter *, const QRect &, const QModelIndex &) const
+{
+    // No arrows: only the open lesson shows its steps.
+}
+
+}

@@ -1,0 +1,84 @@
+#include "app/ui/learn/lesson_rail.h"
+
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr int buttonSize = 32;
+
+QVBoxLayout *columnIn(QWidget *holder, int above, int below)
+{
+    auto *column = new QVBoxLayout(holder);
+    column->setContentsMargins(0, above, 0, below);
+    column->setSpacing(8);
+    return column;
+}
+
+}
+
+LessonRail::LessonRail(const Theme &theme, QWidget *parent)
+    : QObject(parent), m_theme(theme), m_head(new QWidget(parent)), m_foot(new QWidget(parent)),
+      m_unfold(button(QStringLiteral("unfold"), m_head)), m_back(button(QStringLiteral("railBack"), m_foot)),
+      m_next(button(QStringLiteral("railNext"), m_foot))
+{
+    m_unfold->setAccessibleName(tr("Show the lessons with their texts"));
+    m_unfold->setToolTip(tr("Show the lessons with their texts (Ctrl+Shift+1)"));
+    m_back->setAccessibleName(tr("Previous step"));
+    m_next->setAccessibleName(tr("Next step"));
+    columnIn(m_head, 4, 4)->addWidget(m_unfold, 0, Qt::AlignHCenter);
+    QVBoxLayout *foot = columnIn(m_foot, 8, 14);
+    foot->addWidget(m_back, 0, Qt::AlignHCenter);
+    foot->addWidget(m_next, 0, Qt::AlignHCenter);
+    connect(m_unfold, &QToolButton::clicked, this, &LessonRail::unfolded);
+    connect(m_back, &QToolButton::clicked, this, &LessonRail::backRequested);
+    connect(m_next, &QToolButton::clicked, this, &LessonRail::nextRequested);
+    connect(&theme, &Theme::changed, this, &LessonRail::applyTheme);
+    applyTheme();
+}
+
+QToolButton *LessonRail::button(const QString &name, QWidget *holder)
+{
+    auto *made = new QToolButton(holder);
+    made->setObjectName(name);
+    made->setFixedSize(buttonSize, buttonSize);
+    made->setIconSize({16, 16});
+    made->setFocusPolicy(Qt::TabFocus);
+    return made;
+}
+
+void LessonRail::setVisible(bool visible)
+{
+    m_head->setVisible(visible);
+    m_foot->setVisible(visible);
+}
+
+void LessonRail::setWays(const QString &back, const QString &next, bool hasBack)
+{
+    m_back->setEnabled(hasBack);
+    m_back->setToolTip(back);
+    m_next->setToolTip(next);
+    m_next->setAccessibleDescription(next);
+}
+
+void LessonRail::setDone(bool done)
+{
+    m_isDone = done;
+    applyTheme();
+}
+
+void LessonRail::applyTheme()
+{
+    m_unfold->setIcon(m_theme.icon("right"));
+    m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
+    m_next->setIcon(m_theme.icon("right", m_isDone ? m_theme.tokens().buttonText : m_theme.tokens().ink));
+    m_next->setProperty("primary", m_isDone);
+    // A style sheet evaluates properties again only after a polish.
+    m_next->style()->unpolish(m_next);
+    m_next->style()->polish(m_next);
+}
+
+}

@@ -1,0 +1,312 @@
+#include "app/ui/learn/narration.h"
+
+#include "app/model/text/glossary.h"
+#include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/prose.h"
+#include "app/ui/learn/step_button.h"
+#include "app/ui/learn/try_box.h"
+#include "app/ui/learn/why_box.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int largeWindow = 1600; ///< px, the window width from which the type is larger
+constexpr int buttonHeight = 32;
+constexpr int titleHeight = 24;
+constexpr int headingHeight = 20;
+constexpr int todoMilliseconds =
+    300; ///< between two updates of the missing tasks: faster changes cannot be read
+
+}
+
+Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_area = new QScrollArea(this);
+    m_area->setWidgetResizable(true);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    m_area->setWidget(makeText());
+    m_text->setGlossary(glossary);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    // The text takes only the height that it needs, so that the tasks follow directly below it.
+    column->addWidget(m_area, 1000);
+    column->addWidget(makeTries());
+    column->addStretch(1);
+    column->addWidget(makeButtons());
+    session.onChange(ChangeKind::step, this, &Narration::open);
+    connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
+    m_todoDue.setSingleShot(true);
+    m_todoDue.setInterval(todoMilliseconds);
+    connect(&m_todoDue, &QTimer::timeout, this, &Narration::showTodos);
+    session.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this, [this] {
+        if (!m_todoDue.isActive())
+            m_todoDue.start();
+    });
+    connect(&theme, &Theme::changed, this, &Narration::applyTheme);
+    open();
+    applyTheme();
+}
+
+QWidget *Narration::makeText()
+{
+    auto *page = new QWidget;
+    page->setObjectName("panel");
+    page->setAttribute(Qt::WA_StyledBackground);
+    // The height of the text depends on its width, so the height at the minimum width must be ignored.
+    page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+    m_title = new QLabel(page);
+    m_title->setObjectName("stepTitle");
+    m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
+    m_title->setMinimumHeight(titleHeight);
+    m_text = new NarrationText(m_theme, page);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(18, 12, 18, 8);
+    column->setSpacing(0);
+    column->addWidget(m_title);
+    column->addSpacing(5);
+    column->addWidget(m_text);
+    m_whyColumn = new QVBoxLayout;
+    m_whyColumn->setSpacing(0);
+    column->addLayout(m_whyColumn);
+    column->addStretch(1);
+    connect(m_text, &NarrationText::linkActivated, this, [this](const QUrl &link, const QPoint &place) {
+        if (!wordOf(link).isEmpty())
+            emit wordRequested(wordOf(link), place);
+    });
+    return page;
+}
+
+QWidget *Narration::makeTries()
+{
+    // The tasks are below the scrolling text and not in it, so that they are always visible.
+    m_tryPage = new QWidget(this);
+    m_tryPage->setObjectName("tries");
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    m_tryPage->setSizePolicy(policy);
+    m_heading = new QLabel(tr("Try this"), m_tryPage);
+    m_heading->setObjectName("heading");
+    m_heading->setFixedHeight(headingHeight);
+    m_heading->setIndent(TryBox::left);
+    m_tryColumn = new QVBoxLayout(m_tryPage);
+    m_tryColumn->setContentsMargins(18 - TryBox::left, 6, 18, 4);
+    m_tryColumn->setSpacing(0);
+    m_tryColumn->addWidget(m_heading);
+    m_tryColumn->addSpacing(2);
+    return m_tryPage;
+}
+
+QWidget *Narration::makeButtons()
+{
+    auto *buttons = new QWidget(this);
+    m_buttons = buttons;
+    m_back = new QPushButton(buttons);
+    m_back->setObjectName("back");
+    m_back->setAutoDefault(false);
+    m_back->setAccessibleName(tr("Previous step"));
+    m_back->setFixedSize(36, buttonHeight);
+    m_next = new StepButton(buttons);
+    m_next->setObjectName("next");
+    for (QPushButton *button : {m_back, static_cast<QPushButton *>(m_next)}) {
+        button->setIconSize({16, 16});
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    auto *row = new QHBoxLayout(buttons);
+    row->setContentsMargins(16, 8, 16, 14);
+    row->setSpacing(8);
+    row->addWidget(m_back);
+    row->addWidget(m_next, 1);
+    connect(m_back, &QPushButton::clicked, &m_session, &Session::openPreceding);
+    connect(m_next, &QPushButton::clicked, this, &Narration::goOn);
+    return buttons;
+}
+
+void Narration::open()
+{
+    const lessons::Step &step = m_session.step();
+    m_title->setText(step.title);
+    m_text->setText(step.narration);
+    addWhys();
+    addTries();
+    nameButtons();
+    m_area->verticalScrollBar()->setValue(0);
+    fitText();
+    m_isOpen = false; // tasks done earlier show their answers only on request
+    showProgress();
+    m_isOpen = true;
+}
+
+void Narration::addTries()
+{
+    qDeleteAll(m_tries);
+    m_tries.clear();
+    for (const lessons::Try &one : m_session.step().tries) {
+        const std::size_t number = m_tries.size();
+        m_tries.push_back(new TryBox(one, m_theme, m_tryPage));
+        m_tries.back()->showHint(m_hints.contains(keyOf(number)));
+        m_tryColumn->addWidget(m_tries.back());
+        connect(m_tries.back(), &TryBox::hintToggled, this,
+                [this, number](bool shown) { remember(number, shown); });
+        connect(m_tries.back(), &TryBox::answerToggled, this, &Narration::heightChanged);
+    }
+    m_heading->setVisible(!m_tries.empty());
+}
+
+void Narration::addWhys()
+{
+    qDeleteAll(m_whys);
+    m_whys.clear();
+    for (const lessons::Why &why : m_session.step().explanation.whys) {
+        m_whys.push_back(new WhyBox(why, m_theme, m_area->widget()));
+        m_whyColumn->addWidget(m_whys.back());
+        connect(m_whys.back(), &WhyBox::unfolded, this, [this, box = m_whys.back()](bool open) {
+            fitText();
+            emit heightChanged();
+            if (open) // once the layout is done, scrolls the question to the top
+                QTimer::singleShot(0, box, [this, box] { m_area->verticalScrollBar()->setValue(box->y()); });
+        });
+    }
+    m_whyColumn->setContentsMargins(0, m_whys.empty() ? 0 : 6, 0, 0);
+}
+
+void Narration::nameButtons()
+{
+    const lessons::Step *before = m_session.preceding();
+    m_back->setEnabled(before);
+    m_back->setToolTip(before ? tr("Back: %1 (Page Up)").arg(before->title) : tr("This is the first step."));
+    const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
+    const QString next = isLast ? tr("What you learnt") : m_session.following()->title;
+    m_next->setFullText(tr("Next: %1").arg(next), next);
+    m_next->setToolTip(isLast ? tr("What you learnt in this lesson, and what comes next")
+                              : tr("Next: %1 (Page Down)").arg(next));
+}
+
+void Narration::goOn()
+{
+    if (&m_session.step() == &m_session.lesson().steps.back())
+        emit summaryRequested();
+    else
+        m_session.openFollowing();
+}
+
+QString Narration::keyOf(std::size_t number) const
+{
+    return QStringLiteral("%1/%2/%3").arg(m_session.lesson().id, m_session.step().id).arg(number);
+}
+
+void Narration::remember(std::size_t number, bool shown)
+{
+    if (shown)
+        m_hints.insert(keyOf(number));
+    else
+        m_hints.remove(keyOf(number));
+    emit heightChanged();
+}
+
+void Narration::showNextHint()
+{
+    for (std::size_t i = 0; i < m_tries.size(); ++i) {
+        if (m_tries[i]->hasHint() && !m_tries[i]->showsHint()) {
+            m_tries[i]->showHint(true);
+            remember(i, true);
+            return;
+        }
+    }
+}
+
+QString Narration::backTip() const
+{
+    return m_back->toolTip();
+}
+
+QString Narration::nextTip() const
+{
+    return m_next->toolTip();
+}
+
+void Narration::fitText()
+{
+    const QWidget &page = *m_area->widget();
+    m_area->setMaximumHeight(std::max(1, page.layout()->totalHeightForWidth(width())));
+}
+
+void Narration::showProgress()
+{
+    const QString lesson = m_session.lesson().id;
+    const QString step = m_session.step().id;
+    for (std::size_t i = 0; i < m_tries.size(); ++i) {
+        const bool isNew = !m_tries[i]->isDone();
+        m_tries[i]->setDone(m_session.progress().isDone(lesson, step, static_cast<int>(i)));
+        if (isNew && m_tries[i]->isDone() && m_isOpen)
+            showAnswerOf(i);
+    }
+    const bool done = m_session.isStepDone(m_session.lesson(), m_session.step());
+    m_next->setPrimary(done);
+    m_next->setIcon(m_theme.icon("right", done ? m_theme.tokens().buttonText : m_theme.tokens().ink));
+}
+
+void Narration::showAnswerOf(std::size_t number)
+{
+    for (TryBox *one : m_tries) {
+        if (one->isDone())
+            one->showAnswer(one == m_tries[number]);
+    }
+    emit heightChanged();
+}
+
+void Narration::showTodos()
+{
+    bool changed = false;
+    for (std::size_t i = 0; i < m_tries.size(); ++i)
+        changed = m_tries[i]->setTodo(m_session.todo(static_cast<int>(i))) || changed;
+    if (changed)
+        emit heightChanged();
+}
+
+void Narration::applyTheme()
+{
+    m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
+    showProgress();
+}
+
+int Narration::fullHeight() const
+{
+    return m_area->maximumHeight() + leastHeight() - m_area->minimumSizeHint().height();
+}
+
+int Narration::leastHeight() const
+{
+    return m_area->minimumSizeHint().height() + m_tryPage->heightForWidth(width()) +
+           m_buttons->sizeHint().height();
+}
+
+QSize Narration::minimumSizeHint() const
+{
+    return {200, 160};
+}
+
+void Narration::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_text->setLarge(window()->width() >= largeWindow);
+    fitText();
+}
+
+}

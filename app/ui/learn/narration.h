@@ -1,0 +1,94 @@
+#pragma once
+
+#include "app/model/session/session.h"
+#include "app/ui/theme/theme.h"
+
+#include <QSet>
+#include <QTimer>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QPushButton;
+class QScrollArea;
+class QVBoxLayout;
+
+namespace app {
+
+class NarrationText;
+class Glossary;
+class StepButton;
+class TryBox;
+class WhyBox;
+
+/// A panel with the text of the open step, the things to try, and buttons to the previous and the next step.
+class Narration : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `glossary` must outlive this.
+    Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent = nullptr);
+
+    QSize minimumSizeHint() const override;
+    /// Shows the next hint: that of the first unfinished task whose hint is still hidden.
+    void showNextHint();
+    /// Returns the tooltip of a button below the text, for other buttons that do the same.
+    QString backTip() const;
+    QString nextTip() const;
+    /// Sets the height of the text area to the height of its text at the present width.
+    void fitText();
+    /// Returns the height that shows all of the text, the tasks and the buttons at this width, px.
+    int fullHeight() const;
+    /// Returns the same height with the text area at its scrollable minimum, px.
+    int leastHeight() const;
+
+signals:
+    /// Emitted when the learner clicks a glossary word in the text. `place` is below the word, in screen coordinates.
+    void wordRequested(const QString &name, const QPoint &place);
+    /// Emitted when the learner goes on from the last step of a lesson, so its summary comes next.
+    void summaryRequested();
+    /// Emitted when a part is folded or unfolded, which changes the height.
+    void heightChanged();
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QWidget *makeText();
+    QWidget *makeTries();
+    QWidget *makeButtons();
+    void open();
+    void addTries();
+    void addWhys();
+    void nameButtons();
+    void goOn();
+    void remember(std::size_t number, bool shown);
+    QString keyOf(std::size_t number) const;
+    void showProgress();
+    /// Shows the answer of the task that was just done, and hides earlier answers.
+    void showAnswerOf(std::size_t number);
+    void showTodos();
+    void applyTheme();
+
+    Session &m_session;
+    const Theme &m_theme;
+    QScrollArea *m_area = nullptr;
+    QLabel *m_title = nullptr;
+    NarrationText *m_text = nullptr;
+    QWidget *m_tryPage = nullptr;
+    QWidget *m_buttons = nullptr;
+    QLabel *m_heading = nullptr;
+    QVBoxLayout *m_tryColumn = nullptr;
+    std::vector<TryBox *> m_tries;
+    QVBoxLayout *m_whyColumn = nullptr;
+    std::vector<WhyBox *> m_whys;
+    QTimer m_todoDue;
+    bool m_isOpen = false; ///< false while a step opens: ticks from before do not show answers
+    QSet<QString> m_hints; ///< shown hints, by step and number, until the program ends
+    QPushButton *m_back = nullptr;
+    StepButton *m_next = nullptr;
+};
+
+}

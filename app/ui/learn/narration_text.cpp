@@ -1,0 +1,84 @@
+#include "app/ui/learn/narration_text.h"
+
+#include "app/model/text/glossary.h"
+#include "app/ui/learn/prose.h"
+
+#include <QDesktopServices>
+
+#include <cmath>
+
+namespace app {
+
+NarrationText::NarrationText(const Theme &theme, QWidget *parent, Kind kind)
+    : QTextBrowser(parent), m_theme(theme), m_kind(kind)
+{
+    setFrameShape(QFrame::NoFrame);
+    setOpenLinks(false);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    // Not a fixed height: the size hint is still that of the previous width, and a layout centres a widget
+    // with a maximum height.
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    connect(this, &QTextBrowser::anchorClicked, this, &NarrationText::follow);
+    connect(&theme, &Theme::changed, this, &NarrationText::applyTheme);
+}
+
+void NarrationText::setText(const QString &markdown)
+{
+    m_text = markdown;
+    setAccessibleName(plainText(markdown));
+    applyTheme();
+}
+
+void NarrationText::follow(const QUrl &link)
+{
+    if (link.scheme() == "https")
+        QDesktopServices::openUrl(link);
+    else
+        emit linkActivated(link, viewport()->mapToGlobal(cursorRect().bottomLeft()));
+}
+
+void NarrationText::setLarge(bool large)
+{
+    if (large == m_large)
+        return;
+    m_large = large;
+    applyTheme();
+}
+
+void NarrationText::applyTheme()
+{
+    const Tokens &tokens = m_theme.tokens();
+    // The size should lie between 13 px and 14 px, but Qt rounds to whole sizes; the tracking makes up for
+    // it.
+    const ProseStyle small{14, 20, 6, tokens.ink2, tokens.ink, QFont::DemiBold, -0.15};
+    const ProseStyle large{14, 22, 6, tokens.ink2, tokens.ink};
+    const ProseStyle aside{13, 19, 5, tokens.ink2, tokens.ink};
+    const ProseStyle &style = m_large ? large : small;
+    setProse(*document(), m_text, m_kind == Kind::aside ? aside : style, m_theme);
+    if (m_glossary)
+        linkWords(*document(), *m_glossary, m_theme);
+    const bool links = document()->toHtml().contains("<a ");
+    // Tab reaches this text only if it contains a link.
+    setFocusPolicy(links ? Qt::StrongFocus : Qt::ClickFocus);
+    updateGeometry();
+}
+
+int NarrationText::heightForWidth(int width) const
+{
+    QTextDocument *text = document();
+    const qreal was = text->textWidth();
+    text->setTextWidth(width);
+    const int height = static_cast<int>(std::ceil(text->size().height()));
+    text->setTextWidth(was);
+    return height;
+}
+
+QSize NarrationText::sizeHint() const
+{
+    return {240, heightForWidth(std::max(width(), 160))};
+}
+
+}

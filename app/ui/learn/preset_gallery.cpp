@@ -1,0 +1,35 @@
+#include "app/ui/learn/preset_gallery.h"
+
+namespace app {
+
+namespace {
+
+constexpr QSize pictureSize{156, 104};
+constexpr int columns = 3;
+
+}
+
+PresetGallery::PresetGallery(Session &session, const Theme &theme, PresetPainter painter, QWidget *parent)
+    : CardGallery(pictureSize, columns, theme, parent), m_session(session), m_painter(std::move(painter))
+{
+    setAccessibleName(tr("Presets"));
+}
+
+std::vector<GalleryCard> PresetGallery::entries()
+{
+    const lessons::Step &step = m_session.step();
+    std::vector<GalleryCard> cards;
+    for (const lessons::Preset &preset : step.presets) {
+        GalleryCard card;
+        card.title = preset.title;
+        card.help = preset.help;
+        card.tip = tr("%1 Restarts this step.").arg(preset.help);
+        card.key = m_session.lesson().id + '/' + step.id + '/' + preset.title;
+        card.picture = [this, &step, &preset](QSize size) { return m_painter(step, preset, size); };
+        card.take = [this, preset] { m_session.editor().startWith(preset); };
+        cards.push_back(std::move(card));
+    }
+    return cards;
+}
+
+}

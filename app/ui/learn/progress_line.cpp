@@ -1,0 +1,32 @@
+#include "app/ui/learn/progress_line.h"
+
+namespace app {
+
+namespace {
+
+constexpr int thickness = 6; ///< px
+constexpr int whole = 100;   ///< percent
+
+}
+
+ProgressLine::ProgressLine(const QString &name, QWidget *parent) : QProgressBar(parent)
+{
+    setRange(0, whole);
+    setTextVisible(false);
+    setFixedHeight(thickness);
+    setAccessibleName(name);
+}
+
+void ProgressLine::setShare(double share)
+{
+    const int next = qRound(whole * share);
+    if (next == value())
+        return;
+    // setValue() calls repaint(), which does nothing while updates are disabled. Enabling them again calls
+    // update().
+    setUpdatesEnabled(false);
+    setValue(next);
+    setUpdatesEnabled(true);
+}
+
+}

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <QTextDocument>
+#include <QUrl>
+
+namespace app {
+
+class Glossary;
+
+/// The typography of a Markdown text.
+struct ProseStyle
+{
+    double size = 13;       ///< px, a whole number: Qt draws only whole sizes
+    double lineHeight = 20; ///< px
+    double paragraphGap = 6;
+    QColor text;
+    QColor bold;
+    QFont::Weight boldWeight = QFont::DemiBold;
+    double tracking = 0; ///< px, added between letters
+};
+
+/// Fills `document` with `markdown`. Line heights are set here, because Qt style sheets cannot set them.
+void setProse(QTextDocument &document, const QString &markdown, const ProseStyle &style, const Theme &theme);
+
+/// Returns the link to a glossary word. wordOf() returns the word of such a link, or an empty text for any
+/// other link.
+QUrl wordLink(const QString &name);
+QString wordOf(const QUrl &link);
+
+/// Makes the first occurrence of each word of `glossary` a link. The links keep the text colour, so that they
+/// do not distract the reader.
+void linkWords(QTextDocument &document, const Glossary &glossary, const Theme &theme);
+
+/// Returns the link to a step. stepOf() returns the ids of such a link, or empty ids for any other link.
+QUrl stepLink(const QString &lesson, const QString &step);
+struct StepPlace
+{
+    QString lesson;
+    QString step;
+};
+StepPlace stepOf(const QUrl &link);
+
+/// Returns the text without Markdown syntax, for screen readers.
+QString plainText(const QString &markdown);
+
+}

@@ -1,0 +1,59 @@
+#include "app/ui/learn/step_button.h"
+
+#include <QStyle>
+
+namespace app {
+
+namespace {
+
+constexpr int around = 2 * 13 + 16 + 12; ///< px: padding and border, icon, and the gap before it
+
+}
+
+StepButton::StepButton(QWidget *parent) : QPushButton(parent)
+{
+    setLayoutDirection(Qt::RightToLeft); // puts the icon after the text
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setAutoDefault(false);
+    setPrimary(false);
+}
+
+void StepButton::setFullText(const QString &text, const QString &brief)
+{
+    m_text = text;
+    m_brief = brief;
+    setAccessibleName(text);
+    fit();
+}
+
+void StepButton::setPrimary(bool primary)
+{
+    setProperty("primary", primary);
+    // A style sheet evaluates properties again only after a polish.
+    style()->unpolish(this);
+    style()->polish(this);
+    update();
+}
+
+QSize StepButton::minimumSizeHint() const
+{
+    return {96, QPushButton::minimumSizeHint().height()};
+}
+
+void StepButton::fit()
+{
+    const int room = width() - around;
+    const QString &fitting = fontMetrics().horizontalAdvance(m_text) <= room ? m_text : m_brief;
+    QString shown = fontMetrics().elidedText(fitting, Qt::ElideRight, room);
+    shown.replace('&', "&&");
+    // Adds a gap between text and icon that the right-to-left layout does not remove.
+    setText(shown + QChar(0x00A0) + QChar(0x200E));
+}
+
+void StepButton::resizeEvent(QResizeEvent *event)
+{
+    QPushButton::resizeEvent(event);
+    fit();
+}
+
+}

@@ -1,0 +1,169 @@
+#include "app/ui/learn/summary_page.h"
+
+#include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/prose.h"
+#include "app/ui/learn/step_button.h"
+
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr int summaryButtonHeight = 32;
+
+QString linkTo(const QString &text, const LessonSummary &summary, const StepSummary &step)
+{
+    return QStringLiteral("[%1](%2)").arg(text, stepLink(summary.lesson, step.id).toString());
+}
+
+}
+
+SummaryPage::SummaryPage(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    auto *area = new QScrollArea(this);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidget(makeText());
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(area, 1);
+    column->addWidget(makeButtons());
+    session.onChange(ChangeKind::step, this, &SummaryPage::open);
+    connect(&session.progress(), &Progress::changed, this, &SummaryPage::refresh);
+    connect(&theme, &Theme::changed, this, &SummaryPage::applyTheme);
+    open();
+    applyTheme();
+}
+
+QWidget *SummaryPage::makeText()
+{
+    auto *page = new QWidget;
+    page->setObjectName("panel");
+    page->setAttribute(Qt::WA_StyledBackground);
+    m_title = new QLabel(page);
+    m_title->setObjectName("stepTitle");
+    m_title->setWordWrap(true);
+    m_title->setTextFormat(Qt::PlainText);
+    m_text = new NarrationText(m_theme, page, NarrationText::Kind::aside);
+    m_startOver = new QToolButton(page);
+    m_startOver->setObjectName("startOver");
+    m_startOver->setFocusPolicy(Qt::TabFocus);
+    auto *column = new QVBoxLayout(page);
+    column->setContentsMargins(18, 12, 18, 8);
+    column->setSpacing(6);
+    column->addWidget(m_title);
+    column->addWidget(m_text);
+    column->addWidget(m_startOver, 0, Qt::AlignLeft);
+    column->addStretch(1);
+    connect(m_startOver, &QToolButton::clicked, this, &SummaryPage::startOver);
+    connect(m_text, &NarrationText::linkActivated, this, [this](const QUrl &link) {
+        const StepPlace place = stepOf(link);
+        m_session.openStep(place.lesson, place.step);
+        emit closed();
+    });
+    return page;
+}
+
+QWidget *SummaryPage::makeButtons()
+{
+    auto *buttons = new QWidget(this);
+    m_back = new QPushButton(buttons);
+    m_back->setObjectName("back");
+    m_back->setAccessibleName(tr("Back to the step"));
+    m_back->setToolTip(tr("Back to the step"));
+    m_back->setFixedSize(36, summaryButtonHeight);
+    m_next = new StepButton(buttons);
+    m_next->setObjectName("next");
+    for (QPushButton *button : {m_back, static_cast<QPushButton *>(m_next)}) {
+        button->setIconSize({16, 16});
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    auto *row = new QHBoxLayout(buttons);
+    row->setContentsMargins(16, 8, 16, 14);
+    row->setSpacing(8);
+    row->addWidget(m_back);
+    row->addWidget(m_next, 1);
+    connect(m_back, &QPushButton::clicked, this, &SummaryPage::closed);
+    connect(m_next, &QPushButton::clicked, this, [this] {
+        const LessonSummary summary =
+            summaryOf(m_session.lesson(), m_session.library(), m_session.progress());
+        if (summary.next)
+            m_session.openStep(summary.next->id, summary.next->steps.front().id);
+    });
+    return buttons;
+}
+
+void SummaryPage::open()
+{
+    m_forgotten.clear();
+    refresh();
+}
+
+void SummaryPage::refresh()
+{
+    const LessonSummary summary = summaryOf(m_session.lesson(), m_session.library(), m_session.progress());
+    m_title->setText(tr("%1: what you learnt").arg(summary.title));
+    m_text->setText(textOf(summary));
+    m_next->setEnabled(summary.next);
+    const QString last = tr("The last lesson");
+    m_next->setFullText(summary.next ? tr("Next: %1").arg(summary.next->title) : last,
+                        summary.next ? summary.next->title : last);
+    m_next->setToolTip(summary.next ? tr("Next: %1").arg(summary.next->title)
+                                    : tr("No lesson comes after this one."));
+    const bool canGiveBack = !m_forgotten.isEmpty();
+    m_startOver->setText(canGiveBack ? tr("Restore the ticks") : tr("Restart this lesson"));
+    m_startOver->setToolTip(canGiveBack ? tr("Ticks everything again that you had done before")
+                                        : tr("Removes the ticks of this lesson. You can restore them."));
+    m_startOver->setEnabled(canGiveBack || summary.done > 0);
+    if (!m_startOver->isEnabled())
+        m_startOver->setToolTip(tr("Nothing is ticked in this lesson yet."));
+    applyTheme();
+}
+
+void SummaryPage::startOver()
+{
+    if (m_forgotten.isEmpty()) {
+        m_forgotten = m_session.progress().forgetLesson(m_session.lesson().id);
+    } else {
+        const QStringList ticks = std::exchange(m_forgotten, {});
+        m_session.progress().giveBack(ticks);
+    }
+    refresh();
+}
+
+QString SummaryPage::textOf(const LessonSummary &summary) const
+{
+    QStringList text{tr("%1 of %2 things tried.").arg(summary.done).arg(summary.count)};
+    for (const StepSummary &step : summary.steps) {
+        const bool isDone = step.open.isEmpty();
+        text << QStringLiteral("**%1**%2")
+                    .arg(linkTo(step.title, summary, step), isDone ? QStringLiteral(" ✓") : QString());
+        if (!step.learnt.isEmpty())
+            text << step.learnt;
+        for (const QString &open : step.open)
+            text << tr("Still to try: %1").arg(open);
+    }
+    if (summary.next)
+        text << tr("**Next: %1.** %2").arg(summary.next->title, summary.next->summary);
+    return text.join(QStringLiteral("\n\n"));
+}
+
+void SummaryPage::applyTheme()
+{
+    m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
+    m_next->setPrimary(m_next->isEnabled());
+    m_next->setIcon(m_next->isEnabled() ? m_theme.icon("right", m_theme.tokens().buttonText) : QIcon());
+}
+
+}

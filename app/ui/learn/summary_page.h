@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/model/catalog/lesson_summary.h"
+#include "app/model/session/session.h"
+#include "app/ui/theme/theme.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace app {
+
+class NarrationText;
+class StepButton;
+
+/// A page after the last step of a lesson: what the learner learnt, what is left to try, and what comes next.
+class SummaryPage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    SummaryPage(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    QSize minimumSizeHint() const override { return {200, 160}; }
+
+signals:
+    /// Emitted when the learner goes back to the text of the open step.
+    void closed();
+
+private:
+    QWidget *makeText();
+    QWidget *makeButtons();
+    void open();
+    void refresh();
+    void startOver();
+    QString textOf(const LessonSummary &summary) const;
+    void applyTheme();
+
+    Session &m_session;
+    const Theme &m_theme;
+    QLabel *m_title = nullptr;
+    NarrationText *m_text = nullptr;
+    QToolButton *m_startOver = nullptr;
+    QPushButton *m_back = nullptr;
+    StepButton *m_next = nullptr;
+    QStringList m_forgotten; ///< ticks that can be restored
+};
+
+}

@@ -1,0 +1,152 @@
+#include "app/ui/learn/try_box.h"
+
+#include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/prose.h"
+#include "app/ui/learn/try_row.h"
+
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr QSize hintButtonSize{24, 24};
+constexpr QPoint buttonPlace{0, 22}; ///< under the box of the row, clear of its text
+constexpr int leastHeight = 46;      ///< px, of a row with a button
+constexpr int hintLeft = 25;         ///< px from the row’s left: aligned with the row's text
+
+}
+
+TryBox::TryBox(const lessons::Try &what, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_theme(theme), m_row(new TryRow(what.text, theme, this))
+{
+    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(left, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_row);
+    m_todo = addText("todoText", {});
+    if (!what.hint.isEmpty())
+        m_hint = addText("hintText", what.hint);
+    if (!what.answer.isEmpty())
+        m_answer = addText("answerText", what.answer);
+    if (!m_hint && !m_answer)
+        return;
+    m_button = new QToolButton(this);
+    m_button->setObjectName("hint");
+    m_button->setCheckable(true);
+    m_button->setIconSize({14, 14});
+    m_button->setGeometry(QRect(buttonPlace, hintButtonSize));
+    m_button->setFocusPolicy(Qt::TabFocus);
+    connect(m_button, &QToolButton::clicked, this, &TryBox::press);
+    connect(&theme, &Theme::changed, this, &TryBox::applyTheme);
+    setDone(false);
+}
+
+NarrationText *TryBox::addText(const QString &name, const QString &text)
+{
+    auto *made = new NarrationText(m_theme, this, NarrationText::Kind::aside);
+    made->setObjectName(name);
+    made->setText(text);
+    made->hide();
+    auto *indented = new QVBoxLayout; // takes no space while the text is hidden
+    indented->setContentsMargins(hintLeft, 0, 0, 4);
+    indented->addWidget(made);
+    static_cast<QVBoxLayout *>(layout())->addLayout(indented);
+    return made;
+}
+
+void TryBox::press(bool shown)
+{
+    if (isDone()) {
+        showAnswer(shown);
+        emit answerToggled(shown);
+    } else {
+        showHint(shown);
+        emit hintToggled(shown);
+    }
+}
+
+void TryBox::applyTheme()
+{
+    const bool shown = m_button->isChecked();
+    m_button->setIcon(m_theme.icon("hint"));
+    if (isDone())
+        m_button->setToolTip(shown ? tr("Hide the answer") : tr("Show the answer"));
+    else
+        m_button->setToolTip(shown ? tr("Hide the hint") : tr("Show a hint (H)"));
+    m_button->setAccessibleName(isDone() ? tr("Answer: %1").arg(m_row->plain())
+                                         : tr("Hint: %1").arg(m_row->plain()));
+}
+
+void TryBox::setDone(bool done)
+{
+    m_row->setDone(done);
+    if (done)
+        setTodo({});
+    if (!m_button)
+        return;
+    const bool hasMore = done ? m_answer != nullptr : m_hint != nullptr;
+    if (done)
+        showHint(false);
+    else
+        showAnswer(false);
+    const NarrationText *asked = done ? m_answer : m_hint;
+    m_button->setChecked(asked && !asked->isHidden());
+    m_button->setVisible(hasMore);
+    m_row->setMinimumHeight(hasMore ? leastHeight : 0);
+    applyTheme();
+}
+
+bool TryBox::isDone() const
+{
+    return m_row->isChecked();
+}
+
+bool TryBox::setTodo(const QString &todo)
+{
+    if (todo == m_todoText)
+        return false;
+    m_todoText = todo;
+    const QString text = todo.isEmpty() ? QString() : tr("**Still to do:** %1").arg(todo);
+    if (!todo.isEmpty())
+        m_todo->setText(text);
+    m_todo->setVisible(!todo.isEmpty());
+    m_row->setTodo(plainText(text));
+    return true;
+}
+
+void TryBox::showAnswer(bool shown)
+{
+    if (!m_answer)
+        return;
+    m_answer->setVisible(shown);
+    if (isDone())
+        m_button->setChecked(shown);
+    applyTheme();
+}
+
+bool TryBox::hasHint() const
+{
+    return m_hint && !isDone();
+}
+
+bool TryBox::showsHint() const
+{
+    return m_hint && !m_hint->isHidden();
+}
+
+void TryBox::showHint(bool shown)
+{
+    if (!m_hint)
+        return;
+    m_hint->setVisible(shown);
+    if (!isDone())
+        m_button->setChecked(shown);
+    applyTheme();
+}
+
+}

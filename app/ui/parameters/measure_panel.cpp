@@ -1,0 +1,82 @@
+#include "app/ui/parameters/measure_panel.h"
+
+#include "app/ui/dock/panel_title.h"
+#include "app/ui/parameters/measure_row.h"
+
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr int panelBottomMargin = 6;
+constexpr qint64 measureRefresh = 100; ///< during playback: faster numbers cannot be read
+
+}
+
+MeasurePanel::MeasurePanel(Session &session, const MeasureSeries &series, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_series(series), m_theme(theme)
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    auto *title = new PanelTitle(tr("Measured"), PanelTitle::CaptionPlace::besideTitle, theme, this);
+    title->setCaption(tr("at the cursor"));
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, panelBottomMargin);
+    column->setSpacing(0);
+    column->setAlignment(Qt::AlignTop);
+    column->addWidget(title);
+    connect(&session, &Session::changed, this, &MeasurePanel::follow);
+    connect(&series, &MeasureSeries::changed, this, &MeasurePanel::refresh);
+    connect(&theme, &Theme::changed, this, &MeasurePanel::refreshNow);
+    open();
+}
+
+QSize MeasurePanel::sizeHint() const
+{
+    return {400,
+            PanelTitle::height + static_cast<int>(m_rows.size()) * MeasureRow::height + panelBottomMargin};
+}
+
+void MeasurePanel::open()
+{
+    for (MeasureRow *row : m_rows)
+        delete row;
+    m_rows.clear();
+    m_step = &m_session.step();
+    for (std::size_t i = 0; i < m_session.step().measures.size(); ++i) {
+        m_rows.push_back(new MeasureRow(m_session, m_series, i, m_theme, this));
+        layout()->addWidget(m_rows.back());
+        m_rows.back()->show();
+    }
+    updateGeometry();
+    emit contentChanged();
+}
+
+void MeasurePanel::follow(const Change &change)
+{
+    if (change.isAny(ChangeKind::step))
+        open();
+    if (change.isAny(ChangeKind::playing | ChangeKind::preview))
+        refreshNow();
+    else if (change.isAny(ChangeKind::cursor))
+        refresh();
+}
+
+void MeasurePanel::refresh()
+{
+    if (!m_session.playback().isPlaying() || !m_sinceRefresh.isValid() ||
+        m_sinceRefresh.elapsed() >= measureRefresh)
+        refreshNow();
+}
+
+void MeasurePanel::refreshNow()
+{
+    if (m_step != &m_session.step())
+        return; // the series has heard of another step before this panel
+    m_sinceRefresh.start();
+    for (MeasureRow *row : m_rows)
+        row->refresh();
+}
+
+}

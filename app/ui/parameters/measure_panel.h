@@ -1,0 +1,45 @@
+#pragma once
+
+#include "app/model/series/measure_series.h"
+#include "app/ui/theme/theme.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+namespace app {
+
+class MeasureRow;
+
+/// A panel with the measures of the open step: each has its number at the cursor and a curve of its time
+/// series. It is hidden if the step has no measures.
+class MeasurePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    MeasurePanel(Session &session, const MeasureSeries &series, const Theme &theme,
+                 QWidget *parent = nullptr);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return {300, sizeHint().height()}; }
+    bool isEmpty() const { return m_rows.empty(); }
+
+signals:
+    /// Emitted when another step is opened: isEmpty() and sizeHint() may have changed.
+    void contentChanged();
+
+private:
+    void open();
+    void follow(const Change &change);
+    void refresh();
+    void refreshNow();
+
+    Session &m_session;
+    const MeasureSeries &m_series;
+    const Theme &m_theme;
+    std::vector<MeasureRow *> m_rows;
+    const lessons::Step *m_step = nullptr; ///< whose measures the rows show
+    QElapsedTimer m_sinceRefresh;
+};
+
+}

@@ -1,0 +1,273 @@
+#include "app/ui/parameters/parameter_panel.h"
+
+#include "app/model/session/offered_parameters.h"
+#include "app/model/text/sentences.h"
+#include "app/ui/dock/panel_title.h"
+#include "app/ui/parameters/parameter_row.h"
+
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr std::size_t alwaysShown = 4;
+constexpr std::size_t leastShown = 2; ///< if there is little height; the rest can be scrolled to
+constexpr int labelWidth = 88;
+constexpr int unitWidth = 53;
+constexpr int disclosureHeight = 28;
+constexpr int bottomMargin = 12;
+constexpr int slack = 8;                    ///< px by which that margin may be smaller
+constexpr qint64 refreshMilliseconds = 100; ///< during playback: faster numbers cannot be read
+
+}
+
+ParameterPanel::ParameterPanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme)
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    m_area = new QScrollArea(this);
+    m_area->setWidgetResizable(true);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setFocusPolicy(Qt::NoFocus);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    auto *page = new QWidget;
+    page->setObjectName("panel");
+    page->setAttribute(Qt::WA_StyledBackground);
+    m_column = new QVBoxLayout(page);
+    m_column->setContentsMargins(0, 0, 0, 4); // smaller than preferred: a dock may be slightly too low
+    m_column->setSpacing(0);
+    m_area->setWidget(page);
+    makeDisclosure();
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(makeTitle());
+    column->addWidget(m_area, 1);
+    connect(&session, &Session::changed, this, &ParameterPanel::follow);
+    connect(&theme, &Theme::changed, this, &ParameterPanel::applyTheme);
+    open();
+}
+
+QWidget *ParameterPanel::makeTitle()
+{
+    auto *title = new PanelTitle(tr("Parameters"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
+    makePresets(title);
+    title->addAction(m_presets);
+    m_resetAll = new QToolButton(title);
+    m_resetAll->setObjectName("resetAll");
+    m_resetAll->setText(tr("Reset all"));
+    m_resetAll->setFixedHeight(28);
+    m_resetAll->setFocusPolicy(Qt::TabFocus);
+    connect(m_resetAll, &QToolButton::clicked, &m_session.editor(), &RunEditor::resetParameters);
+    title->addAction(m_resetAll);
+    return title;
+}
+
+void ParameterPanel::makePresets(QWidget *title)
+{
+    m_presets = new QToolButton(title);
+    m_presets->setObjectName("presets");
+    m_presets->setText(tr("Presets"));
+    m_presets->setToolTip(tr("Pictures of this step with other values"));
+    m_presets->setFixedHeight(28);
+    m_presets->setFocusPolicy(Qt::TabFocus); // after a click, Space still starts playback
+    connect(m_presets, &QToolButton::clicked, this, [this] { m_gallery->popUp(*m_presets); });
+}
+
+void ParameterPanel::setPresetPainter(PresetPainter painter)
+{
+    delete m_gallery;
+    m_gallery = new PresetGallery(m_session, m_theme, std::move(painter), this);
+    showPresets();
+}
+
+void ParameterPanel::showPresets()
+{
+    m_presets->setVisible(m_gallery && !m_session.step().presets.empty());
+}
+
+void ParameterPanel::makeDisclosure()
+{
+    m_more = new QToolButton(this);
+    m_more->setObjectName("disclosure");
+    m_more->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_more->setIconSize({12, 12});
+    m_more->setFixedHeight(disclosureHeight);
+    m_more->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    m_more->setFocusPolicy(Qt::TabFocus);
+    connect(m_more, &QToolButton::clicked, this, [this] {
+        m_chosen = true;
+        unfold(!m_unfolded);
+    });
+}
+
+void ParameterPanel::open()
+{
+    // Deleted later, because the signal that opened another step may have come from one of these rows.
+    for (ParameterRow *row : m_rows) {
+        row->hide();
+        row->deleteLater();
+    }
+    m_rows.clear();
+    while (QLayoutItem *item = m_column->takeAt(0))
+        delete item;
+    addRows();
+    showPresets();
+    alignColumns();
+    m_chosen = false;
+    m_unfolded = false;
+    applyTheme();
+    unfoldIfRoom();
+    unfold(m_unfolded);
+    refreshNow();
+}
+
+QStringList ParameterPanel::offered() const
+{
+    QStringList ids;
+    for (const lessons::Parameter *parameter : offeredParameters(m_session))
+        ids << parameter->id;
+    return ids;
+}
+
+void ParameterPanel::follow(const Change &change)
+{
+    const bool hasOtherParameters =
+        change.isAny(ChangeKind::run) && m_session.isSandbox() && offered() != m_offered;
+    if (change.isAny(ChangeKind::step) || hasOtherParameters)
+        open();
+    if (change.isAny(ChangeKind::run | ChangeKind::playing))
+        refreshNow();
+    else if (change.isAny(ChangeKind::cursor))
+        refresh();
+}
+
+void ParameterPanel::addRows()
+{
+    QStringList rest;
+    m_offered = offered();
+    for (const lessons::Parameter &parameter : m_session.step().parameters) {
+        if (!m_offered.contains(parameter.id))
+            continue;
+        if (m_rows.size() == alwaysShown)
+            m_column->addWidget(m_more);
+        if (m_rows.size() >= alwaysShown)
+            rest.push_back(rest.isEmpty() ? parameter.name : withinSentence(parameter.name));
+        m_rows.push_back(new ParameterRow(m_session, parameter, m_theme, m_area->widget()));
+        m_column->addWidget(m_rows.back());
+    }
+    m_column->addStretch(1);
+    m_rest = rest.join(", ");
+    nameRest();
+    m_more->setVisible(!rest.isEmpty());
+}
+
+void ParameterPanel::alignColumns()
+{
+    int label = labelWidth;
+    int unit = unitWidth;
+    for (const ParameterRow *row : m_rows) {
+        label = std::max(label, row->wantedLabelWidth());
+        unit = std::max(unit, row->wantedUnitWidth());
+    }
+    for (ParameterRow *row : m_rows)
+        row->setColumns(label, unit);
+}
+
+void ParameterPanel::nameRest()
+{
+    constexpr int beside = 44; // px, arrow and margins
+    m_more->setText(m_more->fontMetrics().elidedText(m_rest, Qt::ElideRight, std::max(40, width() - beside)));
+}
+
+void ParameterPanel::refresh()
+{
+    if (!m_session.playback().isPlaying() || !m_sinceRefresh.isValid() ||
+        m_sinceRefresh.elapsed() >= refreshMilliseconds)
+        refreshNow();
+}
+
+void ParameterPanel::refreshNow()
+{
+    m_sinceRefresh.start();
+    bool changed = false;
+    for (ParameterRow *row : m_rows) {
+        row->refresh();
+        changed = changed || row->isChanged();
+    }
+    if (changed == m_resetAll->isEnabled() && !m_resetAll->toolTip().isEmpty())
+        return;
+    m_resetAll->setEnabled(changed);
+    m_resetAll->setToolTip(changed ? tr("Reset every parameter to its start value in this step")
+                                   : tr("Nothing to reset: every parameter has its start value."));
+}
+
+void ParameterPanel::unfold(bool all)
+{
+    m_unfolded = all;
+    for (std::size_t i = alwaysShown; i < m_rows.size(); ++i)
+        m_rows[i]->setVisible(all);
+    m_more->setIcon(m_theme.icon(all ? "down" : "right"));
+    m_more->setToolTip(all ? tr("Show fewer parameters") : tr("Show all parameters"));
+    m_more->setAccessibleName(all ? tr("%1, shown").arg(m_rest) : tr("%1, folded").arg(m_rest));
+    updateGeometry();
+    emit wantedHeightChanged(sizeHint().height());
+}
+
+void ParameterPanel::unfoldIfRoom()
+{
+    if (m_chosen || !m_placed || m_rows.size() <= alwaysShown)
+        return;
+    const bool room = height() >= fullHeight() - slack;
+    if (room != m_unfolded)
+        unfold(room);
+}
+
+int ParameterPanel::heightOf(std::size_t rows, bool disclosure) const
+{
+    return PanelTitle::height + static_cast<int>(rows) * ParameterRow::height +
+           (disclosure ? disclosureHeight : 0) + bottomMargin;
+}
+
+int ParameterPanel::fullHeight() const
+{
+    return heightOf(m_rows.size(), m_rows.size() > alwaysShown);
+}
+
+QSize ParameterPanel::sizeHint() const
+{
+    const bool some = m_rows.size() > alwaysShown;
+    return {400, heightOf(some && !m_unfolded ? alwaysShown : m_rows.size(), some)};
+}
+
+QSize ParameterPanel::minimumSizeHint() const
+{
+    return {300, heightOf(std::min(m_rows.size(), leastShown), false)};
+}
+
+void ParameterPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_placed = true;
+    nameRest();
+    unfoldIfRoom();
+}
+
+void ParameterPanel::applyTheme()
+{
+    for (QToolButton *button : {m_presets, m_resetAll}) {
+        button->setFont(m_theme.ui());
+        button->setFixedWidth(button->fontMetrics().horizontalAdvance(button->text()) + 8);
+    }
+    m_more->setFont(m_theme.ui(12));
+    nameRest();
+    m_more->setIcon(m_theme.icon(m_unfolded ? "down" : "right"));
+}
+
+}

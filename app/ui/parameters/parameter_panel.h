@@ -1,0 +1,81 @@
+#pragma once
+
+#include "app/model/session/session.h"
+#include "app/ui/learn/preset_gallery.h"
+#include "app/ui/theme/theme.h"
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+#include <vector>
+
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace app {
+
+class ParameterRow;
+
+/// A panel with the parameters of the open step, under its own title. It shows four parameters, and the rest
+/// if there is room or the learner unfolds them.
+class ParameterPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ParameterPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    /// Sets how the presets of a step are painted. Without a painter there is no gallery.
+    void setPresetPainter(PresetPainter painter);
+
+    /// Returns the size that shows the title and all unfolded rows.
+    QSize sizeHint() const override;
+    /// Returns the height from which all parameters are unfolded automatically, px.
+    int fullHeight() const;
+    QSize minimumSizeHint() const override;
+
+signals:
+    /// Emitted when sizeHint().height() changes.
+    void wantedHeightChanged(int height);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    QWidget *makeTitle();
+    void makePresets(QWidget *title);
+    void makeDisclosure();
+    void showPresets();
+    void open();
+    /// Returns the ids of the parameters that affect the scene.
+    QStringList offered() const;
+    void follow(const Change &change);
+    void addRows();
+    void alignColumns();
+    void nameRest();
+    void refresh();
+    void refreshNow();
+    void unfold(bool all);
+    void unfoldIfRoom();
+    int heightOf(std::size_t rows, bool disclosure) const;
+    void applyTheme();
+
+    Session &m_session;
+    const Theme &m_theme;
+    QToolButton *m_presets = nullptr;
+    QToolButton *m_resetAll = nullptr;
+    PresetGallery *m_gallery = nullptr;
+    QScrollArea *m_area = nullptr;
+    QVBoxLayout *m_column = nullptr;
+    QToolButton *m_more = nullptr;
+    QStringList m_offered; ///< ids of the rows that are shown
+    QString m_rest;        ///< the names of the parameters that m_more unfolds
+    std::vector<ParameterRow *> m_rows;
+    QElapsedTimer m_sinceRefresh;
+    bool m_placed = false; ///< whether it has been given a size
+    bool m_unfolded = false;
+    bool m_chosen = false; ///< whether the learner folded or unfolded the rest by hand
+};
+
+}

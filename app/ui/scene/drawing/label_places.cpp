@@ -1,0 +1,138 @@
+#include "app/ui/scene/drawing/label_places.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace app {
+
+namespace {
+
+constexpr double raster = 8.0;      ///< px between two candidate positions
+constexpr double coverCost = 4.0;   ///< px of distance per covered square px
+constexpr double cutCost = 8.0;     ///< covered square px per square px outside the view
+constexpr double strokeWidth = 8.0; ///< px; of a line with its arrow head
+
+}
+
+double lengthWithin(const QLineF &line, const QRectF &box)
+{
+    if (std::max(line.x1(), line.x2()) < box.left() || std::min(line.x1(), line.x2()) > box.right() ||
+        std::max(line.y1(), line.y2()) < box.top() || std::min(line.y1(), line.y2()) > box.bottom())
+        return 0.0; // most lines are far from the box
+    // Liang and Barsky, "A New Concept and Method for Line Clipping", ACM TOG 3 (1), 1984.
+    double from = 0.0;
+    double to = 1.0;
+    const std::array<std::pair<double, double>, 4> edges{std::pair{-line.dx(), line.x1() - box.left()},
+                                                         {line.dx(), box.right() - line.x1()},
+                                                         {-line.dy(), line.y1() - box.top()},
+                                                         {line.dy(), box.bottom() - line.y1()}};
+    for (const auto &[outwards, room] : edges) {
+        if (outwards < 0.0)
+            from = std::max(from, room / outwards);
+        else if (outwards > 0.0)
+            to = std::min(to, room / outwards);
+        else if (room < 0.0)
+            return 0.0;
+    }
+    return std::max(0.0, to - from) * line.length();
+}
+
+double LabelPlaces::covered(const QRectF &box) const
+{
+    double area = 0.0;
+    for (const QLineF &line : m_strokes)
+        area += strokeWidth * lengthWithin(line, box);
+    for (const QRectF &other : m_taken) {
+        const QRectF both = box.intersected(other);
+        if (!both.isEmpty())
+            area += both.width() * both.height();
+    }
+    return area;
+}
+
+QRectF LabelPlaces::beside(QPointF anchor, QSizeF size, const QRectF &area)
+{
+    const double w = size.width();
+    const double h = size.height();
+    QRectF best;
+    double least = -1.0;
+    for (const double away : {8.0, 20.0, 36.0}) {
+        const std::array places{QPointF(away, -h / 2),    QPointF(-w / 2, -h - away),
+                                QPointF(-w / 2, away),    QPointF(-w - away, -h / 2),
+                                QPointF(away, -h - away), QPointF(away, away),
+                                QPointF(-w - away, away), QPointF(-w - away, -h - away)};
+        for (const QPointF &place : places) {
+            const QRectF box(anchor + place, size);
+            const QRectF seen = box.intersected(area);
+            const double cost = covered(box) + cutCost * (w * h - seen.width() * seen.height());
+            if (least >= 0.0 && cost >= least)
+                continue;
+            least = cost;
+            best = box;
+        }
+    }
+    m_taken.push_back(best);
+    return best;
+}
+
+QRectF LabelPlaces::within(QRectF area, QPointF wanted, QSizeF size)
+{
+    const auto distance = [&](const QRectF &box) {
+        const QPointF off = box.topLeft() - wanted;
+        return std::hypot(off.x(), off.y());
+    };
+    const double right = std::max(area.left(), area.right() - size.width());
+    const double bottom = std::max(area.top(), area.bottom() - size.height());
+    const QPointF clamped(std::clamp(wanted.x(), area.left(), right),
+                          std::clamp(wanted.y(), area.top(), bottom));
+    QRectF best(clamped, size);
+    double least = coverCost * covered(best) + distance(best);
+    const auto attempt = [&](int across, int down) {
+        const QPointF place = clamped + raster * QPointF(across, down);
+        if (place.x() < area.left() || place.x() > right || place.y() < area.top() || place.y() > bottom)
+            return;
+        const QRectF box(place, size);
+        const double away = distance(box);
+        if (away >= least)
+            return;
+        const double here = coverCost * covered(box) + away;
+        if (here < least) {
+            least = here;
+            best = box;
+        }
+    };
+    // Tries ring after ring. A ring whose distance alone costs more than the best position cannot be better.
+    const int rings = static_cast<int>(std::max(area.width(), area.height()) / raster);
+    for (int ring = 1; ring <= rings && ring * raster < least; ++ring) {
+        for (int i = -ring; i <= ring; ++i) {
+            attempt(i, -ring);
+            attempt(i, ring);
+        }
+        for (int i = 1 - ring; i < ring; ++i) {
+            attempt(-ring, i);
+            attempt(ring, i);
+        }
+    }
+    m_taken.push_back(best);
+    return best;
+}
+
+std::vector<QRectF> bodyBoxes(const SceneContent &shown, const Camera &camera)
+{
+    std::vector<QRectF> boxes;
+    const auto add = [&](int i) {
+        if (shown.isHidden(i))
+            return;
+        const QPointF c = camera.at(shown.state().positionOf(i));
+        const double r = camera.radius(shown.radius(i)) + (i == shown.selected ? 6.0 : 1.0);
+        boxes.emplace_back(c.x() - r, c.y() - r, 2 * r, 2 * r);
+    };
+    if (shown.isCrowd() && shown.selected >= 0)
+        add(shown.selected);
+    for (int i = shown.isCrowd() ? shown.points() : 0; i < shown.points(); ++i)
+        add(i);
+    return boxes;
+}
+
+}

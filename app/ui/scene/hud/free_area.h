@@ -1,0 +1,21 @@
+#pragma once
+
+#include "app/ui/scene/drawing/canvas.h"
+
+namespace app {
+
+/// Returns the box of the caption in `view`: one line, or several if it wraps.
+QRectF captionBox(const SceneContent &shown, const Camera &camera, QRectF view);
+/// Returns the part of `view` that caption, scale and legends leave free.
+QRectF freeArea(const SceneContent &shown, QRectF view);
+/// Returns the free area between the walls of a room if there is enough space, otherwise the whole free area.
+QRectF cardArea(const SceneContent &shown, const Camera &camera, QRectF view);
+
+/// Returns whether the selected body shows a card instead of its name.
+bool hasCard(const SceneContent &shown);
+/// Returns the name of the selected body.
+QString selectedName(const SceneContent &shown);
+/// Returns the box of that name in `view`; empty if the name is not shown.
+QRectF nameBox(const SceneContent &shown, const Camera &camera, QRectF view);
+
+}

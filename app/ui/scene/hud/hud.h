@@ -1,0 +1,54 @@
+#pragma once
+
+#include "app/ui/scene/hud/edge_markers.h"
+
+namespace app {
+
+/// The heads-up display, whose position and size do not change with the zoom. It has the caption, scale, legends, the
+/// selected body's name or force card, and markers for bodies outside.
+class Hud
+{
+public:
+    /// The picture of `companion` is empty if there is no companion.
+    Hud(const SceneContent &shown, const SceneContent &companion, const Theme &theme)
+        : m_shown(shown), m_companion(companion), m_theme(theme)
+    {
+    }
+
+    void draw(QPainter &painter, const Camera &camera, QRectF view) const;
+    /// Returns the markers for bodies outside `view`.
+    std::vector<EdgeMarker> markers(const Camera &camera, QRectF view) const;
+
+private:
+    struct Entry;
+
+    std::vector<Entry> legend() const;
+    /// Returns the colour of text on the background: stronger on a coloured sky.
+    QColor captionInk() const;
+    void drawCaption(QPainter &painter, const Camera &camera, QRectF view) const;
+    void drawClock(QPainter &painter, QRectF view) const;
+    /// Draws the scale. Returns the x of its right end, screen px.
+    double drawScale(QPainter &painter, const Camera &camera, QRectF view) const;
+    /// Returns the colour of the background at `y` screen px from the top.
+    QColor groundAt(const Camera &camera, double y) const;
+    void drawLegend(QPainter &painter, const Camera &camera, QRectF view, double from) const;
+    void drawEntry(QPainter &painter, const Entry &entry, QPointF at) const;
+    void drawName(QPainter &painter, QRectF box) const;
+    /// Returns the boxes of the texts in the scene: the labels of overlays, and the names of two creatures.
+    std::vector<QRectF> wordBoxes(const Camera &camera, QRectF view) const;
+    /// Returns the boxes that a card must not cover.
+    std::vector<QRectF> takenBoxes(const Camera &camera, QRectF view,
+                                   const std::vector<EdgeMarker> &outside) const;
+    void drawFocus(QPainter &painter, QRectF view) const;
+
+    const SceneContent &m_shown;
+    const SceneContent &m_companion;
+    const Theme &m_theme;
+};
+
+/// Draws the card shown when a run is paused inside a frame: the force of each effect on the selected body, and the
+/// sum.
+void drawPullCard(QPainter &painter, const SceneContent &shown, const Theme &theme, const Camera &camera,
+                  QRectF free, std::vector<QRectF> taken);
+
+}

@@ -1,0 +1,121 @@
+#include "app/ui/settings/appearance.h"
+
+#include "app/ui/actions/command.h"
+#include "app/ui/actions/view_commands.h"
+#include "app/ui/scene/scene_bar.h"
+#include "app/ui/scene/scene_view.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QMainWindow>
+#include <QSettings>
+
+#include <algorithm>
+#include <array>
+
+namespace app {
+
+namespace {
+
+constexpr const char *schemeKey = "window/scheme";
+constexpr const char *sizeKey = "window/size";
+constexpr const char *motionKey = "window/lessMotion";
+constexpr std::array allSizes{100, 125, 150, 175, 200}; ///< percent
+constexpr QSize leastRoom{800, 500};                    ///< px at 100 % that the scene with its time needs
+
+const char *nameOf(Scheme scheme)
+{
+    switch (scheme) {
+    case Scheme::dark:
+        return "dark";
+    case Scheme::highContrast:
+        return "contrast";
+    case Scheme::light:
+        break;
+    }
+    return "light";
+}
+
+}
+
+Scheme storedScheme()
+{
+    const QString name = QSettings().value(schemeKey).toString();
+    for (const Scheme scheme : {Scheme::dark, Scheme::highContrast}) {
+        if (name == nameOf(scheme))
+            return scheme;
+    }
+    return Scheme::light;
+}
+
+int storedSize()
+{
+    const int stored = QSettings().value(sizeKey, allSizes.front()).toInt();
+    return std::find(allSizes.begin(), allSizes.end(), stored) == allSizes.end() ? allSizes.front() : stored;
+}
+
+std::vector<int> sizes()
+{
+    return {allSizes.begin(), allSizes.end()};
+}
+
+void storeSize(int size)
+{
+    QSettings().setValue(sizeKey, size);
+}
+
+bool hasRoomFor(int size, QSize screen)
+{
+    const QSize room = screen * 100 / size;
+    return size == allSizes.front() ||
+           (room.width() >= leastRoom.width() && room.height() >= leastRoom.height());
+}
+
+Appearance::Appearance(QMainWindow &window, SceneBar &bar, SceneView &scene, const ViewCommands &commands,
+                       Theme &theme)
+    : QObject(&window), m_window(window), m_scene(scene), m_theme(theme)
+{
+    connect(&theme, &Theme::changed, this, [&theme] { theme.apply(*qApp); });
+    auto *schemes = new QActionGroup(this); // none of them: light
+    schemes->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    addScheme(*schemes, *commands.dark, Scheme::dark);
+    addScheme(*schemes, *commands.highContrast, Scheme::highContrast);
+    connect(commands.lessMotion, &QAction::toggled, this, &Appearance::setLessMotion);
+    commands.lessMotion->setChecked(QSettings().value(motionKey).toBool());
+    rememberShown(bar);
+}
+
+void Appearance::addScheme(QActionGroup &group, Command &command, Scheme scheme)
+{
+    command.setChecked(m_theme.scheme() == scheme);
+    group.addAction(&command);
+    connect(&command, &QAction::triggered, this, [this, scheme](bool isOn) {
+        m_theme.setScheme(isOn ? scheme : Scheme::light);
+        QSettings().setValue(schemeKey, nameOf(m_theme.scheme()));
+    });
+}
+
+void Appearance::setLessMotion(bool isLess)
+{
+    m_window.setAnimated(!isLess);
+    for (const Qt::UIEffect effect : {Qt::UI_AnimateMenu, Qt::UI_FadeMenu, Qt::UI_AnimateCombo,
+                                      Qt::UI_AnimateTooltip, Qt::UI_FadeTooltip, Qt::UI_AnimateToolBox})
+        QApplication::setEffectEnabled(effect, !isLess);
+    Extras extras = m_scene.extras();
+    extras.still = isLess;
+    m_scene.setExtras(extras);
+    QSettings().setValue(motionKey, isLess);
+}
+
+void Appearance::rememberShown(SceneBar &bar)
+{
+    const QString key = "show/";
+    for (const QString &id : bar.choices()) {
+        if (const QVariant stored = QSettings().value(key + id); stored.isValid())
+            bar.choose(id, stored.toBool());
+    }
+    connect(&bar, &SceneBar::chosen, this,
+            [key](const QString &id, bool isOn) { QSettings().setValue(key + id, isOn); });
+}
+
+}

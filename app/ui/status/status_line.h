@@ -1,0 +1,51 @@
+#pragma once
+
+#include "app/model/session/session.h"
+
+#include <QStatusBar>
+#include <QTimer>
+
+namespace app {
+
+class AccuracyStudy;
+class StabilityGauge;
+class StabilityMonitor;
+class StatusFigures;
+class StatusSentence;
+
+/// The status bar: the state of the run and what the learner can do, or the last message; then numbers, then
+/// the stability gauge.
+class StatusLine : public QStatusBar
+{
+    Q_OBJECT
+
+public:
+    /// Takes ownership of `gauge`. The other arguments must outlive it.
+    StatusLine(const Session &session, const AccuracyStudy &study, const StabilityMonitor &stability,
+               StabilityGauge *gauge, QWidget *parent = nullptr);
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void showMessage(const QString &sentence);
+    /// Removes a message once the learner goes on. While the run plays, a message stays until there was time
+    /// to read it.
+    void follow(const Change &change);
+    void followRun();
+    void refresh();
+    /// Returns the state of the run and what the learner can do, as rich text.
+    QString currentText() const;
+    /// Gives the sentence the width that it needs, and the numbers the rest.
+    void share();
+
+    const Session &m_session;
+    StabilityGauge *m_gauge;
+    StatusFigures *m_figures;
+    StatusSentence *m_text;
+    QString m_message;    ///< the message to read; empty: the state of the run
+    sim::Cursor m_saidAt; ///< the cursor of the run at that time
+    QTimer m_saidLong;    ///< runs until there was time to read the message during playback
+};
+
+}

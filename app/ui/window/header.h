@@ -1,0 +1,34 @@
+#pragma once
+
+#include "app/ui/theme/theme.h"
+
+#include <QWidget>
+
+class QHBoxLayout;
+class QLabel;
+class QMenuBar;
+
+namespace app {
+
+class Command;
+struct Commands;
+
+/// The header of the window: logo, menus, and buttons for commands.
+class Header : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `menus` becomes a part of the header. The other arguments must outlive it.
+    Header(QMenuBar *menus, const Commands &commands, const Theme &theme, QWidget *parent);
+
+private:
+    void drawLogo(QLabel &logo);
+    void addButton(QHBoxLayout &row, Command &command);
+    /// Returns the buttons that choose a mode.
+    QWidget *modeSwitch(const Commands &commands);
+
+    const Theme &m_theme;
+};
+
+}

@@ -1,0 +1,49 @@
+#include "app/ui/window/help_pages.h"
+
+#include "app/model/session/session.h"
+#include "app/ui/actions/command_list.h"
+#include "app/ui/actions/gestures.h"
+#include "app/ui/help/about_page.h"
+#include "app/ui/help/help_page.h"
+#include "app/ui/learn/glossary_page.h"
+
+namespace app {
+
+HelpPages::HelpPages(Session &session, const CommandList &commands, const Glossary &glossary,
+                     const Theme &theme, QWidget &window)
+    : m_session(session), m_commands(commands), m_glossary(glossary), m_theme(theme), m_window(window)
+{
+}
+
+void HelpPages::showKeys()
+{
+    if (!m_keys) {
+        m_keys = new HelpPage(m_theme, &m_window);
+        for (const KeyGroup group : allKeyGroups)
+            m_keys->addGroup(titleOf(group));
+        for (const CommandList::Entry &entry : m_commands.entries())
+            m_keys->addAction(titleOf(entry.group), entry.command);
+        addGestures(*m_keys);
+    }
+    m_keys->show();
+    m_keys->raise();
+    m_keys->activateWindow();
+}
+
+void HelpPages::showGlossary(const QString &typed)
+{
+    if (!m_glossaryPage) {
+        m_glossaryPage = new GlossaryPage(m_glossary, m_theme, &m_window);
+        QObject::connect(m_glossaryPage, &GlossaryPage::stepRequested, &m_session, &Session::openStep);
+    }
+    m_glossaryPage->search(typed);
+}
+
+void HelpPages::showAbout()
+{
+    if (!m_about)
+        m_about = new AboutPage(m_theme, &m_window);
+    m_about->open();
+}
+
+}

@@ -1,0 +1,38 @@
+#include "app/ui/window/last_step.h"
+
+#include "app/model/session/session.h"
+
+#include <QSettings>
+
+namespace app {
+
+namespace {
+
+constexpr const char *lessonKey = "learn/lesson";
+constexpr const char *stepKey = "learn/step";
+
+}
+
+LastStep LastStep::load()
+{
+    const QSettings settings;
+    return {settings.value(lessonKey).toString(), settings.value(stepKey).toString()};
+}
+
+void LastStep::store(const Session &session)
+{
+    if (session.isSandbox())
+        return;
+    QSettings settings;
+    settings.setValue(lessonKey, session.lesson().id);
+    settings.setValue(stepKey, session.step().id);
+}
+
+void LastStep::openIn(Session &session) const
+{
+    const LessonEntry *entry = session.library().lesson(lesson);
+    if (entry && entry->step(step))
+        session.openStep(lesson, step);
+}
+
+}

@@ -1,0 +1,26 @@
+#pragma once
+
+namespace app {
+
+class AccuracyPanel;
+class BranchesPanel;
+class EnergyPanel;
+class PlotsPanel;
+class SceneColumn;
+class Session;
+
+/// The parts of the window that preview a moment while the mouse points at it, or mark a moment that another part
+/// previews.
+struct PreviewParts
+{
+    SceneColumn &centre;
+    PlotsPanel &plots;
+    EnergyPanel &energy;
+    BranchesPanel &branches;
+    AccuracyPanel &accuracy;
+};
+
+/// Connects the parts, so that all show the moment that the mouse points at in one of them.
+void connectPreviews(Session &session, const PreviewParts &parts);
+
+}

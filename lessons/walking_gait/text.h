@@ -1,0 +1,9 @@
+#pragma once
+
+#include <QCoreApplication>
+
+/// Translates the texts of this lesson.
+struct Text
+{
+    Q_DECLARE_TR_FUNCTIONS(WalkingGait)
+};

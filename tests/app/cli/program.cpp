@@ -1,0 +1,83 @@
+#include "tests/app/cli/program.h"
+
+#include <QFile>
+#include <QTest>
+
+#include <csignal>
+
+namespace program {
+
+QProcessEnvironment bareEnvironment()
+{
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        environment.remove(name);
+    environment.insert("SPRINGSTEP_LESSONS", LESSON_DIR);
+    return environment;
+}
+
+Answer runProcess(const QString &file, const QStringList &arguments, const QString &lessons)
+{
+    QProcess process;
+    QProcessEnvironment environment = bareEnvironment();
+    environment.insert("SPRINGSTEP_LESSONS", lessons);
+    process.setProcessEnvironment(environment);
+    process.start(file, arguments);
+    if (!process.waitForFinished(300'000) || process.exitStatus() != QProcess::NormalExit)
+        return {};
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardOutput()),
+            QString::fromUtf8(process.readAllStandardError())};
+}
+
+Answer springstep(const QStringList &arguments)
+{
+    return runProcess(PROGRAM, arguments);
+}
+
+Answer shell(const QString &command)
+{
+    return runProcess("bash", {"-c", "set -o pipefail; P=\"$0\"; " + command, PROGRAM});
+}
+
+namespace {
+
+/// Returns whether a process has installed a handler for a signal.
+bool handles(qint64 process, int signal)
+{
+    QFile status(QString("/proc/%1/status").arg(process));
+    if (!status.open(QFile::ReadOnly))
+        return false;
+    for (const QByteArray &line : status.readAll().split('\n')) {
+        if (line.startsWith("SigCgt:"))
+            return line.mid(7).trimmed().toULongLong(nullptr, 16) >> (signal - 1) & 1;
+    }
+    return false;
+}
+
+}
+
+bool interrupt(QProcess &process)
+{
+    if (!QTest::qWaitFor([&] { return handles(process.processId(), SIGINT); }, 30'000))
+        return false;
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    return process.waitForFinished() && process.exitStatus() == QProcess::NormalExit;
+}
+
+bool isOneLine(const QString &text)
+{
+    return text.endsWith(".\n") && text.count('\n') == 1;
+}
+
+QString fileWith(const QString &folder, const QString &fields)
+{
+    const QString path = folder + "/experiment.json";
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly))
+        file.write("{\n\"format\": \"springstep-experiment/1\",\n\"lesson\": \"multi_foot\",\n\"step\": "
+                   "\"any_number\",\n" +
+                   fields.toUtf8() + "\n}\n");
+    return path;
+}
+
+}

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QProcess>
+#include <QProcessEnvironment>
+#include <QString>
+#include <QStringList>
+
+/// The real program, as a shell would start it, without any display.
+namespace program {
+
+/// What a process answered; `code` is -1 if it crashed or never ended.
+struct Answer
+{
+    int code = -1;
+    QString out;
+    QString err;
+};
+
+QProcessEnvironment bareEnvironment();
+Answer runProcess(const QString &file, const QStringList &arguments, const QString &lessons = LESSON_DIR);
+Answer springstep(const QStringList &arguments);
+/// What a shell makes of `command`, in which $P is the program.
+Answer shell(const QString &command);
+/// Writes an experiment of the step with any number of feet into `folder`; `fields` begin on line 5.
+QString fileWith(const QString &folder, const QString &fields);
+/// Waits until the process handles SIGINT, and sends it. Returns whether the process then ended normally.
+bool interrupt(QProcess &process);
+/// Whether `text` is one sentence.
+bool isOneLine(const QString &text);
+
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "app/model/experiment/experiment.h"
+
+#include <QTest>
+
+/// What suites that read bad experiments share.
+namespace user_errors {
+
+/// What reading `text` as a file x.json is refused with; empty when it is accepted.
+inline QString errorOf(const QByteArray &text)
+{
+    static const app::LessonLibrary library = app::LessonLibrary::load({LESSON_DIR});
+    try {
+        app::parseExperiment(text, "x.json", library);
+        return {};
+    } catch (const app::UserError &error) {
+        return error.sentence();
+    }
+}
+
+/// An experiment of the step with any number of feet; `fields` begin on line 5.
+inline QByteArray with(const QByteArray &fields)
+{
+    return "{\n\"format\": \"springstep-experiment/1\",\n\"lesson\": \"multi_foot\",\n\"step\": "
+           "\"any_number\",\n" +
+           fields + "\n}\n";
+}
+
+/// The columns of a row: a text, and the sentence that it is refused with, without the file's name.
+inline void addColumns()
+{
+    QTest::addColumn<QByteArray>("text");
+    QTest::addColumn<QString>("sentence");
+}
+
+inline void checkRow()
+{
+    QFETCH(QByteArray, text);
+    QFETCH(QString, sentence);
+    QCOMPARE(errorOf(text), "x.json: " + sentence);
+}
+
+}

@@ -1,0 +1,238 @@
+// What is said in German: everything, by the words of the system or of the learner.
+
+#include "app/model/sandbox/sandbox_properties.h"
+#include "app/model/text/numbers.h"
+#include "app/model/text/sentences.h"
+#include "app/ui/dialogs/notice.h"
+#include "sim/methods/methods.h"
+#include "sim/pipeline/pipeline.h"
+#include "tests/app/language/german_support.h"
+#include "tests/suite.h"
+
+#include <QMenu>
+#include <QMenuBar>
+#include <QSet>
+#include <QSettings>
+#include <QtTest>
+
+using namespace app;
+using namespace tests;
+
+namespace {
+
+void collectMenus(const QMenu *menu, QList<const QMenu *> &all)
+{
+    all << menu;
+    for (const QAction *action : menu->actions()) {
+        if (action->menu())
+            collectMenus(action->menu(), all);
+    }
+}
+
+/// Letters that two entries of `actions` share.
+QStringList sharedLetters(const QList<QAction *> &actions)
+{
+    QStringList shared;
+    QHash<QChar, QString> seen;
+    for (const QAction *action : actions) {
+        const qsizetype at = action->text().indexOf(QRegularExpression("&\\w"));
+        if (at < 0)
+            continue;
+        const QChar letter = action->text()[at + 1].toLower();
+        if (seen.contains(letter))
+            shared << seen[letter] + " / " + action->text();
+        seen[letter] = action->text();
+    }
+    return shared;
+}
+
+/// The texts of sim in a run that have no German.
+void missIn(const sim::Scene &scene, const sim::Method &method, QSet<QString> &missing)
+{
+    const auto look = [&](const std::string &text) {
+        // GermanWindow has some words of the same spelling, so the question is whether there is an entry.
+        const QString said = QString::fromStdString(text);
+        static const QSet<QString> same = {"Motor", "Wind"};
+        if (!text.empty() && phrase(text) == said && said.size() > 1 && !same.contains(capitalised(said)))
+            missing.insert(said);
+    };
+    for (const auto &group : scene.groups)
+        look(group.title);
+    for (const auto &phase : sim::compose(scene, method, sim::stepFor(method, {})).phases)
+        look(phase.title);
+}
+
+}
+
+class GermanWordsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void thereAreTwoLanguages();
+    void theSystemsWishesAreMet_data();
+    void theSystemsWishesAreMet();
+    void numbersHaveACommaOnTheScreen();
+    void everyStepSpeaksGerman();
+    void whatTheCoreNamesIsNamedInGerman();
+    void whatIsBuiltIsCalledAsInThePicture();
+    void noLetterOpensTwoEntriesOfAMenu_data();
+    void noLetterOpensTwoEntriesOfAMenu();
+    void theLanguageThatIsSpokenAsksForNoNewWindow();
+    void theChoiceOfALanguageIsRemembered();
+};
+
+void GermanWordsTest::thereAreTwoLanguages()
+{
+    QCOMPARE(Language::known(), QStringList({"de", "en"}));
+    QCOMPARE(Language::nameOf("de"), QString("Deutsch"));
+    QCOMPARE(Language::nameOf("en"), QString("English"));
+}
+
+void GermanWordsTest::theSystemsWishesAreMet_data()
+{
+    QTest::addColumn<QStringList>("wanted");
+    QTest::addColumn<QString>("spoken");
+    QTest::newRow("German") << QStringList{"de-DE"} << "de";
+    QTest::newRow("GermanWindow of Austria") << QStringList{"de-Latn-AT", "de-AT", "de"} << "de";
+    QTest::newRow("none of them") << QStringList{"fr-FR"} << "en";
+    QTest::newRow("the second") << QStringList{"fr", "de"} << "de";
+    QTest::newRow("English first") << QStringList{"en-GB", "de"} << "en";
+    QTest::newRow("C") << QStringList{"C"} << "en";
+}
+
+void GermanWordsTest::theSystemsWishesAreMet()
+{
+    QFETCH(QStringList, wanted);
+    QTEST(Language::firstKnown(wanted), "spoken");
+}
+
+void GermanWordsTest::numbersHaveACommaOnTheScreen()
+{
+    {
+        const Language german("de");
+        QCOMPARE(fixedNumber(-1234.5, 2), QString("−1234,50"));
+        QCOMPARE(roughNumber(2.1e-11), QString("2,1·10⁻¹¹"));
+        QCOMPARE(writtenNumber(0.25, 1), QString("0,25"));
+    }
+    const Language english("en");
+    QCOMPARE(fixedNumber(-1234.5, 2), QString("−1234.50"));
+}
+
+void GermanWordsTest::everyStepSpeaksGerman()
+{
+    const LessonLibrary english = LessonLibrary::load({LESSON_DIR});
+    Language language("de");
+    const LessonLibrary german = LessonLibrary::load({LESSON_DIR}, &language);
+    QCOMPARE(german.lessons.size(), english.lessons.size());
+    for (std::size_t i = 0; i < german.lessons.size(); ++i) {
+        const LessonEntry &lesson = german.lessons[i];
+        QVERIFY2(lesson.summary != english.lessons[i].summary, qPrintable(lesson.id));
+        for (std::size_t s = 0; s < lesson.steps.size(); ++s) {
+            const lessons::Step &said = lesson.steps[s], &was = english.lessons[i].steps[s];
+            const QString name = lesson.id + '/' + said.id;
+            QVERIFY2(said.narration != was.narration, qPrintable(name));
+            for (std::size_t t = 0; t < said.tries.size(); ++t)
+                QVERIFY2(said.tries[t].text != was.tries[t].text, qPrintable(name));
+            for (std::size_t p = 0; p < said.parameters.size(); ++p)
+                QVERIFY2(said.parameters[p].help != was.parameters[p].help, qPrintable(name));
+        }
+    }
+}
+
+void GermanWordsTest::whatTheCoreNamesIsNamedInGerman()
+{
+    Language language("de");
+    const LessonLibrary library = LessonLibrary::load({LESSON_DIR}, &language);
+    QSet<QString> missing;
+    for (const LessonEntry &lesson : library.lessons) {
+        for (const lessons::Step &step : lesson.steps) {
+            const sim::Scene scene = step.scene(step.defaultValues());
+            for (const sim::MethodPtr &method : sim::allMethods()) {
+                try {
+                    missIn(scene, *method, missing);
+                } catch (const sim::Error &) { // not every method fits every scene
+                }
+            }
+            for (const std::string &name : scene.names) {
+                const QString title = bodyTitle(QString::fromStdString(name));
+                if (title.contains(
+                        QRegularExpression("\\b(foot|body|creature|lead|tail|side|tentacle|branch)\\b")))
+                    missing.insert(title);
+            }
+        }
+    }
+    QVERIFY2(missing.isEmpty(), qPrintable(missing.values().join(" | ")));
+}
+
+void GermanWordsTest::whatIsBuiltIsCalledAsInThePicture()
+{
+    const GermanWindow german;
+    sim::Blueprint plan;
+    for (const char *name : {"body", "foot1"})
+        plan.points.emplace_back().name = name;
+    plan.gaits = {{}};
+    plan.feet = {{1, 0}};
+    Selection chosen;
+    chosen.points = {1};
+    QStringList sections;
+    for (const SandboxProperty &one : propertiesOf(plan, chosen))
+        sections << one.section;
+    sections.removeDuplicates();
+    QCOMPARE(sections, QStringList({"Punkt Fuß 1", "Fuß von Körper", "Ganggruppe 0"}));
+}
+
+void GermanWordsTest::noLetterOpensTwoEntriesOfAMenu_data()
+{
+    QTest::addColumn<QString>("language");
+    QTest::newRow("German") << "de";
+    QTest::newRow("English") << "en";
+}
+
+void GermanWordsTest::noLetterOpensTwoEntriesOfAMenu()
+{
+    QFETCH(QString, language);
+    GermanWindow german({1280, 800}, language);
+    const auto *bar = german.window.findChild<QMenuBar *>();
+    QList<const QMenu *> menus;
+    for (const QAction *action : bar->actions())
+        collectMenus(action->menu(), menus);
+    QStringList shared = sharedLetters(bar->actions());
+    for (const QMenu *menu : menus)
+        shared << sharedLetters(menu->actions());
+    QVERIFY2(shared.isEmpty(), qPrintable(shared.join('\n')));
+}
+
+void GermanWordsTest::theLanguageThatIsSpokenAsksForNoNewWindow()
+{
+    QSettings().setValue("window/language", "de");
+    GermanWindow german;
+    auto *menu = german.window.findChild<QMenu *>("language");
+    QVERIFY(menu);
+    menu->actions().at(2)->trigger(); // Deutsch
+    QVERIFY(german.window.isVisible());
+    QVERIFY(german.window.findChild<Notice *>()->sentence().isEmpty());
+    QSettings().remove("window/language");
+}
+
+void GermanWordsTest::theChoiceOfALanguageIsRemembered()
+{
+    QSettings().setValue("window/language", "de");
+    GermanWindow german;
+    auto *menu = german.window.findChild<QMenu *>("language");
+    QVERIFY(menu);
+    QStringList entries;
+    for (QAction *action : menu->actions()) {
+        entries << action->text();
+        if (action->text() == "English")
+            action->trigger();
+    }
+    QCOMPARE(entries, QStringList({"&Systemsprache", "", "Deutsch", "English"}));
+    QCOMPARE(QSettings().value("window/language").toString(), QString("en"));
+    QCOMPARE(Language::chosen("en"), QString("en"));
+    QVERIFY2(german.window.isHidden(), "another language did not ask for a new window");
+    QSettings().remove("window/language");
+}
+
+SUITE(tst_german_words, GermanWordsTest)
+#include "tst_german_words.moc"

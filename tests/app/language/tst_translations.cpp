@@ -1,0 +1,197 @@
+// The files of translations: complete, and true to the form of what they translate.
+
+#include "tests/suite.h"
+
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+#include <QtTest>
+
+#include <algorithm>
+
+namespace {
+
+/// A text of a file of translations. Of one with a number in it, `translations` has a form for each plural.
+struct Entry
+{
+    QString context;
+    QString source;
+    QStringList translations;
+    bool finished = true;
+};
+
+QStringList formsIn(QXmlStreamReader &xml)
+{
+    QStringList forms;
+    QString text;
+    while (!xml.atEnd() && !(xml.isEndElement() && xml.name() == u"translation")) {
+        xml.readNext();
+        if (xml.isCharacters())
+            text += xml.text();
+        if (xml.isStartElement())
+            text.clear();
+        if (xml.isEndElement() && xml.name() == u"numerusform")
+            forms << text;
+    }
+    return forms.isEmpty() ? QStringList(text) : forms;
+}
+
+std::vector<Entry> entriesOf(const QString &path)
+{
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    std::vector<Entry> entries;
+    QXmlStreamReader xml(&file);
+    QString context;
+    while (!xml.atEnd()) {
+        xml.readNext();
+        if (!xml.isStartElement())
+            continue;
+        if (xml.name() == u"name") {
+            context = xml.readElementText();
+        } else if (xml.name() == u"source") {
+            entries.push_back({context, xml.readElementText(), {}});
+        } else if (xml.name() == u"translation") {
+            entries.back().finished = xml.attributes().value("type").isEmpty();
+            entries.back().translations = formsIn(xml);
+        }
+    }
+    return entries;
+}
+
+/// All that `pattern` finds in a text, in order of the alphabet.
+QStringList found(const QString &text, const QString &pattern)
+{
+    QStringList all;
+    for (auto at = QRegularExpression(pattern).globalMatch(text); at.hasNext();)
+        all << at.next().captured();
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+QStringList withoutRepeats(QStringList list)
+{
+    list.removeDuplicates();
+    return list;
+}
+
+/// Whether a text in backticks is worked out in plain numbers and units, without a name of the code.
+bool isPlainNumbers(QString code)
+{
+    return !code.remove(QRegularExpression("\\b(rad|px)\\b")).contains(QRegularExpression("[A-Za-z_]"));
+}
+
+/// What is in backticks in a German text, as it is in English: plain numbers have a decimal comma there.
+QStringList codeOf(const QString &form)
+{
+    QStringList codes = found(form, "`[^`]*`");
+    for (QString &code : codes) {
+        if (isPlainNumbers(code))
+            code.replace(QRegularExpression("(?<=\\d),(?=\\d)"), ".");
+    }
+    codes.sort();
+    return codes;
+}
+
+}
+
+class TranslationsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyTextIsTranslated_data() { files(); }
+    void everyTextIsTranslated()
+    {
+        eachForm([](const Entry &entry, const QString &form) { return entry.finished && !form.isEmpty(); });
+    }
+
+    void placeholdersAreThoseOfTheSource_data() { files(); }
+    void placeholdersAreThoseOfTheSource()
+    {
+        eachForm([](const Entry &entry, const QString &form) {
+            const QString places = "%(L?\\d+|n)";
+            return withoutRepeats(found(entry.source, places)) == withoutRepeats(found(form, places));
+        });
+    }
+
+    void markdownHasTheStructureOfTheSource_data() { files(); }
+    void markdownHasTheStructureOfTheSource()
+    {
+        eachForm([](const Entry &entry, const QString &form) {
+            const auto same = [&](const QString &pattern) {
+                return found(entry.source, pattern).size() == found(form, pattern).size();
+            };
+            return same("\\*\\*") && same("(?m)^#+ ") && same("(?m)^[-*] ") && same("\n\n") &&
+                   same("<[a-z/]+>");
+        });
+    }
+
+    void codeIsNotTranslated_data() { files(); }
+    void codeIsNotTranslated()
+    {
+        eachForm([](const Entry &entry, const QString &form) {
+            return found(entry.source, "`[^`]*`") == codeOf(form);
+        });
+    }
+
+    void whatHasALetterToPressKeepsOne_data() { files(); }
+    void whatHasALetterToPressKeepsOne()
+    {
+        eachForm([](const Entry &entry, const QString &form) {
+            return found(entry.source, "&\\w").size() == found(form, "&\\w").size();
+        });
+    }
+
+    void germanNumbersHaveACommaInProse_data() { files("_de.ts"); }
+    void germanNumbersHaveACommaInProse()
+    {
+        // Sentences about files and the command line keep the point, which is what those take.
+        static const QStringList ofFiles = {"CommandLine", "ConditionTokensText", "ExperimentMethodText",
+                                            "JsonDocumentText", "SentencesText"};
+        eachForm([](const Entry &entry, const QString &form) {
+            QString prose = form;
+            for (const QString &code : found(form, "`[^`]*`")) {
+                if (!isPlainNumbers(code)) // formulas of the code keep the point, as the code does
+                    prose.remove(code);
+            }
+            return ofFiles.contains(entry.context) ||
+                   found(prose, "(?<![\\d.])\\d+\\.\\d+(?![\\d.])") ==
+                       found(prose, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])");
+        });
+    }
+
+private:
+    void files(const QString &ending = ".ts")
+    {
+        QTest::addColumn<QString>("path");
+        for (const char *folder : {"/app/translations", "/lessons"}) {
+            QDirIterator at(SOURCE_DIR + QString(folder), {'*' + ending}, QDir::Files,
+                            QDirIterator::Subdirectories);
+            while (at.hasNext()) {
+                const QString path = at.next();
+                QTest::newRow(qPrintable(QFileInfo(path).fileName())) << path;
+            }
+        }
+    }
+
+    template <class Holds>
+    void eachForm(Holds holds)
+    {
+        QFETCH(QString, path);
+        const std::vector<Entry> entries = entriesOf(path);
+        QVERIFY(!entries.empty());
+        QStringList wrong;
+        for (const Entry &entry : entries) {
+            for (const QString &form : entry.translations) {
+                if (!holds(entry, form))
+                    wrong << entry.context + ": " + entry.source + "\n  -> " + form;
+            }
+        }
+        QVERIFY2(wrong.isEmpty(), qPrintable('\n' + wrong.join('\n')));
+    }
+};
+
+SUITE(tst_translations, TranslationsTest)
+#include "tst_translations.moc"

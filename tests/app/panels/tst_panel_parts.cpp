@@ -1,0 +1,158 @@
+// The help page, dock titles and the focus ring.
+
+#include "app/ui/dock/dock_title.h"
+#include "app/ui/help/help_page.h"
+#include "app/ui/help/key_caps.h"
+#include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/progress_line.h"
+#include "app/ui/learn/step_button.h"
+#include "tests/app/support/panel_fixture.h"
+#include "tests/suite.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QFocusFrame>
+#include <QLabel>
+#include <QSettings>
+#include <QTest>
+#include <QToolButton>
+
+using namespace app;
+using namespace tests;
+
+class PanelPartsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { Theme(Scheme::light).apply(*qApp); }
+    void init() { QSettings().clear(); }
+
+    void theHelpPageListsEveryActionThatHasAShortcut();
+    void groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded();
+    void escapeClosesTheHelpPage();
+    void aDockTitleIsAsHighAsItsDockExpects();
+    void tabPutsARingRoundAControl();
+    void aProgressLinePaintsOnlyWithAllElse();
+};
+
+void PanelPartsTest::theHelpPageListsEveryActionThatHasAShortcut()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    QAction play("&Play or pause");
+    play.setShortcut(Qt::Key_Space);
+    QAction phase("&Next phase…");
+    phase.setShortcuts({QKeySequence("Shift+Right"), QKeySequence("Ctrl++")});
+    QAction silent("Without a key");
+    page.addAction("Time", &play);
+    page.addAction("Time", &phase);
+    page.addAction("Time", &silent);
+    page.addGesture("Picture", "Drag a body", "grab it");
+    show(page, {800, 600});
+    QStringList listed;
+    for (const QLabel *label : page.findChildren<QLabel *>("action"))
+        listed.push_back(label->accessibleName());
+    listed.sort();
+    const QStringList expected = {"Grab it: Drag a body", "Next phase: Shift → or Ctrl +",
+                                  "Play or pause: Space"};
+    QCOMPARE(listed, expected);
+    for (const KeyCaps *caps : page.findChildren<KeyCaps *>())
+        QVERIFY(caps->isVisible() && caps->width() == caps->sizeHint().width());
+}
+
+void PanelPartsTest::groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    for (const char *group : {"Time", "Picture", "Empty", "Code"})
+        page.addGroup(group);
+    for (int i = 0; i < 9; ++i)
+        page.addGesture("Code", "Press", "do it");
+    page.addGesture("Picture", "Drag", "move it");
+    page.addGesture("Time", "Drag", "go");
+    show(page, {800, 600});
+    const auto place = [&](const QString &name) {
+        for (const QLabel *label : page.findChildren<QLabel *>("heading")) {
+            if (label->text() == name && label->isVisible())
+                return label->mapTo(&page, QPoint());
+        }
+        return QPoint(-1, -1);
+    };
+    QCOMPARE(place("Empty"), QPoint(-1, -1));
+    QVERIFY(place("Time").x() >= 0 && place("Time").x() < place("Picture").x());
+    QCOMPARE(place("Time").y(), place("Picture").y());
+    QVERIFY(place("Code").y() > place("Time").y());
+}
+
+void PanelPartsTest::escapeClosesTheHelpPage()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    show(page, {800, 600});
+    QVERIFY(!page.isModal());
+    QTest::keyClick(&page, Qt::Key_Escape);
+    QVERIFY(!page.isVisible());
+}
+
+void PanelPartsTest::aDockTitleIsAsHighAsItsDockExpects()
+{
+    Theme theme(Scheme::light);
+    DockTitle title("Code", theme);
+    title.setCaption("values of foot 0");
+    auto *button = new QToolButton;
+    button->setFixedSize(28, 28);
+    title.addAction(button);
+    QCOMPARE(title.sizeHint().height(), 36);
+    QCOMPARE(title.minimumSizeHint().height(), 36);
+    show(title, {400, 36});
+    QCOMPARE(title.findChild<QLabel *>("caption")->text(), QString("values of foot 0"));
+    title.resize(140, 36);
+    QVERIFY(title.rect().contains(button->geometry()));
+    QVERIFY(title.findChild<QLabel *>("caption")->text().endsWith(QChar(0x2026)));
+    QCOMPARE(title.findChild<QLabel *>("caption")->toolTip(), QString("values of foot 0"));
+}
+
+void PanelPartsTest::tabPutsARingRoundAControl()
+{
+    SessionFixture world;
+    world.session.openFollowing();
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 732});
+    auto *back = panel.findChild<QPushButton *>("back");
+    QWidget *next = panel.findChild<StepButton *>("next");
+    const auto ring = [&]() -> QWidget * {
+        const auto *frame = panel.findChild<QFocusFrame *>();
+        return frame && frame->isVisible() ? frame->widget() : nullptr;
+    };
+    back->setFocus(Qt::MouseFocusReason);
+    QVERIFY(!ring());
+    QTest::keyClick(back, Qt::Key_Tab);
+    QCOMPARE(QApplication::focusWidget(), next);
+    QCOMPARE(ring(), next);
+    QTest::mousePress(back, Qt::LeftButton); // a press does not take the focus
+    QCOMPARE(ring(), next);
+    QTest::mouseRelease(back, Qt::LeftButton, {}, {-50, -50});
+}
+
+void PanelPartsTest::aProgressLinePaintsOnlyWithAllElse()
+{
+    QWidget page;
+    ProgressLine line("How far it is", &page);
+    line.setGeometry(10, 10, 200, 6);
+    show(page, {300, 100});
+    PaintCounter paints(line);
+    line.setShare(0.25);
+    line.setShare(0.5);
+    QCOMPARE(paints.count, 0); // not in the middle of a change
+    QTRY_COMPARE(paints.count, 1);
+    QCOMPARE(line.value(), 50);
+    QCOMPARE(line.accessibleName(), QString("How far it is"));
+    line.setShare(0.5);
+    settle();
+    QCOMPARE(paints.count, 1); // nothing is new
+}
+
+SUITE(tst_panel_parts, PanelPartsTest)
+
+#include "tst_panel_parts.moc"

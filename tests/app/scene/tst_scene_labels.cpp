@@ -1,0 +1,246 @@
+// What is written in the picture: names, numbers and signs, and that they keep apart.
+
+#include "app/model/text/sentences.h"
+#include "app/ui/scene/drawing/body_text.h"
+#include "app/ui/scene/drawing/label_places.h"
+#include "app/ui/scene/drawing/overlay_labels.h"
+#include "app/ui/scene/hud/free_area.h"
+#include "lessons/api/view/view.h"
+#include "tests/app/scene/drawn_scenes.h"
+#include "tests/app/scene/scene_support.h"
+
+#include "app/model/text/numbers.h"
+#include "tests/suite.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+
+using namespace app;
+
+class SceneLabelsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void signsAtTheEdgeKeepApart_data();
+    void signsAtTheEdgeKeepApart();
+    void namesKeepApart_data();
+    void namesKeepApart();
+    void aNameCoversNoArrow_data();
+    void aNameCoversNoArrow();
+    void aNameIsNotCutAtTheEdge_data();
+    void aNameIsNotCutAtTheEdge();
+    void aPullThatIsNotSeenHasNoName();
+    void whatABoxCoversOfALine_data();
+    void whatABoxCoversOfALine();
+    void namesAndNumbersAreReadable_data();
+    void namesAndNumbersAreReadable();
+    void arrowsHaveAReadableScale_data();
+    void arrowsHaveAReadableScale();
+};
+
+void SceneLabelsTest::signsAtTheEdgeKeepApart_data()
+{
+    QTest::addColumn<QPointF>("middle");
+    QTest::addColumn<int>("least");
+    QTest::newRow("all in one direction") << QPointF(2000, 200) << 1;
+    QTest::newRow("to all sides") << QPointF(275, 240) << 2;
+    QTest::newRow("far beyond") << QPointF(4e5, -3e5) << 1;
+    QTest::newRow("so far that its square is no number") << QPointF(1e200, -1e200) << 1;
+}
+
+void SceneLabelsTest::signsAtTheEdgeKeepApart()
+{
+    QFETCH(QPointF, middle);
+    QFETCH(int, least);
+    SceneFixture fixture;
+    SceneContent shown;
+    shown.picture = fixture.session.presentation().picture();
+    shown.text = fixture.theme.ui(12);
+    const Camera camera(QTransform().translate(300, 235).scale(12, 12).translate(-middle.x(), -middle.y()));
+    const QRectF view(0, 0, 600, 470);
+    const QRectF free = view.adjusted(12, 40, -12, -48);
+    const std::vector<EdgeMarker> markers = edgeMarkers(shown, camera, view, free, {});
+    QVERIFY(static_cast<int>(markers.size()) >= least);
+    int bodies = 0;
+    for (std::size_t i = 0; i < markers.size(); ++i) {
+        bodies += markers[i].bodies;
+        QVERIFY2(!markers[i].text.contains("inf"), qPrintable(markers[i].text));
+        QVERIFY(free.adjusted(-1, -1, 1, 1).contains(markers[i].label));
+        for (std::size_t j = 0; j < i; ++j)
+            QVERIFY(!markers[i].label.intersects(markers[j].label));
+    }
+    QCOMPARE(bodies, 3);
+}
+
+void SceneLabelsTest::namesKeepApart_data()
+{
+    QTest::addColumn<int>("frame");
+    QTest::addColumn<int>("phase");
+    QTest::newRow("at the start") << 0 << 0;
+    QTest::newRow("in the middle of a swing") << 3 << 0;
+    QTest::newRow("inside a frame") << 3 << 1;
+}
+
+void SceneLabelsTest::namesKeepApart()
+{
+    QFETCH(int, frame);
+    QFETCH(int, phase);
+    SceneFixture fixture("lone");
+    fixture.session.playback().goTo({frame, phase});
+    SceneContent shown;
+    shown.picture = fixture.session.presentation().picture();
+    shown.gathered = fixture.session.presentation().forces();
+    shown.text = fixture.theme.ui(12);
+    shown.selected = 0;
+    const Camera camera(fixture.view.viewportTransform());
+    const QRectF view(fixture.view.viewport()->rect());
+    const QRectF name = nameBox(shown, camera, view);
+    QCOMPARE(name.isEmpty(), phase > 0); // a card stands in its place
+    const std::vector<OverlayLabel> labels = overlayLabels(shown, camera, fixture.theme, view);
+    QCOMPARE(labels.size(), 1U);
+    QVERIFY(!labels[0].box.intersects(name));
+    for (const QRectF &body : bodyBoxes(shown, camera))
+        QVERIFY(!labels[0].box.intersects(body));
+}
+
+void SceneLabelsTest::aNameCoversNoArrow_data()
+{
+    QTest::addColumn<double>("degrees");
+    for (int degrees = 0; degrees < 360; degrees += 30)
+        QTest::addRow("%d degrees", degrees) << double(degrees);
+}
+
+void SceneLabelsTest::aNameCoversNoArrow()
+{
+    QFETCH(double, degrees);
+    SceneFixture fixture("lone");
+    SceneContent shown;
+    shown.picture = fixture.session.presentation().picture();
+    shown.text = fixture.theme.ui(12);
+    const double angle = degrees * std::numbers::pi / 180.0;
+    const sim::Vec2 pull = {3.0 * std::cos(angle), 3.0 * std::sin(angle)};
+    shown.picture.overlays = {{.shape = lessons::Overlay::Shape::arrow,
+                               .a = shown.state().positionOf(0),
+                               .b = pull,
+                               .label = "a pull with a long name"}};
+    const Camera camera(fixture.view.viewportTransform());
+    const QRectF view(fixture.view.viewport()->rect());
+    const std::vector<OverlayLabel> labels = overlayLabels(shown, camera, fixture.theme, view);
+    QCOMPARE(labels.size(), 1U);
+    const std::vector<QLineF> strokes = explainingStrokes(shown, camera, fixture.theme);
+    QCOMPARE(strokes.size(), 1U);
+    QVERIFY(strokes[0].length() > 100.0);
+    QCOMPARE(lengthWithin(strokes[0], labels[0].box), 0.0);
+}
+
+void SceneLabelsTest::aNameIsNotCutAtTheEdge_data()
+{
+    QTest::addColumn<QPointF>("anchor");
+    QTest::newRow("left") << QPointF(20.0, 200.0);
+    QTest::newRow("right") << QPointF(590.0, 200.0);
+    QTest::newRow("a corner") << QPointF(5.0, 465.0);
+    QTest::newRow("with a body where there is room") << QPointF(300.0, 200.0);
+}
+
+void SceneLabelsTest::aNameIsNotCutAtTheEdge()
+{
+    QFETCH(QPointF, anchor);
+    const QRectF area(0.0, 0.0, 600.0, 470.0);
+    LabelPlaces places({QRectF(anchor + QPointF(2.0, -150.0), QSizeF(400.0, 300.0))});
+    const QRectF box = places.beside(anchor, {120.0, 16.0}, area);
+    QVERIFY2(area.contains(box), qPrintable(QString("x %1, y %2").arg(box.x()).arg(box.y())));
+}
+
+void SceneLabelsTest::aPullThatIsNotSeenHasNoName()
+{
+    SceneFixture fixture("lone");
+    SceneContent shown;
+    shown.picture = fixture.session.presentation().picture();
+    shown.text = fixture.theme.ui(12);
+    const Camera camera(fixture.view.viewportTransform());
+    const QRectF view(fixture.view.viewport()->rect());
+    for (const auto &[pull, labels] : {std::pair{3.0, 1U}, {0.0, 0U}}) {
+        shown.picture.overlays = {{.shape = lessons::Overlay::Shape::arrow,
+                                   .a = shown.state().positionOf(0),
+                                   .b = {pull, 0.0},
+                                   .label = "a pull"}};
+        QCOMPARE(overlayLabels(shown, camera, fixture.theme, view).size(), labels);
+    }
+}
+
+void SceneLabelsTest::whatABoxCoversOfALine_data()
+{
+    QTest::addColumn<QLineF>("line");
+    QTest::addColumn<double>("covered");
+    QTest::newRow("through the middle") << QLineF(-5, 2, 20, 2) << 10.0;
+    QTest::newRow("beside") << QLineF(-5, 5, 20, 5) << 0.0;
+    QTest::newRow("within") << QLineF(8, 1, 5, 1) << 3.0;
+    QTest::newRow("ends inside") << QLineF(5, -3, 5, 1) << 1.0;
+    QTest::newRow("corner to corner") << QLineF(0, 0, 10, 4) << std::sqrt(116.0);
+    QTest::newRow("past a corner") << QLineF(-2, 1, 1, -2) << 0.0;
+}
+
+void SceneLabelsTest::whatABoxCoversOfALine()
+{
+    QFETCH(QLineF, line);
+    QFETCH(double, covered);
+    QVERIFY(std::abs(lengthWithin(line, QRectF(0, 0, 10, 4)) - covered) < 1e-12);
+}
+
+void SceneLabelsTest::namesAndNumbersAreReadable_data()
+{
+    QTest::addColumn<QString>("shown");
+    QTest::addColumn<QString>("expected");
+    QTest::newRow("a numbered foot") << bodyTitle("foot12") << "foot 12";
+    QTest::newRow("a foot of one of several") << bodyTitle("creature1.foot0") << "creature 1, foot 0";
+    QTest::newRow("a letter") << bodyTitle("p12") << "p12";
+    QTest::newRow("a link of a tentacle") << bodyTitle("tentacle2_5") << "tentacle 2, 5";
+    QTest::newRow("minus") << fixedNumber(-3.26, 1) << "−3.3";
+    QTest::newRow("no minus nought") << fixedNumber(-0.01, 1) << "0.0";
+    QTest::newRow("almost nothing") << shownMagnitude(0.0004) << "< 0.01";
+    QTest::newRow("nothing") << shownMagnitude(0.0) << "0.00";
+    QTest::newRow("at rest") << bodySentence("foot0", {310, 240}, {0.01, 0})
+                             << "foot 0 at (310, 240), at rest";
+    QTest::newRow("moving") << bodySentence("foot0", {310, -240}, {0, 2.3})
+                            << "foot 0 at (310, −240), moving 2.3 px a frame";
+    QTest::newRow("as far as numbers reach")
+        << bodySentence("foot0", {1.7e308, -2e200}, {1e308, -1e308})
+        << "foot 0 at (1.7·10³⁰⁸, −2·10²⁰⁰), moving 1.4·10³⁰⁸ px a frame";
+    QTest::newRow("faster than numbers reach") << bodySentence("foot0", {0, 0}, {1.7e308, 1.7e308})
+                                               << "foot 0 at (0, 0), moving 1.8·10³⁰⁸ px a frame";
+}
+
+void SceneLabelsTest::namesAndNumbersAreReadable()
+{
+    QFETCH(QString, shown);
+    QFETCH(QString, expected);
+    QCOMPARE(shown, expected);
+}
+
+void SceneLabelsTest::arrowsHaveAReadableScale_data()
+{
+    QTest::addColumn<double>("longest");
+    QTest::addColumn<double>("settled");
+    QTest::addColumn<double>("unit");
+    QTest::newRow("of a calm scene") << 2.3 << 0.0 << 1.0;
+    QTest::newRow("of a strong pull") << 34.0 << 0.0 << 20.0;
+    QTest::newRow("of a weak one") << 0.004 << 0.0 << 0.002;
+    QTest::newRow("of nothing") << 0.0 << 0.0 << 1.0;
+    QTest::newRow("that still fits stays") << 2.3 << 5.0 << 5.0;
+    QTest::newRow("that is too small goes") << 2.3 << 0.5 << 1.0;
+    QTest::newRow("that is far too large goes") << 2.3 << 50.0 << 1.0;
+}
+
+void SceneLabelsTest::arrowsHaveAReadableScale()
+{
+    QFETCH(double, longest);
+    QFETCH(double, settled);
+    QFETCH(double, unit);
+    QCOMPARE(arrowUnit(longest, settled > 0.0 ? std::optional(settled) : std::nullopt), unit);
+}
+
+SUITE(tst_scene_labels, SceneLabelsTest)
+#include "tst_scene_labels.moc"

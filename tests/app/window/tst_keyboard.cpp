@@ -1,0 +1,280 @@
+// The whole window without a mouse.
+
+#include "app/model/session/session.h"
+#include "app/ui/dialogs/notice.h"
+#include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/lesson_list.h"
+#include "app/ui/parameters/parameter_panel.h"
+#include "app/ui/scene/scene_view.h"
+#include "app/ui/window/main_window.h"
+#include "tests/app/window/keyboard_support.h"
+#include "tests/suite.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QAction>
+#include <QApplication>
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSettings>
+#include <QTabBar>
+#include <QTest>
+#include <QToolButton>
+
+#include <algorithm>
+#include <set>
+
+using namespace app;
+using keyboard_support::LargeWindow;
+using namespace tests;
+
+namespace {
+
+/// Something that answers to a learner: a control, or a widget of ours that takes the focus.
+bool isInteractive(const QWidget &widget)
+{
+    if (!widget.isVisible() || !widget.isEnabled() || qobject_cast<const QScrollBar *>(&widget) ||
+        qobject_cast<const QMenuBar *>(&widget)) // Alt and a letter, or F10
+        return false;
+    if (qobject_cast<const QTabBar *>(&widget))
+        return true;
+    if (widget.parentWidget() && (qobject_cast<const QAbstractSpinBox *>(widget.parentWidget()) ||
+                                  qobject_cast<const QTabBar *>(widget.parentWidget()) ||
+                                  qobject_cast<const QComboBox *>(widget.parentWidget())))
+        return false;                   // a part of a control
+    if (widget.inherits("app::TryRow")) // shows what is done; a learner cannot tick it
+        return false;
+    return qobject_cast<const QAbstractButton *>(&widget) || qobject_cast<const QAbstractSlider *>(&widget) ||
+           qobject_cast<const QAbstractSpinBox *>(&widget) || qobject_cast<const QLineEdit *>(&widget) ||
+           qobject_cast<const QComboBox *>(&widget) || qobject_cast<const QAbstractItemView *>(&widget) ||
+           (widget.focusPolicy() & Qt::TabFocus);
+}
+
+QString nameOf(const QWidget &widget)
+{
+    QString name = QString("%1 \"%2\"").arg(widget.metaObject()->className(), widget.objectName());
+    for (const QWidget *holder = widget.parentWidget(); holder; holder = holder->parentWidget())
+        name += QString(" in %1").arg(holder->metaObject()->className());
+    return name;
+}
+
+/// Whether it is one of several of which one is on: Tab comes to that one, arrow keys to the others.
+bool standsFor(const QWidget &walked, const QWidget &widget)
+{
+    const auto *one = qobject_cast<const QAbstractButton *>(&walked);
+    const auto *other = qobject_cast<const QAbstractButton *>(&widget);
+    if (!one || !other || one->parentWidget() != other->parentWidget())
+        return false;
+    const bool sameGroup = one->group() && one->group() == other->group() && one->group()->exclusive();
+    return sameGroup || (one->autoExclusive() && other->autoExclusive());
+}
+
+/// What has the focus, one after the other, while Tab is pressed until it comes round. A text goes through its links first.
+std::set<QWidget *> walkedByTab(QWidget &window)
+{
+    constexpr int mostLinks = 40;
+    std::set<QWidget *> walked;
+    QWidget *before = nullptr;
+    int stays = 0;
+    for (QWidget *at = QApplication::focusWidget(); at && at->window() == &window;
+         at = QApplication::focusWidget()) {
+        stays = at == before ? stays + 1 : 0;
+        if (stays > mostLinks || (at != before && !walked.insert(at).second))
+            break;
+        before = at;
+        QTest::keyClick(at, Qt::Key_Tab);
+    }
+    return walked;
+}
+
+}
+
+class KeyboardTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QSettings().clear(); }
+    void tabReachesEverythingAndComesRound_data();
+    void tabReachesEverythingAndComesRound();
+    void everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data();
+    void everythingThatTakesTheFocusHasANameForReadersOfTheScreen();
+    void spacePlaysAfterAnyClick();
+    void theSceneAloneIsOneKeyAwayAndBack();
+    void panelsGiveWayOnASmallScreen_data();
+    void panelsGiveWayOnASmallScreen();
+    void escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt();
+};
+
+void KeyboardTest::tabReachesEverythingAndComesRound_data()
+{
+    QTest::addColumn<MainWindow::Mode>("mode");
+    QTest::newRow("learning") << MainWindow::Mode::learn;
+    QTest::newRow("measuring") << MainWindow::Mode::measure;
+}
+
+void KeyboardTest::tabReachesEverythingAndComesRound()
+{
+    QFETCH(const MainWindow::Mode, mode);
+    LargeWindow fixture;
+    fixture.window.setMode(mode);
+    fixture.window.showEnergy(true);
+    fixture.window.showEffects(true);
+    QCoreApplication::processEvents();
+    auto *view = fixture.window.findChild<SceneView *>();
+    view->setFocus();
+    const std::set<QWidget *> walked = walkedByTab(fixture.window);
+    QTRY_VERIFY(QApplication::focusWidget());
+    QStringList missed;
+    int found = 0;
+    for (QWidget *widget : fixture.window.findChildren<QWidget *>()) {
+        if (!isInteractive(*widget) || widget->window() != &fixture.window)
+            continue;
+        ++found;
+        const QWidget *proxy = widget->focusProxy() ? widget->focusProxy() : widget;
+        const bool inside = std::any_of(walked.begin(), walked.end(), [&](const QWidget *at) {
+            return at == proxy || at == widget || standsFor(*at, *widget);
+        });
+        if (!inside)
+            missed << nameOf(*widget);
+    }
+    QVERIFY(found > 30);
+    QVERIFY2(missed.isEmpty(), qPrintable("Tab does not come to:\n" + missed.join('\n')));
+}
+
+void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data()
+{
+    tabReachesEverythingAndComesRound_data();
+}
+
+void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen()
+{
+    QFETCH(const MainWindow::Mode, mode);
+    LargeWindow fixture;
+    fixture.window.setMode(mode);
+    fixture.window.showEnergy(true);
+    fixture.window.showEffects(true);
+    QCoreApplication::processEvents();
+    fixture.window.findChild<SceneView *>()->setFocus();
+    QStringList nameless;
+    for (QWidget *widget : walkedByTab(fixture.window)) {
+        QAccessibleInterface *reader = QAccessible::queryAccessibleInterface(widget);
+        if (!reader || reader->text(QAccessible::Name).isEmpty())
+            nameless << nameOf(*widget);
+    }
+    QVERIFY2(nameless.isEmpty(), qPrintable("Nameless:\n" + nameless.join('\n')));
+}
+
+void KeyboardTest::spacePlaysAfterAnyClick()
+{
+    LargeWindow fixture("single_spring", "drag");
+    const auto plays = [&](QWidget *clicked, QPoint at) {
+        fixture.window.findChild<SceneView *>()->setFocus();
+        QTest::mouseClick(clicked, Qt::LeftButton, {}, at);
+        const QString step = fixture.session.step().id;
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
+        const bool isPlaying = fixture.session.playback().isPlaying() && fixture.session.step().id == step;
+        fixture.session.playback().pause();
+        return isPlaying;
+    };
+    auto *next = fixture.window.findChild<QPushButton *>("next");
+    QVERIFY(plays(next, next->rect().center()));
+    QVERIFY(plays(next, next->rect().center()));
+    auto *list = fixture.window.findChild<LessonList *>();
+    QVERIFY(plays(list->viewport(), list->visualRect(list->currentIndex()).center()));
+    auto *reset = fixture.window.findChild<QToolButton *>("resetAll");
+    QVERIFY(plays(reset, reset->rect().center()));
+    // Whoever comes there by keys presses it with Space.
+    const QString before = fixture.session.step().id;
+    next->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(next, Qt::Key_Space);
+    QVERIFY(fixture.session.step().id != before);
+    QVERIFY(!fixture.session.playback().isPlaying());
+}
+
+void KeyboardTest::theSceneAloneIsOneKeyAwayAndBack()
+{
+    LargeWindow fixture;
+    const QStringList before = fixture.shownDocks();
+    QVERIFY(before.contains("lessons") && before.contains("code"));
+    QTest::keyClick(&fixture.window, Qt::Key_F11);
+    QCOMPARE(fixture.shownDocks(), QStringList());
+    QVERIFY(fixture.window.findChild<SceneView *>()->isVisible());
+    QTest::keyClick(&fixture.window, Qt::Key_F11);
+    QCOMPARE(fixture.shownDocks(), before);
+}
+
+void KeyboardTest::panelsGiveWayOnASmallScreen_data()
+{
+    QTest::addColumn<QSize>("room");
+    QTest::addColumn<bool>("rail");
+    QTest::addColumn<bool>("code");
+    QTest::newRow("1920 x 1080") << QSize(1920, 1080) << false << true;
+    QTest::newRow("1280 x 800") << QSize(1280, 800) << false << true;
+    QTest::newRow("1920 x 1080 at 200 %") << QSize(960, 540) << true << true;
+    QTest::newRow("1280 x 800 at 150 %") << QSize(853, 533) << true << true;
+    QTest::newRow("as small as can be") << QSize(800, 500) << true << true;
+}
+
+void KeyboardTest::panelsGiveWayOnASmallScreen()
+{
+    QFETCH(const QSize, room);
+    QFETCH(const bool, rail);
+    QFETCH(const bool, code);
+    LargeWindow fixture;
+    const auto isRail = [&fixture] {
+        return fixture.window.findChild<LearnPanel *>()->form() == LearnPanel::Form::rail;
+    };
+    fixture.window.fitInto(room);
+    QCoreApplication::processEvents();
+    QCOMPARE(isRail(), rail);
+    QCOMPARE(fixture.shownDocks().contains("code"), code);
+    QVERIFY2(fixture.window.width() <= room.width() && fixture.window.height() <= room.height(),
+             qPrintable(QString("%1 x %2").arg(fixture.window.width()).arg(fixture.window.height())));
+    QTest::keyClick(&fixture.window, Qt::Key_1,
+                    Qt::ControlModifier | Qt::ShiftModifier); // comes back when asked for
+    settle();
+    QCOMPARE(isRail(), !rail);
+}
+
+void KeyboardTest::escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt()
+{
+    LargeWindow fixture;
+    auto *notice = fixture.window.findChild<Notice *>();
+    fixture.window.openFile("/no/such/file.json");
+    QVERIFY(notice->isVisible());
+    QLineEdit *stop = nullptr; // "Stop when", below the code
+    for (QLineEdit *one : fixture.window.findChildren<QLineEdit *>()) {
+        if (one->isVisible() && !qobject_cast<QAbstractSpinBox *>(one->parentWidget()))
+            stop = one;
+    }
+    QVERIFY(stop);
+    stop->setFocus();
+    QTest::keyClicks(stop, "frame");
+    QTest::keyClick(stop, Qt::Key_Escape);
+    QVERIFY(!notice->isVisible());
+    QCOMPARE(stop->text(), QString("frame"));
+    fixture.window.openFile("/no/such/file.json");
+    auto *number = fixture.window.findChild<ParameterPanel *>()->findChild<QAbstractSpinBox *>();
+    const QString before = number->text();
+    number->setFocus();
+    number->selectAll();
+    QTest::keyClicks(number, "7");
+    QTest::keyClick(number, Qt::Key_Escape); // first of all the number
+    QCOMPARE(number->text(), before);
+    QVERIFY(notice->isVisible());
+    QTest::keyClick(number, Qt::Key_Escape);
+    QVERIFY(!notice->isVisible());
+}
+
+SUITE(tst_keyboard, KeyboardTest)
+#include "tst_keyboard.moc"
