@@ -17,6 +17,7 @@ app_packages=(
     "libgif-dev              writes films as GIF files"
     "libvpx-dev              encodes films as video"
     "pkg-config              finds libvpx"
+    "angelscript-dev         runs the programs that learners write"
     "zlib1g-dev              makes experiments short enough for a message"
     "fonts-inter             the typeface of the window"
     "fonts-hack              the typeface of code and numbers"

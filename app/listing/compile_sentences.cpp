@@ -1,0 +1,269 @@
+#include "app/listing/compile_sentences.h"
+
+#include "app/listing/language.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+namespace listing {
+
+namespace {
+
+/// What stands in a message in place of each gap of its pattern.
+using Gaps = std::vector<std::string>;
+
+/// Returns the gaps of `message`, if it matches `pattern`: a text in which each `*` stands for anything.
+std::optional<Gaps> gapsOf(std::string_view message, std::string_view pattern)
+{
+    Gaps gaps;
+    std::size_t star = pattern.find('*');
+    if (message.substr(0, star) != pattern.substr(0, star))
+        return {};
+    while (star != std::string_view::npos) {
+        message.remove_prefix(star);
+        pattern.remove_prefix(star + 1);
+        star = pattern.find('*');
+        const std::string_view next = pattern.substr(0, star);
+        const std::size_t end = next.empty() ? message.size() : message.find(next);
+        if (end == std::string_view::npos)
+            return {};
+        gaps.emplace_back(message.substr(0, end));
+        message.remove_prefix(end);
+        star = star == std::string_view::npos ? star : next.size();
+    }
+    return gaps;
+}
+
+std::string quotedName(const std::string &text)
+{
+    return "'" + text + "'";
+}
+
+/// Returns a type as listings write it: without `const`, `&` and `@`.
+std::string plainType(std::string type)
+{
+    if (type.starts_with("const "))
+        type = type.substr(6);
+    while (!type.empty() && (type.back() == '&' || type.back() == '@' || type.back() == ' '))
+        type.pop_back();
+    return type;
+}
+
+/// Returns "a double" or "an int".
+std::string withArticle(const std::string &article, const std::string &type)
+{
+    const std::string plain = plainType(type);
+    const bool startsWithVowel =
+        !plain.empty() && std::string("aeiou").find(plain.front()) != std::string::npos;
+    return article + (startsWithVowel ? "n " : " ") + plain;
+}
+
+/// Returns " Did you mean ...?", or an empty string.
+std::string hintFor(const std::string &word, const std::vector<std::string> &candidates)
+{
+    const std::string closest = closestName(word, candidates);
+    return closest.empty() ? std::string() : " Did you mean " + quotedName(closest) + "?";
+}
+
+bool has(const std::vector<std::string> &names, const std::string &name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<std::string> bodyNames(const Vocabulary &vocabulary)
+{
+    std::vector<std::string> names = vocabulary.bodies;
+    for (const Vocabulary::Array &array : vocabulary.arrays)
+        names.push_back(array.name);
+    return names;
+}
+
+std::vector<std::string> allNames(const MarkedPlace &place)
+{
+    std::vector<std::string> names = bodyNames(place.vocabulary);
+    const auto append = [&](const std::vector<std::string> &more) {
+        names.insert(names.end(), more.begin(), more.end());
+    };
+    append(place.vocabulary.parameters);
+    append(place.declared);
+    append(commonNames());
+    if (place.vocabulary.hasGait)
+        append({"gait", "gait_speed"});
+    return names;
+}
+
+/// Returns " This scene has body and feet, and the numbers damp and k."
+std::string contentsOf(const Vocabulary &vocabulary)
+{
+    const std::vector<std::string> bodies = bodyNames(vocabulary);
+    if (bodies.empty() && vocabulary.parameters.empty())
+        return {};
+    std::string sentence = " This scene has " + joined(bodies);
+    if (!bodies.empty() && !vocabulary.parameters.empty())
+        sentence += ", and ";
+    if (!vocabulary.parameters.empty())
+        sentence += (vocabulary.parameters.size() == 1 ? "the number " : "the numbers ") +
+                    joined(vocabulary.parameters);
+    return sentence + ".";
+}
+
+std::string noMember(const Gaps &gaps, const MarkedPlace &place)
+{
+    const std::string word = gaps[0], type = plainType(gaps[1]);
+    const std::vector<std::string> members = membersOf(type, place.vocabulary.bodiesTurn);
+    const std::string kind = type == "Bodies" ? "an array of bodies" : type == "Keys" ? "the keys" : type;
+    const std::string sentence = quotedName(word) + " is not a member of " + kind + ".";
+    if (const std::string closest = hintFor(word, members); !closest.empty())
+        return sentence + closest;
+    const std::vector<std::string> ofBody = membersOf("Body", place.vocabulary.bodiesTurn);
+    if (type == "Bodies" && (has(ofBody, word) || !closestName(word, ofBody).empty()))
+        return sentence + " Choose one of them first, for example with [0].";
+    return members.empty() ? sentence : sentence + " It has " + joined(members) + ".";
+}
+
+std::string noName(const Gaps &gaps, const MarkedPlace &place)
+{
+    const std::string closest = hintFor(gaps[0], allNames(place));
+    return "There is no " + quotedName(gaps[0]) + "." +
+           (closest.empty() ? contentsOf(place.vocabulary) : closest);
+}
+
+std::string wrongValues(const Gaps &gaps, const MarkedPlace &place)
+{
+    const std::string &call = gaps[0];
+    const std::string name = call.substr(0, call.find('('));
+    const std::vector<std::string> names = allNames(place);
+    if (!has(names, name) && name != "Vec2")
+        return "There is no function " + quotedName(name) + "." + hintFor(name, names);
+    return quotedName(name) + " does not take these values: " + quotedName(call) + ".";
+}
+
+std::string noType(const Gaps &gaps, const MarkedPlace &)
+{
+    const std::string closest = hintFor(gaps[0], {"double", "int", "bool", "Vec2", "Body", "void"});
+    return "There is no type " + quotedName(gaps[0]) + "." +
+           (closest.empty() ? " The types are double, int, bool, Vec2 and Body." : closest);
+}
+
+std::string wrongType(const Gaps &gaps, const MarkedPlace &)
+{
+    return withArticle("A", gaps[0]) + " cannot be used as " + withArticle("a", gaps[1]) + ".";
+}
+
+std::string wrongOperands(const Gaps &gaps, const MarkedPlace &)
+{
+    return "This sign does not work between " + withArticle("a", gaps[0]) + " and " +
+           withArticle("a", gaps[1]) + ".";
+}
+
+std::string wrongOperand(const Gaps &gaps, const MarkedPlace &)
+{
+    return "This sign does not work between " + withArticle("a", gaps[0]) +
+           " and the other value. A Vec2 can be added to a Vec2, and multiplied or divided by a number.";
+}
+
+std::string missing(const Gaps &gaps, const MarkedPlace &)
+{
+    const std::string &what = gaps[0];
+    if (what.starts_with("expression value"))
+        return "A value is missing here.";
+    if (what.starts_with("data type"))
+        return "The name of a type is missing here: double, int, bool, Vec2 or Body.";
+    if (what.starts_with("identifier"))
+        return "A name is missing here.";
+    if (what.starts_with("method or property"))
+        return "The name of a member is missing behind the dot.";
+    return what + " is missing here.";
+}
+
+std::string nameTwice(const Gaps &gaps, const MarkedPlace &)
+{
+    return "There already is " + quotedName(gaps[0]) + " here. Use another name.";
+}
+
+std::string nameOfScene(const Gaps &gaps, const MarkedPlace &)
+{
+    return "There already is " + quotedName(gaps[0]) + " in this scene. Use another name.";
+}
+
+std::string noChange(const Gaps &, const MarkedPlace &place)
+{
+    if (has(place.vocabulary.bodies, place.word))
+        return "A Body cannot be replaced by another one. Set its position or its velocity.";
+    return "This cannot be changed. A listing changes positions, velocities and its own variables.";
+}
+
+std::string noReplacement(const Gaps &gaps, const MarkedPlace &)
+{
+    if (plainType(gaps[0]) == "Body")
+        return "A Body cannot be replaced by another one. Set its position or its velocity.";
+    return withArticle("A", gaps[0]) + " cannot be set as a whole.";
+}
+
+std::string noValue(const Gaps &gaps, const MarkedPlace &)
+{
+    return quotedName(gaps[0]) + " has no value yet.";
+}
+
+/// A message of the interpreter, with `*` in place of names, and its sentence.
+struct Rule
+{
+    const char *pattern;
+    std::string (*sentence)(const Gaps &gaps, const MarkedPlace &place) = nullptr;
+    const char *fixed = ""; ///< the sentence, if it has no names
+};
+
+constexpr Rule changeRules[] = {
+    {"Reference is read-only*", noChange},
+    {"Expression is not an l-value*", noChange},
+    {"Not a valid lvalue*", noChange},
+    {"Not a valid reference*", noChange},
+};
+
+constexpr Rule rules[] = {
+    {"'*' is not a member of '*'", noMember},
+    {"No matching symbol '*'", noName},
+    {"No matching signatures to '*'", wrongValues},
+    {"Identifier '*' is not a data type*", noType},
+    {"Can't implicitly convert from '*' to '*'.", wrongType},
+    {"No conversion from '*' to math type*", wrongOperand},
+    {"No conversion from '*' to '*'*", wrongType},
+    {"No matching operator that takes the types '*' and '*' found", wrongOperands},
+    {"No appropriate opAssign method found in '*'*", noReplacement},
+    {"'*' is already declared*", nameTwice},
+    {"Name conflict. '*' *", nameOfScene},
+    {"Variable '*' hides another variable of same name*", nameTwice},
+    {"'*' is not initialized*", noValue},
+    {"Expected *", missing},
+    {"Expression must be of boolean type*", nullptr,
+     "A condition is true or false. Compare this with something, for example with == or >."},
+    {"Not all paths return a value*", nullptr,
+     "This function can end without 'return'. It has to return a value in every case."},
+    {"Unexpected end of file*", nullptr, "The text ends too early: a '}' or a ')' is missing."},
+    {"No default constructor for object of type 'Body'*", nullptr,
+     "A Body variable needs a body, for example 'Body first = feet[0];'."},
+    {"Non-terminated string*", nullptr, "Texts in quotes are not part of this language."},
+};
+
+}
+
+bool isAboutChange(const std::string &message)
+{
+    return std::any_of(std::begin(changeRules), std::end(changeRules),
+                       [&](const Rule &rule) { return gapsOf(message, rule.pattern).has_value(); });
+}
+
+std::string plainSentence(const std::string &message, const MarkedPlace &place)
+{
+    if (isAboutChange(message))
+        return noChange({}, place);
+    for (const Rule &rule : rules) {
+        if (const std::optional<Gaps> gaps = gapsOf(message, rule.pattern))
+            return rule.sentence ? rule.sentence(*gaps, place) : rule.fixed;
+    }
+    const bool ends = message.ends_with('.') || message.ends_with('?');
+    return ends ? message : message + ".";
+}
+
+}

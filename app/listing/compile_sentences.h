@@ -1,0 +1,24 @@
+#pragma once
+
+#include "app/listing/vocabulary.h"
+
+#include <string>
+#include <vector>
+
+namespace listing {
+
+/// The place in a listing that a message of the interpreter is about.
+struct MarkedPlace
+{
+    std::string word; ///< the word or sign there; may be empty
+    const Vocabulary &vocabulary;
+    std::vector<std::string> declared; ///< names that the listing declares itself
+};
+
+/// Explains a compiler message of the interpreter in one or two sentences. They say what is wrong, and which names exist.
+std::string plainSentence(const std::string &message, const MarkedPlace &place);
+
+/// Returns whether a message of the interpreter says that something cannot be changed. Its position is behind that.
+bool isAboutChange(const std::string &message);
+
+}

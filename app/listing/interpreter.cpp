@@ -1,0 +1,699 @@
+#include "app/listing/interpreter.h"
+
+#include "app/listing/compile_sentences.h"
+#include "app/listing/limits.h"
+#include "app/listing/script_functions.h"
+#include "sim/base/random.h"
+
+#include <angelscript.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+namespace listing {
+
+using namespace AngelScript;
+
+namespace {
+
+using sim::Vec2;
+
+/// Releases the memory that the interpreter keeps for a thread when the thread ends.
+struct ThreadCleanup
+{
+    ~ThreadCleanup() { asThreadCleanup(); }
+};
+
+void prepareThread()
+{
+    // So that all engines of the process share one thread manager, whichever thread makes the first one.
+    static const int prepared = asPrepareMultithread();
+    static_cast<void>(prepared);
+    static thread_local ThreadCleanup cleanup;
+    static_cast<void>(cleanup);
+}
+
+bool isFiniteVector(Vec2 v)
+{
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
+
+std::string cellName(const std::string &array, std::size_t index)
+{
+    return array + "[" + std::to_string(index) + "]";
+}
+
+}
+
+std::string typeName(const Value &value)
+{
+    static const char *const names[] = {"double", "int", "bool", "Vec2", "Body"};
+    return names[value.index()];
+}
+
+Interpreter::Interpreter(const SourceScan &scan, const Vocabulary &vocabulary)
+    : m_scan(scan), m_vocabulary(vocabulary)
+{
+    prepareThread();
+    m_engine = asCreateScriptEngine();
+    m_engine->SetMessageCallback(asFUNCTION(messageCallback), this, asCALL_CDECL);
+    m_engine->SetEngineProperty(asEP_ALLOW_IMPLICIT_HANDLE_TYPES, 1);
+    m_engine->SetEngineProperty(asEP_INIT_GLOBAL_VARS_AFTER_BUILD, 0);
+    m_engine->SetEngineProperty(asEP_MAX_STACK_SIZE, 1 << 20);
+    m_engine->SetEngineProperty(asEP_AUTO_GARBAGE_COLLECT, 0); // nothing of a listing is collected
+    registerLanguage();
+    compile();
+    m_engine->ClearMessageCallback();
+    if (!m_errors.empty())
+        return;
+    m_context = m_engine->CreateContext();
+    m_context->SetLineCallback(asFUNCTION(lineCallback), this, asCALL_CDECL);
+    m_context->SetExceptionCallback(asFUNCTION(exceptionCallback), this, asCALL_CDECL);
+}
+
+Interpreter::~Interpreter()
+{
+    if (m_context)
+        m_context->Release();
+    m_engine->ShutDownAndRelease();
+}
+
+void Interpreter::registerLanguage()
+{
+    registerFunctions(*m_engine);
+    m_vec2Type = m_engine->GetTypeIdByDecl("Vec2");
+    registerBodies();
+    registerNames();
+}
+
+void Interpreter::registerBodies()
+{
+    // Variables of this type are references, so `Body foot = feet[i]` names the same body and copies nothing.
+    m_engine->RegisterObjectType("Body", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
+    m_bodyType = m_engine->GetTypeIdByDecl("Body") & asTYPEID_MASK_SEQNBR;
+    const auto property = [this](const char *declaration, std::size_t offset) {
+        m_engine->RegisterObjectProperty("Body", declaration, static_cast<int>(offset));
+    };
+    property("Vec2 position", offsetof(BodyCell, position));
+    property("Vec2 velocity", offsetof(BodyCell, velocity));
+    property("const bool held", offsetof(BodyCell, held));
+    property("const double mass", offsetof(BodyCell, mass));
+    property("const double radius", offsetof(BodyCell, radius));
+    if (m_vocabulary.bodiesTurn) {
+        property("double angle", offsetof(BodyCell, angle));
+        property("double spin", offsetof(BodyCell, spin));
+    }
+    m_engine->RegisterObjectMethod("Body", "bool opEquals(const Body @) const", asFUNCTION(isSameBody),
+                                   asCALL_CDECL_OBJFIRST);
+    m_engine->RegisterObjectType("Bodies", 0, asOBJ_REF | asOBJ_NOHANDLE);
+    m_engine->RegisterObjectProperty("Bodies", "const int count",
+                                     static_cast<int>(offsetof(BodyArray, count)));
+    m_engine->RegisterObjectMethod("Bodies", "Body @opIndex(int)", asFUNCTION(bodyAt), asCALL_CDECL_OBJLAST);
+    m_engine->RegisterObjectType("Keys", 0, asOBJ_REF | asOBJ_NOHANDLE);
+    const auto key = [this](const char *declaration, std::size_t offset) {
+        m_engine->RegisterObjectProperty("Keys", declaration, static_cast<int>(offset));
+    };
+    key("const bool left", offsetof(KeyCell, left));
+    key("const bool right", offsetof(KeyCell, right));
+    key("const bool up", offsetof(KeyCell, up));
+    key("const bool down", offsetof(KeyCell, down));
+}
+
+void Interpreter::registerNames()
+{
+    m_engine->RegisterGlobalFunction("double random(int)", asMETHOD(Interpreter, random),
+                                     asCALL_THISCALL_ASGLOBAL, this);
+    const auto global = [this](const std::string &declaration, void *address) {
+        m_engine->RegisterGlobalProperty(declaration.c_str(), address);
+    };
+    for (const std::string &name : m_vocabulary.bodies) {
+        m_bodies.emplace_back();
+        m_handles.push_back(nullptr);
+        global("Body @const " + name, &m_handles.back());
+    }
+    for (const Vocabulary::Array &array : m_vocabulary.arrays) {
+        m_arrays.emplace_back().name = &array.name;
+        global("Bodies " + array.name, &m_arrays.back());
+    }
+    for (const std::string &name : m_vocabulary.parameters) {
+        m_parameters.push_back(0.0);
+        global("const double " + name, &m_parameters.back());
+    }
+    global("const Vec2 pointer", &m_pointer);
+    global("const bool pointer_down", &m_pointerDown);
+    global("const Vec2 target", &m_target);
+    global("const Keys keys", &m_keys);
+    global("const double frame_number", &m_frameNumber);
+    global("const double pi", &m_pi);
+    if (m_vocabulary.hasGait) {
+        global("double gait", &m_gait);
+        global("double gait_speed", &m_gaitSpeed);
+    }
+}
+
+void Interpreter::addError(int line, int column, std::string sentence)
+{
+    const auto isOnLine = [&](const CompileError &error) { return error.line == line; };
+    if (std::none_of(m_errors.begin(), m_errors.end(), isOnLine))
+        m_errors.push_back({line, column, m_scan.lengthAt(line, column), std::move(sentence)});
+}
+
+void Interpreter::messageCallback(const asSMessageInfo *message, void *self)
+{
+    auto &interpreter = *static_cast<Interpreter *>(self);
+    const SourceScan &scan = interpreter.m_scan;
+    const std::string text = message->message;
+    // A variable without a value would hold what an earlier call left behind.
+    const bool isWarning =
+        message->type == asMSGTYPE_WARNING && text.find("is not initialized") == std::string::npos;
+    if (message->type == asMSGTYPE_INFORMATION || isWarning || text.starts_with("Instead found"))
+        return;
+    const int line = std::max(1, message->row), column = std::max(1, message->col);
+    const std::size_t offset = scan.offsetOf(line, column);
+    const Tokens &tokens = scan.tokens();
+    auto marked = std::find_if(tokens.begin(), tokens.end(), [&](const Token &token) {
+        return offset >= token.offset && offset < token.end();
+    });
+    MarkedPlace place = {{}, interpreter.m_vocabulary, scan.declaredNames()};
+    if (marked == tokens.end())
+        return interpreter.addError(line, column, plainSentence(text, place));
+    if (isAboutChange(text) && marked != tokens.begin())
+        --marked; // the interpreter points at the sign behind it
+    else if (marked->text == "." && marked + 1 != tokens.end())
+        ++marked; // the interpreter points at the dot before a member
+    place.word = std::string(marked->text);
+    interpreter.addError(marked->line, marked->column, plainSentence(text, place));
+}
+
+void Interpreter::compile()
+{
+    if (m_scan.error()) {
+        m_errors.push_back(*m_scan.error());
+        return;
+    }
+    const auto addMissingFrame = [this] {
+        addError(1, 1, "The function 'void frame()' is missing. It runs once in every frame.");
+    };
+    if (m_scan.tokens().empty())
+        return addMissingFrame();
+    m_module = m_engine->GetModule("listing", asGM_ALWAYS_CREATE);
+    const std::string text = m_scan.compiledText();
+    m_module->AddScriptSection("listing", text.data(), text.size());
+    const int built = m_module->Build();
+    if (built < 0) {
+        if (m_errors.empty())
+            addError(1, 1, "This listing cannot be compiled.");
+        return;
+    }
+    m_frame = m_module->GetFunctionByDecl("void frame()");
+    if (!m_frame)
+        addMissingFrame();
+    findGlobals();
+}
+
+std::size_t Interpreter::sizeOf(int type) const
+{
+    if (type == m_vec2Type)
+        return sizeof(Vec2);
+    if ((type & ~asTYPEID_MASK_SEQNBR) != 0 || type > asTYPEID_DOUBLE)
+        return 0;
+    return static_cast<std::size_t>(std::max(0, m_engine->GetSizeOfPrimitiveType(type)));
+}
+
+void Interpreter::findGlobals()
+{
+    for (asUINT i = 0; i < m_module->GetGlobalVarCount(); ++i) {
+        Global global = {nullptr, 0, i, 0};
+        m_module->GetGlobalVar(i, &global.name, nullptr, &global.type);
+        global.bytes = sizeOf(global.type);
+        if (global.bytes == 0) {
+            const auto &tokens = m_scan.tokens();
+            const auto found = std::find_if(tokens.begin(), tokens.end(),
+                                            [&](const Token &token) { return token.text == global.name; });
+            addError(found == tokens.end() ? 1 : found->line, found == tokens.end() ? 1 : found->column,
+                     "'" + std::string(global.name) +
+                         "' cannot be remembered from frame to frame. Only numbers, bool and Vec2 can.");
+            continue;
+        }
+        m_memoryBytes += global.bytes;
+        m_globals.push_back(global);
+    }
+    if (m_memoryBytes > maxMemoryBytes)
+        addError(1, 1,
+                 "The variables outside of functions take " + std::to_string(m_memoryBytes) +
+                     " bytes. The most is " + std::to_string(maxMemoryBytes) + ".");
+}
+
+template <class Visit>
+void Interpreter::forEachCell(Visit &&visit) const
+{
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        if (m_handles[i])
+            visit(m_bodies[i], [&] { return m_vocabulary.bodies[i]; });
+    }
+    for (const BodyArray &array : m_arrays) {
+        for (std::size_t i = 0; i < array.cells.size(); ++i)
+            visit(array.cells[i], [&] { return cellName(*array.name, i); });
+    }
+}
+
+void Interpreter::load(const sim::State &state, const Binding &binding)
+{
+    const auto fill = [&](BodyCell &cell, int point) {
+        const bool held = state.hold.point == point;
+        // The program moves a held body itself, from where it was before the hand moved it.
+        cell.position = held ? state.hold.positionBefore : state.positionOf(point);
+        cell.velocity = held ? state.hold.velocityBefore : state.velocityOf(point);
+        cell.mass = binding.mass[point];
+        cell.radius = binding.radius[point];
+        cell.angle = state.angle.rows() > point ? state.angle[point] : 0.0;
+        cell.spin = state.spin.rows() > point ? state.spin[point] : 0.0;
+        cell.held = held;
+        cell.point = point;
+    };
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+        const int point = binding.bodies[i];
+        m_handles[i] = point < 0 ? nullptr : &m_bodies[i];
+        if (point >= 0)
+            fill(m_bodies[i], point);
+    }
+    for (std::size_t i = 0; i < m_arrays.size(); ++i) {
+        BodyArray &array = m_arrays[i];
+        array.cells.resize(binding.arrays[i].size());
+        array.count = static_cast<int>(array.cells.size());
+        for (std::size_t j = 0; j < array.cells.size(); ++j)
+            fill(array.cells[j], binding.arrays[i][j]);
+    }
+    std::copy(binding.parameters.begin(), binding.parameters.end(), m_parameters.begin());
+    m_seed = binding.seed;
+    m_pointer = state.hold.point >= 0 ? state.hold.hand : state.input.pointer.value_or(Vec2{});
+    m_pointerDown = state.hold.point >= 0 || state.input.pointerDown;
+    m_target = state.input.target;
+    const sim::Keys &keys = state.input.keys;
+    m_keys = {keys.left, keys.right, keys.up, keys.down};
+    m_frameNumber = static_cast<double>(state.frame);
+    m_gait = state.gait.rows() == 1 ? state.gait[0] : 0.0;
+    m_gaitSpeed = state.gaitSpeed.rows() == 1 ? state.gaitSpeed[0] : 0.0;
+}
+
+void Interpreter::store(sim::State &state) const
+{
+    forEachCell([&](const BodyCell &cell, const auto &) {
+        state.place(cell.point, cell.position);
+        state.setVelocity(cell.point, cell.velocity);
+        if (state.angle.rows() > cell.point)
+            state.angle[cell.point] = cell.angle;
+        if (state.spin.rows() > cell.point)
+            state.spin[cell.point] = cell.spin;
+    });
+    if (state.gait.rows() == 1)
+        state.gait[0] = m_gait;
+    if (state.gaitSpeed.rows() == 1)
+        state.gaitSpeed[0] = m_gaitSpeed;
+    state.memory.resize(m_memoryBytes);
+    std::size_t at = 0;
+    for (const Global &global : m_globals) {
+        std::memcpy(state.memory.data() + at, addressOf(global), global.bytes);
+        at += global.bytes;
+    }
+}
+
+RunResult Interpreter::run(sim::State &state, const Binding &binding, const Recording &recording)
+{
+    prepareThread();
+    load(state, binding);
+    RunResult result = execute(state, recording);
+    if (!result.error && !result.isStopped && !firstNonFinite().empty()) {
+        // Once more, with a check after each line. This finds the line without slowing down every frame.
+        Recording search;
+        search.findsNonFinite = true;
+        load(state, binding);
+        const RunResult found = execute(state, search);
+        result.error = found.error;
+    }
+    if (!result.error)
+        store(state);
+    return result;
+}
+
+RunResult Interpreter::execute(const sim::State &state, const Recording &recording)
+{
+    m_recording = recording;
+    m_result = {};
+    m_cues = m_lines = m_lastLine = m_lastDepth = 0;
+    m_before = {};
+    if (state.memory.size() != m_memoryBytes) {
+        initialise();
+    } else {
+        allocateGlobals();
+        std::size_t at = 0;
+        for (const Global &global : m_globals) {
+            if (void *address = addressOf(global))
+                std::memcpy(address, state.memory.data() + at, global.bytes);
+            at += global.bytes;
+        }
+    }
+    for (const Global &global : m_globals) {
+        if (!addressOf(global) && !m_result.error)
+            m_result.error =
+                RunError{RunErrorKind::other,
+                         1,
+                         "The first value of '" + std::string(global.name) + "' cannot be computed.",
+                         {}};
+    }
+    m_cues = m_lastLine = 0;
+    if (!m_result.error)
+        runFrame();
+    if (m_recording.findsNonFinite && !m_result.error) {
+        const std::string name = firstNonFinite();
+        if (!name.empty()) {
+            m_result.error = RunError{RunErrorKind::notFinite, m_before.line,
+                                      name + " is not a finite number.", m_before.variables};
+        }
+    }
+    return std::move(m_result);
+}
+
+void *Interpreter::addressOf(const Global &global) const
+{
+    return m_module->GetAddressOfGlobalVar(global.index);
+}
+
+void Interpreter::initialise()
+{
+    if (m_globals.empty())
+        return;
+    m_isInitialising = true;
+    if (m_module->ResetGlobalVars(m_context) < 0 && !m_result.error)
+        m_result.error = RunError{RunErrorKind::other, m_lastLine, "The interpreter stopped.", {}};
+    m_isInitialising = false;
+}
+
+void Interpreter::allocateGlobals()
+{
+    const auto isMissing = [this](const Global &global) { return !addressOf(global); };
+    const auto anyIsMissing = [&] { return std::any_of(m_globals.begin(), m_globals.end(), isMissing); };
+    if (!anyIsMissing())
+        return;
+    // The values do not matter: those of the state replace them. Computing them can fail in the current state, for
+    // example if a body is gone since the first frame. Then other parameters and bodies help.
+    initialise();
+    m_result.error.reset();
+    m_cues = 0;
+    if (!anyIsMissing())
+        return;
+    const std::deque<double> parameters = m_parameters;
+    const auto arrays = m_arrays;
+    const auto handles = m_handles;
+    for (std::size_t i = 0; i < m_parameters.size(); ++i)
+        m_parameters[i] = 0.7310585786300049 + 0.0137 * static_cast<double>(i);
+    for (std::size_t i = 0; i < m_handles.size(); ++i)
+        m_handles[i] = &m_bodies[i];
+    for (BodyArray &array : m_arrays) {
+        array.cells.resize(1000);
+        array.count = 1000;
+    }
+    initialise();
+    m_result.error.reset();
+    m_cues = 0;
+    std::copy(parameters.begin(), parameters.end(), m_parameters.begin());
+    std::copy(handles.begin(), handles.end(), m_handles.begin());
+    std::copy(arrays.begin(), arrays.end(), m_arrays.begin());
+}
+
+void Interpreter::runFrame()
+{
+    m_context->Prepare(m_frame);
+    const int code = m_context->Execute();
+    if (code != asEXECUTION_FINISHED && !m_result.error && !m_result.isStopped)
+        m_result.error = RunError{RunErrorKind::other, m_lastLine, "The interpreter stopped.", {}};
+    m_context->Unprepare();
+}
+
+void Interpreter::lineCallback(asIScriptContext *, void *self)
+{
+    static_cast<Interpreter *>(self)->onLine();
+}
+
+void Interpreter::exceptionCallback(asIScriptContext *, void *self)
+{
+    static_cast<Interpreter *>(self)->onException();
+}
+
+void Interpreter::fail(RunErrorKind kind, int line, std::string sentence)
+{
+    if (!m_result.error)
+        m_result.error = RunError{kind, line, std::move(sentence), variables()};
+    m_context->Abort();
+}
+
+void Interpreter::onLine()
+{
+    int column = 0;
+    const int line = m_context->GetLineNumber(0, &column);
+    const int depth = static_cast<int>(m_context->GetCallstackSize()) - 1;
+    if (++m_cues > maxLinesPerFrame) {
+        const std::size_t at = m_scan.offsetOf(line, column);
+        int loopLine = line;
+        for (const Loop &loop : m_scan.loops()) { // the innermost comes last
+            if (loop.whole.contains(at))
+                loopLine = loop.line;
+        }
+        return fail(RunErrorKind::endlessLoop, loopLine,
+                    "This did not end after " + std::to_string(maxLinesPerFrame) +
+                        " lines. A loop or a function repeats without end.");
+    }
+    if (depth > maxCallDepth)
+        return fail(
+            RunErrorKind::tooDeep, line,
+            "Functions call functions " + std::to_string(maxCallDepth) +
+                " times inside one another. A function that calls itself needs a case in which it does not.");
+    const bool isNewLine = line != m_lastLine || depth != m_lastDepth;
+    m_lastLine = line;
+    m_lastDepth = depth;
+    if (m_isInitialising || !isNewLine)
+        return;
+    ++m_lines;
+    if (m_recording.lines || m_recording.findsNonFinite || m_recording.stopAfter >= 0)
+        record(line, column, depth);
+}
+
+void Interpreter::record(int line, int column, int depth)
+{
+    const bool keepsLine = m_recording.lines && m_recording.lines->size() < std::size_t{maxTracedLines};
+    const bool isLast = m_recording.stopAfter >= 0 && m_lines > m_recording.stopAfter;
+    if (m_recording.findsNonFinite) {
+        const std::string name = firstNonFinite();
+        if (!name.empty() && !m_result.error) {
+            m_result.error = RunError{RunErrorKind::notFinite, m_before.line,
+                                      name + " is not a finite number.", m_before.variables};
+            m_context->Abort();
+            return;
+        }
+    }
+    if (m_recording.lines && !keepsLine)
+        m_result.isComplete = false;
+    if (!keepsLine && !isLast && !m_recording.findsNonFinite)
+        return;
+    TracedLine traced = {line, depth, m_context->GetFunction(0)->GetName(), variables(), {}};
+    const std::size_t at = m_scan.offsetOf(line, column);
+    for (const Loop &loop : m_scan.loops()) {
+        // The turn is counted afterwards: 0 in the head of a loop.
+        if (loop.whole.contains(at))
+            traced.loops.push_back({loop.line, loop.body.contains(at) ? 1 : 0, 0});
+    }
+    if (isLast) {
+        m_result.isStopped = true;
+        m_result.next = std::move(traced);
+        m_context->Abort();
+    } else if (m_recording.findsNonFinite) {
+        m_before = std::move(traced);
+    } else {
+        m_recording.lines->push_back(std::move(traced));
+    }
+}
+
+void Interpreter::onException()
+{
+    const std::string text = m_context->GetExceptionString();
+    const int line = m_context->GetExceptionLineNumber();
+    RunErrorKind kind = RunErrorKind::other;
+    std::string sentence = text;
+    if (text.starts_with("There is no ")) {
+        kind = RunErrorKind::noSuchBody;
+    } else if (text == "Null pointer access") {
+        kind = RunErrorKind::noSuchBody;
+        sentence = "This variable stands for no body.";
+    } else if (text == "Divide by zero") {
+        kind = RunErrorKind::divisionByZero;
+        sentence = "This divides by 0.";
+    } else if (text == "Overflow in integer division" || text == "Overflow in exponent operation") {
+        kind = RunErrorKind::notFinite;
+        sentence = "The result is too large for a number.";
+    } else if (text.starts_with("Stack overflow")) {
+        kind = RunErrorKind::tooDeep;
+        sentence = "Functions call functions too many times inside one another.";
+    }
+    if (!m_result.error)
+        m_result.error = RunError{kind, line, std::move(sentence), variables()};
+}
+
+std::string Interpreter::firstNonFinite() const
+{
+    std::string name;
+    forEachCell([&](const BodyCell &cell, const auto &nameOf) {
+        if (!name.empty())
+            return;
+        if (!isFiniteVector(cell.position))
+            name = "The position of " + nameOf();
+        else if (!isFiniteVector(cell.velocity))
+            name = "The velocity of " + nameOf();
+        else if (!std::isfinite(cell.angle) || !std::isfinite(cell.spin))
+            name = "The angle or the spin of " + nameOf();
+    });
+    if (!name.empty())
+        return name;
+    if (!std::isfinite(m_gait) || !std::isfinite(m_gaitSpeed))
+        return "'gait'";
+    for (const Global &global : m_globals) {
+        const std::optional<Value> value = valueAt(addressOf(global), global.type);
+        const auto *number = value ? std::get_if<double>(&*value) : nullptr;
+        const auto *vector = value ? std::get_if<Vec2>(&*value) : nullptr;
+        if ((number && !std::isfinite(*number)) || (vector && !isFiniteVector(*vector)))
+            return "'" + std::string(global.name) + "'";
+    }
+    return {};
+}
+
+Value Interpreter::valueOf(const BodyCell *cell) const
+{
+    BodyReference reference;
+    for (std::size_t i = 0; i < m_bodies.size() && cell; ++i) {
+        if (cell == &m_bodies[i])
+            return BodyReference{m_vocabulary.bodies[i], cell->point};
+    }
+    for (const BodyArray &array : m_arrays) {
+        if (!cell || array.cells.empty() || cell < array.cells.data() ||
+            cell >= array.cells.data() + array.cells.size())
+            continue;
+        return BodyReference{cellName(*array.name, static_cast<std::size_t>(cell - array.cells.data())),
+                             cell->point};
+    }
+    return reference;
+}
+
+std::optional<Value> Interpreter::valueAt(const void *address, int type) const
+{
+    if (!address)
+        return {};
+    const auto number = [address]<class Number>(Number value) {
+        std::memcpy(&value, address, sizeof value);
+        return value;
+    };
+    switch (type) {
+    case asTYPEID_BOOL:
+        return Value(number(char{}) != 0);
+    case asTYPEID_INT32:
+        return Value(std::int64_t{number(std::int32_t{})});
+    case asTYPEID_DOUBLE:
+        return Value(number(double{}));
+    default:
+        break;
+    }
+    if (type == m_vec2Type)
+        return Value(number(Vec2{}));
+    if ((type & asTYPEID_MASK_SEQNBR) == m_bodyType)
+        return valueOf(number(static_cast<const BodyCell *>(nullptr)));
+    return {};
+}
+
+const Interpreter::Scopes &Interpreter::scopesOf(asIScriptFunction *function) const
+{
+    const auto [found, isNew] = m_scopes.try_emplace(function);
+    Scopes &scopes = found->second;
+    if (!isNew)
+        return scopes;
+    const FunctionText *text = nullptr;
+    for (const FunctionText &candidate : m_scan.functions()) {
+        // Functions with the same name differ by their lines.
+        if (candidate.name == function->GetName() &&
+            function->FindNextLineWithCode(m_scan.lineOf(candidate.extent.begin)) >= 0)
+            text = &candidate;
+    }
+    std::map<std::string, std::size_t> seen; // declarations of each name so far
+    for (asUINT i = 0; i < function->GetVarCount(); ++i) {
+        const char *name = nullptr;
+        function->GetVar(i, &name, nullptr);
+        Extent scope;
+        if (text && name && *name) {
+            std::size_t number = seen[name]++;
+            for (const Declaration &declaration : text->declarations) {
+                if (declaration.name == name && number-- == 0) {
+                    scope = declaration.scope;
+                    break;
+                }
+            }
+        }
+        scopes.push_back(scope);
+    }
+    return scopes;
+}
+
+std::vector<Variable> Interpreter::variables() const
+{
+    std::vector<Variable> all;
+    asIScriptFunction *function = m_isInitialising ? nullptr : m_context->GetFunction(0);
+    int column = 0;
+    const int line = function ? m_context->GetLineNumber(0, &column) : 0;
+    const std::size_t at = m_scan.offsetOf(line, column);
+    const int count = function ? m_context->GetVarCount(0) : 0;
+    for (int i = 0; i < count; ++i) {
+        const char *name = m_context->GetVarName(static_cast<asUINT>(i), 0);
+        const Scopes &scopes = scopesOf(function);
+        const auto index = static_cast<std::size_t>(i);
+        if (!name || !*name || index >= scopes.size() || !scopes[index].contains(at) ||
+            !m_context->IsVarInScope(static_cast<asUINT>(i), 0))
+            continue;
+        const std::optional<Value> value = valueAt(m_context->GetAddressOfVar(static_cast<asUINT>(i), 0),
+                                                   m_context->GetVarTypeId(static_cast<asUINT>(i), 0));
+        if (value)
+            all.push_back({name, *value, false});
+    }
+    for (const Global &global : m_globals) {
+        if (const std::optional<Value> value = valueAt(addressOf(global), global.type))
+            all.push_back({global.name, *value, true});
+    }
+    return all;
+}
+
+double Interpreter::random(int i) const
+{
+    return sim::uniform(m_seed, static_cast<std::uint64_t>(m_frameNumber),
+                        static_cast<std::uint64_t>(static_cast<std::int64_t>(i)));
+}
+
+bool Interpreter::isSameBody(const BodyCell *a, const BodyCell *b)
+{
+    return a == b;
+}
+
+Interpreter::BodyCell *Interpreter::bodyAt(int index, BodyArray *array)
+{
+    if (index >= 0 && index < array->count)
+        return &array->cells[static_cast<std::size_t>(index)];
+    const std::string &name = *array->name;
+    std::string sentence = "There is no " + name + "[" + std::to_string(index) + "]: ";
+    if (array->count == 0)
+        sentence += name + " is empty.";
+    else if (array->count == 1)
+        sentence += "the only one is " + name + "[0].";
+    else
+        sentence +=
+            name + " goes from " + name + "[0] to " + name + "[" + std::to_string(array->count - 1) + "].";
+    asGetActiveContext()->SetException(sentence.c_str());
+    return nullptr;
+}
+
+}

@@ -1,0 +1,169 @@
+#pragma once
+
+#include "app/listing/source_scan.h"
+#include "app/listing/values.h"
+#include "app/listing/vocabulary.h"
+#include "sim/scene/state.h"
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace AngelScript {
+class asIScriptContext;
+class asIScriptEngine;
+class asIScriptFunction;
+class asIScriptModule;
+struct asSMessageInfo;
+}
+
+namespace listing {
+
+using AngelScript::asIScriptContext;
+using AngelScript::asIScriptEngine;
+using AngelScript::asIScriptFunction;
+using AngelScript::asIScriptModule;
+using AngelScript::asSMessageInfo;
+
+/// What a frame does besides computing the new state.
+struct Recording
+{
+    std::vector<TracedLine> *lines = nullptr; ///< receives each line, up to maxTracedLines; null: none
+    /// Number of lines to run: the frame is left before the next one. Negative: all.
+    int stopAfter = -1;
+    bool findsNonFinite = false; ///< whether the first line that makes a number infinite or NaN is an error
+};
+
+/// The result of Interpreter::run().
+struct RunResult
+{
+    std::optional<RunError> error;
+    bool isStopped = false;         ///< whether it was left because of Recording::stopAfter
+    bool isComplete = true;         ///< whether all lines were recorded
+    std::optional<TracedLine> next; ///< if it was left: the line before which it stopped
+};
+
+/// A compiled listing, its script engine, and the memory for one frame. Only one thread may use it at a time, so
+/// Program makes one for each thread.
+class Interpreter
+{
+public:
+    /// Compiles the text of `scan`. Both arguments must outlive this object.
+    Interpreter(const SourceScan &scan, const Vocabulary &vocabulary);
+    ~Interpreter();
+    Interpreter(const Interpreter &) = delete;
+    Interpreter &operator=(const Interpreter &) = delete;
+
+    const std::vector<CompileError> &errors() const { return m_errors; }
+    /// Computes a frame of `state`. If it is left by an error, `state` does not change, except that
+    /// Recording::stopAfter leaves it as it is inside the frame.
+    RunResult run(sim::State &state, const Binding &binding, const Recording &recording);
+
+private:
+    /// A body as the interpreter sees it.
+    struct BodyCell
+    {
+        sim::Vec2 position, velocity;
+        double mass = 0.0, radius = 0.0, angle = 0.0, spin = 0.0;
+        bool held = false;
+        int point = -1;
+    };
+    struct BodyArray
+    {
+        int count = 0;
+        const std::string *name = nullptr;
+        std::vector<BodyCell> cells;
+    };
+    /// A global variable of the listing.
+    struct Global
+    {
+        const char *name;
+        int type;
+        unsigned index;
+        std::size_t bytes;
+    };
+    struct KeyCell
+    {
+        bool left = false, right = false, up = false, down = false;
+    };
+    /// The scope of each variable of a function of the interpreter, by its number. Empty: not known.
+    using Scopes = std::vector<Extent>;
+
+    void registerLanguage();
+    void registerBodies();
+    void registerNames();
+    void compile();
+    /// Adds an error, if it is the first on its line: the interpreter's later ones follow from it.
+    void addError(int line, int column, std::string sentence);
+    void findGlobals();
+    std::size_t sizeOf(int type) const;
+    void load(const sim::State &state, const Binding &binding);
+    void store(sim::State &state) const;
+    RunResult execute(const sim::State &state, const Recording &recording);
+    void runFrame();
+    /// Sets the globals to their initial values.
+    void initialise();
+    /// Makes sure that the globals have addresses, which they only have once they had a value.
+    void allocateGlobals();
+    /// Returns where a global is; null if it never had a value.
+    void *addressOf(const Global &global) const;
+    void onLine();
+    void onException();
+    void record(int line, int column, int depth);
+    void fail(RunErrorKind kind, int line, std::string sentence);
+    /// Returns the name of the first position, velocity or global that is not finite, or an empty string.
+    std::string firstNonFinite() const;
+    std::vector<Variable> variables() const;
+    std::optional<Value> valueAt(const void *address, int type) const;
+    Value valueOf(const BodyCell *cell) const;
+    const Scopes &scopesOf(asIScriptFunction *function) const;
+    double random(int i) const;
+    template <class Visit>
+    void forEachCell(Visit &&visit) const;
+
+    static bool isSameBody(const BodyCell *a, const BodyCell *b);
+    static BodyCell *bodyAt(int index, BodyArray *array);
+    static void lineCallback(asIScriptContext *context, void *self);
+    static void exceptionCallback(asIScriptContext *context, void *self);
+    static void messageCallback(const asSMessageInfo *message, void *self);
+
+    const SourceScan &m_scan;
+    const Vocabulary &m_vocabulary;
+    std::vector<CompileError> m_errors;
+    asIScriptEngine *m_engine = nullptr;
+    asIScriptContext *m_context = nullptr;
+    asIScriptModule *m_module = nullptr;
+    asIScriptFunction *m_frame = nullptr;
+    int m_vec2Type = 0;
+    int m_bodyType = 0;
+    std::vector<Global> m_globals;
+    std::size_t m_memoryBytes = 0;
+    mutable std::map<asIScriptFunction *, Scopes> m_scopes;
+
+    // The memory of a frame. The addresses of these are registered, so the containers keep their size.
+    std::deque<BodyCell> m_bodies;
+    std::deque<BodyCell *> m_handles; ///< one per single body; null if the scene does not have it
+    std::deque<BodyArray> m_arrays;
+    std::deque<double> m_parameters;
+    sim::Vec2 m_pointer, m_target;
+    KeyCell m_keys;
+    bool m_pointerDown = false;
+    double m_frameNumber = 0.0, m_gait = 0.0, m_gaitSpeed = 0.0;
+    double m_pi = 3.14159265358979323846;
+    std::uint64_t m_seed = 1;
+
+    // The frame that is running.
+    Recording m_recording;
+    RunResult m_result;
+    int m_cues = 0;      ///< calls of onLine()
+    int m_lines = 0;     ///< lines so far, of which a line with several parts is one
+    int m_lastLine = 0;  ///< of the last cue
+    int m_lastDepth = 0; ///< of the last cue
+    TracedLine m_before; ///< the line that runs now, for findsNonFinite
+    bool m_isInitialising = false;
+};
+
+}

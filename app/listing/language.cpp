@@ -1,0 +1,122 @@
+#include "app/listing/language.h"
+
+#include <algorithm>
+#include <array>
+
+namespace listing {
+
+namespace {
+
+/// Words of the interpreter that listings leave out: they reserve memory, hide mistakes, or have no use here.
+constexpr std::array<std::string_view, 34> leftOut = {
+    "cast",   "catch",  "class",   "enum",      "float",  "funcdef",   "function", "import", "in",
+    "inout",  "int8",   "int16",   "int32",     "int64",  "interface", "is",       "mixin",  "namespace",
+    "null",   "out",    "private", "protected", "try",    "typedef",   "uint",     "uint8",  "uint16",
+    "uint32", "uint64", "xor",     "super",     "switch", "case",      "default"};
+
+/// Returns the number of letters to insert, remove, replace or swap with a neighbour to turn `a` into `b`.
+/// Source: Damerau, "A technique for computer detection and correction of spelling errors", 1964, in the form
+/// without edits between swapped letters.
+std::size_t spellingDistance(const std::string &a, const std::string &b)
+{
+    std::vector<std::vector<std::size_t>> rows(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = 0; i <= a.size(); ++i) {
+        for (std::size_t j = 0; j <= b.size(); ++j) {
+            if (i == 0 || j == 0) {
+                rows[i][j] = i + j;
+                continue;
+            }
+            const std::size_t change = a[i - 1] == b[j - 1] ? 0 : 1;
+            rows[i][j] = std::min({rows[i - 1][j] + 1, rows[i][j - 1] + 1, rows[i - 1][j - 1] + change});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+                rows[i][j] = std::min(rows[i][j], rows[i - 2][j - 2] + 1);
+        }
+    }
+    return rows[a.size()][b.size()];
+}
+
+}
+
+bool isLeftOut(std::string_view word)
+{
+    const bool isOperatorMethod =
+        word.size() > 2 && word.starts_with("op") && word[2] >= 'A' && word[2] <= 'Z';
+    return isOperatorMethod || std::find(leftOut.begin(), leftOut.end(), word) != leftOut.end();
+}
+
+const std::vector<std::string> &keywords()
+{
+    static const std::vector<std::string> words = {
+        "if",   "else",   "for", "while", "do",   "break", "continue", "return", "true", "false", "const",
+        "void", "double", "int", "bool",  "auto", "and",   "or",       "not",    "Vec2", "Body"};
+    return words;
+}
+
+const std::vector<std::string> &commonNames()
+{
+    static const std::vector<std::string> names = {
+        "sin",          "cos",    "atan2", "sqrt",         "pow",    "abs", "min",
+        "max",          "clamp",  "floor", "random",       "length", "dot", "pointer",
+        "pointer_down", "target", "keys",  "frame_number", "pi"};
+    return names;
+}
+
+bool isUsableName(const std::string &name)
+{
+    const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
+    if (name.empty() || !isLetter(name.front()) ||
+        !std::all_of(name.begin(), name.end(), [&](char c) { return isLetter(c) || (c >= '0' && c <= '9'); }))
+        return false;
+    const auto has = [&](const std::vector<std::string> &words) {
+        return std::find(words.begin(), words.end(), name) != words.end();
+    };
+    static const std::vector<std::string> own = {"frame", "gait", "gait_speed", "Bodies", "Keys"};
+    return !has(keywords()) && !has(commonNames()) && !has(own) &&
+           std::find(leftOut.begin(), leftOut.end(), std::string_view(name)) == leftOut.end();
+}
+
+std::vector<std::string> membersOf(const std::string &type, bool bodiesTurn)
+{
+    if (type == "Body") {
+        std::vector<std::string> members = {"position", "velocity", "held", "mass", "radius"};
+        if (bodiesTurn)
+            members.insert(members.end(), {"angle", "spin"});
+        return members;
+    }
+    if (type == "Vec2")
+        return {"x", "y"};
+    if (type == "Bodies")
+        return {"count"};
+    if (type == "Keys")
+        return {"left", "right", "up", "down"};
+    return {};
+}
+
+std::string closestName(const std::string &word, const std::vector<std::string> &candidates)
+{
+    std::string closest;
+    std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+    for (const std::string &candidate : candidates) {
+        if (candidate == word || word.size() > 40 || candidate.size() > 40)
+            continue;
+        const std::size_t distance = spellingDistance(word, candidate);
+        if (distance < least && distance < candidate.size()) {
+            least = distance;
+            closest = candidate;
+        }
+    }
+    return closest;
+}
+
+std::string joined(const std::vector<std::string> &words)
+{
+    std::string text;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        if (i > 0)
+            text += i + 1 == words.size() ? " and " : ", ";
+        text += words[i];
+    }
+    return text;
+}
+
+}

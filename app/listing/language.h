@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace listing {
+
+/// Returns whether a body or a parameter can have this name in a listing: a word of ASCII letters, digits and _
+/// that the language does not use otherwise.
+bool isUsableName(const std::string &name);
+
+/// Returns whether `word` belongs to the interpreter's language but not to that of listings, for example `class`.
+bool isLeftOut(std::string_view word);
+
+/// Returns the words of the language itself: `if`, `for`, `double`...
+const std::vector<std::string> &keywords();
+/// Returns the names that every listing has: `sin`, `pointer`, `frame_number`...
+const std::vector<std::string> &commonNames();
+/// Returns the members of a type ("Body", "Vec2", "Bodies", "Keys") in their order; empty for other types.
+std::vector<std::string> membersOf(const std::string &type, bool bodiesTurn);
+
+/// Returns the name of `candidates` that a learner who wrote `word` may have meant, or an empty string.
+std::string closestName(const std::string &word, const std::vector<std::string> &candidates);
+
+/// Returns "a, b and c".
+std::string joined(const std::vector<std::string> &words);
+
+}

@@ -1,0 +1,260 @@
+#include "app/listing/source_scan.h"
+
+#include "app/listing/language_rules.h"
+#include "app/listing/limits.h"
+
+#include <algorithm>
+
+namespace listing {
+
+namespace {
+
+bool isType(std::string_view word)
+{
+    return isPrimitive(word) || word == "Vec2" || word == "Body" || word == "auto";
+}
+
+}
+
+SourceScan::SourceScan(std::string text)
+    : m_text(std::move(text)), m_tokens(m_text.size() > maxTextBytes ? std::string_view() : m_text)
+{
+    m_lineStarts.push_back(0);
+    if (m_text.size() > maxTextBytes) {
+        m_error = CompileError{1, 1, 1,
+                               "This listing has " + std::to_string(m_text.size()) + " bytes. The most is " +
+                                   std::to_string(maxTextBytes) + "."};
+        return;
+    }
+    for (std::size_t i = 0; i < m_text.size(); ++i) {
+        if (m_text[i] == '\n')
+            m_lineStarts.push_back(i + 1);
+    }
+    m_error = outsideLanguage(m_tokens);
+    if (m_error) // its brackets may be nested too deeply to parse
+        return;
+    parse();
+    if (!m_error)
+        m_error = brokenRule(m_tokens);
+}
+
+void SourceScan::fail(const Token &token, std::string sentence)
+{
+    if (!m_error)
+        m_error = errorAt(token, std::move(sentence));
+}
+
+void SourceScan::parse()
+{
+    std::size_t i = 0;
+    while (i < m_tokens.size()) {
+        std::size_t name = i;
+        if (m_tokens.is(name, "const"))
+            ++name;
+        const bool isFunction = m_tokens.isWord(name) && m_tokens.isWord(name + 1) &&
+                                m_tokens.is(name + 2, "(") &&
+                                m_tokens.is(m_tokens.closing(name + 2) + 1, "{");
+        if (!isFunction) {
+            const std::size_t end = afterStatement(i);
+            m_into = &m_globals;
+            declarations(i, end, m_text.size());
+            i = std::max(end, i + 1);
+            continue;
+        }
+        const std::size_t close = m_tokens.closing(name + 2), body = close + 1, last = m_tokens.closing(body);
+        m_functions.push_back(
+            {std::string(m_tokens[name + 1].text), {m_tokens[name].offset, m_tokens.endOf(last)}, {}});
+        m_into = &m_functions.back().declarations;
+        parameters(name + 3, close, m_tokens.endOf(last));
+        statement(body, m_tokens.endOf(last));
+        i = std::max(last + 1, i + 1);
+    }
+}
+
+void SourceScan::parameters(std::size_t i, std::size_t end, std::size_t scopeEnd)
+{
+    for (; i < end; ++i) {
+        const bool isLast = i + 1 == end || m_tokens.is(i + 1, ",");
+        if (m_tokens.isWord(i) && isLast && i > 0 && (m_tokens.isWord(i - 1) || m_tokens.is(i - 1, "&")))
+            m_into->push_back(
+                {std::string(m_tokens[i].text), m_tokens[i].offset, {m_tokens.endOf(i), scopeEnd}});
+    }
+}
+
+std::size_t SourceScan::afterStatement(std::size_t i) const
+{
+    if (m_tokens.is(i, "{"))
+        return m_tokens.closing(i) + 1;
+    if (m_tokens.is(i, "for") || m_tokens.is(i, "while"))
+        return m_tokens.is(i + 1, "(") ? afterStatement(m_tokens.closing(i + 1) + 1) : i + 1;
+    if (m_tokens.is(i, "do")) {
+        const std::size_t tail = afterStatement(i + 1);
+        return m_tokens.is(tail, "while") && m_tokens.is(tail + 1, "(") ? m_tokens.closing(tail + 1) + 2
+                                                                        : tail;
+    }
+    if (m_tokens.is(i, "if") && !m_tokens.is(i + 1, "("))
+        return i + 1;
+    if (m_tokens.is(i, "if")) {
+        std::size_t next = i;
+        while (m_tokens.is(next, "if") && m_tokens.is(next + 1, "(")) { // an else-if chain without recursion
+            next = afterStatement(m_tokens.closing(next + 1) + 1);
+            if (!m_tokens.is(next, "else"))
+                return next;
+            ++next;
+        }
+        return afterStatement(next);
+    }
+    while (i < m_tokens.size() && !m_tokens.is(i, ";") && !m_tokens.is(i, "}")) {
+        if (opens(m_tokens[i].text))
+            i = m_tokens.closing(i);
+        ++i;
+    }
+    return std::min(m_tokens.is(i, "}") ? i : i + 1, m_tokens.size());
+}
+
+std::size_t SourceScan::statement(std::size_t i, std::size_t blockEnd)
+{
+    if (m_tokens.is(i, "{")) {
+        const std::size_t close = m_tokens.closing(i);
+        for (std::size_t inner = i + 1; inner < close;)
+            inner = std::max(statement(inner, m_tokens.endOf(close)), inner + 1);
+        return close + 1;
+    }
+    if (m_tokens.is(i, "for") || m_tokens.is(i, "while")) {
+        if (!m_tokens.is(i + 1, "("))
+            return i + 1;
+        const std::size_t close = m_tokens.closing(i + 1), end = afterStatement(close + 1);
+        const std::size_t endByte =
+            end > 0 ? m_tokens.endOf(std::min(end, m_tokens.size()) - 1) : m_text.size();
+        m_loops.push_back({m_tokens[i].line,
+                           {m_tokens[i].offset, m_tokens.beginOf(close + 1)},
+                           {m_tokens.beginOf(close + 1), endByte},
+                           {m_tokens[i].offset, endByte}});
+        if (m_tokens.is(i, "for"))
+            declarations(i + 2, close, endByte);
+        return statement(close + 1, endByte);
+    }
+    if (m_tokens.is(i, "do")) {
+        const std::size_t tail = afterStatement(i + 1), end = afterStatement(i);
+        const std::size_t endByte =
+            end > 0 ? m_tokens.endOf(std::min(end, m_tokens.size()) - 1) : m_text.size();
+        m_loops.push_back({m_tokens[i].line,
+                           {m_tokens.beginOf(tail), endByte},
+                           {m_tokens.beginOf(i + 1), m_tokens.beginOf(tail)},
+                           {m_tokens[i].offset, endByte}});
+        statement(i + 1, blockEnd);
+        return end;
+    }
+    if (m_tokens.is(i, "if") && !m_tokens.is(i + 1, "("))
+        return i + 1;
+    if (m_tokens.is(i, "if")) {
+        std::size_t next = i;
+        while (m_tokens.is(next, "if") && m_tokens.is(next + 1, "(")) {
+            next = statement(m_tokens.closing(next + 1) + 1, blockEnd);
+            if (!m_tokens.is(next, "else"))
+                return next;
+            ++next;
+        }
+        return statement(next, blockEnd);
+    }
+    if (i >= m_tokens.size())
+        return i + 1;
+    const std::size_t end = afterStatement(i);
+    declarations(i, end, blockEnd);
+    return end;
+}
+
+void SourceScan::declarations(std::size_t i, std::size_t end, std::size_t scopeEnd)
+{
+    if (m_tokens.is(i, "const"))
+        ++i;
+    if (!m_tokens.isWord(i) || !isType(m_tokens[i].text) || !m_tokens.isWord(i + 1))
+        return;
+    const std::string_view type = m_tokens[i].text;
+    ++i;
+    while (m_tokens.isWord(i) && i < end) {
+        const Token &name = m_tokens[i];
+        if ((m_tokens.is(i + 1, ";") || m_tokens.is(i + 1, ",")) && (isPrimitive(type) || type == "auto"))
+            return fail(name, quoted(name.text) + " has no value yet. Give it one: '" + std::string(type) +
+                                  " " + std::string(name.text) +
+                                  (type == "bool" ? " = false;'." : " = 0;'."));
+        std::size_t next = i + 1;
+        while (next < end && !m_tokens.is(next, ",") && !m_tokens.is(next, ";")) {
+            if (opens(m_tokens[next].text))
+                next = m_tokens.closing(next);
+            ++next;
+        }
+        m_into->push_back({std::string(name.text), name.offset, {m_tokens.beginOf(next), scopeEnd}});
+        if (!m_tokens.is(next, ","))
+            return;
+        i = next + 1;
+    }
+}
+
+std::string SourceScan::compiledText() const
+{
+    std::string text = m_text;
+    for (std::size_t i = 0; i + 1 < m_tokens.size(); ++i) {
+        if (m_tokens.is(i, "const") &&
+            (m_tokens.is(i + 1, "Vec2") || m_tokens.is(i + 1, "Body") || m_tokens.is(i + 1, "auto")))
+            text.replace(m_tokens[i].offset, m_tokens[i].text.size(), m_tokens[i].text.size(), ' ');
+    }
+    return text;
+}
+
+std::vector<std::string> SourceScan::declaredNames() const
+{
+    std::vector<std::string> names;
+    const auto add = [&](const std::vector<Declaration> &declared) {
+        for (const Declaration &declaration : declared)
+            names.push_back(declaration.name);
+    };
+    add(m_globals);
+    for (const FunctionText &function : m_functions) {
+        names.push_back(function.name);
+        add(function.declarations);
+    }
+    return names;
+}
+
+bool SourceScan::uses(std::string_view name) const
+{
+    return std::any_of(m_tokens.begin(), m_tokens.end(),
+                       [&](const Token &token) { return token.text == name; });
+}
+
+const FunctionText *SourceScan::functionAt(std::size_t offset) const
+{
+    const auto found =
+        std::find_if(m_functions.begin(), m_functions.end(),
+                     [&](const FunctionText &function) { return function.extent.contains(offset); });
+    return found == m_functions.end() ? nullptr : &*found;
+}
+
+std::size_t SourceScan::offsetOf(int line, int column) const
+{
+    if (line < 1)
+        return 0;
+    if (static_cast<std::size_t>(line) > m_lineStarts.size())
+        return m_text.size();
+    const std::size_t start = m_lineStarts[static_cast<std::size_t>(line) - 1];
+    return std::min(m_text.size(), start + static_cast<std::size_t>(std::max(0, column - 1)));
+}
+
+int SourceScan::lineOf(std::size_t offset) const
+{
+    return static_cast<int>(std::upper_bound(m_lineStarts.begin(), m_lineStarts.end(), offset) -
+                            m_lineStarts.begin());
+}
+
+int SourceScan::lengthAt(int line, int column) const
+{
+    const std::size_t offset = offsetOf(line, column);
+    for (const Token &token : m_tokens) {
+        if (offset >= token.offset && offset < token.end())
+            return static_cast<int>(token.end() - offset);
+    }
+    return 1;
+}
+
+}

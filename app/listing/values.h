@@ -1,0 +1,83 @@
+#pragma once
+
+#include "sim/base/vec2.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace listing {
+
+/// A body that a variable stands for.
+struct BodyReference
+{
+    std::string name; ///< as in the listing: "body", "feet[2]"; empty if the variable stands for no body
+    int point = -1;   ///< index in the state; -1: none
+    friend bool operator==(const BodyReference &, const BodyReference &) = default;
+};
+
+/// The value of a variable: double, int, bool, Vec2 (px or px/frame), or a body.
+using Value = std::variant<double, std::int64_t, bool, sim::Vec2, BodyReference>;
+
+/// Returns the name of the type of `value` in a listing: "double", "int", "bool", "Vec2" or "Body".
+std::string typeName(const Value &value);
+
+/// A variable of a listing at some moment.
+struct Variable
+{
+    std::string name;
+    Value value;
+    bool isGlobal = false; ///< whether it keeps its value from frame to frame
+    friend bool operator==(const Variable &, const Variable &) = default;
+};
+
+/// A mistake in the text of a listing.
+struct CompileError
+{
+    int line = 1;   ///< from 1
+    int column = 1; ///< from 1, in bytes of UTF-8
+    int length = 1; ///< bytes, of the word that is wrong
+    std::string sentence;
+};
+
+/// The kind of a mistake that stops a frame.
+enum class RunErrorKind {
+    noSuchBody,     ///< an index outside an array of bodies, or a variable that stands for no body
+    divisionByZero, ///< also x / 0.0, which has no finite result
+    endlessLoop,    ///< more than maxLinesPerFrame lines
+    tooDeep,        ///< calls inside calls, deeper than maxCallDepth
+    notFinite,      ///< a position, a velocity or a global variable is infinite or not a number
+    other,          ///< any other error of the interpreter
+};
+
+/// The mistake that stopped a frame.
+struct RunError
+{
+    RunErrorKind kind = RunErrorKind::other;
+    int line = 0; ///< from 1
+    std::string sentence;
+    std::vector<Variable> variables; ///< in scope on that line, before it finished
+};
+
+/// The turn of a loop: "2 of 5".
+struct LoopTurn
+{
+    int line = 0;  ///< of the word `for`, `while` or `do`
+    int turn = 0;  ///< from 1
+    int turns = 0; ///< of this run of the loop; up to the end of the trace if it does not end
+    friend bool operator==(const LoopTurn &, const LoopTurn &) = default;
+};
+
+/// A line that is about to run.
+struct TracedLine
+{
+    int line = 0;  ///< from 1
+    int depth = 0; ///< number of calls around it; 0 in the function `frame`
+    std::string function;
+    std::vector<Variable> variables; ///< in scope, before the line runs; globals last
+    std::vector<LoopTurn> loops;     ///< the loops of `function` around it, outermost first
+};
+
+}

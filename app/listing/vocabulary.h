@@ -1,0 +1,51 @@
+#pragma once
+
+#include "sim/scene/scene.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace listing {
+
+/// The names that a scene adds to a listing: its bodies and parameters. The number of bodies in an array and the values
+/// of parameters do not matter.
+struct Vocabulary
+{
+    /// Bodies with consecutive numbers, such as "foot0", "foot1"...
+    struct Array
+    {
+        std::string name;   ///< in the listing: "feet"
+        std::string prefix; ///< of the names in the scene: "foot"
+        friend bool operator==(const Array &, const Array &) = default;
+    };
+    std::vector<std::string> bodies; ///< single ones, such as "body"
+    std::vector<Array> arrays;
+    std::vector<std::string> parameters; ///< ids; not those that a body has, or the language
+    bool bodiesTurn = false;             ///< whether bodies have an angle and a spin
+    bool hasGait = false;                ///< whether the scene remembers a gait clock
+    friend bool operator==(const Vocabulary &, const Vocabulary &) = default;
+};
+
+/// Returns the vocabulary of `scene`, which sceneOf() built. Bodies whose names are not words,
+/// such as "creature0.foot1", are left out.
+Vocabulary vocabularyOf(const sim::Scene &scene);
+
+/// Returns the name of the array of bodies with the names `prefix`0, `prefix`1...: "feet" for "foot".
+std::string pluralOf(const std::string &prefix);
+
+/// Where the names of a vocabulary are in a scene, and what does not change during its frames.
+struct Binding
+{
+    std::vector<int> bodies;              ///< point of each single body; -1: the scene has none
+    std::vector<std::vector<int>> arrays; ///< points of each array
+    std::vector<double> parameters;       ///< value of each parameter
+    std::uint64_t seed = 1;
+    Eigen::ArrayXd mass;   ///< per point; 0 for a handle, which forces do not move
+    Eigen::ArrayXd radius; ///< px, per point
+};
+
+/// Finds the names of `vocabulary` in `scene`. A parameter that the scene does not have is 0.
+Binding bind(const Vocabulary &vocabulary, const sim::Scene &scene);
+
+}

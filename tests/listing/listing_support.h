@@ -1,0 +1,49 @@
+#pragma once
+
+#include "app/listing/program.h"
+#include "sim/run/script/script.h"
+#include "sim/scene/scene.h"
+
+#include <QString>
+
+#include <optional>
+#include <string>
+
+/// Shared by the suites of listings.
+namespace listing_support {
+
+/// Returns a scene with the points "foot0", "foot1"... at (10 i, 0), "body" at (100, 50), all at rest, and the
+/// parameters k = 0.25, damp = 0.5 and radius = 50.
+sim::Scene threeFeet();
+
+/// A compiled listing with a scene that it runs in.
+struct Bench
+{
+    sim::Scene scene = threeFeet();
+    std::shared_ptr<const listing::Program> program;
+    listing::Binding binding;
+    sim::State state = scene.start;
+
+    /// Compiles `text` for threeFeet(). Fails the test with the errors if it does not compile.
+    explicit Bench(const std::string &text);
+    /// The same for the body of the function `frame`.
+    static Bench ofFrame(const std::string &body);
+    /// Runs one frame; the frame number grows by 1.
+    std::optional<listing::RunError> run();
+    sim::Vec2 body() const { return state.positionOf(3); }
+};
+
+/// Returns `body` as a listing. Its first line is line 3.
+std::string frameOf(const std::string &body);
+
+/// Returns the errors of `text`, compiled for threeFeet(), as "line:column+length sentence" each on a line.
+std::string errorsOf(const std::string &text);
+
+/// Returns the text of a file of the project. Fails the test if there is none.
+std::string fileText(const std::string &path);
+
+/// Returns the variable `name` of `variables` as text: "i = 2", "from = (3, 4)", "foot = feet[1]". Empty if there
+/// is none.
+std::string shown(const std::vector<listing::Variable> &variables, const std::string &name);
+
+}

@@ -1,0 +1,248 @@
+#include "app/listing/limits.h"
+#include "app/listing/program.h"
+#include "tests/listing/listing_support.h"
+#include "tests/suite.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace listing_support;
+
+class ListingCompile : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyNameOfTheVocabularyCompiles();
+    void mistakeIsSaidInOneSentence_data();
+    void mistakeIsSaidInOneSentence();
+    void severalMistakesComeInTheOrderOfTheText();
+    void frameFunctionIsRequired();
+    void boundsAreErrors_data();
+    void boundsAreErrors();
+    void vocabularyFollowsTheNamesOfTheScene();
+    void reservedNamesAreLeftOutOfTheVocabulary();
+    void compilesInMilliseconds_data();
+    void compilesInMilliseconds();
+};
+
+void ListingCompile::everyNameOfTheVocabularyCompiles()
+{
+    QCOMPARE(errorsOf(frameOf(R"(
+        Vec2 v = body.position + feet[0].velocity - Vec2(1, 2);
+        v = -v;
+        v *= 2; v /= 2; v += v; v -= v;
+        v = 2 * v; v = v * 2; v = v / 2;
+        bool same = v == Vec2() && v != Vec2(1, 1);
+        double all = length(v) + dot(v, v) + v.x + v.y + sin(1) + cos(1) + atan2(1, 2) + sqrt(2) + pow(2, 3) +
+                     abs(-1) + min(1, 2) + max(1, 2) + clamp(3, 1, 2) + floor(1.5) + random(0) + pi;
+        all += k + damp + radius + frame_number + pointer.x + target.y + body.mass + body.radius + feet.count;
+        if (keys.left || keys.right || keys.up || keys.down || pointer_down || body.held || same)
+            all += 1;
+        auto whole = 3 % 2;
+        for (int i = 0; i < feet.count; ++i) { if (i == 1) continue; if (i == 2) break; }
+        while (all > 1e9) all /= 2;
+        do { all -= 1; } while (all > 1e9);
+        if (whole == 1) all = 1;
+        body.velocity.x = all > 0 ? 1 : 2;)")),
+             std::string());
+}
+
+void ListingCompile::mistakeIsSaidInOneSentence_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("error");
+    // The line is line 3 of the listing.
+    const auto row = [](const char *name, const char *line, const char *error) {
+        QTest::newRow(name) << QString::fromUtf8(line) << QString::fromUtf8(error);
+    };
+    row("misspelt member", "body.velocty *= damp;",
+        "3:6+7 'velocty' is not a member of Body. Did you mean 'velocity'?");
+    row("unknown member", "body.colour = 1;",
+        "3:6+6 'colour' is not a member of Body. It has position, velocity, held, mass and radius.");
+    row("unknown member of a vector", "body.position.z = 1;",
+        "3:15+1 'z' is not a member of Vec2. It has x and y.");
+    row("array instead of a body", "feet.velocity *= damp;",
+        "3:6+8 'velocity' is not a member of an array of bodies. Choose one of them first, for example with "
+        "[0].");
+    row("misspelt name", "body.velocity *= dmap;", "3:18+4 There is no 'dmap'. Did you mean 'damp'?");
+    row("unknown name", "body.velocity *= wobble;",
+        "3:18+6 There is no 'wobble'. This scene has body and feet, and the numbers damp, k and radius.");
+    row("misspelt function", "double a = sine(1);", "3:12+4 There is no 'sine'. Did you mean 'sin'?");
+    row("wrong values", "double a = sin(body.position);",
+        "3:12+3 'sin' does not take these values: 'sin(Vec2)'.");
+    row("unknown type", "Vector from = body.position;",
+        "3:1+6 There is no type 'Vector'. The types are double, int, bool, Vec2 and Body.");
+    row("misspelt type", "Vec from = body.position;", "3:1+3 There is no type 'Vec'. Did you mean 'Vec2'?");
+    row("vector as a number", "double a = body.position;", "3:12+4 A Vec2 cannot be used as a double.");
+    row("vector plus number", "Vec2 a = body.position + 1;",
+        "3:24+1 This sign does not work between a Vec2 and the other value. A Vec2 can be added to a Vec2, "
+        "and multiplied or divided by a number.");
+    row("number as a condition", "if (k) body.velocity *= k;",
+        "3:5+1 A condition is true or false. Compare this with something, for example with == or >.");
+    row("parameter is set", "k = 2;",
+        "3:1+1 This cannot be changed. A listing changes positions, velocities and its own variables.");
+    row("radius of a body is set", "body.radius = 2;",
+        "3:6+6 This cannot be changed. A listing changes positions, velocities and its own variables.");
+    row("body is replaced", "body = feet[0];",
+        "3:1+4 A Body cannot be replaced by another one. Set its position or its velocity.");
+    row("text in quotes", "body.velocity *= \"x\";",
+        "3:18+1 Texts in quotes are not part of this language. It has numbers, bool and Vec2.");
+    row("reserved word", "Vec2 out = body.position;",
+        "3:6+3 'out' is reserved and not part of this language. Use another name.");
+    row("handle", "Body @b = body;",
+        "3:6+1 '@' is not part of this language. A Body variable already stands for the body itself.");
+    row("number without a value", "double a; body.velocity *= a;",
+        "3:8+1 'a' has no value yet. Give it one: 'double a = 0;'.");
+    row("second number without a value", "int a = 1, b; body.velocity *= b;",
+        "3:12+1 'b' has no value yet. Give it one: 'int b = 0;'.");
+    row("letter outside ASCII", "double größe = 1;", "3:10+2 'ö' is not part of this language.");
+    row("name twice", "int a = 1; int a = 2;", "3:16+1 There already is 'a' here. Use another name.");
+    row("single ampersand", "if (k > 1 & damp > 0) body.velocity.x = 1;",
+        "3:11+1 '&' is not part of this language. Did you mean '&&'?");
+    row("assignment as a condition", "if (k = 1) body.velocity.x = 1;",
+        "3:7+1 '=' sets a value, and stands once in a statement. To compare, write '=='.");
+    row("value of a choice is set", "k > 1 ? body.position.x : body.position.y = 1;",
+        "3:43+1 Only a variable can be set: a name, with members or an index behind it.");
+    row("chain of comparisons", "if (0 < k < 1) body.velocity.x = 1;",
+        "3:11+1 Compare two values at a time, for example 'a < b && b < c'.");
+    row("comparisons apart", "bool a = 0 < k && k <= 1 || (k == 2) != (k > 3 ? k < 9 : k > 1);", "");
+    row("two assignments", "double a = 1; double b = 2; a = b = 3;",
+        "3:35+1 '=' sets a value, and stands once in a statement. To compare, write '=='.");
+    row("assignments in the head of a loop", "for (int i = 0, j = 1; i <= j; i += 2) j -= 1;", "");
+    row("switch", "switch (1) {}", "3:1+6 'switch' is reserved and not part of this language. Use 'if'.");
+    row("power sign", "body.velocity.x = 2 ^ 3;", "3:21+1 '^' is not part of this language.");
+    row("function without a value", "body.velocity.x = frame();",
+        "3:19+5 'frame' has no value, so it stands alone: 'frame(...);'.");
+    row("number with a suffix", "double a = 1.5f;", "3:12+4 A number ends without 'f' here.");
+    row("type around a number", "int a = int(2.7);", "3:9+3 Write the number itself, without 'int(...)'.");
+    row("number as a constant vector", "const Vec2 z = true;", "3:16+4 A bool cannot be used as a Vec2.");
+    row("missing value", "double a = ;", "3:12+1 A value is missing here.");
+    row("missing semicolon", "body.velocity *= damp", "4:1+1 ';' is missing here.");
+    row("endless bracket", "body.velocity *= (damp;", "3:23+1 ')' is missing here.");
+}
+
+void ListingCompile::mistakeIsSaidInOneSentence()
+{
+    QFETCH(QString, line);
+    QFETCH(QString, error);
+    QCOMPARE(QString::fromStdString(errorsOf(frameOf(line.toStdString()))), error);
+}
+
+void ListingCompile::severalMistakesComeInTheOrderOfTheText()
+{
+    QCOMPARE(errorsOf(frameOf("body.velocty *= damp;\nbody.velocity *= dmap;")),
+             std::string("3:6+7 'velocty' is not a member of Body. Did you mean 'velocity'?\n"
+                         "4:18+4 There is no 'dmap'. Did you mean 'damp'?"));
+}
+
+void ListingCompile::frameFunctionIsRequired()
+{
+    QCOMPARE(errorsOf("void fram() {}"),
+             std::string("1:1+4 The function 'void frame()' is missing. It runs once in every frame."));
+    QCOMPARE(errorsOf(""),
+             std::string("1:1+1 The function 'void frame()' is missing. It runs once in every frame."));
+}
+
+void ListingCompile::boundsAreErrors_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("error");
+    const auto repeat = [](const char *text, int count) { return QString::fromUtf8(text).repeated(count); };
+    const QString frame = QStringLiteral("void frame() { ");
+    QTest::newRow("text") << repeat("// 8901\n", 2501)
+                          << "1:1+1 This listing has 20008 bytes. The most is 20000.";
+    QTest::newRow("brackets") << frame + "double a = " + repeat("(", 39) + "1" + repeat(")", 39) + "; }"
+                              << QString();
+    QTest::newRow("too many brackets")
+        << frame + "double a = " + repeat("(", 60) + "1" + repeat(")", 60) + "; }"
+        << "1:66+1 There are more than 40 brackets inside one another.";
+    QTest::newRow("statement") << frame + "double a = 1" + repeat(" + 1", 240) + "; }" << QString();
+    QTest::newRow("long statement") << frame + "double a = 1" + repeat(" + 1", 300) + "; }"
+                                    << "1:1021+1 This statement is too long. Split it in two.";
+    QTest::newRow("else") << frame + repeat("if (k > 1) {} else ", 201) + "{} }"
+                          << "1:3830+4 There are more than 200 'else' in this listing.";
+    QTest::newRow("global variables")
+        << repeat("double a%1 = 0;\n", 1).arg(0) +
+               [] {
+                   QString all;
+                   for (int i = 1; i < 1100; ++i)
+                       all += QStringLiteral("double a%1=0;\n").arg(i);
+                   return all;
+               }() +
+               "void frame() {}"
+        << "1:1+6 The variables outside of functions take 8800 bytes. The most is 8192.";
+    QTest::newRow("body as a global variable")
+        << "Body b = body;\nvoid frame() {}"
+        << "1:6+1 'b' cannot be remembered from frame to frame. Only numbers, bool and Vec2 can.";
+    QTest::newRow("class") << "class A { A @next; }\nvoid frame() {}"
+                           << "1:1+5 'class' is reserved and not part of this language. Use another name.";
+}
+
+void ListingCompile::boundsAreErrors()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, error);
+    QCOMPARE(QString::fromStdString(errorsOf(text.toStdString())), error);
+}
+
+void ListingCompile::vocabularyFollowsTheNamesOfTheScene()
+{
+    const listing::Vocabulary found = listing::vocabularyOf(threeFeet());
+    QVERIFY(found.bodies == std::vector<std::string>{"body"});
+    QVERIFY((found.arrays == std::vector<listing::Vocabulary::Array>{{"feet", "foot"}}));
+    QVERIFY((found.parameters == std::vector<std::string>{"damp", "k", "radius"}));
+    QVERIFY(!found.bodiesTurn && !found.hasGait);
+    const listing::Binding binding = listing::bind(found, threeFeet());
+    QVERIFY(binding.bodies == std::vector<int>{3});
+    QVERIFY((binding.arrays == std::vector<std::vector<int>>{{0, 1, 2}}));
+    QVERIFY((binding.parameters == std::vector<double>{0.5, 0.25, 50}));
+    QCOMPARE(binding.seed, std::uint64_t{7});
+    QCOMPARE(listing::pluralOf("branch"), std::string("branches"));
+    QCOMPARE(listing::pluralOf("p"), std::string("points"));
+    QCOMPARE(listing::pluralOf("arm"), std::string("arms"));
+}
+
+void ListingCompile::reservedNamesAreLeftOutOfTheVocabulary()
+{
+    sim::Scene scene = threeFeet();
+    scene.names = {"creature0.foot0", "out", "pointer", "body"};
+    const listing::Vocabulary found = listing::vocabularyOf(scene);
+    QVERIFY(found.bodies == std::vector<std::string>{"body"});
+    QVERIFY(found.arrays.empty());
+}
+
+void ListingCompile::compilesInMilliseconds_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<double>("most");
+    QTest::newRow("lesson") << QString::fromStdString(fileText("lessons/multi_foot/any_number.code")) << 5.0;
+    QString longest = QStringLiteral("void frame()\n{\n");
+    while (longest.size() < 19'900)
+        longest += QStringLiteral("    body.velocity += k * (feet[0].position - body.position);\n");
+    // The interpreter takes 12 ms; the bound shows that the time is not quadratic.
+    QTest::newRow("largest") << longest + "}\n" << 50.0;
+}
+
+void ListingCompile::compilesInMilliseconds()
+{
+    QFETCH(QString, text);
+    QFETCH(double, most);
+    std::vector<double> times;
+    for (int i = 0; i < 21; ++i) {
+        QElapsedTimer timer;
+        timer.start();
+        const listing::Compiled compiled =
+            listing::Program::compile(text.toStdString(), listing::vocabularyOf(threeFeet()));
+        times.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+        QVERIFY(compiled.program);
+    }
+    std::sort(times.begin(), times.end()); // the fastest: others share the machine
+    qInfo("%.2f ms, median %.2f ms", times.front(), times[10]);
+    QVERIFY2(times.front() < most, qPrintable(QString::number(times.front())));
+}
+
+SUITE(tst_listing_compile, ListingCompile)
+#include "tst_listing_compile.moc"

@@ -1,0 +1,412 @@
+#include "app/listing/limits.h"
+#include "app/listing/program.h"
+#include "sim/base/random.h"
+#include "tests/listing/listing_support.h"
+#include "tests/suite.h"
+
+#include <QElapsedTimer>
+#include <QTest>
+
+#include <cmath>
+#include <thread>
+
+using namespace listing_support;
+using listing::RunError;
+using listing::RunErrorKind;
+using sim::Vec2;
+
+class ListingRun : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void freeFallFollowsItsClosedForm();
+    void dampedGlideEndsAtTheSumOfItsSeries();
+    void operatorsComputeByHand_data();
+    void operatorsComputeByHand();
+    void arrayReachesEveryBody();
+    void bodyVariableStandsForTheBody();
+    void bodiesAreEqualIfTheyAreTheSame();
+    void anglesAndTheGaitClockAreInTheState();
+    void vectorsAndNumbersArePassedByValue();
+    void functionThatCallsItselfComputesFactorials();
+    void inputReachesTheProgram();
+    void heldBodyIsWhereItWasBeforeTheHandMovedIt();
+    void randomDependsOnSeedFrameAndIndexOnly();
+    void globalsAreInTheState();
+    void globalsBeginWithTheParametersOfTheFirstFrame();
+    void localsStartAnewInEveryFrame();
+    void handleAndBodyHaveTheirMassAndRadius();
+    void errorStopsTheFrameOnItsLine_data();
+    void errorStopsTheFrameOnItsLine();
+    void errorLeavesTheStateUnchanged();
+    void errorHasTheValuesThatLedThere();
+    void programRunsAfterAnError();
+    void deepestAllowedCallRuns();
+    void threadsShareAProgram();
+};
+
+void ListingRun::freeFallFollowsItsClosedForm()
+{
+    Bench bench = Bench::ofFrame("body.velocity.y += 0.5; body.position += body.velocity;");
+    for (int i = 0; i < 20; ++i)
+        QVERIFY(!bench.run());
+    // v = n g, y = g n (n + 1) / 2
+    QVERIFY(bench.state.velocityOf(3) == Vec2(0, 10));
+    QVERIFY(bench.body() == Vec2(100, 50 + 0.5 * 20 * 21 / 2));
+}
+
+void ListingRun::dampedGlideEndsAtTheSumOfItsSeries()
+{
+    Bench bench = Bench::ofFrame("body.velocity *= damp; body.position += body.velocity;");
+    bench.state.setVelocity(3, {64, -32});
+    for (int i = 0; i < 80; ++i)
+        QVERIFY(!bench.run());
+    // damp = 1/2: the sum of the series is the first velocity
+    QVERIFY(sim::length(bench.body() - Vec2(164, 18)) < 1e-12);
+}
+
+void ListingRun::operatorsComputeByHand_data()
+{
+    QTest::addColumn<QString>("expression");
+    QTest::addColumn<double>("x");
+    QTest::addColumn<double>("y");
+    const auto row = [](const char *expression, double x, double y) {
+        QTest::newRow(expression) << QString::fromLatin1(expression) << x << y;
+    };
+    row("Vec2(1, 2) + Vec2(3, 5)", 4, 7);
+    row("Vec2(1, 2) - Vec2(3, 5)", -2, -3);
+    row("2 * Vec2(1, 2)", 2, 4);
+    row("Vec2(1, 2) * 2", 2, 4);
+    row("Vec2(1, 2) / 4", 0.25, 0.5);
+    row("-Vec2(1, 2)", -1, -2);
+    row("Vec2(length(Vec2(3, 4)), dot(Vec2(1, 2), Vec2(3, 4)))", 5, 11);
+    row("Vec2(atan2(1, 0), pow(2, 10))", std::acos(0.0), 1024);
+    row("Vec2(sin(0.5), cos(0.5))", std::sin(0.5), std::cos(0.5));
+    row("Vec2(sqrt(2), abs(-3))", std::sqrt(2.0), 3);
+    row("Vec2(min(1, 2.5), max(1, 2.5))", 1, 2.5);
+    row("Vec2(clamp(7, 1, 3), clamp(-7, 1, 3))", 3, 1);
+    row("Vec2(floor(1.9), floor(-1.1))", 1, -2);
+    row("Vec2(7 / 2, 7 % 4)", 3, 3);
+    row("Vec2(7 / 2.0, 1.0 / 4)", 3.5, 0.25);
+    row("Vec2(Vec2(1, 2) == Vec2(1, 2) ? 1 : 0, Vec2(1, 2) != Vec2(1, 2) ? 1 : 0)", 1, 0);
+    row("Vec2(k, radius) + Vec2(pi, 0)", 0.25 + std::acos(-1.0), 50);
+    row("Vec2(feet.count, frame_number)", 3, 1);
+}
+
+void ListingRun::operatorsComputeByHand()
+{
+    QFETCH(QString, expression);
+    QFETCH(double, x);
+    QFETCH(double, y);
+    Bench bench = Bench::ofFrame("body.position = " + expression.toStdString() + ";");
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.body().x, x);
+    QCOMPARE(bench.body().y, y);
+}
+
+void ListingRun::arrayReachesEveryBody()
+{
+    Bench bench = Bench::ofFrame("for (int i = 0; i < feet.count; i++)\n    feet[i].position.y = 2 * i;");
+    QVERIFY(!bench.run());
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(bench.state.positionOf(i) == Vec2(10.0 * i, 2.0 * i));
+    QVERIFY(bench.body() == Vec2(100, 50));
+}
+
+void ListingRun::bodyVariableStandsForTheBody()
+{
+    Bench bench("void push(Body me, Body other) { me.velocity += other.position; other.velocity.x = 9; }\n" +
+                frameOf("Body first = feet[1]; push(first, body); first.position.y = 4;"));
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(1) == Vec2(100, 50));
+    QVERIFY(bench.state.velocityOf(3) == Vec2(9, 0));
+    QVERIFY(bench.state.positionOf(1) == Vec2(10, 4));
+}
+
+void ListingRun::bodiesAreEqualIfTheyAreTheSame()
+{
+    Bench bench(
+        "double neighbours(Body me)\n{\n    double sum = 0;\n    for (int i = 0; i < feet.count; i++)\n"
+        "    {\n        if (feet[i] == me)\n            continue;\n        sum += 1;\n    }\n"
+        "    return sum;\n}\n" +
+        frameOf("body.position = Vec2(neighbours(feet[1]), neighbours(body));"));
+    QVERIFY(!bench.run());
+    QVERIFY(bench.body() == Vec2(2, 3));
+}
+
+void ListingRun::anglesAndTheGaitClockAreInTheState()
+{
+    sim::Scene scene = threeFeet();
+    scene.start.angle = Eigen::ArrayXd::Constant(4, 30.0);
+    scene.start.spin = Eigen::ArrayXd::Constant(4, 2.0);
+    scene.start.gait = Eigen::ArrayXd::Constant(1, 0.5);
+    scene.start.gaitSpeed = Eigen::ArrayXd::Constant(1, 0.25);
+    const listing::Compiled compiled =
+        listing::Program::compile(frameOf("gait += gait_speed; body.angle += body.spin; feet[0].spin = 7;"),
+                                  listing::vocabularyOf(scene));
+    QVERIFY(compiled.program);
+    sim::State state = scene.start;
+    QVERIFY(!compiled.program->run(state, listing::bind(compiled.program->vocabulary(), scene)));
+    QCOMPARE(state.gait[0], 0.75);
+    QCOMPARE(state.angle[3], 32.0);
+    QCOMPARE(state.angle[0], 30.0);
+    QCOMPARE(state.spin[0], 7.0);
+}
+
+void ListingRun::vectorsAndNumbersArePassedByValue()
+{
+    Bench bench("double change(Vec2 v, double n) { v.x = 77; n = 88; return v.x + n; }\n" +
+                frameOf("Vec2 v(1, 2); double n = 3; double sum = change(v, n);\n"
+                        "body.position = v; body.velocity = Vec2(n, sum);"));
+    QVERIFY(!bench.run());
+    QVERIFY(bench.body() == Vec2(1, 2));
+    QVERIFY(bench.state.velocityOf(3) == Vec2(3, 165));
+}
+
+void ListingRun::functionThatCallsItselfComputesFactorials()
+{
+    Bench bench("double factorial(int n) { if (n <= 1) return 1; return n * factorial(n - 1); }\n" +
+                frameOf("body.position.x = factorial(10);"));
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.body().x, 3628800.0);
+}
+
+void ListingRun::inputReachesTheProgram()
+{
+    Bench bench = Bench::ofFrame("body.position = pointer; body.velocity = target;\n"
+                                 "feet[0].position = Vec2(keys.left ? 1 : 0, keys.right ? 1 : 0);\n"
+                                 "feet[1].position = Vec2(keys.up ? 1 : 0, keys.down ? 1 : 0);\n"
+                                 "feet[2].position = Vec2(pointer_down ? 1 : 0, frame_number);");
+    bench.state.input.pointer = Vec2{12, 34};
+    bench.state.input.pointerDown = true;
+    bench.state.input.target = {56, 78};
+    bench.state.input.keys = {false, true, true, false};
+    bench.state.frame = 41;
+    QVERIFY(!bench.run());
+    QVERIFY(bench.body() == Vec2(12, 34));
+    QVERIFY(bench.state.velocityOf(3) == Vec2(56, 78));
+    QVERIFY(bench.state.positionOf(0) == Vec2(0, 1));
+    QVERIFY(bench.state.positionOf(1) == Vec2(1, 0));
+    QVERIFY(bench.state.positionOf(2) == Vec2(1, 42));
+}
+
+void ListingRun::heldBodyIsWhereItWasBeforeTheHandMovedIt()
+{
+    Bench bench = Bench::ofFrame(
+        "if (body.held) { body.velocity = pointer - body.position; body.position = pointer; }\n"
+        "if (feet[0].held) body.position.x = 0;");
+    // as the input of a frame leaves it: the hand moved the body from (100, 50) to (110, 45)
+    bench.state.hold = {3, {110, 45}, {100, 50}, {1, 1}};
+    bench.state.place(3, {110, 45});
+    bench.state.setVelocity(3, {10, -5});
+    QVERIFY(!bench.run());
+    QVERIFY(bench.body() == Vec2(110, 45));
+    QVERIFY(bench.state.velocityOf(3) == Vec2(10, -5));
+    // a listing that does nothing with a held body leaves it where it was
+    Bench idle = Bench::ofFrame("");
+    idle.state.hold = {3, {110, 45}, {100, 50}, {1, 1}};
+    idle.state.place(3, {110, 45});
+    QVERIFY(!idle.run());
+    QVERIFY(idle.body() == Vec2(100, 50));
+    QVERIFY(idle.state.velocityOf(3) == Vec2(1, 1));
+}
+
+void ListingRun::randomDependsOnSeedFrameAndIndexOnly()
+{
+    Bench bench = Bench::ofFrame("body.position = Vec2(random(0), random(5)); body.velocity.x = random(0);");
+    bench.state.frame = 11;
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.body().x, sim::uniform(7, 12, 0));
+    QCOMPARE(bench.body().y, sim::uniform(7, 12, 5));
+    QCOMPARE(bench.state.velocityOf(3).x, bench.body().x);
+    QVERIFY(bench.program->dependsOnTime());
+    QVERIFY(!Bench::ofFrame("body.position.x = k;").program->dependsOnTime());
+}
+
+void ListingRun::globalsAreInTheState()
+{
+    Bench bench("double clock = 0.5;\nint turns = 3;\nVec2 last = body.position;\nbool started = false;\n" +
+                frameOf("clock += 0.25; turns--; if (!started) last.x += 1; started = true;\n"
+                        "body.position = Vec2(clock, turns); body.velocity = last;"));
+    QVERIFY(!bench.run());
+    const sim::State first = bench.state;
+    QVERIFY(first.positionOf(3) == Vec2(0.75, 2));
+    QVERIFY(first.velocityOf(3) == Vec2(101, 50));
+    QCOMPARE(first.memory.size(), std::size_t{8 + 4 + 16 + 1});
+    QVERIFY(!bench.run());
+    const sim::State second = bench.state;
+    QVERIFY(second.positionOf(3) == Vec2(1, 1));
+    bench.state = first; // going back
+    QVERIFY(!bench.run());
+    QVERIFY(sim::sameBits(bench.state, second));
+}
+
+void ListingRun::globalsBeginWithTheParametersOfTheFirstFrame()
+{
+    Bench bench("double half = radius / 2;\n" + frameOf("body.position.x = half;"));
+    bench.binding.parameters[2] = 8;
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.body().x, 4.0);
+    bench.binding.parameters[2] = 100; // later changes do not set them anew
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.body().x, 4.0);
+}
+
+void ListingRun::localsStartAnewInEveryFrame()
+{
+    Bench bench =
+        Bench::ofFrame("double sum = 0; Vec2 v; sum += 1; v.x += 2; body.position = Vec2(sum, v.x);");
+    for (int i = 0; i < 3; ++i)
+        QVERIFY(!bench.run());
+    QVERIFY(bench.body() == Vec2(1, 2));
+}
+
+void ListingRun::handleAndBodyHaveTheirMassAndRadius()
+{
+    Bench bench = Bench::ofFrame("feet[0].position = Vec2(body.mass, body.radius);\n"
+                                 "feet[1].position = Vec2(feet[0].mass, feet[0].radius);");
+    bench.scene.start.inverseMass[0] = 0.0;  // a handle
+    bench.scene.start.inverseMass[3] = 0.25; // mass 4
+    bench.binding = listing::bind(bench.program->vocabulary(), bench.scene);
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.positionOf(0) == Vec2(4, 15));
+    QVERIFY(bench.state.positionOf(1) == Vec2(0, 5));
+}
+
+void ListingRun::errorStopsTheFrameOnItsLine_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<int>("line");
+    QTest::addColumn<QString>("sentence");
+    const auto row = [](const char *name, const std::string &text, RunErrorKind kind, int line,
+                        const char *sentence) {
+        QTest::newRow(name) << QString::fromStdString(text) << int(kind) << line
+                            << QString::fromUtf8(sentence);
+    };
+    row("index too large", frameOf("int i = 7;\nfeet[i].velocity *= damp;"), RunErrorKind::noSuchBody, 4,
+        "There is no feet[7]: feet goes from feet[0] to feet[2].");
+    row("index below zero", frameOf("feet[-1].velocity *= damp;"), RunErrorKind::noSuchBody, 3,
+        "There is no feet[-1]: feet goes from feet[0] to feet[2].");
+    row("variable without a body", frameOf("Body b;\nb.velocity *= damp;"), RunErrorKind::noSuchBody, 4,
+        "This variable stands for no body.");
+    row("division of whole numbers", frameOf("int n = 0;\n\nint a = 3 / n;"), RunErrorKind::divisionByZero, 5,
+        "This divides by 0.");
+    row("remainder of whole numbers", frameOf("int n = 0;\nint a = 3 % n;"), RunErrorKind::divisionByZero, 4,
+        "This divides by 0.");
+    row("division of numbers", frameOf("double n = 0;\ndouble a = 3 / n;"), RunErrorKind::divisionByZero, 4,
+        "This divides by 0.");
+    row("endless loop", frameOf("int n = 0;\nwhile (true)\n{\n    n += 1;\n}"), RunErrorKind::endlessLoop, 4,
+        "This did not end after 100000 lines. A loop or a function repeats without end.");
+    row("endless loop in a loop", frameOf("for (int i = 0; i < 2; i++)\n    for (;;) {}"),
+        RunErrorKind::endlessLoop, 4,
+        "This did not end after 100000 lines. A loop or a function repeats without end.");
+    row("endless recursion", "int f(int n) { return f(n + 1); }\n" + frameOf("f(0);"), RunErrorKind::tooDeep,
+        1,
+        "Functions call functions 100 times inside one another. A function that calls itself needs a case in "
+        "which "
+        "it does not.");
+    row("infinite velocity", frameOf("double a = 1e200;\nbody.velocity.x = a * a;\nbody.position.x = 3;"),
+        RunErrorKind::notFinite, 4, "The velocity of body is not a finite number.");
+    row("root of a negative number",
+        frameOf("feet[0].position.x = 1;\nfeet[1].position = Vec2(sqrt(-1), 0);"), RunErrorKind::notFinite, 4,
+        "The position of feet[1] is not a finite number.");
+    row("infinite vector", frameOf("body.velocity = body.velocity / 0;"), RunErrorKind::notFinite, 3,
+        "The velocity of body is not a finite number.");
+    row("infinite global", "double g = 1e300;\n" + frameOf("g *= g;"), RunErrorKind::notFinite, 4,
+        "'g' is not a finite number.");
+    row("error in an initial value", "double g = feet[9].mass;\n" + frameOf(""), RunErrorKind::noSuchBody, 1,
+        "There is no feet[9]: feet goes from feet[0] to feet[2].");
+    row("endless initial value", "int f() { while (true) {} return 1; }\nint g = f();\n" + frameOf(""),
+        RunErrorKind::endlessLoop, 1,
+        "This did not end after 100000 lines. A loop or a function repeats without end.");
+    row("smallest whole number by -1", frameOf("int n = -2147483647 - 1;\nint m = -1;\nn = n / m;"),
+        RunErrorKind::notFinite, 5, "The result is too large for a number.");
+}
+
+void ListingRun::errorStopsTheFrameOnItsLine()
+{
+    QFETCH(QString, text);
+    QFETCH(int, kind);
+    QFETCH(int, line);
+    QFETCH(QString, sentence);
+    Bench bench(text.toStdString());
+    QElapsedTimer timer;
+    timer.start();
+    const std::optional<RunError> error = bench.run();
+    QVERIFY(timer.elapsed() < 1000);
+    QVERIFY(error.has_value());
+    QCOMPARE(QString::fromStdString(error->sentence), sentence);
+    QCOMPARE(error->line, line);
+    QCOMPARE(int(error->kind), kind);
+}
+
+void ListingRun::errorLeavesTheStateUnchanged()
+{
+    Bench bench("double g = 1;\n" + frameOf("g = 2; body.position.x = 3; feet[3].velocity *= 2;"));
+    const sim::State before = bench.state;
+    QVERIFY(bench.run());
+    bench.state.frame = before.frame;
+    QVERIFY(sim::sameBits(bench.state, before));
+}
+
+void ListingRun::errorHasTheValuesThatLedThere()
+{
+    Bench bench("double g = 1.5;\n"
+                "void step(Body me, int n)\n{\n    Vec2 d(n, 2 * n);\n    feet[n].velocity += d;\n}\n" +
+                frameOf("for (int i = 0; i < 9; i++)\n    step(body, i);"));
+    const std::optional<RunError> error = bench.run();
+    QVERIFY(error.has_value());
+    QCOMPARE(error->line, 5);
+    QCOMPARE(shown(error->variables, "n"), std::string("n = 3"));
+    QCOMPARE(shown(error->variables, "d"), std::string("d = (3, 6)"));
+    QCOMPARE(shown(error->variables, "me"), std::string("me = body"));
+    QCOMPARE(shown(error->variables, "g"), std::string("g = 1.5"));
+    QCOMPARE(error->variables.size(), std::size_t{4});
+}
+
+void ListingRun::programRunsAfterAnError()
+{
+    Bench bench = Bench::ofFrame("feet[frame_number == 2 ? 9 : 0].position.x += 1;");
+    QVERIFY(!bench.run());
+    QVERIFY(bench.run());
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.state.positionOf(0).x, 2.0);
+}
+
+void ListingRun::deepestAllowedCallRuns()
+{
+    const std::string sum = "int f(int n) { if (n == 0) return 0; return 1 + f(n - 1); }\n";
+    Bench deepest(sum + frameOf("body.position.x = f(" + std::to_string(listing::maxCallDepth - 1) + ");"));
+    QVERIFY(!deepest.run());
+    QCOMPARE(deepest.body().x, double(listing::maxCallDepth - 1));
+    Bench deeper(sum + frameOf("body.position.x = f(" + std::to_string(listing::maxCallDepth) + ");"));
+    QVERIFY(deeper.run());
+}
+
+void ListingRun::threadsShareAProgram()
+{
+    Bench bench("double clock = 0;\n" + frameOf("clock += random(1); body.position += Vec2(clock, k);"));
+    sim::State expected = bench.state;
+    const auto compute = [&](sim::State &state) {
+        for (int i = 0; i < 500; ++i) {
+            ++state.frame;
+            if (bench.program->run(state, bench.binding))
+                return;
+        }
+    };
+    std::vector<sim::State> states(4, bench.state);
+    std::vector<std::thread> threads;
+    for (sim::State &state : states)
+        threads.emplace_back([&compute, &state] { compute(state); });
+    for (std::thread &thread : threads)
+        thread.join();
+    compute(expected);
+    QCOMPARE(expected.frame, std::int64_t{500});
+    for (const sim::State &state : states)
+        QVERIFY(sim::sameBits(state, expected));
+}
+
+SUITE(tst_listing_run, ListingRun)
+#include "tst_listing_run.moc"
