@@ -141,8 +141,10 @@ void Interpreter::registerNames()
         m_parameters.push_back(0.0);
         global("const double " + name, &m_parameters.back());
     }
+    global("const Vec2 hand", &m_hand);
     global("const Vec2 pointer", &m_pointer);
     global("const bool pointer_down", &m_pointerDown);
+    global("const bool pointer_known", &m_pointerKnown);
     global("const Vec2 target", &m_target);
     global("const Keys keys", &m_keys);
     global("const double frame_number", &m_frameNumber);
@@ -288,8 +290,10 @@ void Interpreter::load(const sim::State &state, const Binding &binding)
     }
     std::copy(binding.parameters.begin(), binding.parameters.end(), m_parameters.begin());
     m_seed = binding.seed;
-    m_pointer = state.hold.point >= 0 ? state.hold.hand : state.input.pointer.value_or(Vec2{});
-    m_pointerDown = state.hold.point >= 0 || state.input.pointerDown;
+    m_pointer = state.input.pointer.value_or(Vec2{});
+    m_pointerDown = state.input.pointerDown;
+    m_pointerKnown = state.input.pointer.has_value();
+    m_hand = state.hold.point >= 0 ? state.hold.hand : m_pointer;
     m_target = state.input.target;
     const sim::Keys &keys = state.input.keys;
     m_keys = {keys.left, keys.right, keys.up, keys.down};

@@ -148,9 +148,9 @@ private:
     std::deque<BodyCell *> m_handles; ///< one per single body; null if the scene does not have it
     std::deque<BodyArray> m_arrays;
     std::deque<double> m_parameters;
-    sim::Vec2 m_pointer, m_target;
+    sim::Vec2 m_hand, m_pointer, m_target;
     KeyCell m_keys;
-    bool m_pointerDown = false;
+    bool m_pointerDown = false, m_pointerKnown = false;
     double m_frameNumber = 0.0, m_gait = 0.0, m_gaitSpeed = 0.0;
     double m_pi = 3.14159265358979323846;
     std::uint64_t m_seed = 1;

@@ -55,9 +55,9 @@ const std::vector<std::string> &keywords()
 const std::vector<std::string> &commonNames()
 {
     static const std::vector<std::string> names = {
-        "sin",          "cos",    "atan2", "sqrt",         "pow",    "abs", "min",
-        "max",          "clamp",  "floor", "random",       "length", "dot", "pointer",
-        "pointer_down", "target", "keys",  "frame_number", "pi"};
+        "sin",     "cos",          "atan2",         "sqrt",   "pow",    "abs",          "min",
+        "max",     "clamp",        "floor",         "random", "length", "dot",          "hand",
+        "pointer", "pointer_down", "pointer_known", "target", "keys",   "frame_number", "pi"};
     return names;
 }
 

@@ -109,9 +109,10 @@ double greatest(double a, double b)
 {
     return a < b ? b : a;
 }
+// As std::clamp of the core computes it, which must not be called with an empty range: `high` wins then.
 double clamped(double x, double low, double high)
 {
-    return x < low ? low : high < x ? high : x;
+    return least(greatest(x, low), high);
 }
 
 void registerVec2(asIScriptEngine &engine)

@@ -38,8 +38,9 @@ void ListingCompile::everyNameOfTheVocabularyCompiles()
         bool same = v == Vec2() && v != Vec2(1, 1);
         double all = length(v) + dot(v, v) + v.x + v.y + sin(1) + cos(1) + atan2(1, 2) + sqrt(2) + pow(2, 3) +
                      abs(-1) + min(1, 2) + max(1, 2) + clamp(3, 1, 2) + floor(1.5) + random(0) + pi;
-        all += k + damp + radius + frame_number + pointer.x + target.y + body.mass + body.radius + feet.count;
-        if (keys.left || keys.right || keys.up || keys.down || pointer_down || body.held || same)
+        all += k + damp + radius + frame_number + body.mass + body.radius + feet.count;
+        all += hand.x + pointer.x + target.y;
+        if (keys.left || keys.right || keys.up || keys.down || pointer_down || pointer_known || body.held || same)
             all += 1;
         auto whole = 3 % 2;
         for (int i = 0; i < feet.count; ++i) { if (i == 1) continue; if (i == 2) break; }

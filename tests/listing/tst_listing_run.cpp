@@ -31,6 +31,7 @@ private slots:
     void vectorsAndNumbersArePassedByValue();
     void functionThatCallsItselfComputesFactorials();
     void inputReachesTheProgram();
+    void handIsApartFromThePointer();
     void heldBodyIsWhereItWasBeforeTheHandMovedIt();
     void randomDependsOnSeedFrameAndIndexOnly();
     void globalsAreInTheState();
@@ -86,6 +87,7 @@ void ListingRun::operatorsComputeByHand_data()
     row("Vec2(sqrt(2), abs(-3))", std::sqrt(2.0), 3);
     row("Vec2(min(1, 2.5), max(1, 2.5))", 1, 2.5);
     row("Vec2(clamp(7, 1, 3), clamp(-7, 1, 3))", 3, 1);
+    row("Vec2(clamp(2, 3, 1), clamp(7, 3, 1))", 1, 1); // no number is in this range
     row("Vec2(floor(1.9), floor(-1.1))", 1, -2);
     row("Vec2(7 / 2, 7 % 4)", 3, 3);
     row("Vec2(7 / 2.0, 1.0 / 4)", 3.5, 0.25);
@@ -191,11 +193,28 @@ void ListingRun::inputReachesTheProgram()
     QVERIFY(bench.state.positionOf(2) == Vec2(1, 42));
 }
 
+void ListingRun::handIsApartFromThePointer()
+{
+    Bench bench = Bench::ofFrame("feet[0].position = hand; feet[1].position = pointer;\n"
+                                 "feet[2].position = Vec2(pointer_down ? 1 : 0, pointer_known ? 1 : 0);");
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.positionOf(2) == Vec2(0, 0)); // it has not moved yet
+    bench.state.input.pointer = Vec2{12, 34};
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.positionOf(0) == Vec2(12, 34));
+    QVERIFY(bench.state.positionOf(2) == Vec2(0, 1));
+    bench.state.hold = {3, {56, 78}, {100, 50}, {0, 0}};
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.positionOf(0) == Vec2(56, 78));
+    QVERIFY(bench.state.positionOf(1) == Vec2(12, 34));
+    QVERIFY(bench.state.positionOf(2) == Vec2(0, 1)); // a hand that holds a body does not press the button
+}
+
 void ListingRun::heldBodyIsWhereItWasBeforeTheHandMovedIt()
 {
-    Bench bench = Bench::ofFrame(
-        "if (body.held) { body.velocity = pointer - body.position; body.position = pointer; }\n"
-        "if (feet[0].held) body.position.x = 0;");
+    Bench bench =
+        Bench::ofFrame("if (body.held) { body.velocity = hand - body.position; body.position = hand; }\n"
+                       "if (feet[0].held) body.position.x = 0;");
     // as the input of a frame leaves it: the hand moved the body from (100, 50) to (110, 45)
     bench.state.hold = {3, {110, 45}, {100, 50}, {1, 1}};
     bench.state.place(3, {110, 45});
