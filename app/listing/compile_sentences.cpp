@@ -76,6 +76,16 @@ std::vector<std::string> bodyNames(const Vocabulary &vocabulary)
     std::vector<std::string> names = vocabulary.bodies;
     for (const Vocabulary::Array &array : vocabulary.arrays)
         names.push_back(array.name);
+    if (vocabulary.hasCreatures)
+        names.push_back("creatures");
+    return names;
+}
+
+std::vector<std::string> typeNames(const Vocabulary &vocabulary)
+{
+    std::vector<std::string> names = {"double", "int", "bool", "Vec2", "Body"};
+    if (vocabulary.hasCreatures)
+        names.push_back("Creature");
     return names;
 }
 
@@ -88,7 +98,7 @@ std::vector<std::string> allNames(const MarkedPlace &place)
     append(place.vocabulary.parameters);
     append(place.declared);
     append(commonNames());
-    if (place.vocabulary.hasGait)
+    if (place.vocabulary.hasGait && !place.vocabulary.hasCreatures)
         append({"gait", "gait_speed"});
     return names;
 }
@@ -111,13 +121,18 @@ std::string contentsOf(const Vocabulary &vocabulary)
 std::string noMember(const Gaps &gaps, const MarkedPlace &place)
 {
     const std::string word = gaps[0], type = plainType(gaps[1]);
-    const std::vector<std::string> members = membersOf(type, place.vocabulary.bodiesTurn);
-    const std::string kind = type == "Bodies" ? "an array of bodies" : type == "Keys" ? "the keys" : type;
+    const std::vector<std::string> members = membersOf(type, place.vocabulary);
+    const std::string kind = type == "Bodies"      ? "an array of bodies"
+                             : type == "Creatures" ? "the array of creatures"
+                             : type == "Keys"      ? "the keys"
+                                                   : type;
     const std::string sentence = quotedName(word) + " is not a member of " + kind + ".";
     if (const std::string closest = hintFor(word, members); !closest.empty())
         return sentence + closest;
-    const std::vector<std::string> ofBody = membersOf("Body", place.vocabulary.bodiesTurn);
-    if (type == "Bodies" && (has(ofBody, word) || !closestName(word, ofBody).empty()))
+    const std::vector<std::string> ofElement = type == "Bodies"      ? membersOf("Body", place.vocabulary)
+                                               : type == "Creatures" ? membersOf("Creature", place.vocabulary)
+                                                                     : std::vector<std::string>();
+    if (has(ofElement, word) || !closestName(word, ofElement).empty())
         return sentence + " Choose one of them first, for example with [0].";
     return members.empty() ? sentence : sentence + " It has " + joined(members) + ".";
 }
@@ -139,11 +154,14 @@ std::string wrongValues(const Gaps &gaps, const MarkedPlace &place)
     return quotedName(name) + " does not take these values: " + quotedName(call) + ".";
 }
 
-std::string noType(const Gaps &gaps, const MarkedPlace &)
+std::string noType(const Gaps &gaps, const MarkedPlace &place)
 {
-    const std::string closest = hintFor(gaps[0], {"double", "int", "bool", "Vec2", "Body", "void"});
+    const std::vector<std::string> types = typeNames(place.vocabulary);
+    std::vector<std::string> candidates = types;
+    candidates.push_back("void");
+    const std::string closest = hintFor(gaps[0], candidates);
     return "There is no type " + quotedName(gaps[0]) + "." +
-           (closest.empty() ? " The types are double, int, bool, Vec2 and Body." : closest);
+           (closest.empty() ? " The types are " + joined(types) + "." : closest);
 }
 
 std::string wrongType(const Gaps &gaps, const MarkedPlace &)

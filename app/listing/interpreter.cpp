@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 
 namespace listing {
 
@@ -45,11 +46,43 @@ std::string cellName(const std::string &array, std::size_t index)
     return array + "[" + std::to_string(index) + "]";
 }
 
+/// Returns the cell with this index of an array of the scene. If there is none, the program stops with an error.
+template <class Cell>
+Cell *cellAt(int index, std::vector<Cell> &cells, const std::string &name)
+{
+    const int count = static_cast<int>(cells.size());
+    if (index >= 0 && index < count)
+        return &cells[static_cast<std::size_t>(index)];
+    std::string sentence = "There is no " + name + "[" + std::to_string(index) + "]: ";
+    if (count == 0)
+        sentence += name + " is empty.";
+    else if (count == 1)
+        sentence += "the only one is " + name + "[0].";
+    else
+        sentence += name + " goes from " + name + "[0] to " + name + "[" + std::to_string(count - 1) + "].";
+    asGetActiveContext()->SetException(sentence.c_str());
+    return nullptr;
+}
+
+/// Returns the index of `cell` in `cells`, if it is one of them.
+template <class Cell>
+std::optional<std::size_t> indexOf(const Cell *cell, const std::vector<Cell> &cells)
+{
+    const std::less<const Cell *> isBefore;
+    if (!cell || cells.empty() || isBefore(cell, cells.data()) ||
+        !isBefore(cell, cells.data() + cells.size()))
+        return {};
+    return static_cast<std::size_t>(cell - cells.data());
+}
+
 }
 
 std::string typeName(const Value &value)
 {
     static const char *const names[] = {"double", "int", "bool", "Vec2", "Body"};
+    const auto *reference = std::get_if<BodyReference>(&value);
+    if (reference && reference->isCreature)
+        return "Creature";
     return names[value.index()];
 }
 
@@ -82,9 +115,12 @@ Interpreter::~Interpreter()
 
 void Interpreter::registerLanguage()
 {
-    registerFunctions(*m_engine);
+    registerFunctions(*m_engine, m_vocabulary.parameters);
     m_vec2Type = m_engine->GetTypeIdByDecl("Vec2");
     registerBodies();
+    if (m_vocabulary.hasCreatures)
+        registerCreatures();
+    registerKeys();
     registerNames();
 }
 
@@ -111,6 +147,33 @@ void Interpreter::registerBodies()
     m_engine->RegisterObjectProperty("Bodies", "const int count",
                                      static_cast<int>(offsetof(BodyArray, count)));
     m_engine->RegisterObjectMethod("Bodies", "Body @opIndex(int)", asFUNCTION(bodyAt), asCALL_CDECL_OBJLAST);
+}
+
+void Interpreter::registerCreatures()
+{
+    m_engine->RegisterObjectType("Creature", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
+    m_creatureType = m_engine->GetTypeIdByDecl("Creature") & asTYPEID_MASK_SEQNBR;
+    const auto property = [this](const char *declaration, std::size_t offset) {
+        m_engine->RegisterObjectProperty("Creature", declaration, static_cast<int>(offset));
+    };
+    m_engine->RegisterObjectMethod("Creature", "Body @get_body() property", asFUNCTION(bodyOf),
+                                   asCALL_CDECL_OBJLAST);
+    property("Bodies feet", offsetof(CreatureCell, feet));
+    if (m_vocabulary.hasGait) {
+        property("double gait", offsetof(CreatureCell, gait));
+        property("double gait_speed", offsetof(CreatureCell, gaitSpeed));
+    }
+    m_engine->RegisterObjectMethod("Creature", "bool opEquals(const Creature @) const",
+                                   asFUNCTION(isSameCreature), asCALL_CDECL_OBJFIRST);
+    m_engine->RegisterObjectType("Creatures", 0, asOBJ_REF | asOBJ_NOHANDLE);
+    m_engine->RegisterObjectProperty("Creatures", "const int count",
+                                     static_cast<int>(offsetof(CreatureArray, count)));
+    m_engine->RegisterObjectMethod("Creatures", "Creature @opIndex(int)", asFUNCTION(creatureAt),
+                                   asCALL_CDECL_OBJLAST);
+}
+
+void Interpreter::registerKeys()
+{
     m_engine->RegisterObjectType("Keys", 0, asOBJ_REF | asOBJ_NOHANDLE);
     const auto key = [this](const char *declaration, std::size_t offset) {
         m_engine->RegisterObjectProperty("Keys", declaration, static_cast<int>(offset));
@@ -134,9 +197,11 @@ void Interpreter::registerNames()
         global("Body @const " + name, &m_handles.back());
     }
     for (const Vocabulary::Array &array : m_vocabulary.arrays) {
-        m_arrays.emplace_back().name = &array.name;
+        m_arrays.emplace_back().name = array.name;
         global("Bodies " + array.name, &m_arrays.back());
     }
+    if (m_vocabulary.hasCreatures)
+        global("Creatures creatures", &m_creatures);
     for (const std::string &name : m_vocabulary.parameters) {
         m_parameters.push_back(0.0);
         global("const double " + name, &m_parameters.back());
@@ -149,7 +214,7 @@ void Interpreter::registerNames()
     global("const Keys keys", &m_keys);
     global("const double frame_number", &m_frameNumber);
     global("const double pi", &m_pi);
-    if (m_vocabulary.hasGait) {
+    if (m_vocabulary.hasGait && !m_vocabulary.hasCreatures) {
         global("double gait", &m_gait);
         global("double gait_speed", &m_gaitSpeed);
     }
@@ -257,7 +322,13 @@ void Interpreter::forEachCell(Visit &&visit) const
     }
     for (const BodyArray &array : m_arrays) {
         for (std::size_t i = 0; i < array.cells.size(); ++i)
-            visit(array.cells[i], [&] { return cellName(*array.name, i); });
+            visit(array.cells[i], [&] { return cellName(array.name, i); });
+    }
+    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i) {
+        const CreatureCell &creature = m_creatures.cells[i];
+        visit(creature.body, [&] { return cellName("creatures", i) + ".body"; });
+        for (std::size_t j = 0; j < creature.feet.cells.size(); ++j)
+            visit(creature.feet.cells[j], [&] { return cellName(creature.feet.name, j); });
     }
 }
 
@@ -281,12 +352,22 @@ void Interpreter::load(const sim::State &state, const Binding &binding)
         if (point >= 0)
             fill(m_bodies[i], point);
     }
-    for (std::size_t i = 0; i < m_arrays.size(); ++i) {
-        BodyArray &array = m_arrays[i];
-        array.cells.resize(binding.arrays[i].size());
-        array.count = static_cast<int>(array.cells.size());
-        for (std::size_t j = 0; j < array.cells.size(); ++j)
-            fill(array.cells[j], binding.arrays[i][j]);
+    const auto fillArray = [&](BodyArray &array, const std::vector<int> &points) {
+        array.cells.resize(points.size());
+        array.count = static_cast<int>(points.size());
+        for (std::size_t i = 0; i < points.size(); ++i)
+            fill(array.cells[i], points[i]);
+    };
+    for (std::size_t i = 0; i < m_arrays.size(); ++i)
+        fillArray(m_arrays[i], binding.arrays[i]);
+    resizeCreatures(binding.creatures.size());
+    for (std::size_t i = 0; i < binding.creatures.size(); ++i) {
+        CreatureCell &creature = m_creatures.cells[i];
+        fill(creature.body, binding.creatures[i].body);
+        fillArray(creature.feet, binding.creatures[i].feet);
+        const auto clock = static_cast<Eigen::Index>(i);
+        creature.gait = clock < state.gait.rows() ? state.gait[clock] : 0.0;
+        creature.gaitSpeed = clock < state.gaitSpeed.rows() ? state.gaitSpeed[clock] : 0.0;
     }
     std::copy(binding.parameters.begin(), binding.parameters.end(), m_parameters.begin());
     m_seed = binding.seed;
@@ -302,6 +383,15 @@ void Interpreter::load(const sim::State &state, const Binding &binding)
     m_gaitSpeed = state.gaitSpeed.rows() == 1 ? state.gaitSpeed[0] : 0.0;
 }
 
+void Interpreter::resizeCreatures(std::size_t count)
+{
+    const std::size_t named = m_creatures.cells.size();
+    m_creatures.cells.resize(count);
+    m_creatures.count = static_cast<int>(count);
+    for (std::size_t i = named; i < count; ++i)
+        m_creatures.cells[i].feet.name = cellName("creatures", i) + ".feet";
+}
+
 void Interpreter::store(sim::State &state) const
 {
     forEachCell([&](const BodyCell &cell, const auto &) {
@@ -312,10 +402,16 @@ void Interpreter::store(sim::State &state) const
         if (state.spin.rows() > cell.point)
             state.spin[cell.point] = cell.spin;
     });
-    if (state.gait.rows() == 1)
-        state.gait[0] = m_gait;
-    if (state.gaitSpeed.rows() == 1)
-        state.gaitSpeed[0] = m_gaitSpeed;
+    const auto storeGait = [&](Eigen::Index clock, double gait, double speed) {
+        if (clock < state.gait.rows())
+            state.gait[clock] = gait;
+        if (clock < state.gaitSpeed.rows())
+            state.gaitSpeed[clock] = speed;
+    };
+    if (!m_vocabulary.hasCreatures && state.gait.rows() == 1)
+        storeGait(0, m_gait, m_gaitSpeed);
+    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i)
+        storeGait(static_cast<Eigen::Index>(i), m_creatures.cells[i].gait, m_creatures.cells[i].gaitSpeed);
     state.memory.resize(m_memoryBytes);
     std::size_t at = 0;
     for (const Global &global : m_globals) {
@@ -411,20 +507,28 @@ void Interpreter::allocateGlobals()
     const std::deque<double> parameters = m_parameters;
     const auto arrays = m_arrays;
     const auto handles = m_handles;
+    const CreatureArray creatures = m_creatures;
     for (std::size_t i = 0; i < m_parameters.size(); ++i)
         m_parameters[i] = 0.7310585786300049 + 0.0137 * static_cast<double>(i);
     for (std::size_t i = 0; i < m_handles.size(); ++i)
         m_handles[i] = &m_bodies[i];
-    for (BodyArray &array : m_arrays) {
-        array.cells.resize(1000);
-        array.count = 1000;
-    }
+    const auto fillUp = [](BodyArray &array, std::size_t count) {
+        array.cells.resize(count);
+        array.count = static_cast<int>(count);
+    };
+    for (BodyArray &array : m_arrays)
+        fillUp(array, 1000);
+    if (m_vocabulary.hasCreatures)
+        resizeCreatures(100);
+    for (CreatureCell &creature : m_creatures.cells)
+        fillUp(creature.feet, 100);
     initialise();
     m_result.error.reset();
     m_cues = 0;
     std::copy(parameters.begin(), parameters.end(), m_parameters.begin());
     std::copy(handles.begin(), handles.end(), m_handles.begin());
     std::copy(arrays.begin(), arrays.end(), m_arrays.begin());
+    m_creatures = creatures;
 }
 
 void Interpreter::runFrame()
@@ -561,6 +665,10 @@ std::string Interpreter::firstNonFinite() const
         return name;
     if (!std::isfinite(m_gait) || !std::isfinite(m_gaitSpeed))
         return "'gait'";
+    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i) {
+        if (!std::isfinite(m_creatures.cells[i].gait) || !std::isfinite(m_creatures.cells[i].gaitSpeed))
+            return "The gait of " + cellName("creatures", i);
+    }
     for (const Global &global : m_globals) {
         const std::optional<Value> value = valueAt(addressOf(global), global.type);
         const auto *number = value ? std::get_if<double>(&*value) : nullptr;
@@ -573,19 +681,31 @@ std::string Interpreter::firstNonFinite() const
 
 Value Interpreter::valueOf(const BodyCell *cell) const
 {
-    BodyReference reference;
-    for (std::size_t i = 0; i < m_bodies.size() && cell; ++i) {
+    if (!cell)
+        return BodyReference();
+    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
         if (cell == &m_bodies[i])
             return BodyReference{m_vocabulary.bodies[i], cell->point};
     }
     for (const BodyArray &array : m_arrays) {
-        if (!cell || array.cells.empty() || cell < array.cells.data() ||
-            cell >= array.cells.data() + array.cells.size())
-            continue;
-        return BodyReference{cellName(*array.name, static_cast<std::size_t>(cell - array.cells.data())),
-                             cell->point};
+        if (const auto index = indexOf(cell, array.cells))
+            return BodyReference{cellName(array.name, *index), cell->point};
     }
-    return reference;
+    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i) {
+        const CreatureCell &creature = m_creatures.cells[i];
+        if (cell == &creature.body)
+            return BodyReference{cellName("creatures", i) + ".body", cell->point};
+        if (const auto index = indexOf(cell, creature.feet.cells))
+            return BodyReference{cellName(creature.feet.name, *index), cell->point};
+    }
+    return BodyReference();
+}
+
+Value Interpreter::valueOf(const CreatureCell *cell) const
+{
+    const std::optional<std::size_t> index = indexOf(cell, m_creatures.cells);
+    return index ? BodyReference{cellName("creatures", *index), cell->body.point, true}
+                 : BodyReference{{}, -1, true};
 }
 
 std::optional<Value> Interpreter::valueAt(const void *address, int type) const
@@ -610,6 +730,8 @@ std::optional<Value> Interpreter::valueAt(const void *address, int type) const
         return Value(number(Vec2{}));
     if ((type & asTYPEID_MASK_SEQNBR) == m_bodyType)
         return valueOf(number(static_cast<const BodyCell *>(nullptr)));
+    if ((type & asTYPEID_MASK_SEQNBR) == m_creatureType)
+        return valueOf(number(static_cast<const CreatureCell *>(nullptr)));
     return {};
 }
 
@@ -683,21 +805,24 @@ bool Interpreter::isSameBody(const BodyCell *a, const BodyCell *b)
     return a == b;
 }
 
+bool Interpreter::isSameCreature(const CreatureCell *a, const CreatureCell *b)
+{
+    return a == b;
+}
+
 Interpreter::BodyCell *Interpreter::bodyAt(int index, BodyArray *array)
 {
-    if (index >= 0 && index < array->count)
-        return &array->cells[static_cast<std::size_t>(index)];
-    const std::string &name = *array->name;
-    std::string sentence = "There is no " + name + "[" + std::to_string(index) + "]: ";
-    if (array->count == 0)
-        sentence += name + " is empty.";
-    else if (array->count == 1)
-        sentence += "the only one is " + name + "[0].";
-    else
-        sentence +=
-            name + " goes from " + name + "[0] to " + name + "[" + std::to_string(array->count - 1) + "].";
-    asGetActiveContext()->SetException(sentence.c_str());
-    return nullptr;
+    return cellAt(index, array->cells, array->name);
+}
+
+Interpreter::CreatureCell *Interpreter::creatureAt(int index, CreatureArray *array)
+{
+    return cellAt(index, array->cells, "creatures");
+}
+
+Interpreter::BodyCell *Interpreter::bodyOf(CreatureCell *creature)
+{
+    return &creature->body;
 }
 
 }

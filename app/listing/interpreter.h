@@ -74,8 +74,19 @@ private:
     struct BodyArray
     {
         int count = 0;
-        const std::string *name = nullptr;
+        std::string name;
         std::vector<BodyCell> cells;
+    };
+    struct CreatureCell
+    {
+        BodyCell body;
+        BodyArray feet;
+        double gait = 0.0, gaitSpeed = 0.0;
+    };
+    struct CreatureArray
+    {
+        int count = 0;
+        std::vector<CreatureCell> cells;
     };
     /// A global variable of the listing.
     struct Global
@@ -94,6 +105,8 @@ private:
 
     void registerLanguage();
     void registerBodies();
+    void registerCreatures();
+    void registerKeys();
     void registerNames();
     void compile();
     /// Adds an error, if it is the first on its line: the interpreter's later ones follow from it.
@@ -101,6 +114,7 @@ private:
     void findGlobals();
     std::size_t sizeOf(int type) const;
     void load(const sim::State &state, const Binding &binding);
+    void resizeCreatures(std::size_t count);
     void store(sim::State &state) const;
     RunResult execute(const sim::State &state, const Recording &recording);
     void runFrame();
@@ -119,13 +133,17 @@ private:
     std::vector<Variable> variables() const;
     std::optional<Value> valueAt(const void *address, int type) const;
     Value valueOf(const BodyCell *cell) const;
+    Value valueOf(const CreatureCell *cell) const;
     const Scopes &scopesOf(asIScriptFunction *function) const;
     double random(int i) const;
     template <class Visit>
     void forEachCell(Visit &&visit) const;
 
     static bool isSameBody(const BodyCell *a, const BodyCell *b);
+    static bool isSameCreature(const CreatureCell *a, const CreatureCell *b);
     static BodyCell *bodyAt(int index, BodyArray *array);
+    static CreatureCell *creatureAt(int index, CreatureArray *array);
+    static BodyCell *bodyOf(CreatureCell *creature);
     static void lineCallback(asIScriptContext *context, void *self);
     static void exceptionCallback(asIScriptContext *context, void *self);
     static void messageCallback(const asSMessageInfo *message, void *self);
@@ -139,6 +157,7 @@ private:
     asIScriptFunction *m_frame = nullptr;
     int m_vec2Type = 0;
     int m_bodyType = 0;
+    int m_creatureType = -1; ///< -1: this scene has no creatures
     std::vector<Global> m_globals;
     std::size_t m_memoryBytes = 0;
     mutable std::map<asIScriptFunction *, Scopes> m_scopes;
@@ -147,6 +166,7 @@ private:
     std::deque<BodyCell> m_bodies;
     std::deque<BodyCell *> m_handles; ///< one per single body; null if the scene does not have it
     std::deque<BodyArray> m_arrays;
+    CreatureArray m_creatures;
     std::deque<double> m_parameters;
     sim::Vec2 m_hand, m_pointer, m_target;
     KeyCell m_keys;

@@ -70,22 +70,30 @@ bool isUsableName(const std::string &name)
     const auto has = [&](const std::vector<std::string> &words) {
         return std::find(words.begin(), words.end(), name) != words.end();
     };
-    static const std::vector<std::string> own = {"frame", "gait", "gait_speed", "Bodies", "Keys"};
-    return !has(keywords()) && !has(commonNames()) && !has(own) &&
+    static const std::vector<std::string> own = {"frame",  "gait",     "gait_speed", "creatures",
+                                                 "Bodies", "Creature", "Creatures",  "Keys"};
+    const bool isTaken = has(commonNames()) && name != "floor";
+    return !has(keywords()) && !isTaken && !has(own) &&
            std::find(leftOut.begin(), leftOut.end(), std::string_view(name)) == leftOut.end();
 }
 
-std::vector<std::string> membersOf(const std::string &type, bool bodiesTurn)
+std::vector<std::string> membersOf(const std::string &type, const Vocabulary &vocabulary)
 {
     if (type == "Body") {
         std::vector<std::string> members = {"position", "velocity", "held", "mass", "radius"};
-        if (bodiesTurn)
+        if (vocabulary.bodiesTurn)
             members.insert(members.end(), {"angle", "spin"});
         return members;
     }
     if (type == "Vec2")
         return {"x", "y"};
-    if (type == "Bodies")
+    if (type == "Creature") {
+        std::vector<std::string> members = {"body", "feet"};
+        if (vocabulary.hasGait)
+            members.insert(members.end(), {"gait", "gait_speed"});
+        return members;
+    }
+    if (type == "Bodies" || type == "Creatures")
         return {"count"};
     if (type == "Keys")
         return {"left", "right", "up", "down"};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/listing/vocabulary.h"
+
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,7 +9,7 @@
 namespace listing {
 
 /// Returns whether a body or a parameter can have this name in a listing: a word of ASCII letters, digits and _
-/// that the language does not use otherwise.
+/// that the language does not use otherwise. `floor` is usable: in a room it is a number, and not the function.
 bool isUsableName(const std::string &name);
 
 /// Returns whether `word` belongs to the interpreter's language but not to that of listings, for example `class`.
@@ -17,8 +19,9 @@ bool isLeftOut(std::string_view word);
 const std::vector<std::string> &keywords();
 /// Returns the names that every listing has: `sin`, `pointer`, `frame_number`...
 const std::vector<std::string> &commonNames();
-/// Returns the members of a type ("Body", "Vec2", "Bodies", "Keys") in their order; empty for other types.
-std::vector<std::string> membersOf(const std::string &type, bool bodiesTurn);
+/// Returns the members of a type ("Body", "Vec2", "Bodies", "Creature", "Creatures", "Keys") in their order; empty for
+/// other types.
+std::vector<std::string> membersOf(const std::string &type, const Vocabulary &vocabulary);
 
 /// Returns the name of `candidates` that a learner who wrote `word` may have meant, or an empty string.
 std::string closestName(const std::string &word, const std::vector<std::string> &candidates);

@@ -144,7 +144,7 @@ void registerVec2(asIScriptEngine &engine)
 
 }
 
-void registerFunctions(asIScriptEngine &engine)
+void registerFunctions(asIScriptEngine &engine, const std::vector<std::string> &parameters)
 {
     registerVec2(engine);
     const auto function = [&engine](const char *declaration, const asSFuncPtr &pointer) {
@@ -157,7 +157,8 @@ void registerFunctions(asIScriptEngine &engine)
     function("double atan2(double, double)", asFUNCTIONPR(std::atan2, (double, double), double));
     function("double sqrt(double)", asFUNCTIONPR(std::sqrt, (double), double));
     function("double pow(double, double)", asFUNCTIONPR(std::pow, (double, double), double));
-    function("double floor(double)", asFUNCTIONPR(std::floor, (double), double));
+    if (std::find(parameters.begin(), parameters.end(), "floor") == parameters.end())
+        function("double floor(double)", asFUNCTIONPR(std::floor, (double), double));
     function("double abs(double)", asFUNCTION(absolute));
     function("double min(double, double)", asFUNCTION(least));
     function("double max(double, double)", asFUNCTION(greatest));

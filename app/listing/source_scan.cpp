@@ -11,7 +11,7 @@ namespace {
 
 bool isType(std::string_view word)
 {
-    return isPrimitive(word) || word == "Vec2" || word == "Body" || word == "auto";
+    return isPrimitive(word) || word == "Vec2" || word == "Body" || word == "Creature" || word == "auto";
 }
 
 }
@@ -195,8 +195,8 @@ std::string SourceScan::compiledText() const
 {
     std::string text = m_text;
     for (std::size_t i = 0; i + 1 < m_tokens.size(); ++i) {
-        if (m_tokens.is(i, "const") &&
-            (m_tokens.is(i + 1, "Vec2") || m_tokens.is(i + 1, "Body") || m_tokens.is(i + 1, "auto")))
+        const std::string_view type = m_tokens[i + 1].text;
+        if (m_tokens.is(i, "const") && isType(type) && !isPrimitive(type))
             text.replace(m_tokens[i].offset, m_tokens[i].text.size(), m_tokens[i].text.size(), ' ');
     }
     return text;

@@ -57,7 +57,7 @@ public:
     /// Returns the first violation of the rules in language_rules.h, or the first variable without a value.
     const std::optional<CompileError> &error() const { return m_error; }
     const std::string &text() const { return m_text; }
-    /// Returns the text for the interpreter, with the same positions. `const` before Vec2 and Body is left out, because
+    /// Returns the text for the interpreter, with the same positions. `const` before Vec2, Body and Creature is left out, because
     /// an initial value of another type would end AngelScript 2.35.1.
     std::string compiledText() const;
     const Tokens &tokens() const { return m_tokens; }

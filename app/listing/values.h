@@ -10,18 +10,20 @@
 
 namespace listing {
 
-/// A body that a variable stands for.
+/// A body, or a creature, that a variable stands for.
 struct BodyReference
 {
-    std::string name; ///< as in the listing: "body", "feet[2]"; empty if the variable stands for no body
-    int point = -1;   ///< index in the state; -1: none
+    std::string
+        name; ///< as in the listing: "body", "feet[2]", "creatures[0]"; empty if the variable stands for none
+    int point = -1; ///< index in the state, of a creature that of its body; -1: none
+    bool isCreature = false;
     friend bool operator==(const BodyReference &, const BodyReference &) = default;
 };
 
-/// The value of a variable: double, int, bool, Vec2 (px or px/frame), or a body.
+/// The value of a variable: double, int, bool, Vec2 (px or px/frame), a body or a creature.
 using Value = std::variant<double, std::int64_t, bool, sim::Vec2, BodyReference>;
 
-/// Returns the name of the type of `value` in a listing: "double", "int", "bool", "Vec2" or "Body".
+/// Returns the name of the type of `value` in a listing: "double", "int", "bool", "Vec2", "Body" or "Creature".
 std::string typeName(const Value &value);
 
 /// A variable of a listing at some moment.

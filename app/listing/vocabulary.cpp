@@ -19,14 +19,28 @@ std::string prefixOf(const std::string &name)
     return last == std::string::npos ? std::string() : name.substr(0, last + 1);
 }
 
+using PointsByName = std::map<std::string, int>;
+
 /// Returns the points called `prefix`0, `prefix`1... up to the first number that the scene does not have.
-std::vector<int> pointsOf(const std::string &prefix, const std::map<std::string, int> &pointOf)
+std::vector<int> pointsOf(const std::string &prefix, const PointsByName &pointOf)
 {
     std::vector<int> points;
     for (auto found = pointOf.find(prefix + "0"); found != pointOf.end();
          found = pointOf.find(prefix + std::to_string(points.size())))
         points.push_back(found->second);
     return points;
+}
+
+std::vector<Binding::Creature> creaturesOf(const PointsByName &pointOf)
+{
+    std::vector<Binding::Creature> creatures;
+    for (;;) {
+        const std::string name = "creature" + std::to_string(creatures.size());
+        const auto body = pointOf.find(name + ".body");
+        if (body == pointOf.end())
+            return creatures;
+        creatures.push_back({body->second, pointsOf(name + ".foot", pointOf)});
+    }
 }
 
 }
@@ -49,6 +63,9 @@ Vocabulary vocabularyOf(const sim::Scene &scene)
     Vocabulary vocabulary;
     const std::set<std::string> names(scene.names.begin(), scene.names.end());
     std::set<std::string> taken;
+    vocabulary.hasCreatures = names.contains("creature0.body");
+    if (vocabulary.hasCreatures)
+        taken.insert("creatures");
     for (const std::string &name : scene.names) {
         const std::string prefix = prefixOf(name);
         const bool isInArray = prefix != name && !prefix.empty() && names.contains(prefix + "0");
@@ -67,13 +84,13 @@ Vocabulary vocabularyOf(const sim::Scene &scene)
         }
     }
     vocabulary.bodiesTurn = scene.start.angle.rows() > 0;
-    vocabulary.hasGait = scene.start.gait.rows() == 1;
+    vocabulary.hasGait = vocabulary.hasCreatures ? scene.start.gait.rows() > 0 : scene.start.gait.rows() == 1;
     return vocabulary;
 }
 
 Binding bind(const Vocabulary &vocabulary, const sim::Scene &scene)
 {
-    std::map<std::string, int> pointOf;
+    PointsByName pointOf;
     for (std::size_t i = 0; i < scene.names.size(); ++i)
         pointOf.emplace(scene.names[i], static_cast<int>(i));
     Binding binding;
@@ -83,6 +100,8 @@ Binding bind(const Vocabulary &vocabulary, const sim::Scene &scene)
     }
     for (const Vocabulary::Array &array : vocabulary.arrays)
         binding.arrays.push_back(pointsOf(array.prefix, pointOf));
+    if (vocabulary.hasCreatures)
+        binding.creatures = creaturesOf(pointOf);
     for (const std::string &id : vocabulary.parameters)
         binding.parameters.push_back(scene.values && scene.values->has(id) ? (*scene.values)[id] : 0.0);
     if (scene.values)

@@ -23,12 +23,14 @@ struct Vocabulary
     std::vector<Array> arrays;
     std::vector<std::string> parameters; ///< ids; not those that a body has, or the language
     bool bodiesTurn = false;             ///< whether bodies have an angle and a spin
-    bool hasGait = false;                ///< whether the scene remembers a gait clock
+    bool hasCreatures = false;           ///< whether there are "creature0.body", "creature1.body"...
+    /// Whether the scene remembers a gait clock; one for each creature if there are creatures.
+    bool hasGait = false;
     friend bool operator==(const Vocabulary &, const Vocabulary &) = default;
 };
 
-/// Returns the vocabulary of `scene`, which sceneOf() built. Bodies whose names are not words,
-/// such as "creature0.foot1", are left out.
+/// Returns the vocabulary of `scene`, which sceneOf() built. Bodies whose names are not words are left out, except
+/// the body and the feet of creatures, such as "creature0.foot1".
 Vocabulary vocabularyOf(const sim::Scene &scene);
 
 /// Returns the name of the array of bodies with the names `prefix`0, `prefix`1...: "feet" for "foot".
@@ -37,8 +39,14 @@ std::string pluralOf(const std::string &prefix);
 /// Where the names of a vocabulary are in a scene, and what does not change during its frames.
 struct Binding
 {
+    struct Creature
+    {
+        int body = 0;
+        std::vector<int> feet;
+    };
     std::vector<int> bodies;              ///< point of each single body; -1: the scene has none
     std::vector<std::vector<int>> arrays; ///< points of each array
+    std::vector<Creature> creatures;      ///< points of each creature
     std::vector<double> parameters;       ///< value of each parameter
     std::uint64_t seed = 1;
     Eigen::ArrayXd mass;   ///< per point; 0 for a handle, which forces do not move

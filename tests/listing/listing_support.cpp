@@ -25,12 +25,25 @@ sim::Scene threeFeet()
     return scene;
 }
 
-Bench::Bench(const std::string &text)
+sim::Scene threeCreatures()
+{
+    sim::Scene scene = scenes::crowd(3, 2);
+    scene.start.position.setZero();
+    scene.start.gait = Eigen::ArrayXd::LinSpaced(3, 0.0, 2.0);
+    scene.start.gaitSpeed = Eigen::ArrayXd::Constant(3, 0.5);
+    sim::Values values;
+    values.set("floor", 380);
+    values.set("k", 0.25);
+    scene.values = std::make_shared<const sim::Values>(values);
+    return scene;
+}
+
+Bench::Bench(const std::string &text, const sim::Scene &inScene) : scene(inScene)
 {
     const listing::Compiled compiled = listing::Program::compile(text, listing::vocabularyOf(scene));
     program = compiled.program;
     if (!program)
-        qFatal("does not compile: %s", errorsOf(text).c_str());
+        qFatal("does not compile: %s", errorsOf(text, scene).c_str());
     binding = listing::bind(program->vocabulary(), scene);
 }
 
@@ -50,11 +63,11 @@ std::string frameOf(const std::string &body)
     return "void frame()\n{\n" + body + "\n}\n";
 }
 
-std::string errorsOf(const std::string &text)
+std::string errorsOf(const std::string &text, const sim::Scene &scene)
 {
     std::ostringstream all;
     for (const listing::CompileError &error :
-         listing::Program::compile(text, listing::vocabularyOf(threeFeet())).errors)
+         listing::Program::compile(text, listing::vocabularyOf(scene)).errors)
         all << error.line << ':' << error.column << '+' << error.length << ' ' << error.sentence << '\n';
     std::string errors = all.str();
     if (!errors.empty())

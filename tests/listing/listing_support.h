@@ -16,17 +16,21 @@ namespace listing_support {
 /// parameters k = 0.25, damp = 0.5 and radius = 50.
 sim::Scene threeFeet();
 
+/// Returns three creatures with two feet each, all points at (0, 0). Their gait clocks are at 0, 1 and 2 and gain
+/// 0.5 in a frame. The parameters are floor = 380 and k = 0.25.
+sim::Scene threeCreatures();
+
 /// A compiled listing with a scene that it runs in.
 struct Bench
 {
-    sim::Scene scene = threeFeet();
+    sim::Scene scene;
     std::shared_ptr<const listing::Program> program;
     listing::Binding binding;
     sim::State state = scene.start;
 
-    /// Compiles `text` for threeFeet(). Fails the test with the errors if it does not compile.
-    explicit Bench(const std::string &text);
-    /// The same for the body of the function `frame`.
+    /// Compiles `text` for `scene`. Fails the test with the errors if it does not compile.
+    explicit Bench(const std::string &text, const sim::Scene &scene = threeFeet());
+    /// The same for the body of the function `frame`, in threeFeet().
     static Bench ofFrame(const std::string &body);
     /// Runs one frame; the frame number grows by 1.
     std::optional<listing::RunError> run();
@@ -36,8 +40,8 @@ struct Bench
 /// Returns `body` as a listing. Its first line is line 3.
 std::string frameOf(const std::string &body);
 
-/// Returns the errors of `text`, compiled for threeFeet(), as "line:column+length sentence" each on a line.
-std::string errorsOf(const std::string &text);
+/// Returns the errors of `text`, compiled for `scene`, as "line:column+length sentence" each on a line.
+std::string errorsOf(const std::string &text, const sim::Scene &scene = threeFeet());
 
 /// Returns the text of a file of the project. Fails the test if there is none.
 std::string fileText(const std::string &path);

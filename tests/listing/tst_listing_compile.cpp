@@ -24,6 +24,9 @@ private slots:
     void boundsAreErrors();
     void vocabularyFollowsTheNamesOfTheScene();
     void reservedNamesAreLeftOutOfTheVocabulary();
+    void creaturesAreInTheVocabulary();
+    void mistakeWithCreaturesIsSaidInOneSentence_data();
+    void mistakeWithCreaturesIsSaidInOneSentence();
     void compilesInMilliseconds_data();
     void compilesInMilliseconds();
 };
@@ -213,6 +216,48 @@ void ListingCompile::reservedNamesAreLeftOutOfTheVocabulary()
     const listing::Vocabulary found = listing::vocabularyOf(scene);
     QVERIFY(found.bodies == std::vector<std::string>{"body"});
     QVERIFY(found.arrays.empty());
+}
+
+void ListingCompile::creaturesAreInTheVocabulary()
+{
+    const listing::Vocabulary found = listing::vocabularyOf(threeCreatures());
+    QVERIFY(found.hasCreatures && found.hasGait);
+    QVERIFY(found.bodies.empty() && found.arrays.empty());
+    QVERIFY((found.parameters == std::vector<std::string>{"floor", "k"}));
+    const listing::Binding binding = listing::bind(found, threeCreatures());
+    QCOMPARE(binding.creatures.size(), std::size_t{3});
+    QCOMPARE(binding.creatures[1].body, 5);
+    QVERIFY((binding.creatures[1].feet == std::vector<int>{3, 4}));
+}
+
+void ListingCompile::mistakeWithCreaturesIsSaidInOneSentence_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("error");
+    const auto row = [](const char *name, const char *line, const char *error) {
+        QTest::newRow(name) << QString::fromUtf8(line) << QString::fromUtf8(error);
+    };
+    row("none", "Creature one = creatures[0]; one.gait += one.gait_speed; one.feet[0].position.x = floor;",
+        "");
+    row("member of a creature", "creatures[0].velocity *= k;",
+        "3:14+8 'velocity' is not a member of Creature. It has body, feet, gait and gait_speed.");
+    row("array instead of a creature", "creatures.gait = 0;",
+        "3:11+4 'gait' is not a member of the array of creatures. Choose one of them first, for example with "
+        "[0].");
+    row("clock of the scene", "gait = 0;",
+        "3:1+4 There is no 'gait'. This scene has creatures, and the numbers floor and k.");
+    row("misspelt type", "Creatre one = creatures[0];",
+        "3:1+7 There is no type 'Creatre'. Did you mean 'Creature'?");
+    row("unknown type", "Animal one = creatures[0];",
+        "3:1+6 There is no type 'Animal'. The types are double, int, bool, Vec2, Body and Creature.");
+    row("function that a number replaces", "double a = floor(1.5);", "");
+}
+
+void ListingCompile::mistakeWithCreaturesIsSaidInOneSentence()
+{
+    QFETCH(QString, line);
+    QFETCH(QString, error);
+    QCOMPARE(QString::fromStdString(errorsOf(frameOf(line.toStdString()), threeCreatures())), error);
 }
 
 void ListingCompile::compilesInMilliseconds_data()

@@ -26,7 +26,7 @@ namespace {
 
 std::string mutated(std::string text, std::mt19937 &random)
 {
-    static constexpr std::array<const char *, 78> pieces = {"{",
+    static constexpr std::array<const char *, 81> pieces = {"{",
                                                             "}",
                                                             "(",
                                                             ")",
@@ -94,6 +94,9 @@ std::string mutated(std::string text, std::mt19937 &random)
                                                             "abstract",
                                                             "final",
                                                             "feet.count",
+                                                            "creatures[i]",
+                                                            "Creature c;",
+                                                            "me.body",
                                                             "while (true)",
                                                             "do",
                                                             "switch (1) {",
@@ -179,25 +182,35 @@ std::string mutated(std::string text, std::mt19937 &random)
 
 void ListingFuzz::mutatedListingsNeitherCrashNorHang()
 {
+    const std::string ofCreatures = fileText("lessons/walking_gait/company.code");
     const std::vector<std::string> listings = {
         fileText("lessons/multi_foot/any_number.code"), fileText("lessons/single_spring/offset.code"),
+        ofCreatures,
         "double clock = 0;\nVec2 last = body.position;\n"
         "double grow(Vec2 from, double length, int depth)\n{\n    if (depth == 0)\n        return length;\n"
         "    Vec2 tip = from + length * Vec2(cos(clock), sin(clock));\n"
         "    return grow(tip, 0.7 * length, depth - 1) + grow(tip, 0.6 * length, depth - 1);\n}\n" +
             frameOf("clock += 0.1;\nlast = body.position;\nint n = 0;\nwhile (n < 3)\n    n++;\n"
                     "body.position.x += grow(last, 40, 5) / n;")};
-    sim::Scene scene = threeFeet();
-    scene.names = {"foot0", "foot1", "foot", "body"}; // the names of both lessons
-    sim::Values values = *scene.values;
+    sim::Scene feetScene = threeFeet();
+    feetScene.names = {"foot0", "foot1", "foot", "body"}; // the names of both lessons
+    sim::Values values = *feetScene.values;
     values.set("offset", 50);
-    scene.values = std::make_shared<const sim::Values>(values);
-    const listing::Vocabulary vocabulary = listing::vocabularyOf(scene);
+    feetScene.values = std::make_shared<const sim::Values>(values);
+    sim::Scene creatureScene = threeCreatures();
+    values = *creatureScene.values;
+    for (const char *id : {"leg", "drop", "damp", "push", "distance", "felt_by", "gravity", "ground",
+                           "bounce", "traction", "left", "right", "at_wall"})
+        values.set(id, 0.5);
+    creatureScene.values = std::make_shared<const sim::Values>(values);
     std::mt19937 random(20);
     int built = 0, failed = 0;
     double slowest = 0.0;
     for (int i = 0; i < LISTING_MUTATIONS; ++i) {
-        const std::string text = mutated(listings[static_cast<std::size_t>(i) % listings.size()], random);
+        const std::string &original = listings[static_cast<std::size_t>(i) % listings.size()];
+        const std::string text = mutated(original, random);
+        const sim::Scene &scene = original == ofCreatures ? creatureScene : feetScene;
+        const listing::Vocabulary vocabulary = listing::vocabularyOf(scene);
         QElapsedTimer timer;
         timer.start();
         const listing::Compiled compiled = listing::Program::compile(text, vocabulary);

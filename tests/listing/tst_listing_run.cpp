@@ -1,6 +1,7 @@
 #include "app/listing/limits.h"
 #include "app/listing/program.h"
 #include "sim/base/random.h"
+#include "sim/scenes/creatures.h"
 #include "tests/listing/listing_support.h"
 #include "tests/suite.h"
 
@@ -28,6 +29,12 @@ private slots:
     void bodyVariableStandsForTheBody();
     void bodiesAreEqualIfTheyAreTheSame();
     void anglesAndTheGaitClockAreInTheState();
+    void creatureHasItsBodyItsFeetAndItsClock();
+    void creatureVariableStandsForTheCreature();
+    void mistakeWithACreatureSaysWhichOne_data();
+    void mistakeWithACreatureSaysWhichOne();
+    void globalsSurviveThatACreatureLeaves();
+    void floorOfARoomIsANumber();
     void vectorsAndNumbersArePassedByValue();
     void functionThatCallsItselfComputesFactorials();
     void inputReachesTheProgram();
@@ -154,6 +161,95 @@ void ListingRun::anglesAndTheGaitClockAreInTheState()
     QCOMPARE(state.angle[3], 32.0);
     QCOMPARE(state.angle[0], 30.0);
     QCOMPARE(state.spin[0], 7.0);
+}
+
+void ListingRun::creatureHasItsBodyItsFeetAndItsClock()
+{
+    Bench bench(frameOf("for (int i = 0; i < creatures.count; i++)\n"
+                        "{\n"
+                        "    creatures[i].body.position = Vec2(i, creatures[i].feet.count);\n"
+                        "    creatures[i].feet[1].velocity = Vec2(creatures[i].body.radius, 10 * i);\n"
+                        "    creatures[i].gait += creatures[i].gait_speed;\n"
+                        "    creatures[i].gait_speed = -i;\n"
+                        "}"),
+                threeCreatures());
+    QVERIFY(!bench.run());
+    for (int i = 0; i < 3; ++i) { // each has two feet, then its body
+        QVERIFY(bench.state.positionOf(3 * i + 2) == Vec2(i, 2));
+        QVERIFY(bench.state.velocityOf(3 * i + 1) == Vec2(15, 10 * i));
+        QVERIFY(bench.state.velocityOf(3 * i) == Vec2(0, 0));
+        QCOMPARE(bench.state.gait[i], i + 0.5);
+        QCOMPARE(bench.state.gaitSpeed[i], double(-i));
+    }
+}
+
+void ListingRun::creatureVariableStandsForTheCreature()
+{
+    Bench bench("int number(Creature me)\n{\n    for (int i = 0; i < creatures.count; i++)\n"
+                "        if (creatures[i] == me)\n            return i;\n    return -1;\n}\n" +
+                    frameOf("Creature last = creatures[2];\nBody foot = last.feet[0];\n"
+                            "foot.position.x = number(last);\n"
+                            "if (last.body != foot && foot == last.feet[0])\n    foot.position.y = 1;"),
+                threeCreatures());
+    const listing::Trace trace = bench.program->trace(bench.state, bench.binding);
+    const std::vector<listing::Variable> &variables = trace.lines.back().variables;
+    QCOMPARE(shown(variables, "last"), std::string("last = creatures[2]"));
+    QCOMPARE(shown(variables, "foot"), std::string("foot = creatures[2].feet[0]"));
+    QCOMPARE(listing::typeName(variables.front().value), std::string("Creature"));
+    QCOMPARE(std::get<listing::BodyReference>(variables.front().value).point, 8);
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.positionOf(6) == Vec2(2, 1));
+}
+
+void ListingRun::mistakeWithACreatureSaysWhichOne_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("sentence");
+    QTest::newRow("creature")
+        << "creatures[3].gait = 0;"
+        << "There is no creatures[3]: creatures goes from creatures[0] to creatures[2].";
+    QTest::newRow("foot") << "creatures[1].feet[2].position.x = 0;"
+                          << "There is no creatures[1].feet[2]: creatures[1].feet goes from "
+                             "creatures[1].feet[0] to creatures[1].feet[1].";
+    QTest::newRow("none") << "Creature one;\none.body.position.x = 1;"
+                          << "This variable stands for no body.";
+    QTest::newRow("infinite position") << "creatures[1].body.position.x = sqrt(-1);"
+                                       << "The position of creatures[1].body is not a finite number.";
+    QTest::newRow("infinite clock") << "creatures[2].gait = sqrt(-1);"
+                                    << "The gait of creatures[2] is not a finite number.";
+}
+
+void ListingRun::mistakeWithACreatureSaysWhichOne()
+{
+    QFETCH(QString, line);
+    QFETCH(QString, sentence);
+    Bench bench(frameOf(line.toStdString()), threeCreatures());
+    const std::optional<RunError> error = bench.run();
+    QVERIFY(error.has_value());
+    QCOMPARE(QString::fromStdString(error->sentence), sentence);
+}
+
+void ListingRun::globalsSurviveThatACreatureLeaves()
+{
+    const std::string text =
+        "double way = creatures[2].gait;\n" + frameOf("way += 1; creatures[0].gait = way;");
+    Bench first(text, threeCreatures());
+    QVERIFY(!first.run());
+    sim::Scene fewer = scenes::crowd(2, 2);
+    fewer.start.gait = fewer.start.gaitSpeed = Eigen::ArrayXd::Zero(2);
+    fewer.values = first.scene.values;
+    Bench second(text, fewer); // compiled anew, so its globals had no value yet
+    second.state.memory = first.state.memory;
+    QVERIFY(!second.run());
+    QCOMPARE(second.state.gait[0], 4.0);
+}
+
+void ListingRun::floorOfARoomIsANumber()
+{
+    Bench bench(frameOf("creatures[0].body.position.y = floor - creatures[0].body.radius;"),
+                threeCreatures());
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.state.positionOf(2).y, 365.0);
 }
 
 void ListingRun::vectorsAndNumbersArePassedByValue()
