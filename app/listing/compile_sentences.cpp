@@ -78,6 +78,8 @@ std::vector<std::string> bodyNames(const Vocabulary &vocabulary)
         names.push_back(array.name);
     if (vocabulary.hasCreatures)
         names.push_back("creatures");
+    if (vocabulary.hasSticks)
+        names.push_back("sticks");
     return names;
 }
 
@@ -86,6 +88,8 @@ std::vector<std::string> typeNames(const Vocabulary &vocabulary)
     std::vector<std::string> names = {"double", "int", "bool", "Vec2", "Body"};
     if (vocabulary.hasCreatures)
         names.push_back("Creature");
+    if (vocabulary.hasSticks)
+        names.push_back("Stick");
     return names;
 }
 
@@ -100,6 +104,10 @@ std::vector<std::string> allNames(const MarkedPlace &place)
     append(commonNames());
     if (place.vocabulary.hasGait && !place.vocabulary.hasCreatures)
         append({"gait", "gait_speed"});
+    if (place.vocabulary.hasTree)
+        append({"gust", "gust_known"});
+    if (place.vocabulary.hasGust)
+        append({"gust_front", "gust_tail"});
     return names;
 }
 
@@ -122,15 +130,19 @@ std::string noMember(const Gaps &gaps, const MarkedPlace &place)
 {
     const std::string word = gaps[0], type = plainType(gaps[1]);
     const std::vector<std::string> members = membersOf(type, place.vocabulary);
-    const std::string kind = type == "Bodies"      ? "an array of bodies"
-                             : type == "Creatures" ? "the array of creatures"
-                             : type == "Keys"      ? "the keys"
-                                                   : type;
+    const std::string kind = type == "Bodies" || type == "Children" ? "an array of bodies"
+                             : type == "Creatures"                  ? "the array of creatures"
+                             : type == "Sticks"                     ? "the array of sticks"
+                             : type == "Targets"                    ? "the new targets"
+                             : type == "Keys"                       ? "the keys"
+                                                                    : type;
     const std::string sentence = quotedName(word) + " is not a member of " + kind + ".";
     if (const std::string closest = hintFor(word, members); !closest.empty())
         return sentence + closest;
-    const std::vector<std::string> ofElement = type == "Bodies"      ? membersOf("Body", place.vocabulary)
+    const std::vector<std::string> ofElement = type == "Bodies" || type == "Children"
+                                                   ? membersOf("Body", place.vocabulary)
                                                : type == "Creatures" ? membersOf("Creature", place.vocabulary)
+                                               : type == "Sticks"    ? membersOf("Stick", place.vocabulary)
                                                                      : std::vector<std::string>();
     if (has(ofElement, word) || !closestName(word, ofElement).empty())
         return sentence + " Choose one of them first, for example with [0].";

@@ -3,6 +3,7 @@
 #include "app/listing/compile_sentences.h"
 #include "app/listing/limits.h"
 #include "app/listing/script_functions.h"
+#include "sim/base/direction.h"
 #include "sim/base/random.h"
 
 #include <angelscript.h>
@@ -46,13 +47,9 @@ std::string cellName(const std::string &array, std::size_t index)
     return array + "[" + std::to_string(index) + "]";
 }
 
-/// Returns the cell with this index of an array of the scene. If there is none, the program stops with an error.
-template <class Cell>
-Cell *cellAt(int index, std::vector<Cell> &cells, const std::string &name)
+/// Stops the program with the error that the array `name` with `count` elements has no element `index`.
+void raiseNoElement(int index, int count, const std::string &name)
 {
-    const int count = static_cast<int>(cells.size());
-    if (index >= 0 && index < count)
-        return &cells[static_cast<std::size_t>(index)];
     std::string sentence = "There is no " + name + "[" + std::to_string(index) + "]: ";
     if (count == 0)
         sentence += name + " is empty.";
@@ -61,7 +58,33 @@ Cell *cellAt(int index, std::vector<Cell> &cells, const std::string &name)
     else
         sentence += name + " goes from " + name + "[0] to " + name + "[" + std::to_string(count - 1) + "].";
     asGetActiveContext()->SetException(sentence.c_str());
+}
+
+/// Returns the cell with this index of an array of the scene. If there is none, the program stops with an error.
+template <class Cell>
+Cell *cellAt(int index, std::vector<Cell> &cells, const std::string &name)
+{
+    const int count = static_cast<int>(cells.size());
+    if (index >= 0 && index < count)
+        return &cells[static_cast<std::size_t>(index)];
+    raiseNoElement(index, count, name);
     return nullptr;
+}
+
+/// Returns whether `cell` is a body. If a variable stands for none, the program stops with an error.
+bool isBody(const void *cell)
+{
+    if (!cell)
+        asGetActiveContext()->SetException("Null pointer access");
+    return cell != nullptr;
+}
+
+/// Stands for a place in sim::direction(), as a place is not one of the points.
+constexpr int placeIndex = -1;
+
+Vec2 directionOf(Vec2 from, Vec2 to, int fromPoint, int toPoint)
+{
+    return sim::direction(to - from, fromPoint, toPoint).out;
 }
 
 /// Returns the index of `cell` in `cells`, if it is one of them.
@@ -81,8 +104,10 @@ std::string typeName(const Value &value)
 {
     static const char *const names[] = {"double", "int", "bool", "Vec2", "Body"};
     const auto *reference = std::get_if<BodyReference>(&value);
-    if (reference && reference->isCreature)
+    if (reference && reference->kind == BodyReference::Kind::creature)
         return "Creature";
+    if (reference && reference->kind == BodyReference::Kind::stick)
+        return "Stick";
     return names[value.index()];
 }
 
@@ -118,9 +143,14 @@ void Interpreter::registerLanguage()
     registerFunctions(*m_engine, m_vocabulary.parameters);
     m_vec2Type = m_engine->GetTypeIdByDecl("Vec2");
     registerBodies();
+    if (m_vocabulary.hasTree)
+        registerBranches();
     if (m_vocabulary.hasCreatures)
         registerCreatures();
-    registerKeys();
+    if (m_vocabulary.hasSticks)
+        registerSticks();
+    registerInput();
+    registerFunctionsOfScene();
     registerNames();
 }
 
@@ -134,6 +164,7 @@ void Interpreter::registerBodies()
     };
     property("Vec2 position", offsetof(BodyCell, position));
     property("Vec2 velocity", offsetof(BodyCell, velocity));
+    property("const Vec2 before", offsetof(BodyCell, before));
     property("const bool held", offsetof(BodyCell, held));
     property("const double mass", offsetof(BodyCell, mass));
     property("const double radius", offsetof(BodyCell, radius));
@@ -172,8 +203,67 @@ void Interpreter::registerCreatures()
                                    asCALL_CDECL_OBJLAST);
 }
 
-void Interpreter::registerKeys()
+void Interpreter::registerBranches()
 {
+    m_engine->RegisterObjectType("Children", 0, asOBJ_REF | asOBJ_NOHANDLE);
+    m_engine->RegisterObjectProperty("Children", "const int count",
+                                     static_cast<int>(offsetof(ChildArray, count)));
+    m_engine->RegisterObjectMethod("Children", "Body @opIndex(int)", asFUNCTION(childAt),
+                                   asCALL_CDECL_OBJLAST);
+    const auto property = [this](const char *declaration, std::size_t offset) {
+        m_engine->RegisterObjectProperty("Body", declaration, static_cast<int>(offset));
+    };
+    property("const int number", offsetof(BodyCell, number));
+    property("const double rest", offsetof(BodyCell, rest));
+    property("const double scale", offsetof(BodyCell, scale));
+    property("const double length", offsetof(BodyCell, length));
+    property("const double inertia", offsetof(BodyCell, inertia));
+    property("Children children", offsetof(BodyCell, children));
+}
+
+void Interpreter::registerSticks()
+{
+    m_engine->RegisterObjectType("Stick", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
+    m_stickType = m_engine->GetTypeIdByDecl("Stick") & asTYPEID_MASK_SEQNBR;
+    const auto property = [this](const char *declaration, std::size_t offset) {
+        m_engine->RegisterObjectProperty("Stick", declaration, static_cast<int>(offset));
+    };
+    property("Body @const a", offsetof(StickCell, a));
+    property("Body @const b", offsetof(StickCell, b));
+    property("const double length", offsetof(StickCell, length));
+    property("const double share", offsetof(StickCell, share));
+    m_engine->RegisterObjectType("Sticks", 0, asOBJ_REF | asOBJ_NOHANDLE);
+    m_engine->RegisterObjectProperty("Sticks", "const int count",
+                                     static_cast<int>(offsetof(StickArray, count)));
+    m_engine->RegisterObjectMethod("Sticks", "Stick @opIndex(int)", asFUNCTION(stickAt),
+                                   asCALL_CDECL_OBJLAST);
+}
+
+void Interpreter::registerFunctionsOfScene()
+{
+    const auto method = [this](const char *declaration, const asSFuncPtr &function) {
+        m_engine->RegisterGlobalFunction(declaration, function, asCALL_THISCALL_ASGLOBAL, this);
+    };
+    method("double sin(double)", asMETHOD(Interpreter, sine));
+    method("double cos(double)", asMETHOD(Interpreter, cosine));
+    method("double atan2(double, double)", asMETHOD(Interpreter, arcTangent));
+    method("double random(int)", asMETHOD(Interpreter, random));
+    method("double random(int, int)", asMETHOD(Interpreter, randomInFrame));
+    const auto direction = [this](const char *declaration, const asSFuncPtr &function) {
+        m_engine->RegisterGlobalFunction(declaration, function, asCALL_CDECL);
+    };
+    direction("Vec2 direction(const Body @, const Body @)", asFUNCTION(directionBetween));
+    direction("Vec2 direction(const Body @, const Vec2 &in)", asFUNCTION(directionToPlace));
+    direction("Vec2 direction(const Vec2 &in, const Vec2 &in, const Body @)", asFUNCTION(directionOfPlaces));
+}
+
+void Interpreter::registerInput()
+{
+    m_engine->RegisterObjectType("Targets", 0, asOBJ_REF | asOBJ_NOHANDLE);
+    m_engine->RegisterObjectProperty("Targets", "const int count",
+                                     static_cast<int>(offsetof(TargetArray, count)));
+    m_engine->RegisterObjectMethod("Targets", "Vec2 opIndex(int) const", asFUNCTION(targetAt),
+                                   asCALL_CDECL_OBJLAST);
     m_engine->RegisterObjectType("Keys", 0, asOBJ_REF | asOBJ_NOHANDLE);
     const auto key = [this](const char *declaration, std::size_t offset) {
         m_engine->RegisterObjectProperty("Keys", declaration, static_cast<int>(offset));
@@ -186,8 +276,6 @@ void Interpreter::registerKeys()
 
 void Interpreter::registerNames()
 {
-    m_engine->RegisterGlobalFunction("double random(int)", asMETHOD(Interpreter, random),
-                                     asCALL_THISCALL_ASGLOBAL, this);
     const auto global = [this](const std::string &declaration, void *address) {
         m_engine->RegisterGlobalProperty(declaration.c_str(), address);
     };
@@ -202,6 +290,8 @@ void Interpreter::registerNames()
     }
     if (m_vocabulary.hasCreatures)
         global("Creatures creatures", &m_creatures);
+    if (m_vocabulary.hasSticks)
+        global("Sticks sticks", &m_sticks);
     for (const std::string &name : m_vocabulary.parameters) {
         m_parameters.push_back(0.0);
         global("const double " + name, &m_parameters.back());
@@ -211,12 +301,21 @@ void Interpreter::registerNames()
     global("const bool pointer_down", &m_pointerDown);
     global("const bool pointer_known", &m_pointerKnown);
     global("const Vec2 target", &m_target);
+    global("const Targets new_targets", &m_newTargets);
     global("const Keys keys", &m_keys);
     global("const double frame_number", &m_frameNumber);
     global("const double pi", &m_pi);
     if (m_vocabulary.hasGait && !m_vocabulary.hasCreatures) {
         global("double gait", &m_gait);
         global("double gait_speed", &m_gaitSpeed);
+    }
+    if (m_vocabulary.hasTree) {
+        global("const double gust", &m_gust);
+        global("const bool gust_known", &m_gustKnown);
+    }
+    if (m_vocabulary.hasGust) {
+        global("double gust_front", &m_gustFront);
+        global("double gust_tail", &m_gustTail);
     }
 }
 
@@ -330,6 +429,8 @@ void Interpreter::forEachCell(Visit &&visit) const
         for (std::size_t j = 0; j < creature.feet.cells.size(); ++j)
             visit(creature.feet.cells[j], [&] { return cellName(creature.feet.name, j); });
     }
+    for (const BodyCell &cell : m_otherBodies)
+        visit(cell, [&] { return nameBySticks(&cell); });
 }
 
 void Interpreter::load(const sim::State &state, const Binding &binding)
@@ -339,6 +440,7 @@ void Interpreter::load(const sim::State &state, const Binding &binding)
         // The program moves a held body itself, from where it was before the hand moved it.
         cell.position = held ? state.hold.positionBefore : state.positionOf(point);
         cell.velocity = held ? state.hold.velocityBefore : state.velocityOf(point);
+        cell.before = cell.position;
         cell.mass = binding.mass[point];
         cell.radius = binding.radius[point];
         cell.angle = state.angle.rows() > point ? state.angle[point] : 0.0;
@@ -369,18 +471,69 @@ void Interpreter::load(const sim::State &state, const Binding &binding)
         creature.gait = clock < state.gait.rows() ? state.gait[clock] : 0.0;
         creature.gaitSpeed = clock < state.gaitSpeed.rows() ? state.gaitSpeed[clock] : 0.0;
     }
+    m_otherBodies.resize(binding.otherBodies.size());
+    for (std::size_t i = 0; i < m_otherBodies.size(); ++i)
+        fill(m_otherBodies[i], binding.otherBodies[i]);
+    loadBranches(binding);
+    loadSticks(state, binding);
     std::copy(binding.parameters.begin(), binding.parameters.end(), m_parameters.begin());
+    m_angleFunctions = binding.angleFunctions;
     m_seed = binding.seed;
+    m_frameNumber = static_cast<double>(state.frame);
+    m_gait = state.gait.rows() == 1 ? state.gait[0] : 0.0;
+    m_gaitSpeed = state.gaitSpeed.rows() == 1 ? state.gaitSpeed[0] : 0.0;
+    m_gustFront = state.gustExtent.front;
+    m_gustTail = state.gustExtent.tail;
+    loadInput(state);
+}
+
+void Interpreter::loadInput(const sim::State &state)
+{
     m_pointer = state.input.pointer.value_or(Vec2{});
     m_pointerDown = state.input.pointerDown;
     m_pointerKnown = state.input.pointer.has_value();
     m_hand = state.hold.point >= 0 ? state.hold.hand : m_pointer;
     m_target = state.input.target;
+    m_newTargets.all = state.input.newTargets;
+    m_newTargets.count = static_cast<int>(m_newTargets.all.size());
+    m_gust = state.input.gust.value_or(0.0);
+    m_gustKnown = state.input.gust.has_value();
     const sim::Keys &keys = state.input.keys;
     m_keys = {keys.left, keys.right, keys.up, keys.down};
-    m_frameNumber = static_cast<double>(state.frame);
-    m_gait = state.gait.rows() == 1 ? state.gait[0] : 0.0;
-    m_gaitSpeed = state.gaitSpeed.rows() == 1 ? state.gaitSpeed[0] : 0.0;
+}
+
+void Interpreter::loadBranches(const Binding &binding)
+{
+    for (BodyArray &array : m_arrays) {
+        if (binding.branches.size() != array.cells.size())
+            continue;
+        for (std::size_t i = 0; i < array.cells.size(); ++i) {
+            const Binding::Branch &branch = binding.branches[i];
+            BodyCell &cell = array.cells[i];
+            cell.number = static_cast<int>(i);
+            cell.rest = branch.rest;
+            cell.scale = branch.scale;
+            cell.length = branch.length;
+            cell.inertia = branch.inertia;
+            cell.children = {branch.children,
+                             branch.children > 0 ? array.cells.data() + branch.firstChild : nullptr};
+        }
+    }
+}
+
+void Interpreter::loadSticks(const sim::State &state, const Binding &binding)
+{
+    if (!m_vocabulary.hasSticks)
+        return;
+    std::vector<BodyCell *> cellOf(static_cast<std::size_t>(state.pointCount()), nullptr);
+    forEachCell([&](const BodyCell &cell, const auto &) {
+        cellOf[static_cast<std::size_t>(cell.point)] = const_cast<BodyCell *>(&cell);
+    });
+    m_sticks.count = static_cast<int>(binding.sticks.size());
+    m_sticks.cells.clear();
+    for (const sim::Stick &stick : binding.sticks)
+        m_sticks.cells.push_back({cellOf[static_cast<std::size_t>(stick.a)],
+                                  cellOf[static_cast<std::size_t>(stick.b)], stick.length, stick.share});
 }
 
 void Interpreter::resizeCreatures(std::size_t count)
@@ -412,6 +565,8 @@ void Interpreter::store(sim::State &state) const
         storeGait(0, m_gait, m_gaitSpeed);
     for (std::size_t i = 0; i < m_creatures.cells.size(); ++i)
         storeGait(static_cast<Eigen::Index>(i), m_creatures.cells[i].gait, m_creatures.cells[i].gaitSpeed);
+    if (m_vocabulary.hasGust)
+        state.gustExtent = {m_gustFront, m_gustTail};
     state.memory.resize(m_memoryBytes);
     std::size_t at = 0;
     for (const Global &global : m_globals) {
@@ -424,13 +579,13 @@ RunResult Interpreter::run(sim::State &state, const Binding &binding, const Reco
 {
     prepareThread();
     load(state, binding);
-    RunResult result = execute(state, recording);
+    RunResult result = execute(state, binding, recording);
     if (!result.error && !result.isStopped && !firstNonFinite().empty()) {
         // Once more, with a check after each line. This finds the line without slowing down every frame.
         Recording search;
         search.findsNonFinite = true;
         load(state, binding);
-        const RunResult found = execute(state, search);
+        const RunResult found = execute(state, binding, search);
         result.error = found.error;
     }
     if (!result.error)
@@ -438,7 +593,7 @@ RunResult Interpreter::run(sim::State &state, const Binding &binding, const Reco
     return result;
 }
 
-RunResult Interpreter::execute(const sim::State &state, const Recording &recording)
+RunResult Interpreter::execute(const sim::State &state, const Binding &binding, const Recording &recording)
 {
     m_recording = recording;
     m_result = {};
@@ -447,7 +602,7 @@ RunResult Interpreter::execute(const sim::State &state, const Recording &recordi
     if (state.memory.size() != m_memoryBytes) {
         initialise();
     } else {
-        allocateGlobals();
+        allocateGlobals(state, binding);
         std::size_t at = 0;
         for (const Global &global : m_globals) {
             if (void *address = addressOf(global))
@@ -491,7 +646,7 @@ void Interpreter::initialise()
     m_isInitialising = false;
 }
 
-void Interpreter::allocateGlobals()
+void Interpreter::allocateGlobals(const sim::State &state, const Binding &binding)
 {
     const auto isMissing = [this](const Global &global) { return !addressOf(global); };
     const auto anyIsMissing = [&] { return std::any_of(m_globals.begin(), m_globals.end(), isMissing); };
@@ -504,10 +659,6 @@ void Interpreter::allocateGlobals()
     m_cues = 0;
     if (!anyIsMissing())
         return;
-    const std::deque<double> parameters = m_parameters;
-    const auto arrays = m_arrays;
-    const auto handles = m_handles;
-    const CreatureArray creatures = m_creatures;
     for (std::size_t i = 0; i < m_parameters.size(); ++i)
         m_parameters[i] = 0.7310585786300049 + 0.0137 * static_cast<double>(i);
     for (std::size_t i = 0; i < m_handles.size(); ++i)
@@ -522,13 +673,13 @@ void Interpreter::allocateGlobals()
         resizeCreatures(100);
     for (CreatureCell &creature : m_creatures.cells)
         fillUp(creature.feet, 100);
+    BodyCell end;
+    m_sticks.cells.assign(1000, {&end, &end, 1.0, 0.5});
+    m_sticks.count = 1000;
     initialise();
     m_result.error.reset();
     m_cues = 0;
-    std::copy(parameters.begin(), parameters.end(), m_parameters.begin());
-    std::copy(handles.begin(), handles.end(), m_handles.begin());
-    std::copy(arrays.begin(), arrays.end(), m_arrays.begin());
-    m_creatures = creatures;
+    load(state, binding);
 }
 
 void Interpreter::runFrame()
@@ -665,6 +816,8 @@ std::string Interpreter::firstNonFinite() const
         return name;
     if (!std::isfinite(m_gait) || !std::isfinite(m_gaitSpeed))
         return "'gait'";
+    if (!std::isfinite(m_gustFront) || !std::isfinite(m_gustTail))
+        return "'gust_front' or 'gust_tail'";
     for (std::size_t i = 0; i < m_creatures.cells.size(); ++i) {
         if (!std::isfinite(m_creatures.cells[i].gait) || !std::isfinite(m_creatures.cells[i].gaitSpeed))
             return "The gait of " + cellName("creatures", i);
@@ -698,14 +851,31 @@ Value Interpreter::valueOf(const BodyCell *cell) const
         if (const auto index = indexOf(cell, creature.feet.cells))
             return BodyReference{cellName(creature.feet.name, *index), cell->point};
     }
-    return BodyReference();
+    return BodyReference{nameBySticks(cell), cell->point};
+}
+
+std::string Interpreter::nameBySticks(const BodyCell *cell) const
+{
+    for (std::size_t i = 0; i < m_sticks.cells.size(); ++i) {
+        const StickCell &stick = m_sticks.cells[i];
+        if (cell == stick.a || cell == stick.b)
+            return cellName("sticks", i) + (cell == stick.a ? ".a" : ".b");
+    }
+    return {};
 }
 
 Value Interpreter::valueOf(const CreatureCell *cell) const
 {
     const std::optional<std::size_t> index = indexOf(cell, m_creatures.cells);
-    return index ? BodyReference{cellName("creatures", *index), cell->body.point, true}
-                 : BodyReference{{}, -1, true};
+    constexpr auto kind = BodyReference::Kind::creature;
+    return index ? BodyReference{cellName("creatures", *index), cell->body.point, kind}
+                 : BodyReference{{}, -1, kind};
+}
+
+Value Interpreter::valueOf(const StickCell *cell) const
+{
+    const std::optional<std::size_t> index = indexOf(cell, m_sticks.cells);
+    return BodyReference{index ? cellName("sticks", *index) : std::string(), -1, BodyReference::Kind::stick};
 }
 
 std::optional<Value> Interpreter::valueAt(const void *address, int type) const
@@ -732,6 +902,8 @@ std::optional<Value> Interpreter::valueAt(const void *address, int type) const
         return valueOf(number(static_cast<const BodyCell *>(nullptr)));
     if ((type & asTYPEID_MASK_SEQNBR) == m_creatureType)
         return valueOf(number(static_cast<const CreatureCell *>(nullptr)));
+    if ((type & asTYPEID_MASK_SEQNBR) == m_stickType)
+        return valueOf(number(static_cast<const StickCell *>(nullptr)));
     return {};
 }
 
@@ -800,6 +972,12 @@ double Interpreter::random(int i) const
                         static_cast<std::uint64_t>(static_cast<std::int64_t>(i)));
 }
 
+double Interpreter::randomInFrame(int i, int frame) const
+{
+    return sim::uniform(m_seed, static_cast<std::uint64_t>(static_cast<std::int64_t>(frame)),
+                        static_cast<std::uint64_t>(static_cast<std::int64_t>(i)));
+}
+
 bool Interpreter::isSameBody(const BodyCell *a, const BodyCell *b)
 {
     return a == b;
@@ -823,6 +1001,44 @@ Interpreter::CreatureCell *Interpreter::creatureAt(int index, CreatureArray *arr
 Interpreter::BodyCell *Interpreter::bodyOf(CreatureCell *creature)
 {
     return &creature->body;
+}
+
+Interpreter::BodyCell *Interpreter::childAt(int index, ChildArray *array)
+{
+    if (index >= 0 && index < array->count)
+        return array->first + index;
+    raiseNoElement(index, array->count, "children");
+    return nullptr;
+}
+
+Interpreter::StickCell *Interpreter::stickAt(int index, StickArray *array)
+{
+    return cellAt(index, array->cells, "sticks");
+}
+
+Vec2 Interpreter::targetAt(int index, const TargetArray *array)
+{
+    if (index >= 0 && index < array->count)
+        return array->all[static_cast<std::size_t>(index)];
+    raiseNoElement(index, array->count, "new_targets");
+    return {};
+}
+
+Vec2 Interpreter::directionBetween(const BodyCell *from, const BodyCell *to)
+{
+    if (!isBody(from) || !isBody(to))
+        return {};
+    return directionOf(from->position, to->position, from->point, to->point);
+}
+
+Vec2 Interpreter::directionToPlace(const BodyCell *from, const VectorCell &to)
+{
+    return isBody(from) ? directionOf(from->position, read(to), from->point, placeIndex) : Vec2();
+}
+
+Vec2 Interpreter::directionOfPlaces(const VectorCell &from, const VectorCell &to, const BodyCell *owner)
+{
+    return isBody(owner) ? directionOf(read(from), read(to), placeIndex, owner->point) : Vec2();
 }
 
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/listing/script_functions.h"
 #include "app/listing/source_scan.h"
 #include "app/listing/values.h"
 #include "app/listing/vocabulary.h"
@@ -63,13 +64,24 @@ public:
     RunResult run(sim::State &state, const Binding &binding, const Recording &recording);
 
 private:
+    struct BodyCell;
+    /// Bodies that are neighbours in an array: the children of a branch.
+    struct ChildArray
+    {
+        int count = 0;
+        BodyCell *first = nullptr;
+    };
     /// A body as the interpreter sees it.
     struct BodyCell
     {
-        sim::Vec2 position, velocity;
+        sim::Vec2 position, velocity, before;
         double mass = 0.0, radius = 0.0, angle = 0.0, spin = 0.0;
         bool held = false;
         int point = -1;
+        // of a branch
+        int number = 0;
+        double rest = 0.0, scale = 0.0, length = 0.0, inertia = 0.0;
+        ChildArray children;
     };
     struct BodyArray
     {
@@ -88,6 +100,21 @@ private:
         int count = 0;
         std::vector<CreatureCell> cells;
     };
+    struct StickCell
+    {
+        BodyCell *a = nullptr, *b = nullptr;
+        double length = 0.0, share = 0.0;
+    };
+    struct StickArray
+    {
+        int count = 0;
+        std::vector<StickCell> cells;
+    };
+    struct TargetArray
+    {
+        int count = 0;
+        std::vector<sim::Vec2> all;
+    };
     /// A global variable of the listing.
     struct Global
     {
@@ -105,8 +132,11 @@ private:
 
     void registerLanguage();
     void registerBodies();
+    void registerBranches();
     void registerCreatures();
-    void registerKeys();
+    void registerSticks();
+    void registerInput();
+    void registerFunctionsOfScene();
     void registerNames();
     void compile();
     /// Adds an error, if it is the first on its line: the interpreter's later ones follow from it.
@@ -114,14 +144,17 @@ private:
     void findGlobals();
     std::size_t sizeOf(int type) const;
     void load(const sim::State &state, const Binding &binding);
+    void loadInput(const sim::State &state);
+    void loadBranches(const Binding &binding);
+    void loadSticks(const sim::State &state, const Binding &binding);
     void resizeCreatures(std::size_t count);
     void store(sim::State &state) const;
-    RunResult execute(const sim::State &state, const Recording &recording);
+    RunResult execute(const sim::State &state, const Binding &binding, const Recording &recording);
     void runFrame();
     /// Sets the globals to their initial values.
     void initialise();
     /// Makes sure that the globals have addresses, which they only have once they had a value.
-    void allocateGlobals();
+    void allocateGlobals(const sim::State &state, const Binding &binding);
     /// Returns where a global is; null if it never had a value.
     void *addressOf(const Global &global) const;
     void onLine();
@@ -134,8 +167,15 @@ private:
     std::optional<Value> valueAt(const void *address, int type) const;
     Value valueOf(const BodyCell *cell) const;
     Value valueOf(const CreatureCell *cell) const;
+    Value valueOf(const StickCell *cell) const;
+    /// Returns the name of a body that has none in the scene, by a stick that ends there: "sticks[3].b".
+    std::string nameBySticks(const BodyCell *cell) const;
     const Scopes &scopesOf(asIScriptFunction *function) const;
     double random(int i) const;
+    double randomInFrame(int i, int frame) const;
+    double sine(double rad) const { return m_angleFunctions.sin(rad); }
+    double cosine(double rad) const { return m_angleFunctions.cos(rad); }
+    double arcTangent(double y, double x) const { return m_angleFunctions.atan2(y, x); }
     template <class Visit>
     void forEachCell(Visit &&visit) const;
 
@@ -144,6 +184,12 @@ private:
     static BodyCell *bodyAt(int index, BodyArray *array);
     static CreatureCell *creatureAt(int index, CreatureArray *array);
     static BodyCell *bodyOf(CreatureCell *creature);
+    static BodyCell *childAt(int index, ChildArray *array);
+    static StickCell *stickAt(int index, StickArray *array);
+    static sim::Vec2 targetAt(int index, const TargetArray *array);
+    static sim::Vec2 directionBetween(const BodyCell *from, const BodyCell *to);
+    static sim::Vec2 directionToPlace(const BodyCell *from, const VectorCell &to);
+    static sim::Vec2 directionOfPlaces(const VectorCell &from, const VectorCell &to, const BodyCell *owner);
     static void lineCallback(asIScriptContext *context, void *self);
     static void exceptionCallback(asIScriptContext *context, void *self);
     static void messageCallback(const asSMessageInfo *message, void *self);
@@ -158,6 +204,7 @@ private:
     int m_vec2Type = 0;
     int m_bodyType = 0;
     int m_creatureType = -1; ///< -1: this scene has no creatures
+    int m_stickType = -1;    ///< -1: this scene has no sticks
     std::vector<Global> m_globals;
     std::size_t m_memoryBytes = 0;
     mutable std::map<asIScriptFunction *, Scopes> m_scopes;
@@ -167,10 +214,15 @@ private:
     std::deque<BodyCell *> m_handles; ///< one per single body; null if the scene does not have it
     std::deque<BodyArray> m_arrays;
     CreatureArray m_creatures;
+    std::vector<BodyCell> m_otherBodies; ///< without a name
+    StickArray m_sticks;
+    TargetArray m_newTargets;
     std::deque<double> m_parameters;
+    AngleFunctions m_angleFunctions;
     sim::Vec2 m_hand, m_pointer, m_target;
     KeyCell m_keys;
-    bool m_pointerDown = false, m_pointerKnown = false;
+    bool m_pointerDown = false, m_pointerKnown = false, m_gustKnown = false;
+    double m_gust = 0.0, m_gustFront = 0.0, m_gustTail = 0.0;
     double m_frameNumber = 0.0, m_gait = 0.0, m_gaitSpeed = 0.0;
     double m_pi = 3.14159265358979323846;
     std::uint64_t m_seed = 1;

@@ -55,9 +55,10 @@ const std::vector<std::string> &keywords()
 const std::vector<std::string> &commonNames()
 {
     static const std::vector<std::string> names = {
-        "sin",     "cos",          "atan2",         "sqrt",   "pow",    "abs",          "min",
-        "max",     "clamp",        "floor",         "random", "length", "dot",          "hand",
-        "pointer", "pointer_down", "pointer_known", "target", "keys",   "frame_number", "pi"};
+        "sin",         "cos",       "atan2",        "sqrt",    "pow",          "hypot",         "abs",
+        "min",         "max",       "clamp",        "floor",   "remainder",    "random",        "length",
+        "dot",         "direction", "hand",         "pointer", "pointer_down", "pointer_known", "target",
+        "new_targets", "keys",      "frame_number", "pi"};
     return names;
 }
 
@@ -70,8 +71,10 @@ bool isUsableName(const std::string &name)
     const auto has = [&](const std::vector<std::string> &words) {
         return std::find(words.begin(), words.end(), name) != words.end();
     };
-    static const std::vector<std::string> own = {"frame",  "gait",     "gait_speed", "creatures",
-                                                 "Bodies", "Creature", "Creatures",  "Keys"};
+    static const std::vector<std::string> own = {
+        "frame",     "gait", "gait_speed", "creatures",  "Bodies",   "Creature",
+        "Creatures", "Keys", "sticks",     "Stick",      "Sticks",   "Children",
+        "Targets",   "gust", "gust_known", "gust_front", "gust_tail"};
     const bool isTaken = has(commonNames()) && name != "floor";
     return !has(keywords()) && !isTaken && !has(own) &&
            std::find(leftOut.begin(), leftOut.end(), std::string_view(name)) == leftOut.end();
@@ -80,9 +83,11 @@ bool isUsableName(const std::string &name)
 std::vector<std::string> membersOf(const std::string &type, const Vocabulary &vocabulary)
 {
     if (type == "Body") {
-        std::vector<std::string> members = {"position", "velocity", "held", "mass", "radius"};
+        std::vector<std::string> members = {"position", "velocity", "before", "held", "mass", "radius"};
         if (vocabulary.bodiesTurn)
             members.insert(members.end(), {"angle", "spin"});
+        if (vocabulary.hasTree)
+            members.insert(members.end(), {"number", "rest", "scale", "length", "inertia", "children"});
         return members;
     }
     if (type == "Vec2")
@@ -93,7 +98,10 @@ std::vector<std::string> membersOf(const std::string &type, const Vocabulary &vo
             members.insert(members.end(), {"gait", "gait_speed"});
         return members;
     }
-    if (type == "Bodies" || type == "Creatures")
+    if (type == "Stick")
+        return {"a", "b", "length", "share"};
+    if (type == "Bodies" || type == "Creatures" || type == "Sticks" || type == "Children" ||
+        type == "Targets")
         return {"count"};
     if (type == "Keys")
         return {"left", "right", "up", "down"};

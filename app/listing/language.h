@@ -19,8 +19,8 @@ bool isLeftOut(std::string_view word);
 const std::vector<std::string> &keywords();
 /// Returns the names that every listing has: `sin`, `pointer`, `frame_number`...
 const std::vector<std::string> &commonNames();
-/// Returns the members of a type ("Body", "Vec2", "Bodies", "Creature", "Creatures", "Keys") in their order; empty for
-/// other types.
+/// Returns the members of a type ("Body", "Vec2", "Bodies", "Creature", "Creatures", "Stick", "Sticks", "Children",
+/// "Targets", "Keys") in their order; empty for other types.
 std::vector<std::string> membersOf(const std::string &type, const Vocabulary &vocabulary);
 
 /// Returns the name of `candidates` that a learner who wrote `word` may have meant, or an empty string.

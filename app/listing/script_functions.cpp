@@ -16,18 +16,6 @@ namespace {
 
 using sim::Vec2;
 
-/// A Vec2 in the memory of the interpreter, whose stack aligns to 4 bytes only. Functions return a Vec2, because such a
-/// struct would be returned in another way.
-struct [[gnu::packed, gnu::aligned(4)]] VectorCell
-{
-    double x;
-    double y;
-};
-
-Vec2 read(const VectorCell &cell)
-{
-    return {cell.x, cell.y};
-}
 VectorCell &write(VectorCell &cell, Vec2 value)
 {
     cell.x = value.x;
@@ -152,11 +140,10 @@ void registerFunctions(asIScriptEngine &engine, const std::vector<std::string> &
     };
     function("double length(const Vec2 &in)", asFUNCTION(lengthOf));
     function("double dot(const Vec2 &in, const Vec2 &in)", asFUNCTION(dotOf));
-    function("double sin(double)", asFUNCTIONPR(std::sin, (double), double));
-    function("double cos(double)", asFUNCTIONPR(std::cos, (double), double));
-    function("double atan2(double, double)", asFUNCTIONPR(std::atan2, (double, double), double));
     function("double sqrt(double)", asFUNCTIONPR(std::sqrt, (double), double));
     function("double pow(double, double)", asFUNCTIONPR(std::pow, (double, double), double));
+    function("double hypot(double, double)", asFUNCTIONPR(std::hypot, (double, double), double));
+    function("double remainder(double, double)", asFUNCTIONPR(std::remainder, (double, double), double));
     if (std::find(parameters.begin(), parameters.end(), "floor") == parameters.end())
         function("double floor(double)", asFUNCTIONPR(std::floor, (double), double));
     function("double abs(double)", asFUNCTION(absolute));

@@ -11,7 +11,8 @@ namespace {
 
 bool isType(std::string_view word)
 {
-    return isPrimitive(word) || word == "Vec2" || word == "Body" || word == "Creature" || word == "auto";
+    return isPrimitive(word) || word == "Vec2" || word == "Body" || word == "Creature" || word == "Stick" ||
+           word == "auto";
 }
 
 }

@@ -10,20 +10,22 @@
 
 namespace listing {
 
-/// A body, or a creature, that a variable stands for.
+/// A body, a creature or a stick that a variable stands for.
 struct BodyReference
 {
-    std::string
-        name; ///< as in the listing: "body", "feet[2]", "creatures[0]"; empty if the variable stands for none
-    int point = -1; ///< index in the state, of a creature that of its body; -1: none
-    bool isCreature = false;
+    enum class Kind { body, creature, stick };
+    /// As in the listing: "body", "feet[2]", "creatures[0]", "sticks[1]". Empty if the variable stands for none.
+    std::string name;
+    int point = -1; ///< index in the state, of a creature that of its body; -1: none, or a stick
+    Kind kind = Kind::body;
     friend bool operator==(const BodyReference &, const BodyReference &) = default;
 };
 
-/// The value of a variable: double, int, bool, Vec2 (px or px/frame), a body or a creature.
+/// The value of a variable: double, int, bool, Vec2 (px or px/frame), a body, a creature or a stick.
 using Value = std::variant<double, std::int64_t, bool, sim::Vec2, BodyReference>;
 
-/// Returns the name of the type of `value` in a listing: "double", "int", "bool", "Vec2", "Body" or "Creature".
+/// Returns the name of the type of `value` in a listing: "double", "int", "bool", "Vec2", "Body", "Creature" or
+/// "Stick".
 std::string typeName(const Value &value);
 
 /// A variable of a listing at some moment.

@@ -1,7 +1,11 @@
 #include "tests/listing/listing_support.h"
 
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/tree/tree.h"
 #include "sim/scene/values.h"
 #include "sim/scenes/creatures.h"
+#include "sim/scenes/points.h"
+#include "sim/scenes/trees.h"
 
 #include <QTest>
 
@@ -36,6 +40,37 @@ sim::Scene threeCreatures()
     values.set("k", 0.25);
     scene.values = std::make_shared<const sim::Values>(values);
     return scene;
+}
+
+namespace {
+
+sim::Scene withStiffness(sim::Scene scene)
+{
+    sim::Values values;
+    values.set("k", 0.25);
+    values.seed = 7;
+    scene.values = std::make_shared<const sim::Values>(values);
+    return scene;
+}
+
+}
+
+sim::Scene swingingBush()
+{
+    const auto tree = std::make_shared<const sim::Tree>(scenes::bush());
+    sim::Scene scene = scenes::standingTree(*tree, {0, 0}, sim::TreeFormula::corrected);
+    scenes::enableSpins(scene);
+    scenes::addSway(scene, tree, {});
+    return withStiffness(scene);
+}
+
+sim::Scene twoSticks()
+{
+    sim::Scene scene = scenes::pointsAt({{0, 0}, {3, 4}, {3, 4}});
+    scene.names.back() = "tail0_0";
+    const std::vector<sim::Stick> sticks = {{0, 1, 10, 0.25}, {1, 2, 7, 0.5}};
+    scenes::add<sim::Sticks>(scene, sticks, 3);
+    return withStiffness(scene);
 }
 
 Bench::Bench(const std::string &text, const sim::Scene &inScene) : scene(inScene)

@@ -20,6 +20,13 @@ sim::Scene threeFeet();
 /// 0.5 in a frame. The parameters are floor = 380 and k = 0.25.
 sim::Scene threeCreatures();
 
+/// Returns a trunk of 100 px at (0, 0) with two branches, 0.8 and 0.7 times as large, which swings in gusts. k = 0.25.
+sim::Scene swingingBush();
+
+/// Returns the points "p0" at (0, 0), "p1" at (3, 4) and "tail0_0" at (3, 4), joined by two sticks: the first is
+/// 10 px long and p0 takes 0.25 of its error, the second is 7 px long. k = 0.25.
+sim::Scene twoSticks();
+
 /// A compiled listing with a scene that it runs in.
 struct Bench
 {

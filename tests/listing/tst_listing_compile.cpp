@@ -27,6 +27,9 @@ private slots:
     void creaturesAreInTheVocabulary();
     void mistakeWithCreaturesIsSaidInOneSentence_data();
     void mistakeWithCreaturesIsSaidInOneSentence();
+    void branchesAndSticksAreInTheVocabulary();
+    void mistakeWithBranchesOrSticksIsSaidInOneSentence_data();
+    void mistakeWithBranchesOrSticksIsSaidInOneSentence();
     void compilesInMilliseconds_data();
     void compilesInMilliseconds();
 };
@@ -40,8 +43,10 @@ void ListingCompile::everyNameOfTheVocabularyCompiles()
         v = 2 * v; v = v * 2; v = v / 2;
         bool same = v == Vec2() && v != Vec2(1, 1);
         double all = length(v) + dot(v, v) + v.x + v.y + sin(1) + cos(1) + atan2(1, 2) + sqrt(2) + pow(2, 3) +
-                     abs(-1) + min(1, 2) + max(1, 2) + clamp(3, 1, 2) + floor(1.5) + random(0) + pi;
+                     hypot(3, 4) + remainder(5, 3) + random(1, 2) + abs(-1) + min(1, 2) + max(1, 2) + clamp(3, 1, 2) + floor(1.5) + random(0) + pi;
         all += k + damp + radius + frame_number + body.mass + body.radius + feet.count;
+        v = direction(body, feet[0]) + direction(body, v) + direction(v, pointer, body) + body.before;
+        all += new_targets.count > 0 ? new_targets[0].x : 0;
         all += hand.x + pointer.x + target.y;
         if (keys.left || keys.right || keys.up || keys.down || pointer_down || pointer_known || body.held || same)
             all += 1;
@@ -65,7 +70,7 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
     row("misspelt member", "body.velocty *= damp;",
         "3:6+7 'velocty' is not a member of Body. Did you mean 'velocity'?");
     row("unknown member", "body.colour = 1;",
-        "3:6+6 'colour' is not a member of Body. It has position, velocity, held, mass and radius.");
+        "3:6+6 'colour' is not a member of Body. It has position, velocity, before, held, mass and radius.");
     row("unknown member of a vector", "body.position.z = 1;",
         "3:15+1 'z' is not a member of Vec2. It has x and y.");
     row("array instead of a body", "feet.velocity *= damp;",
@@ -258,6 +263,68 @@ void ListingCompile::mistakeWithCreaturesIsSaidInOneSentence()
     QFETCH(QString, line);
     QFETCH(QString, error);
     QCOMPARE(QString::fromStdString(errorsOf(frameOf(line.toStdString()), threeCreatures())), error);
+}
+
+void ListingCompile::branchesAndSticksAreInTheVocabulary()
+{
+    const listing::Vocabulary ofTree = listing::vocabularyOf(swingingBush());
+    QVERIFY(ofTree.hasTree && ofTree.hasGust && ofTree.bodiesTurn && !ofTree.hasSticks);
+    QVERIFY((ofTree.arrays == std::vector<listing::Vocabulary::Array>{{"branches", "branch"}}));
+    const listing::Vocabulary ofSticks = listing::vocabularyOf(twoSticks());
+    QVERIFY(ofSticks.hasSticks && !ofSticks.hasTree && !ofSticks.hasGust);
+    QVERIFY((ofSticks.arrays == std::vector<listing::Vocabulary::Array>{{"points", "p"}}));
+    const listing::Binding binding = listing::bind(ofSticks, twoSticks());
+    QVERIFY((binding.sticks == std::vector<sim::Stick>{{0, 1, 10, 0.25}, {1, 2, 7, 0.5}}));
+    QVERIFY(binding.otherBodies == std::vector<int>{2}); // reached by a stick only
+    const listing::Vocabulary ofFeet = listing::vocabularyOf(threeFeet());
+    QVERIFY(!ofFeet.hasTree && !ofFeet.hasGust && !ofFeet.hasSticks);
+}
+
+void ListingCompile::mistakeWithBranchesOrSticksIsSaidInOneSentence_data()
+{
+    QTest::addColumn<bool>("hasTree");
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("error");
+    const auto row = [](const char *name, bool hasTree, const char *line, const char *error) {
+        QTest::newRow(name) << hasTree << QString::fromUtf8(line) << QString::fromUtf8(error);
+    };
+    row("names of a tree", true,
+        "Body trunk = branches[0]; trunk.angle = trunk.rest + trunk.scale * trunk.length / trunk.inertia;\n"
+        "if (gust_known && trunk.number < trunk.children.count) gust_front = gust_tail + gust;",
+        "");
+    row("names of sticks", false,
+        "Stick one = sticks[0]; one.a.position.x = one.length * one.share + one.b.position.x;", "");
+    row("member of a branch", true, "branches[0].kids[0].spin = 1;",
+        "3:13+4 'kids' is not a member of Body. It has position, velocity, before, held, mass, radius, "
+        "angle, spin, "
+        "number, rest, scale, length, inertia and children.");
+    row("number of a branch is set", true, "branches[0].scale = 1;",
+        "3:13+5 This cannot be changed. A listing changes positions, velocities and its own variables.");
+    row("children instead of a child", true, "branches[0].children.spin = 1;",
+        "3:22+4 'spin' is not a member of an array of bodies. Choose one of them first, for example with "
+        "[0].");
+    row("member of a stick", false, "sticks[0].lenght *= k;",
+        "3:11+6 'lenght' is not a member of Stick. Did you mean 'length'?");
+    row("sticks instead of a stick", false, "double a = sticks.length;",
+        "3:19+6 'length' is not a member of the array of sticks. Choose one of them first, for example with "
+        "[0].");
+    row("length of a stick is set", false, "sticks[0].length = 2;",
+        "3:11+6 This cannot be changed. A listing changes positions, velocities and its own variables.");
+    row("unknown name", false, "points[0].position.x = wobble;",
+        "3:24+6 There is no 'wobble'. This scene has points and sticks, and the number k.");
+    row("unknown type", false, "Rope one = sticks[0];",
+        "3:1+4 There is no type 'Rope'. The types are double, int, bool, Vec2, Body and Stick.");
+    row("gust of a scene without one", false, "gust_front = 1;",
+        "3:1+10 There is no 'gust_front'. This scene has points and sticks, and the number k.");
+}
+
+void ListingCompile::mistakeWithBranchesOrSticksIsSaidInOneSentence()
+{
+    QFETCH(bool, hasTree);
+    QFETCH(QString, line);
+    QFETCH(QString, error);
+    const sim::Scene scene = hasTree ? swingingBush() : twoSticks();
+    QCOMPARE(QString::fromStdString(errorsOf(frameOf(line.toStdString()), scene)), error);
 }
 
 void ListingCompile::compilesInMilliseconds_data()

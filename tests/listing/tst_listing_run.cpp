@@ -1,7 +1,12 @@
 #include "app/listing/limits.h"
 #include "app/listing/program.h"
+#include "sim/base/direction.h"
 #include "sim/base/random.h"
+#include "sim/effects/constraints/sticks.h"
+#include "sim/effects/tree/joints.h"
 #include "sim/scenes/creatures.h"
+#include "sim/scenes/trees.h"
+#include "sim/simd/portable_math.h"
 #include "tests/listing/listing_support.h"
 #include "tests/suite.h"
 
@@ -35,6 +40,18 @@ private slots:
     void mistakeWithACreatureSaysWhichOne();
     void globalsSurviveThatACreatureLeaves();
     void floorOfARoomIsANumber();
+    void branchHasTheNumbersOfTheTree();
+    void functionThatCallsItselfReachesEveryBranch();
+    void anglesUseTheFunctionsOfTheTree();
+    void gustIsInTheState();
+    void stickJoinsTwoBodies();
+    void stickVariableStandsForTheStick();
+    void globalsSurviveThatAStickLeaves();
+    void beforeIsWhereTheFrameBegan();
+    void directionHasLengthOneEvenOnTheSpot();
+    void newTargetsAreThoseOfTheFrame();
+    void mistakeWithATreeOrAStickSaysWhichOne_data();
+    void mistakeWithATreeOrAStickSaysWhichOne();
     void vectorsAndNumbersArePassedByValue();
     void functionThatCallsItselfComputesFactorials();
     void inputReachesTheProgram();
@@ -95,6 +112,8 @@ void ListingRun::operatorsComputeByHand_data()
     row("Vec2(min(1, 2.5), max(1, 2.5))", 1, 2.5);
     row("Vec2(clamp(7, 1, 3), clamp(-7, 1, 3))", 3, 1);
     row("Vec2(clamp(2, 3, 1), clamp(7, 3, 1))", 1, 1); // no number is in this range
+    row("Vec2(hypot(3, 4), hypot(-5, 12))", 5, 13);
+    row("Vec2(remainder(350, 360), remainder(-190, 360))", -10, 170); // the short way round
     row("Vec2(floor(1.9), floor(-1.1))", 1, -2);
     row("Vec2(7 / 2, 7 % 4)", 3, 3);
     row("Vec2(7 / 2.0, 1.0 / 4)", 3.5, 0.25);
@@ -252,6 +271,188 @@ void ListingRun::floorOfARoomIsANumber()
     QCOMPARE(bench.state.positionOf(2).y, 365.0);
 }
 
+void ListingRun::branchHasTheNumbersOfTheTree()
+{
+    Bench bench(frameOf("Body trunk = branches[0]; Body right = trunk.children[1];\n"
+                        "trunk.velocity = Vec2(trunk.children.count, right.children.count);\n"
+                        "branches[1].velocity = Vec2(right.number, right.rest);\n"
+                        "right.velocity = Vec2(right.scale, right.length);\n"
+                        "branches[1].spin = trunk.inertia;"),
+                swingingBush());
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(0) == Vec2(2, 0));
+    QVERIFY(bench.state.velocityOf(1) == Vec2(2, 30));
+    QVERIFY(bench.state.velocityOf(2) == Vec2(0.7, 70));
+    // a rod of mass 1 and length 1 in units of its own inertia, with two masses at its end: 1 + 3 (0.8^3 + 0.7^3)
+    QCOMPARE(bench.state.spin[1], 1 + 3 * (0.512 + 0.343));
+}
+
+void ListingRun::functionThatCallsItselfReachesEveryBranch()
+{
+    Bench bench("int grow(Body branch, int level)\n{\n    int count = 1;\n    branch.spin = level;\n"
+                "    for (int i = 0; i < branch.children.count; i++)\n"
+                "        count += grow(branch.children[i], level + 1);\n    return count;\n}\n" +
+                    frameOf("branches[0].velocity.x = grow(branches[0], 1);"),
+                swingingBush());
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.state.velocityOf(0).x, 3.0);
+    QVERIFY((bench.state.spin == Eigen::Array3d(1, 2, 2)).all());
+}
+
+void ListingRun::anglesUseTheFunctionsOfTheTree()
+{
+    const std::string text = frameOf("branches[0].position = Vec2(cos(0.3), sin(-2.2));\n"
+                                     "branches[1].position.x = atan2(3, -0.4);");
+    Bench swinging(text, swingingBush());
+    QVERIFY(!swinging.run());
+    QCOMPARE(swinging.state.positionOf(0).x, sim::portable::fast::cos(0.3));
+    QCOMPARE(swinging.state.positionOf(0).y, sim::portable::fast::sin(-2.2));
+    const auto tree = std::make_shared<const sim::Tree>(scenes::bush());
+    sim::Scene printed = scenes::standingTree(*tree, {0, 0}, sim::TreeFormula::published);
+    scenes::add<sim::Joints>(printed, tree, sim::publishedDegrees);
+    Bench published(text, printed);
+    QVERIFY(!published.run());
+    QCOMPARE(published.state.positionOf(0).x, sim::portable::cos(0.3));
+    QCOMPARE(published.state.positionOf(0).y, sim::portable::sin(-2.2));
+    QCOMPARE(published.state.positionOf(1).x, sim::portable::atan2(3, -0.4));
+    QVERIFY(std::abs(published.state.positionOf(1).x - std::atan2(3, -0.4)) < 1e-15);
+}
+
+void ListingRun::gustIsInTheState()
+{
+    Bench bench(frameOf("gust_front += 12;\nif (gust_front > 20) gust_tail = gust_front - 20;\n"
+                        "branches[0].velocity = Vec2(gust, gust_known ? 1 : 0);"),
+                swingingBush());
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(0) == Vec2(0, 0));
+    bench.state.input.gust = -15;
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.state.gustExtent.front, 24.0);
+    QCOMPARE(bench.state.gustExtent.tail, 4.0);
+    QVERIFY(bench.state.velocityOf(0) == Vec2(-15, 1));
+}
+
+void ListingRun::stickJoinsTwoBodies()
+{
+    Bench bench(
+        frameOf("for (int i = 0; i < sticks.count; i++)\n"
+                "    sticks[i].b.velocity = Vec2(sticks[i].length, sticks[i].share);\n"
+                "sticks[0].a.position = Vec2(8, 9);\n"
+                "if (sticks[0].b == sticks[1].a && sticks[1].a == points[1])\n    points[1].position.x = 1;"),
+        twoSticks());
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(1) == Vec2(10, 0.25));
+    QVERIFY(bench.state.velocityOf(2) == Vec2(7, 0.5)); // a body that has no name of its own
+    QVERIFY(bench.state.positionOf(0) == Vec2(8, 9));
+    QVERIFY(bench.state.positionOf(1) == Vec2(1, 4));
+}
+
+void ListingRun::stickVariableStandsForTheStick()
+{
+    Bench bench("void part(Stick stick)\n{\n    Body end = stick.b;\n    end.position.y += 1;\n}\n" +
+                    frameOf("part(sticks[1]);"),
+                twoSticks());
+    const listing::Trace trace = bench.program->trace(bench.state, bench.binding);
+    const std::vector<listing::Variable> &variables = trace.lines.back().variables;
+    QCOMPARE(shown(variables, "stick"), std::string("stick = sticks[1]"));
+    QCOMPARE(shown(variables, "end"), std::string("end = sticks[1].b"));
+    QCOMPARE(listing::typeName(variables.front().value), std::string("Stick"));
+    QCOMPARE(std::get<listing::BodyReference>(variables.back().value).point, 2);
+    QVERIFY(!bench.run());
+    QCOMPARE(bench.state.positionOf(2).y, 5.0);
+}
+
+void ListingRun::globalsSurviveThatAStickLeaves()
+{
+    const std::string text = "double way = sticks[1].length + points[1].position.x;\n" +
+                             frameOf("way += 1; points[0].position.x = way; sticks[0].b.position.y = way;");
+    Bench first(text, twoSticks());
+    QVERIFY(!first.run());
+    sim::Scene fewer = twoSticks();
+    fewer.effects.clear();
+    scenes::add<sim::Sticks>(fewer, std::vector<sim::Stick>{{0, 1, 10, 0.25}}, 3);
+    Bench second(text, fewer); // compiled anew, so its globals had no value yet
+    second.state.memory = first.state.memory;
+    QVERIFY(!second.run());
+    QVERIFY(second.state.positionOf(0) == Vec2(12, 0));
+    QVERIFY(second.state.positionOf(1) == Vec2(3, 12));
+}
+
+void ListingRun::beforeIsWhereTheFrameBegan()
+{
+    Bench bench =
+        Bench::ofFrame("body.position += Vec2(3, 4);\nbody.velocity = body.position - body.before;\n"
+                       "feet[0].velocity = feet[0].before;");
+    bench.state.hold = {0, {110, 45}, {7, 8}, {1, 1}};
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(3) == Vec2(3, 4));
+    QVERIFY(bench.state.velocityOf(0) == Vec2(7, 8)); // held: before the hand moved it
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(3) == Vec2(3, 4));
+}
+
+void ListingRun::directionHasLengthOneEvenOnTheSpot()
+{
+    Bench bench = Bench::ofFrame("feet[0].velocity = direction(feet[0], Vec2(3, 4));\n"
+                                 "feet[1].velocity = direction(feet[1], body);\n"
+                                 "feet[2].velocity = direction(body, feet[1]);\n"
+                                 "body.velocity = direction(Vec2(1, 1), Vec2(1, 1), body);");
+    bench.state.place(1, {100, 50}); // on the body
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(0) == Vec2(0.6, 0.8));
+    const Vec2 there = bench.state.velocityOf(1), back = bench.state.velocityOf(2);
+    QVERIFY(std::abs(sim::length(there) - 1) < 1e-15);
+    QVERIFY(there == Vec2(-back.x, -back.y)); // so they part
+    QVERIFY(std::abs(sim::length(bench.state.velocityOf(3)) - 1) < 1e-15);
+    QVERIFY(there == sim::direction({}, 1, 3).out);
+    QVERIFY(bench.state.velocityOf(3) == sim::direction({}, -1, 3).out);
+}
+
+void ListingRun::newTargetsAreThoseOfTheFrame()
+{
+    Bench bench = Bench::ofFrame("body.velocity = Vec2();\nfor (int i = 0; i < new_targets.count; i++)\n"
+                                 "    body.velocity += (i + 1) * new_targets[i];");
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(3) == Vec2(0, 0));
+    bench.state.input.newTargets = {{1, 2}, {10, 30}};
+    QVERIFY(!bench.run());
+    QVERIFY(bench.state.velocityOf(3) == Vec2(21, 62));
+}
+
+void ListingRun::mistakeWithATreeOrAStickSaysWhichOne_data()
+{
+    QTest::addColumn<bool>("hasTree");
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("sentence");
+    QTest::newRow("child") << true << "branches[0].children[2].spin = 1;"
+                           << "There is no children[2]: children goes from children[0] to children[1].";
+    QTest::newRow("child of a twig") << true << "branches[1].children[0].spin = 1;"
+                                     << "There is no children[0]: children is empty.";
+    QTest::newRow("infinite gust") << true << "gust_front = sqrt(-1);"
+                                   << "'gust_front' or 'gust_tail' is not a finite number.";
+    QTest::newRow("stick") << false << "sticks[2].a.position.x = 1;"
+                           << "There is no sticks[2]: sticks goes from sticks[0] to sticks[1].";
+    QTest::newRow("no stick") << false << "Stick none;\nnone.a.position.x = 1;"
+                              << "This variable stands for no body.";
+    QTest::newRow("direction to no body") << false << "Body none;\nVec2 out_ = direction(points[0], none);"
+                                          << "This variable stands for no body.";
+    QTest::newRow("target") << false << "Vec2 first = new_targets[0];"
+                            << "There is no new_targets[0]: new_targets is empty.";
+    QTest::newRow("infinite position") << false << "sticks[1].b.position.x = sqrt(-1);"
+                                       << "The position of sticks[1].b is not a finite number.";
+}
+
+void ListingRun::mistakeWithATreeOrAStickSaysWhichOne()
+{
+    QFETCH(bool, hasTree);
+    QFETCH(QString, line);
+    QFETCH(QString, sentence);
+    Bench bench(frameOf(line.toStdString()), hasTree ? swingingBush() : twoSticks());
+    const std::optional<RunError> error = bench.run();
+    QVERIFY(error.has_value());
+    QCOMPARE(QString::fromStdString(error->sentence), sentence);
+}
+
 void ListingRun::vectorsAndNumbersArePassedByValue()
 {
     Bench bench("double change(Vec2 v, double n) { v.x = 77; n = 88; return v.x + n; }\n" +
@@ -337,6 +538,10 @@ void ListingRun::randomDependsOnSeedFrameAndIndexOnly()
     QCOMPARE(bench.state.velocityOf(3).x, bench.body().x);
     QVERIFY(bench.program->dependsOnTime());
     QVERIFY(!Bench::ofFrame("body.position.x = k;").program->dependsOnTime());
+    Bench other = Bench::ofFrame("body.position = Vec2(random(5, 12), random(0, 0));"); // of other frames
+    QVERIFY(!other.run());
+    QCOMPARE(other.body().x, sim::uniform(7, 12, 5));
+    QCOMPARE(other.body().y, sim::uniform(7, 0, 0));
 }
 
 void ListingRun::globalsAreInTheState()

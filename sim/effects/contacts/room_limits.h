@@ -81,6 +81,8 @@ public:
 
     const Room &room() const { return m_room; }
     double friction() const { return m_friction; }
+    /// Returns half the width of each point, in px.
+    const Eigen::ArrayXd &halfWidths() const { return m_halfWidth; }
 
 private:
     Room m_room;

@@ -26,6 +26,8 @@ public:
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
     const Tree &tree() const { return *m_tree; }
+    /// Returns the number of degrees per radian.
+    double degrees() const { return m_degrees; }
 
 private:
     TreePtr m_tree;

@@ -236,6 +236,7 @@ public:
     void drive(State &state, double h) const override;
     std::vector<LiveValue> explain(const State &before, const State &after, int point) const override;
 
+    TreeFormula formula() const { return m_formula; }
     /// Returns the wind from `pointer` at branch `point` with the given origin (px) and angle (degrees),
     /// without turbulence.
     BranchWind windOn(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const;
