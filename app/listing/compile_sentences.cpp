@@ -268,6 +268,8 @@ constexpr Rule rules[] = {
     {"Expected *", missing},
     {"Expression must be of boolean type*", nullptr,
      "A condition is true or false. Compare this with something, for example with == or >."},
+    {"Can't find unambiguous implicit conversion to make both expressions have the same type*", nullptr,
+     "Both values of a choice with ? need the same type. Write '1.0' for '1' beside a double."},
     {"Not all paths return a value*", nullptr,
      "This function can end without 'return'. It has to return a value in every case."},
     {"Unexpected end of file*", nullptr, "The text ends too early: a '}' or a ')' is missing."},

@@ -5,6 +5,7 @@
 #include "app/listing/script_functions.h"
 #include "sim/base/direction.h"
 #include "sim/base/random.h"
+#include "sim/effects/tree/tree.h"
 
 #include <angelscript.h>
 
@@ -249,6 +250,8 @@ void Interpreter::registerFunctionsOfScene()
     method("double atan2(double, double)", asMETHOD(Interpreter, arcTangent));
     method("double random(int)", asMETHOD(Interpreter, random));
     method("double random(int, int)", asMETHOD(Interpreter, randomInFrame));
+    if (m_vocabulary.hasTree)
+        method("Vec2 direction(const Body @)", asMETHOD(Interpreter, directionOfBranch));
     const auto direction = [this](const char *declaration, const asSFuncPtr &function) {
         m_engine->RegisterGlobalFunction(declaration, function, asCALL_CDECL);
     };
@@ -478,6 +481,7 @@ void Interpreter::load(const sim::State &state, const Binding &binding)
     loadSticks(state, binding);
     std::copy(binding.parameters.begin(), binding.parameters.end(), m_parameters.begin());
     m_angleFunctions = binding.angleFunctions;
+    m_degrees = binding.degrees;
     m_seed = binding.seed;
     m_frameNumber = static_cast<double>(state.frame);
     m_gait = state.gait.rows() == 1 ? state.gait[0] : 0.0;
@@ -1022,6 +1026,11 @@ Vec2 Interpreter::targetAt(int index, const TargetArray *array)
         return array->all[static_cast<std::size_t>(index)];
     raiseNoElement(index, array->count, "new_targets");
     return {};
+}
+
+Vec2 Interpreter::directionOfBranch(const BodyCell *branch) const
+{
+    return isBody(branch) ? sim::branchReach(branch->angle, 1.0, m_degrees) : Vec2();
 }
 
 Vec2 Interpreter::directionBetween(const BodyCell *from, const BodyCell *to)

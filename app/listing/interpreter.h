@@ -187,6 +187,7 @@ private:
     static BodyCell *childAt(int index, ChildArray *array);
     static StickCell *stickAt(int index, StickArray *array);
     static sim::Vec2 targetAt(int index, const TargetArray *array);
+    sim::Vec2 directionOfBranch(const BodyCell *branch) const;
     static sim::Vec2 directionBetween(const BodyCell *from, const BodyCell *to);
     static sim::Vec2 directionToPlace(const BodyCell *from, const VectorCell &to);
     static sim::Vec2 directionOfPlaces(const VectorCell &from, const VectorCell &to, const BodyCell *owner);
@@ -219,6 +220,7 @@ private:
     TargetArray m_newTargets;
     std::deque<double> m_parameters;
     AngleFunctions m_angleFunctions;
+    double m_degrees = 1.0;
     sim::Vec2 m_hand, m_pointer, m_target;
     KeyCell m_keys;
     bool m_pointerDown = false, m_pointerKnown = false, m_gustKnown = false;

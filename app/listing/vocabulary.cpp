@@ -99,12 +99,13 @@ std::vector<int> unnamedEnds(const std::vector<sim::Stick> &sticks, const Bindin
     return {unnamed.begin(), unnamed.end()};
 }
 
-/// Trees have functions of their own, which take less time in loops over many branches.
+/// Trees have functions of their own, which take less time in loops over many branches. A gust uses those of the C
+/// library.
 AngleFunctions angleFunctionsOf(const sim::Scene &scene)
 {
     namespace portable = sim::portable;
     const auto *joints = find<sim::Joints>(scene);
-    if (!joints)
+    if (!joints || find<sim::GustFront>(scene))
         return {};
     const auto *wind = find<sim::TreeWind>(scene);
     const bool isFastWind = wind && wind->formula() == sim::TreeFormula::corrected;
@@ -179,8 +180,10 @@ Binding bind(const Vocabulary &vocabulary, const sim::Scene &scene)
         binding.arrays.push_back(pointsOf(array.prefix, pointOf));
     if (vocabulary.hasCreatures)
         binding.creatures = creaturesOf(pointOf);
-    if (const auto *joints = find<sim::Joints>(scene); vocabulary.hasTree && joints)
+    if (const auto *joints = find<sim::Joints>(scene); vocabulary.hasTree && joints) {
         binding.branches = branchesOf(joints->tree());
+        binding.degrees = joints->degrees();
+    }
     if (vocabulary.hasSticks)
         binding.sticks = sticksOf(scene);
     binding.otherBodies = unnamedEnds(binding.sticks, binding);

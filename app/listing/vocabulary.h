@@ -77,6 +77,7 @@ struct Binding
     std::vector<int> otherBodies;         ///< points that have no name, but a stick ends there
     std::vector<double> parameters;       ///< value of each parameter
     AngleFunctions angleFunctions;
+    double degrees = 1.0; ///< in trees: number of degrees per radian
     std::uint64_t seed = 1;
     Eigen::ArrayXd mass;   ///< per point; 0 for a handle, which forces do not move
     Eigen::ArrayXd radius; ///< px, per point

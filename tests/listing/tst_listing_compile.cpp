@@ -115,6 +115,8 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
         "3:7+1 '=' sets a value, and stands once in a statement. To compare, write '=='.");
     row("value of a choice is set", "k > 1 ? body.position.x : body.position.y = 1;",
         "3:43+1 Only a variable can be set: a name, with members or an index behind it.");
+    row("choice between a whole number and another one", "double a = damp < 1 ? 1 / damp : 1;",
+        "3:12+4 Both values of a choice with ? need the same type. Write '1.0' for '1' beside a double.");
     row("chain of comparisons", "if (0 < k < 1) body.velocity.x = 1;",
         "3:11+1 Compare two values at a time, for example 'a < b && b < c'.");
     row("comparisons apart", "bool a = 0 < k && k <= 1 || (k == 2) != (k > 3 ? k < 9 : k > 1);", "");

@@ -26,7 +26,14 @@ namespace {
 
 std::string mutated(std::string text, std::mt19937 &random)
 {
-    static constexpr std::array<const char *, 81> pieces = {"{",
+    static constexpr std::array<const char *, 88> pieces = {"sticks[i].a",
+                                                            "Stick s;",
+                                                            "branches[0].children[i]",
+                                                            "direction(body, feet[i])",
+                                                            "new_targets[0]",
+                                                            "random(1, 2)",
+                                                            "before",
+                                                            "{",
                                                             "}",
                                                             "(",
                                                             ")",
@@ -182,10 +189,15 @@ std::string mutated(std::string text, std::mt19937 &random)
 
 void ListingFuzz::mutatedListingsNeitherCrashNorHang()
 {
-    const std::string ofCreatures = fileText("lessons/walking_gait/company.code");
+    const std::string ofCreatures = fileText("lessons/walking_gait/company.code"),
+                      ofTree = fileText("lessons/swaying_tree/turbulence.code"),
+                      ofSticks = fileText("lessons/rigid_constraint/verlet.code");
     const std::vector<std::string> listings = {
-        fileText("lessons/multi_foot/any_number.code"), fileText("lessons/single_spring/offset.code"),
+        fileText("lessons/multi_foot/any_number.code"),
+        fileText("lessons/single_spring/offset.code"),
         ofCreatures,
+        ofTree,
+        ofSticks,
         "double clock = 0;\nVec2 last = body.position;\n"
         "double grow(Vec2 from, double length, int depth)\n{\n    if (depth == 0)\n        return length;\n"
         "    Vec2 tip = from + length * Vec2(cos(clock), sin(clock));\n"
@@ -197,19 +209,32 @@ void ListingFuzz::mutatedListingsNeitherCrashNorHang()
     sim::Values values = *feetScene.values;
     values.set("offset", 50);
     feetScene.values = std::make_shared<const sim::Values>(values);
-    sim::Scene creatureScene = threeCreatures();
-    values = *creatureScene.values;
-    for (const char *id : {"leg", "drop", "damp", "push", "distance", "felt_by", "gravity", "ground",
-                           "bounce", "traction", "left", "right", "at_wall"})
-        values.set(id, 0.5);
-    creatureScene.values = std::make_shared<const sim::Values>(values);
+    const auto withNumbers = [](sim::Scene scene, std::initializer_list<const char *> ids) {
+        sim::Values numbers = *scene.values;
+        for (const char *id : ids)
+            numbers.set(id, 0.5);
+        scene.values = std::make_shared<const sim::Values>(numbers);
+        return scene;
+    };
+    const sim::Scene creatureScene =
+        withNumbers(threeCreatures(), {"leg", "drop", "damp", "push", "distance", "felt_by", "gravity",
+                                       "ground", "bounce", "traction", "left", "right", "at_wall"});
+    sim::Scene treeScene =
+        withNumbers(swingingBush(), {"formula", "base_length", "ease", "wind", "turbulence"});
+    treeScene.start.input.pointer = sim::Vec2{30, -20};
+    treeScene.start.input.pointerDown = true;
+    const sim::Scene stickScene =
+        withNumbers(twoSticks(), {"iterations", "gravity", "damp", "friction", "left", "right", "floor"});
     std::mt19937 random(20);
     int built = 0, failed = 0;
     double slowest = 0.0;
     for (int i = 0; i < LISTING_MUTATIONS; ++i) {
         const std::string &original = listings[static_cast<std::size_t>(i) % listings.size()];
         const std::string text = mutated(original, random);
-        const sim::Scene &scene = original == ofCreatures ? creatureScene : feetScene;
+        const sim::Scene &scene = original == ofCreatures ? creatureScene
+                                  : original == ofTree    ? treeScene
+                                  : original == ofSticks  ? stickScene
+                                                          : feetScene;
         const listing::Vocabulary vocabulary = listing::vocabularyOf(scene);
         QElapsedTimer timer;
         timer.start();

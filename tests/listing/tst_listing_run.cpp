@@ -13,6 +13,7 @@
 #include <QElapsedTimer>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <thread>
 
@@ -49,6 +50,7 @@ private slots:
     void globalsSurviveThatAStickLeaves();
     void beforeIsWhereTheFrameBegan();
     void directionHasLengthOneEvenOnTheSpot();
+    void directionOfABranchIsWhereItPoints();
     void newTargetsAreThoseOfTheFrame();
     void mistakeWithATreeOrAStickSaysWhichOne_data();
     void mistakeWithATreeOrAStickSaysWhichOne();
@@ -303,11 +305,17 @@ void ListingRun::anglesUseTheFunctionsOfTheTree()
 {
     const std::string text = frameOf("branches[0].position = Vec2(cos(0.3), sin(-2.2));\n"
                                      "branches[1].position.x = atan2(3, -0.4);");
-    Bench swinging(text, swingingBush());
+    Bench swinging(text, swingingBush()); // the wave of a gust
     QVERIFY(!swinging.run());
-    QCOMPARE(swinging.state.positionOf(0).x, sim::portable::fast::cos(0.3));
-    QCOMPARE(swinging.state.positionOf(0).y, sim::portable::fast::sin(-2.2));
+    QCOMPARE(swinging.state.positionOf(0).x, std::cos(0.3));
+    QCOMPARE(swinging.state.positionOf(0).y, std::sin(-2.2));
     const auto tree = std::make_shared<const sim::Tree>(scenes::bush());
+    sim::Scene standing = scenes::standingTree(*tree, {0, 0}, sim::TreeFormula::corrected);
+    scenes::add<sim::Joints>(standing, tree, sim::degreesPerRadian);
+    Bench corrected(text, standing);
+    QVERIFY(!corrected.run());
+    QCOMPARE(corrected.state.positionOf(0).x, sim::portable::fast::cos(0.3));
+    QCOMPARE(corrected.state.positionOf(0).y, sim::portable::fast::sin(-2.2));
     sim::Scene printed = scenes::standingTree(*tree, {0, 0}, sim::TreeFormula::published);
     scenes::add<sim::Joints>(printed, tree, sim::publishedDegrees);
     Bench published(text, printed);
@@ -353,7 +361,10 @@ void ListingRun::stickVariableStandsForTheStick()
                     frameOf("part(sticks[1]);"),
                 twoSticks());
     const listing::Trace trace = bench.program->trace(bench.state, bench.binding);
-    const std::vector<listing::Variable> &variables = trace.lines.back().variables;
+    const auto line = std::find_if(trace.lines.begin(), trace.lines.end(),
+                                   [](const listing::TracedLine &traced) { return traced.line == 4; });
+    QVERIFY(line != trace.lines.end());
+    const std::vector<listing::Variable> &variables = line->variables;
     QCOMPARE(shown(variables, "stick"), std::string("stick = sticks[1]"));
     QCOMPARE(shown(variables, "end"), std::string("end = sticks[1].b"));
     QCOMPARE(listing::typeName(variables.front().value), std::string("Stick"));
@@ -406,6 +417,19 @@ void ListingRun::directionHasLengthOneEvenOnTheSpot()
     QVERIFY(std::abs(sim::length(bench.state.velocityOf(3)) - 1) < 1e-15);
     QVERIFY(there == sim::direction({}, 1, 3).out);
     QVERIFY(bench.state.velocityOf(3) == sim::direction({}, -1, 3).out);
+}
+
+void ListingRun::directionOfABranchIsWhereItPoints()
+{
+    Bench bench(frameOf("for (int i = 0; i < branches.count; i++)\n"
+                        "    branches[i].velocity = direction(branches[i]);"),
+                swingingBush());
+    bench.state.angle = Eigen::Array3d(-90, 0, 30);
+    QVERIFY(!bench.run());
+    const auto isNear = [](Vec2 a, Vec2 b) { return sim::length(a - b) < 1e-15; };
+    QVERIFY(isNear(bench.state.velocityOf(0), {0, -1})); // up
+    QVERIFY(isNear(bench.state.velocityOf(1), {1, 0}));
+    QVERIFY(isNear(bench.state.velocityOf(2), {std::sqrt(0.75), 0.5}));
 }
 
 void ListingRun::newTargetsAreThoseOfTheFrame()
