@@ -236,6 +236,11 @@ std::string noValue(const Gaps &gaps, const MarkedPlace &)
     return quotedName(gaps[0]) + " has no value yet.";
 }
 
+std::string noFunction(const Gaps &gaps, const MarkedPlace &)
+{
+    return quotedName(gaps[0]) + " is " + withArticle("a", gaps[1]) + " here, not a function.";
+}
+
 /// A message of the interpreter, with `*` in place of names, and its sentence.
 struct Rule
 {
@@ -256,6 +261,7 @@ constexpr Rule rules[] = {
     {"No matching symbol '*'", noName},
     {"No matching signatures to '*'", wrongValues},
     {"Identifier '*' is not a data type*", noType},
+    {"Expression doesn't form a function call. '*' evaluates to the non-function type '*'*", noFunction},
     {"Can't implicitly convert from '*' to '*'.", wrongType},
     {"No conversion from '*' to math type*", wrongOperand},
     {"No conversion from '*' to '*'*", wrongType},

@@ -257,7 +257,8 @@ void ListingCompile::mistakeWithCreaturesIsSaidInOneSentence_data()
         "3:1+7 There is no type 'Creatre'. Did you mean 'Creature'?");
     row("unknown type", "Animal one = creatures[0];",
         "3:1+6 There is no type 'Animal'. The types are double, int, bool, Vec2, Body and Creature.");
-    row("function that a number replaces", "double a = floor(1.5);", "");
+    row("function that a number replaces", "double a = floor(1.5);",
+        "3:12+5 'floor' is a double here, not a function.");
 }
 
 void ListingCompile::mistakeWithCreaturesIsSaidInOneSentence()

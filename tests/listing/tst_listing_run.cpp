@@ -213,7 +213,8 @@ void ListingRun::creatureVariableStandsForTheCreature()
                             "if (last.body != foot && foot == last.feet[0])\n    foot.position.y = 1;"),
                 threeCreatures());
     const listing::Trace trace = bench.program->trace(bench.state, bench.binding);
-    const std::vector<listing::Variable> &variables = trace.lines.back().variables;
+    const std::vector<listing::Variable> &variables =
+        trace.lines.at(trace.lines.size() - 2).variables; // before '}'
     QCOMPARE(shown(variables, "last"), std::string("last = creatures[2]"));
     QCOMPARE(shown(variables, "foot"), std::string("foot = creatures[2].feet[0]"));
     QCOMPARE(listing::typeName(variables.front().value), std::string("Creature"));
