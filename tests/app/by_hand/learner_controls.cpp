@@ -29,7 +29,7 @@ namespace support {
 namespace {
 
 constexpr int mostMilliseconds = 60'000; ///< that anything takes
-constexpr int awayFromBody = 45;         ///< px on the screen
+constexpr int awayFromFields = 45;       ///< px on the screen
 
 /// Types into a field that was clicked or that a command has opened: what it held is selected.
 void replaceText(QWidget *field, const QString &text)
@@ -75,7 +75,7 @@ void Learner::step(bool byPhase)
     const bool mayClick = !m_session.step().accepts(lessons::Interaction::pointer) &&
                           !m_session.step().accepts(lessons::Interaction::target);
     if (!m_view.hasFocus() && mayClick) {
-        press(freePlaceNear({awayFromBody, awayFromBody})); // out of a field, and into the picture
+        press(freePlaceNear({awayFromFields, awayFromFields})); // out of a field, and into the picture
         release();
     }
     if (m_session.playback().isPlaying() && m_session.step().accepts(lessons::Interaction::keys))

@@ -5,6 +5,7 @@
 #include "app/ui/code/code_panel.h"
 #include "app/ui/code/code_view.h"
 #include "app/ui/theme/theme.h"
+#include "tests/app/code/listing_support.h"
 
 #include <QSettings>
 #include <QTest>
@@ -16,11 +17,7 @@ namespace code_support {
 
 using namespace app;
 
-inline const LessonLibrary &library()
-{
-    static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
-    return loaded;
-}
+using listing_support::library;
 
 /// Whether the settings of an earlier window are kept.
 enum class Settings { fresh, kept };
