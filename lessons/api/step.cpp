@@ -68,6 +68,7 @@ Step makeStep(const QString &lesson, const QString &id, const QString &title)
     step.id = id;
     step.title = title;
     step.sceneSource = {QStringLiteral("lessons/%1/scenes.cpp").arg(lesson).toStdString(), id.toStdString()};
+    step.listing = readListing(lesson, id);
     return step;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lessons/api/explanation.h"
+#include "lessons/api/listing.h"
 #include "lessons/api/parameter.h"
 #include "lessons/api/try.h"
 #include "sim/base/vec2.h"
@@ -93,6 +94,9 @@ struct Step
     Explanation explanation;
     std::vector<Parameter> parameters;
     std::vector<Try> tries;
+    /// The program of a frame, which learners read and change. Empty if the step has none.
+    Listing listing = {};
+    std::vector<CodeTask> codeTasks = {}; ///< tasks to write a part of the listing
     std::function<sim::Scene(const sim::Values &)> scene;
     sim::Region sceneSource; ///< the source code of `scene`
     std::function<View(const sim::Scene &, const sim::Values &)> view;
@@ -143,7 +147,8 @@ struct Step
 };
 
 /// Returns a step of the lesson in folder `lesson`. The region `id` of its scenes.cpp is the source of the
-/// scene.
+/// scene, and the resource `id`.code is its listing.
+/// @throws std::runtime_error if the gaps of the listing are wrong
 Step makeStep(const QString &lesson, const QString &id, const QString &title);
 
 }

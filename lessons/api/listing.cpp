@@ -1,0 +1,155 @@
+#include "lessons/api/listing.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace lessons {
+
+namespace {
+
+const QString wholeFrame = QStringLiteral("frame");
+const QString gapBegin = QStringLiteral("//>");
+const QString gapEnd = QStringLiteral("//<");
+
+[[noreturn]] void rejectLine(int line, const QString &why)
+{
+    throw std::runtime_error(QStringLiteral("line %1 of a listing: %2").arg(line).arg(why).toStdString());
+}
+
+/// Returns the lines of `text`. The part after the last line break is a line if it is not empty.
+QStringList linesOf(const QString &text)
+{
+    QStringList lines = text.split('\n');
+    if (lines.back().isEmpty())
+        lines.pop_back();
+    return lines;
+}
+
+/// Returns `lines` as a text in which each line ends with a line break.
+QString textOf(const QStringList &lines)
+{
+    return lines.isEmpty() ? QString() : lines.join('\n') + '\n';
+}
+
+qsizetype indentOf(const QString &line)
+{
+    const auto isSpace = [](QChar c) { return c == ' '; };
+    return std::find_if_not(line.begin(), line.end(), isSpace) - line.begin();
+}
+
+/// Returns the indentation that all lines with text share.
+qsizetype sharedIndent(const QStringList &lines)
+{
+    qsizetype shared = -1;
+    for (const QString &line : lines) {
+        if (!line.trimmed().isEmpty())
+            shared = shared < 0 ? indentOf(line) : std::min(shared, indentOf(line));
+    }
+    return std::max<qsizetype>(0, shared);
+}
+
+QStringList asComment(const QString &text)
+{
+    QStringList lines = linesOf(text);
+    for (QString &line : lines)
+        line.prepend(QStringLiteral("// "));
+    return lines;
+}
+
+}
+
+bool CodeTask::isWholeFrame() const
+{
+    return id == wholeFrame;
+}
+
+const Gap *Listing::gap(const QString &id) const
+{
+    const auto found = std::find_if(gaps.begin(), gaps.end(), [&](const Gap &one) { return one.id == id; });
+    return found == gaps.end() ? nullptr : &*found;
+}
+
+QString Listing::solution(const QString &id) const
+{
+    if (id == wholeFrame)
+        return text;
+    const Gap *place = gap(id);
+    if (!place)
+        return {};
+    QStringList lines = linesOf(text).mid(place->firstLine - 1, place->lineCount);
+    const qsizetype indent = sharedIndent(lines);
+    for (QString &line : lines)
+        line = line.mid(indent);
+    return textOf(lines);
+}
+
+QString Listing::with(const QString &id, const QString &code) const
+{
+    if (id == wholeFrame)
+        return code;
+    const Gap *place = gap(id);
+    if (!place)
+        return text;
+    const QStringList lines = linesOf(text);
+    const QString indent(sharedIndent(lines.mid(place->firstLine - 1, place->lineCount)), ' ');
+    QStringList result = lines.mid(0, place->firstLine - 1);
+    for (const QString &line : linesOf(code))
+        result << (line.isEmpty() ? line : indent + line);
+    result << lines.mid(place->firstLine - 1 + place->lineCount);
+    return textOf(result);
+}
+
+QString Listing::emptied(const CodeTask &task) const
+{
+    const QStringList comment = asComment(task.comment);
+    if (task.isWholeFrame())
+        return textOf(comment + QStringList{"void frame()", "{", "}"});
+    return with(task.id, textOf(comment));
+}
+
+Listing parseListing(const QString &source)
+{
+    Listing listing;
+    QStringList kept;
+    bool isInGap = false;
+    int number = 0;
+    for (const QString &line : linesOf(source)) {
+        ++number;
+        const QString trimmed = line.trimmed();
+        if (trimmed.startsWith(gapBegin)) {
+            const QString id = trimmed.mid(gapBegin.size()).trimmed();
+            if (isInGap)
+                rejectLine(number, QStringLiteral("a gap begins inside another"));
+            if (id.isEmpty() || id == wholeFrame || listing.gap(id))
+                rejectLine(number, QStringLiteral("a gap needs an id that no other gap has"));
+            listing.gaps.push_back({id, static_cast<int>(kept.size()) + 1, 0});
+            isInGap = true;
+        } else if (trimmed == gapEnd) {
+            if (!isInGap)
+                rejectLine(number, QStringLiteral("no gap begins before this end"));
+            Gap &gap = listing.gaps.back();
+            gap.lineCount = static_cast<int>(kept.size()) + 1 - gap.firstLine;
+            if (gap.lineCount == 0)
+                rejectLine(number, QStringLiteral("the gap has no code"));
+            isInGap = false;
+        } else {
+            kept << line;
+        }
+    }
+    if (isInGap)
+        rejectLine(number, QStringLiteral("the last gap has no end"));
+    listing.text = textOf(kept);
+    return listing;
+}
+
+Listing readListing(const QString &lesson, const QString &step)
+{
+    QFile file(QStringLiteral(":/listings/%1/%2.code").arg(lesson, step));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    return parseListing(QString::fromUtf8(file.readAll()));
+}
+
+}
