@@ -4,6 +4,7 @@
 #include "app/model/code/code_marks.h"
 #include "app/model/code/code_symbols.h"
 #include "app/ui/code/code_rows.h"
+#include "app/ui/code/value_chip.h"
 
 #include <Qsci/qsciscintilla.h>
 
@@ -131,16 +132,8 @@ protected:
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    struct Box
-    {
-        QRect rect;
-        QString text;
-    };
-
     void setUp();
     void applyTheme();
-    void defineStyle(int style, const QFont &font, const QColor &ink, const QColor &paper);
-    void makeRowsAsHigh(int pixels);
     /// Writes the rows of the listing.
     void layRows();
     void styleText();
@@ -176,7 +169,6 @@ private:
     void setPointed(std::optional<std::size_t> row);
     void underlineSpots();
     void scrollTo(std::size_t first, std::size_t row);
-    QFont inPoints(QFont font, double pixels) const;
 
     std::size_t headingRow(std::size_t section) const;
     const SectionMark *mark(const CodeRow &row) const;
@@ -186,7 +178,7 @@ private:
     int rowHeight() const;
     int endOfText(std::size_t row) const;
     int endOfCode(std::size_t row) const; ///< like endOfText(), without a trailing comment
-    Box chipBox(std::size_t row) const;
+    ValueChip chipBox(std::size_t row) const;
     QString tipAt(const QPoint &position) const;
 
     void paintRow(QPainter &painter, std::size_t row) const;

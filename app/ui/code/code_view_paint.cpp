@@ -19,13 +19,6 @@ constexpr int symbolLeft = 30;
 constexpr int barLeft = 43;
 constexpr int barWidth = 3;
 constexpr int textLeft = 53;
-constexpr int chipRight = 8;      ///< from the right edge
-constexpr int chipRightOfBar = 4; ///< likewise, if there is a scroll bar
-constexpr int chipGap = 2;        ///< between code and chip
-constexpr int chipHeight = 16;
-constexpr int chipPixels = 11; ///< of its letters
-constexpr int chipPadding = 6;
-constexpr int tightPadding = 3;
 constexpr int noteRight = 12;
 
 }
@@ -66,31 +59,14 @@ int CodeView::endOfCode(std::size_t row) const
     return static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, start + static_cast<long>(end)));
 }
 
-CodeView::Box CodeView::chipBox(std::size_t row) const
+ValueChip CodeView::chipBox(std::size_t row) const
 {
     const CodeChip *its = chip(m_rows[row]);
     const QRect rect = rowRect(row);
     if (!its || rect.isEmpty())
         return {};
-    const QFontMetrics metrics(m_theme.mono(chipPixels));
-    const int right = rect.right() + 1 - (verticalScrollBar()->isVisible() ? chipRightOfBar : chipRight);
-    const int room = right - endOfCode(row) - chipGap;
-    // no cut numbers: a part of a number would look like another number
-    const QString dots = QStringLiteral("…");
-    QString text = dots;
-    int width = metrics.horizontalAdvance(dots) + 2 * chipPadding;
-    for (const int padding : {tightPadding, chipPadding}) {
-        const QStringList forms = QStringList(its->text) + its->shorter;
-        const auto fits = std::find_if(forms.begin(), forms.end(), [&](const QString &form) {
-            return metrics.horizontalAdvance(form) + 2 * padding <= room;
-        });
-        if (fits == forms.end())
-            continue;
-        text = *fits;
-        width = metrics.horizontalAdvance(text) + 2 * padding;
-    }
-    const int top = rect.top() + (rect.height() - chipHeight) / 2;
-    return {QRect(right - width, top, width, chipHeight), text};
+    const ChipRoom room{rect, endOfCode(row), verticalScrollBar()->isVisible()};
+    return fitChip(QStringList(its->text) + its->shorter, room, m_theme);
 }
 
 void CodeView::paintEvent(QPaintEvent *event)
@@ -189,21 +165,11 @@ void CodeView::paintSign(QPainter &painter, std::size_t row, const QString &sign
 
 void CodeView::paintChip(QPainter &painter, std::size_t row) const
 {
-    const Box box = chipBox(row);
-    if (box.text.isEmpty())
-        return;
-    const Tokens &t = m_theme.tokens();
+    const ValueChip chip = chipBox(row);
     const SectionMark *at = mark(m_rows[row]);
-    const bool now = at && at->selected && isResult(m_rows[row]);
-    // Hides the part of a long line or its comment that would be below the chip.
-    const QRect cover(box.rect.left() - chipGap, rowRect(row).top(), viewport()->width(), rowHeight());
-    painter.fillRect(cover, wash(row).isValid() ? wash(row) : t.panel);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(now ? t.now : t.chip);
-    painter.drawRoundedRect(box.rect, 4, 4);
-    painter.setFont(m_theme.mono(chipPixels));
-    painter.setPen(now ? t.nowText : t.ink2);
-    painter.drawText(box.rect, Qt::AlignCenter, box.text);
+    const bool isNow = at && at->selected && isResult(m_rows[row]);
+    const QColor behind = wash(row).isValid() ? wash(row) : m_theme.tokens().panel;
+    chip.paint(painter, isNow ? ValueChip::Look::now : ValueChip::Look::plain, behind, m_theme);
 }
 
 void CodeView::paintStop(QPainter &painter, std::size_t row, const Breakpoint &breakpoint) const
