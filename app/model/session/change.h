@@ -16,6 +16,7 @@ enum class ChangeKind : unsigned {
     playing = 1U << 3U,   ///< playback started, paused, waits, or has another speed
     selection = 1U << 4U, ///< another body is selected
     preview = 1U << 5U,   ///< another moment is marked or shown, or none any longer
+    code = 1U << 6U,      ///< the text of the listing, or whether it computes the run
 };
 
 Q_DECLARE_FLAGS(ChangeKinds, ChangeKind)

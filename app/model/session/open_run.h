@@ -5,6 +5,7 @@
 #include "sim/run/timeline.h"
 
 #include <memory>
+#include <optional>
 
 namespace app {
 
@@ -32,6 +33,11 @@ public:
     /// Makes `timeline` the run, and selects its first body.
     void setTimeline(std::unique_ptr<sim::Timeline> timeline);
 
+    /// Returns the text of the listing that the learner has written, if the run is not computed by it: it does not
+    /// compile, or another method is in use.
+    const std::optional<QString> &draft() const { return m_draft; }
+    void setDraft(std::optional<QString> draft);
+
     /// Returns the body whose values are shown.
     const QString &selected() const { return m_selected; }
     void select(const QString &body);
@@ -42,6 +48,7 @@ private:
     std::size_t m_lesson = 0;
     std::size_t m_step = 0;
     std::unique_ptr<sim::Timeline> m_timeline;
+    std::optional<QString> m_draft;
     QString m_selected;
 };
 

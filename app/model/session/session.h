@@ -2,6 +2,8 @@
 
 #include "app/model/catalog/progress.h"
 #include "app/model/experiment/experiment.h"
+#include "app/model/listing/learner_code.h"
+#include "app/model/listing/line_stepper.h"
 #include "app/model/session/presentation.h"
 #include "app/model/session/run_editor.h"
 
@@ -33,6 +35,10 @@ public:
     const UserInput &input() const { return m_editor.input(); }
     ComparisonRuns &comparisons() { return m_comparisons; }
     const ComparisonRuns &comparisons() const { return m_comparisons; }
+    LearnerCode &code() { return m_code; }
+    const LearnerCode &code() const { return m_code; }
+    LineStepper &lines() { return m_lines; }
+    const LineStepper &lines() const { return m_lines; }
     const Presentation &presentation() const { return m_presentation; }
     Progress &progress() { return m_progress; }
 
@@ -104,6 +110,7 @@ private:
         sim::Script script;
         sim::Cursor at;
         Branches branches;
+        std::optional<QString> draft;
     };
 
     bool isBusy() const;
@@ -117,11 +124,13 @@ private:
     Attempts m_attempts{m_progress};
     Preview m_preview;
     CompanionFollower m_companion;
-    Presentation m_presentation;
     Playback m_playback;
     EditHistory m_history;
     ComparisonRuns m_comparisons;
     RunEditor m_editor;
+    LearnerCode m_code;
+    LineStepper m_lines;
+    Presentation m_presentation;
     std::map<QString, StepHandover> m_handovers;
 };
 

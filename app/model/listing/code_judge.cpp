@@ -1,0 +1,349 @@
+#include "app/model/listing/code_judge.h"
+
+#include "app/listing/listing_method.h"
+#include "app/listing/program.h"
+#include "app/model/text/sentences.h"
+#include "sim/methods/methods.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/run/track.h"
+#include "sim/scene/scene.h"
+#include "sim/scene/values.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <variant>
+
+namespace app {
+
+namespace {
+
+struct JudgeText
+{
+    Q_DECLARE_TR_FUNCTIONS(CodeJudge)
+};
+
+constexpr std::size_t judgeTrackBudget = 1 << 20; ///< bytes: the runs are computed once, forwards
+constexpr int judgeTrials = 3;
+
+/// The course of a hand that takes a body, moves it and lets go.
+struct Stroke
+{
+    int begin = 0;       ///< frame of the grab
+    int end = 0;         ///< frame of the release
+    sim::Vec2 velocity;  ///< px/frame, at the grab
+    double turn = 0.0;   ///< rad/frame: the hand moves on a curve
+    int stillFrames = 0; ///< before the release the hand rests for so long; 0: it throws the body
+};
+
+using Strokes = std::array<Stroke, 2>;
+
+// The hand moves in all directions. The second run begins with an undisturbed motion, and no body is thrown in the
+// third one before the others had time to settle.
+constexpr std::array<Strokes, judgeTrials> judgeStrokes = {{
+    {{{4, 18, {9.0, 4.0}, 0.1, 0}, {40, 58, {-7.0, -6.0}, -0.08, 4}}},
+    {{{30, 42, {-11.0, 5.0}, 0.05, 0}, {60, 74, {6.0, 8.0}, 0.12, 0}}},
+    {{{2, 22, {-4.0, -8.0}, 0.15, 6}, {50, 60, {10.0, -7.0}, 0.0, 0}}},
+}};
+
+void addStroke(std::vector<sim::Event> &input, const std::string &body, sim::Vec2 hand, const Stroke &stroke)
+{
+    input.push_back({stroke.begin, sim::Grab{body}});
+    double angle = std::atan2(stroke.velocity.y, stroke.velocity.x);
+    const double speed = sim::length(stroke.velocity);
+    for (int frame = stroke.begin; frame < stroke.end - stroke.stillFrames; ++frame) {
+        hand = hand + speed * sim::Vec2{std::cos(angle), std::sin(angle)};
+        angle += stroke.turn;
+        input.push_back({frame, sim::Move{hand}});
+    }
+    input.push_back({stroke.end, sim::Release{}});
+}
+
+/// Adds input of the kinds besides dragging. The places are near `middle`.
+void addOtherInput(std::vector<sim::Event> &input, const lessons::Step &step, sim::Vec2 middle, int trial)
+{
+    const double side = trial == 1 ? -1.0 : 1.0;
+    if (step.accepts(lessons::Interaction::pointer)) {
+        for (int i = 0; i < 8; ++i) {
+            const double turn = side * 0.9 * i + trial;
+            const sim::Vec2 at = middle + (60.0 + 25.0 * i) * sim::Vec2{std::cos(turn), std::sin(turn)};
+            input.push_back({3 + 11 * i, sim::Pointer{at, i % 3 == trial}});
+        }
+    }
+    if (step.accepts(lessons::Interaction::target)) {
+        input.push_back({6, sim::Target{middle + sim::Vec2{side * 150.0, 90.0 - 60.0 * trial}}});
+        input.push_back({45, sim::Target{middle + sim::Vec2{-side * 120.0, -80.0}}});
+    }
+    if (step.accepts(lessons::Interaction::gust)) {
+        input.push_back({12, sim::Gust{side * 4.0}});
+        input.push_back({48, sim::Gust{-side * 2.5}});
+    }
+    if (step.accepts(lessons::Interaction::keys)) {
+        bool sim::Keys::*const along = side > 0.0 ? &sim::Keys::right : &sim::Keys::left;
+        bool sim::Keys::*const across = trial == 2 ? &sim::Keys::down : &sim::Keys::up;
+        input.push_back({8, sim::Key{along, true}});
+        input.push_back({38, sim::Key{along, false}});
+        input.push_back({38, sim::Key{across, true}});
+        input.push_back({70, sim::Key{across, false}});
+    }
+}
+
+/// Returns the values of a run: the first has the default values, in the others each number is closer to the left end
+/// of its slider, where nothing is more violent.
+sim::Values judgeValues(const lessons::Step &step, int trial)
+{
+    sim::Values values = step.defaultValues();
+    for (const lessons::Parameter &parameter : step.parameters) {
+        if (parameter.isInteger || !parameter.choices.isEmpty() || parameter.restartsRun ||
+            parameter.scale == lessons::Scale::logarithmic)
+            continue;
+        const double share = trial == 1 ? 0.2 : 0.1;
+        const double value =
+            parameter.defaultValue + share * trial * (parameter.sliderMin - parameter.defaultValue) / 2.0;
+        values.set(parameter.id.toStdString(), value);
+    }
+    return values;
+}
+
+/// The positions and angles of all points after a frame.
+struct Pose
+{
+    Eigen::ArrayX2d position;
+    Eigen::ArrayXd angle;
+};
+
+/// A run, up to judgedFrames or to an error.
+struct JudgedRun
+{
+    std::vector<Pose> poses;
+    std::optional<listing::RunError> error;
+
+    bool hasStopped() const { return poses.size() < judgedFrames; }
+};
+
+/// Returns the run of `script` by `program`; nothing if it was cancelled.
+std::optional<JudgedRun> runOf(sim::Script script, const std::shared_ptr<const listing::Program> &program,
+                               const sim::ShouldContinue &shouldContinue)
+{
+    script.method = std::make_shared<listing::ListingMethod>(program);
+    script.step = sim::stepFor(*script.method, sim::StepSize::ofLength(1.0));
+    sim::Track track(std::move(script), judgeTrackBudget);
+    JudgedRun run;
+    for (int frame = 1; frame <= judgedFrames; ++frame) {
+        if (!track.seek({frame, 0}, shouldContinue))
+            return std::nullopt;
+        if (track.cursor().frame < frame) {
+            sim::State next = track.stateAfterInput(track.state(), track.cursor().frame);
+            const auto interval = track.nextInterval();
+            run.error = program->run(next, listing::bind(program->vocabulary(), interval->scene));
+            break;
+        }
+        run.poses.push_back({track.state().position, track.state().angle});
+    }
+    return run;
+}
+
+using JudgedRuns = std::vector<JudgedRun>;
+
+std::optional<JudgedRuns> runsOf(const std::vector<sim::Script> &scripts,
+                                 const std::shared_ptr<const listing::Program> &program,
+                                 const sim::ShouldContinue &shouldContinue)
+{
+    JudgedRuns runs;
+    for (const sim::Script &script : scripts) {
+        std::optional<JudgedRun> run = runOf(script, program, shouldContinue);
+        if (!run)
+            return std::nullopt;
+        runs.push_back(std::move(*run));
+    }
+    return runs;
+}
+
+/// Returns the greatest difference of two columns, and its row.
+double greatestDifference(const Eigen::ArrayXd &a, const Eigen::ArrayXd &b, Eigen::Index &row)
+{
+    return a.size() == 0 ? 0.0 : (a - b).abs().maxCoeff(&row);
+}
+
+Eigen::ArrayXd distancesOf(const Pose &a, const Pose &b)
+{
+    return (a.position - b.position).square().rowwise().sum().sqrt();
+}
+
+bool areEqual(const Pose &a, const Pose &b)
+{
+    Eigen::Index row = 0;
+    const Eigen::ArrayXd distances = distancesOf(a, b);
+    return greatestDifference(distances, Eigen::ArrayXd::Zero(distances.size()), row) <= judgeTolerance &&
+           greatestDifference(a.angle, b.angle, row) <= judgeTolerance;
+}
+
+bool areEqual(const JudgedRuns &a, const JudgedRuns &b)
+{
+    const auto sameRun = [](const JudgedRun &one, const JudgedRun &other) {
+        return one.poses.size() == other.poses.size() &&
+               std::equal(one.poses.begin(), one.poses.end(), other.poses.begin(),
+                          [](const Pose &x, const Pose &y) { return areEqual(x, y); });
+    };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), sameRun);
+}
+
+/// Returns the body that the hand holds while the frame that ends at `frame` is computed.
+std::string heldBody(const sim::Script &script, std::int64_t frame)
+{
+    std::string body;
+    for (const sim::Event &event : script.input) {
+        if (event.frame >= frame)
+            break;
+        if (const auto *grab = std::get_if<sim::Grab>(&event.what))
+            body = grab->body;
+        else if (std::holds_alternative<sim::Release>(event.what))
+            body.clear();
+    }
+    return body;
+}
+
+/// Returns how the first of the runs that differs does so. One of them does.
+Verdict firstDifference(const std::vector<sim::Script> &scripts, const JudgedRuns &reference,
+                        const JudgedRuns &written)
+{
+    Verdict verdict;
+    for (std::size_t run = 0; run < written.size(); ++run) {
+        const std::vector<Pose> &poses = written[run].poses;
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            const Pose &right = reference[run].poses[i];
+            if (areEqual(poses[i], right))
+                continue;
+            Eigen::Index row = 0;
+            const Eigen::ArrayXd distances = distancesOf(poses[i], right);
+            verdict.distance = distances.maxCoeff(&row);
+            if (verdict.distance <= judgeTolerance) {
+                verdict.isAngle = true;
+                verdict.distance = greatestDifference(poses[i].angle, right.angle, row);
+            }
+            verdict.frame = static_cast<std::int64_t>(i) + 1;
+            verdict.body =
+                sim::sceneOf(scripts[run], scripts[run].values).names[static_cast<std::size_t>(row)];
+            verdict.held = heldBody(scripts[run], verdict.frame);
+            return verdict;
+        }
+        if (written[run].hasStopped()) {
+            verdict.kind = Verdict::Kind::stopped;
+            verdict.frame = static_cast<std::int64_t>(poses.size()) + 1;
+            verdict.runError = written[run].error;
+            return verdict;
+        }
+    }
+    return verdict;
+}
+
+std::shared_ptr<const listing::Program> compiledForJudge(const QString &code,
+                                                         const listing::Vocabulary &vocabulary)
+{
+    const listing::Compiled compiled = listing::Program::compile(code.toStdString(), vocabulary);
+    if (!compiled.program)
+        throw std::invalid_argument("a listing of a task does not compile: " +
+                                    compiled.errors.front().sentence + '\n' + code.toStdString());
+    return compiled.program;
+}
+
+QString sentenceForDifference(const Verdict &verdict)
+{
+    const QString body = withinSentence(bodyTitle(QString::fromStdString(verdict.body)));
+    const QString much = verdict.isAngle
+                             ? JudgeText::tr("%1° too far").arg(verdict.distance, 0, 'g', 2)
+                             : JudgeText::tr("%1 px from its place").arg(verdict.distance, 0, 'g', 2);
+    if (verdict.held.empty())
+        return JudgeText::tr("Not yet: in frame %1 of a trial run, %2 is %3.")
+            .arg(verdict.frame)
+            .arg(body, much);
+    return JudgeText::tr("Not yet: while your hand holds %1 in a trial run, %2 is %3.")
+        .arg(withinSentence(bodyTitle(QString::fromStdString(verdict.held))), body, much);
+}
+
+}
+
+std::vector<sim::Script> judgeScripts(const lessons::Step &step)
+{
+    std::vector<sim::Script> scripts;
+    for (int trial = 0; trial < judgeTrials; ++trial) {
+        sim::Script script = step.script();
+        script.values = judgeValues(step, trial);
+        const sim::Scene scene = sim::sceneOf(script, script.values);
+        const auto points = static_cast<std::size_t>(scene.start.pointCount());
+        if (step.accepts(lessons::Interaction::drag) && points > 0) {
+            for (std::size_t i = 0; i < judgeStrokes[0].size(); ++i) {
+                const std::size_t point = (i * (points - 1) + static_cast<std::size_t>(trial)) % points;
+                addStroke(script.input, scene.names[point], scene.start.positionOf(static_cast<int>(point)),
+                          judgeStrokes[static_cast<std::size_t>(trial)][i]);
+            }
+        }
+        const Eigen::Array2d middle = scene.start.position.colwise().mean();
+        addOtherInput(script.input, step, {middle.x(), middle.y()}, trial);
+        sim::sortByFrame(script.input);
+        scripts.push_back(std::move(script));
+    }
+    return scripts;
+}
+
+std::optional<Verdict> judge(const lessons::Step &step, const lessons::CodeTask &task, const QString &code,
+                             const sim::ShouldContinue &shouldContinue)
+{
+    const std::vector<sim::Script> scripts = judgeScripts(step);
+    const listing::Vocabulary vocabulary =
+        listing::vocabularyOf(sim::sceneOf(scripts.front(), scripts.front().values));
+    const listing::Compiled compiled = listing::Program::compile(code.toStdString(), vocabulary);
+    if (!compiled.program) {
+        Verdict verdict{.kind = Verdict::Kind::doesNotCompile};
+        verdict.compileError = compiled.errors.front();
+        return verdict;
+    }
+    const auto reference = runsOf(scripts, compiledForJudge(step.listing.text, vocabulary), shouldContinue);
+    const auto written = reference ? runsOf(scripts, compiled.program, shouldContinue) : std::nullopt;
+    if (!written)
+        return std::nullopt;
+    if (areEqual(*reference, *written))
+        return Verdict{.kind = Verdict::Kind::right};
+    for (std::size_t i = 0; i < task.nearMisses.size(); ++i) {
+        const lessons::NearMiss &miss = task.nearMisses[i];
+        const QString text = step.listing.with(miss.gap.isEmpty() ? task.id : miss.gap, miss.code);
+        const auto missed = runsOf(scripts, compiledForJudge(text, vocabulary), shouldContinue);
+        if (!missed)
+            return std::nullopt;
+        if (areEqual(*missed, *written)) {
+            Verdict verdict = firstDifference(scripts, *reference, *written);
+            verdict.kind = Verdict::Kind::nearMiss;
+            verdict.nearMiss = static_cast<int>(i);
+            return verdict;
+        }
+    }
+    return firstDifference(scripts, *reference, *written);
+}
+
+QString sentenceFor(const Verdict &verdict, const lessons::CodeTask &task)
+{
+    switch (verdict.kind) {
+    case Verdict::Kind::right:
+        return JudgeText::tr("Right: your code does the same as the listing in three trial runs.");
+    case Verdict::Kind::nearMiss:
+        return task.nearMisses[static_cast<std::size_t>(verdict.nearMiss)].sentence;
+    case Verdict::Kind::stopped:
+        return verdict.runError
+                   ? JudgeText::tr("Not yet: in frame %1 of a trial run, line %2 stopped it.")
+                         .arg(verdict.frame)
+                         .arg(verdict.runError->line)
+                   : JudgeText::tr("Not yet: in frame %1 of a trial run, a number became infinite.")
+                         .arg(verdict.frame);
+    case Verdict::Kind::doesNotCompile:
+        return JudgeText::tr("Line %1 is not correct yet, so the code cannot run.")
+            .arg(verdict.compileError->line);
+    case Verdict::Kind::wrong:
+        break;
+    }
+    return sentenceForDifference(verdict);
+}
+
+}

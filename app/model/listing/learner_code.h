@@ -1,0 +1,98 @@
+#pragma once
+
+#include "app/listing/program.h"
+#include "app/model/session/open_run.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace app {
+
+class RunEditor;
+
+/// A mistake in the text of a listing, for the editor.
+struct CodeMistake
+{
+    int line = 1;     ///< from 1
+    int column = 1;   ///< from 1, in characters
+    int length = 1;   ///< characters, of the word that is wrong
+    QString sentence; ///< says what is wrong and which names exist, in the learner's language
+    friend bool operator==(const CodeMistake &, const CodeMistake &) = default;
+};
+
+/// The listing of the open step, as the learner has written it. The text becomes the method of the run, *Your code*. A text
+/// that does not compile is kept as a draft, while the run goes on with the last one that did.
+///
+/// ChangeKind::code announces each change of the text, also together with other kinds.
+class LearnerCode : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// After this time without a change of the text, the next one is undone separately, in ms.
+    static constexpr int pauseMilliseconds = 1000;
+
+    LearnerCode(OpenRun &run, RunEditor &editor) : m_run(run), m_editor(editor) {}
+
+    /// Returns whether there is a listing to show: the step's, or one that the learner wrote.
+    bool isOffered() const;
+    /// Returns the step's listing. Empty if it has none.
+    QString original() const;
+    /// Returns the text as the learner has left it.
+    QString text() const;
+    /// Returns whether the text differs from the step's listing.
+    bool isChanged() const { return text() != original(); }
+    /// Returns whether the listing computes the run, or did before its latest text stopped compiling. The step's own
+    /// method at its own step size computes the step's listing. Otherwise the panel shows the page of the method and
+    /// offers use().
+    bool isInUse() const;
+    /// Returns whether the run is computed by text() itself, so that lines and values belong to it.
+    bool isRunning() const { return isInUse() && !m_run.draft(); }
+    /// Returns the mistakes of text(), in its order. Empty if it compiles.
+    const std::vector<CodeMistake> &mistakes() const;
+    /// Returns the program of text(), or null if it does not compile.
+    std::shared_ptr<const listing::Program> program() const;
+    /// Returns the mistake that ended the run, if its own code did.
+    std::optional<listing::RunError> runError() const;
+
+    /// Replaces the text. If the listing is in use and the text compiles, the run is computed again up to the cursor, and
+    /// the run as it was becomes the ghost. Texts that follow each other within pauseMilliseconds are undone together,
+    /// unless RunEditor::endGesture() was called between them. A text of more than listing::maxTextBytes is a mistake.
+    void write(const QString &text);
+    /// Replaces the text by the step's listing, and makes the step's own method compute the run. It can be undone.
+    void reset();
+    /// Makes the text compute the run: as *Your code*, or by the step's own method if it is the step's listing. If the
+    /// text does not compile, says so, and changes nothing.
+    void use();
+
+    /// Compiles `text` for the names of the open step's scene. The last results are cached.
+    const listing::Compiled &compiled(const QString &text) const;
+
+    /// Returns the names of the open step's scene.
+    listing::Vocabulary vocabulary() const;
+
+private:
+    struct Cached
+    {
+        QString text;
+        listing::Vocabulary vocabulary;
+        listing::Compiled compiled;
+    };
+
+    bool isOwnMethod() const;
+    void set(const QString &text, const QString &what, const QString &gesture);
+
+    OpenRun &m_run;
+    RunEditor &m_editor;
+    QElapsedTimer m_sinceWritten;
+    mutable std::vector<Cached> m_cache; ///< the latest first
+    mutable QString m_mistakesOf;        ///< the text that m_mistakes belongs to
+    mutable std::vector<CodeMistake> m_mistakes;
+};
+
+}

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "app/listing/listing_method.h"
+#include "app/model/listing/learner_code.h"
+#include "app/model/listing/listing_frame.h"
+#include "app/model/session/playback.h"
+
+#include <QObject>
+
+#include <memory>
+#include <optional>
+
+namespace app {
+
+/// Moves through the lines of a listing. The run's cursor is between two frames then, and index() counts the lines of the
+/// next frame that have run. Any other move of the cursor sets it back to 0.
+///
+/// ChangeKind::cursor announces each step: the scene shows the bodies as the lines have left them.
+class LineStepper : public QObject
+{
+    Q_OBJECT
+
+public:
+    LineStepper(OpenRun &run, const Preview &preview, Playback &playback, const LearnerCode &code)
+        : m_run(run), m_preview(preview), m_playback(playback), m_code(code)
+    {
+    }
+
+    /// Returns whether the lines of LearnerCode::text() can be stepped through: they compute the run.
+    bool isAvailable() const { return m_code.isRunning(); }
+    /// Returns how many lines of the next frame have run. 0: the cursor is between two frames.
+    int index() const { return m_index; }
+    /// Returns the number of lines of the next frame, as they run. 0 if lines are not available.
+    int count() const;
+    /// Returns the next frame, which the arrow and the strip of the timeline show. Null if lines are not available.
+    std::shared_ptr<const ListingFrame> nextFrame() const;
+    /// Returns the frame whose values are shown beside their lines, and how many of its lines have run. Inside a frame
+    /// that is the frame itself, between two frames the one before. Without a frame at the start, and while lines are not
+    /// available.
+    struct Shown
+    {
+        std::shared_ptr<const ListingFrame> frame; ///< null: no values
+        int index = 0;                             ///< lines of it that have run
+        bool isInside = false;                     ///< whether the frame is not finished yet
+    };
+    Shown shown() const;
+    /// Returns the line of the text that runs next, from 1; 0 if lines are not available or the run ends here.
+    int nextLine() const;
+    /// Returns the state as the lines have left it. Empty between two frames.
+    const std::optional<sim::State> &state() const { return m_state; }
+
+    // Each of these pauses first.
+    /// Runs one line: into functions and loops, and from the last line into the next frame.
+    void forward();
+    /// Goes back one line, also into the frame before.
+    void back();
+    /// Runs the next line with all calls in it.
+    void stepOver();
+    /// Runs to the end of the function, or to the end of the frame.
+    void stepOut();
+    /// Runs on until `line` of the text (from 1) is next: in this frame, or else in the frame after it. Returns whether
+    /// it runs in one of them; if not, says so.
+    bool runTo(int line);
+    /// Goes to a line of the next frame by the number of lines before it, 0 to count(). count() is the next frame.
+    void goTo(int index);
+
+    /// Forgets the place inside a frame if the cursor or the run has changed.
+    void follow();
+
+private:
+    /// What a traced frame belongs to.
+    struct Place
+    {
+        std::int64_t frame = -1;
+        std::shared_ptr<const sim::ComposedInterval> interval;
+        std::shared_ptr<const listing::Program> program;
+        friend bool operator==(const Place &, const Place &) = default;
+    };
+    struct Traced
+    {
+        Place place;
+        std::shared_ptr<const ListingFrame> frame;
+    };
+
+    /// Goes to the start of the frame if the cursor is between two phases. Returns whether it was.
+    bool leavePhases();
+    void set(int index);
+    std::shared_ptr<const ListingFrame> frameAfter(std::int64_t frame) const;
+
+    OpenRun &m_run;
+    const Preview &m_preview;
+    Playback &m_playback;
+    const LearnerCode &m_code;
+    int m_index = 0;
+    std::int64_t m_at = -1; ///< the frame that m_index belongs to
+    std::optional<sim::State> m_state;
+    mutable Traced m_next, m_last;
+};
+
+}
