@@ -196,7 +196,7 @@ std::string heldBody(const sim::Script &script, std::int64_t frame)
 {
     std::string body;
     for (const sim::Event &event : script.input) {
-        if (event.frame >= frame)
+        if (event.frame > frame)
             break;
         if (const auto *grab = std::get_if<sim::Grab>(&event.what))
             body = grab->body;
