@@ -29,6 +29,7 @@ struct CodeTask
 {
     /// The id of a gap of the step's listing, or "frame": the whole listing.
     QString id;
+    QString title;     ///< a few words: "the pull of the spring"
     QString text;      ///< Markdown, one or two short sentences
     QString comment;   ///< the comment in the empty place, one or more lines, without `//`
     QStringList hints; ///< Markdown, three; each tells more than the one before

@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/creature_view.h"
@@ -45,6 +46,7 @@ Step twoFeetStep()
         "the picture.");
     step.explanation = twoFeetExplanation();
     step.tries = twoFeetTries();
+    step.codeTasks = twoFeetCodeTasks();
     step.scene = two_feet::setUp;
     return step;
 }
@@ -62,6 +64,7 @@ Step anyNumberStep()
         "at one foot reaches all the others through it.");
     step.explanation = anyNumberExplanation();
     step.tries = anyNumberTries();
+    step.codeTasks = anyNumberCodeTasks();
     step.scene = any_number::setUp;
     return step;
 }
@@ -81,6 +84,7 @@ Step grownFeetStep()
                  "The springs are not to blame: with two steps of half a frame each, 60 feet hold.");
     step.explanation = grownFeetExplanation();
     step.tries = grownFeetTries();
+    step.codeTasks = grownFeetCodeTasks();
     step.scene = grown_feet::setUp;
     return step;
 }

@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/single_spring/text.h"
@@ -49,6 +50,7 @@ Step dragStep()
     }
     step.explanation = dragExplanation();
     step.tries = dragTries();
+    step.codeTasks = dragCodeTasks();
     step.scene = drag::setUp;
     step.overlays = inactivePull;
     return step;
@@ -70,6 +72,7 @@ Step fixedCentreStep()
     step.addParameters(centre());
     step.explanation = fixedCentreExplanation();
     step.tries = fixedCentreTries();
+    step.codeTasks = fixedCentreCodeTasks();
     step.scene = fixed_centre::setUp;
     step.overlays = centreCross;
     return step;
@@ -87,6 +90,7 @@ Step movingBodyStep()
         "This body is a handle: it feels no pull and keeps no velocity, and stays where you leave it.");
     step.explanation = movingBodyExplanation();
     step.tries = movingBodyTries();
+    step.codeTasks = movingBodyCodeTasks();
     step.scene = moving_body::setUp;
     return step;
 }
@@ -105,6 +109,7 @@ Step offsetStep()
     step.addParameters({lessons::offset()});
     step.explanation = offsetExplanation();
     step.tries = offsetTries();
+    step.codeTasks = offsetCodeTasks();
     step.scene = offset::setUp;
     step.overlays = offsetCross;
     return step;
@@ -127,6 +132,7 @@ Step radialStep()
     step.addParameters({lessons::radius()});
     step.explanation = radialExplanation();
     step.tries = radialTries();
+    step.codeTasks = radialCodeTasks();
     step.scene = radial::setUp;
     step.overlays = ringAndAngle;
     return step;

@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/two_body/text.h"
@@ -40,6 +41,7 @@ Step mutualStep()
                  "the momentum stays 0.");
     step.explanation = mutualExplanation();
     step.tries = mutualTries();
+    step.codeTasks = mutualCodeTasks();
     step.scene = mutual::setUp;
     step.view = [](const sim::Scene &scene, const sim::Values &) { return mutual::look(scene); };
     return step;
@@ -58,6 +60,7 @@ Step legLineStep()
         "together; where it is shorter, the spring pushes them apart; and at 50 px it does nothing.");
     step.explanation = legLineExplanation();
     step.tries = legLineTries();
+    step.codeTasks = legLineCodeTasks();
     step.scene = leg_line::setUp;
     step.view = [](const sim::Scene &scene, const sim::Values &) { return leg_line::look(scene); };
     return step;
