@@ -6,16 +6,24 @@ namespace app {
 
 LessonSummary summaryOf(const LessonEntry &lesson, const LessonLibrary &library, const Progress &progress)
 {
-    LessonSummary summary{lesson.id, lesson.title, {}, 0, 0, nullptr};
+    LessonSummary summary{.lesson = lesson.id, .title = lesson.title};
     for (const lessons::Step &step : lesson.steps) {
-        StepSummary one{step.id, step.title, step.explanation.learnt, 0, {}};
+        StepSummary one{.id = step.id, .title = step.title, .learnt = step.explanation.learnt};
         for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
             if (progress.isDone(lesson.id, step.id, i))
                 ++one.done;
             else
                 one.open << step.tries[static_cast<std::size_t>(i)].text;
         }
+        for (const lessons::CodeTask &task : step.codeTasks) {
+            if (progress.isWritten(lesson.id, step.id, task.id))
+                ++one.written;
+            else
+                one.unwritten << task.text;
+        }
         summary.done += one.done;
+        summary.written += one.written;
+        summary.codeTasks += static_cast<int>(step.codeTasks.size());
         summary.count += static_cast<int>(step.tries.size());
         summary.steps.push_back(std::move(one));
     }

@@ -12,9 +12,11 @@ struct StepSummary
 {
     QString id;
     QString title;
-    QString learnt;   ///< may be empty
-    int done = 0;     ///< things tried
-    QStringList open; ///< the things still to try
+    QString learnt;             ///< may be empty
+    int done = 0;               ///< things tried
+    QStringList open = {};      ///< the things still to try
+    int written = 0;            ///< tasks in the listing that are done
+    QStringList unwritten = {}; ///< the tasks in the listing that are not
 };
 
 /// A summary of a lesson and the learner's progress in it.
@@ -22,9 +24,11 @@ struct LessonSummary
 {
     QString lesson; ///< id
     QString title;
-    std::vector<StepSummary> steps;
+    std::vector<StepSummary> steps = {};
     int done = 0;                      ///< things tried
     int count = 0;                     ///< things to try
+    int written = 0;                   ///< tasks in listings that are done
+    int codeTasks = 0;                 ///< tasks in listings
     const LessonEntry *next = nullptr; ///< the next lesson; null after the last one
 };
 

@@ -14,6 +14,11 @@ QString nameOf(const QString &lesson, const QString &step, int number)
     return lesson + '/' + step + '/' + QString::number(number);
 }
 
+QString nameOfTask(const QString &lesson, const QString &step, const QString &task)
+{
+    return lesson + '/' + step + QStringLiteral("/code:") + task;
+}
+
 }
 
 Progress::Progress(QObject *parent) : QObject(parent)
@@ -29,9 +34,24 @@ bool Progress::isDone(const QString &lesson, const QString &step, int number) co
 
 void Progress::markDone(const QString &lesson, const QString &step, int number)
 {
-    if (isDone(lesson, step, number))
+    mark(nameOf(lesson, step, number));
+}
+
+bool Progress::isWritten(const QString &lesson, const QString &step, const QString &task) const
+{
+    return m_done.contains(nameOfTask(lesson, step, task));
+}
+
+void Progress::markWritten(const QString &lesson, const QString &step, const QString &task)
+{
+    mark(nameOfTask(lesson, step, task));
+}
+
+void Progress::mark(const QString &name)
+{
+    if (m_done.contains(name))
         return;
-    m_done.insert(nameOf(lesson, step, number));
+    m_done.insert(name);
     save();
     emit changed();
 }

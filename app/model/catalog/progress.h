@@ -7,7 +7,8 @@
 
 namespace app {
 
-/// A record of which things to try are done, by "lesson/step/number". It is kept between starts of the program.
+/// A record of which things to try are done, by "lesson/step/number", and which tasks in listings are done, by
+/// "lesson/step/code:id". It is kept between starts of the program.
 class Progress : public QObject
 {
     Q_OBJECT
@@ -17,6 +18,9 @@ public:
 
     bool isDone(const QString &lesson, const QString &step, int number) const;
     void markDone(const QString &lesson, const QString &step, int number);
+    /// Returns whether the learner wrote the code of the task with this id.
+    bool isWritten(const QString &lesson, const QString &step, const QString &task) const;
+    void markWritten(const QString &lesson, const QString &step, const QString &task);
     void forgetAll();
     /// Removes the ticks of one lesson, and returns them.
     QStringList forgetLesson(const QString &lesson);
@@ -27,6 +31,7 @@ signals:
     void changed();
 
 private:
+    void mark(const QString &name);
     void save() const;
 
     QSet<QString> m_done;
