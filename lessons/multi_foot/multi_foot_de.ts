@@ -219,6 +219,160 @@ Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und 
         <source>let time run (**Space**) until it has left the stage.</source>
         <translation>lass die Zeit laufen (**Leertaste**), bis sie die Bühne verlassen hat.</translation>
     </message>
+    <message>
+        <source>two pulls</source>
+        <translation>zwei Züge</translation>
+    </message>
+    <message>
+        <source>Write the **two pulls on the body**, one from each foot. They add up.</source>
+        <translation>Schreibe die **zwei Züge am Körper**, einen von jedem Fuß. Sie addieren sich.</translation>
+    </message>
+    <message>
+        <source>Both feet pull the body.</source>
+        <translation>Beide Füße ziehen den Körper.</translation>
+    </message>
+    <message>
+        <source>`pull(me, anchor)` returns the pull on `me`. It is added to the velocity of `me`.</source>
+        <translation>`pull(me, anchor)` gibt den Zug an `me` zurück. Er wird zur Geschwindigkeit von `me` addiert.</translation>
+    </message>
+    <message>
+        <source>The feet are `feet[0]` and `feet[1]`. Here the body is the one that is pulled.</source>
+        <translation>Die Füße sind `feet[0]` und `feet[1]`. Gezogen wird hier der Körper.</translation>
+    </message>
+    <message>
+        <source>`body.velocity += pull(body, …);` twice.</source>
+        <translation>`body.velocity += pull(body, …);`, zweimal.</translation>
+    </message>
+    <message>
+        <source>Only one foot pulls the body. The other one, `feet[1]`, is missing.</source>
+        <translation>Nur ein Fuß zieht den Körper. Der andere, `feet[1]`, fehlt.</translation>
+    </message>
+    <message>
+        <source>Only one foot pulls the body. The other one, `feet[0]`, is missing.</source>
+        <translation>Nur ein Fuß zieht den Körper. Der andere, `feet[0]`, fehlt.</translation>
+    </message>
+    <message>
+        <source>The two pulls add up, but `=` forgets the velocity that the body had.</source>
+        <translation>Die zwei Züge addieren sich, aber `=` vergisst die Geschwindigkeit, die der Körper hatte.</translation>
+    </message>
+    <message>
+        <source>These are the pulls on the feet. The first name in the brackets is the one that is pulled.</source>
+        <translation>Das sind die Züge an den Füßen. Der erste Name in der Klammer ist der, der gezogen wird.</translation>
+    </message>
+    <message>
+        <source>a loop over the feet</source>
+        <translation>eine Schleife über die Füße</translation>
+    </message>
+    <message>
+        <source>Write the **loop** in which every foot pulls the body, however many there are.</source>
+        <translation>Schreibe die **Schleife**, in der jeder Fuß den Körper zieht, wie viele es auch sind.</translation>
+    </message>
+    <message>
+        <source>Every foot pulls the body.</source>
+        <translation>Jeder Fuß zieht den Körper.</translation>
+    </message>
+    <message>
+        <source>There are `feet.count` feet. Their numbers begin with 0.</source>
+        <translation>Es gibt `feet.count` Füße. Ihre Nummern beginnen mit 0.</translation>
+    </message>
+    <message>
+        <source>A loop that counts: `for (int i = 0; i &lt; …; i++)`. Inside it, `feet[i]` is one foot.</source>
+        <translation>Eine Schleife, die zählt: `for (int i = 0; i &lt; …; i++)`. In ihr ist `feet[i]` ein Fuß.</translation>
+    </message>
+    <message>
+        <source>In the loop: `body.velocity += pull(body, feet[i]);`</source>
+        <translation>In der Schleife: `body.velocity += pull(body, feet[i]);`</translation>
+    </message>
+    <message>
+        <source>The loop leaves out the first foot. It has the number 0.</source>
+        <translation>Die Schleife lässt den ersten Fuß aus. Er hat die Nummer 0.</translation>
+    </message>
+    <message>
+        <source>The loop leaves out the last foot.</source>
+        <translation>Die Schleife lässt den letzten Fuß aus.</translation>
+    </message>
+    <message>
+        <source>With `=` each pull replaces the one before. They should add up.</source>
+        <translation>Mit `=` ersetzt jeder Zug den davor. Sie sollen sich addieren.</translation>
+    </message>
+    <message>
+        <source>The same foot pulls each time. Use `feet[i]`.</source>
+        <translation>Jedes Mal zieht derselbe Fuß. Nimm `feet[i]`.</translation>
+    </message>
+    <message>
+        <source>a body in your hand</source>
+        <translation>ein Körper in deiner Hand</translation>
+    </message>
+    <message>
+        <source>Write the function **follow** for a body that is held: it goes where the pointer is, and can be thrown.</source>
+        <translation>Schreibe die Funktion **follow** für einen Körper, der gehalten wird: Er geht dorthin, wo der Zeiger ist, und du kannst ihn werfen.</translation>
+    </message>
+    <message>
+        <source>me is held by the hand.</source>
+        <translation>me ist in der Hand.</translation>
+    </message>
+    <message>
+        <source>The velocity is how far the hand moved in this frame: from where `me` still is to `pointer`.</source>
+        <translation>Die Geschwindigkeit ist, wie weit sich die Hand in diesem Bild bewegt hat: von dort, wo `me` noch ist, bis zu `pointer`.</translation>
+    </message>
+    <message>
+        <source>Set the velocity before the position changes.</source>
+        <translation>Setze die Geschwindigkeit, bevor sich der Ort ändert.</translation>
+    </message>
+    <message>
+        <source>`me.velocity = pointer - …;` and then `me.position = …;`</source>
+        <translation>`me.velocity = pointer - …;` und dann `me.position = …;`</translation>
+    </message>
+    <message>
+        <source>`me` has already moved when you take the difference, so its velocity is 0 and it cannot be thrown. Swap the two lines.</source>
+        <translation>`me` hat sich schon bewegt, wenn du den Unterschied nimmst. Darum ist seine Geschwindigkeit 0, und du kannst es nicht werfen. Vertausche die zwei Zeilen.</translation>
+    </message>
+    <message>
+        <source>`me` follows the hand, but keeps the velocity from before. Your throw has no effect.</source>
+        <translation>`me` folgt der Hand, behält aber die Geschwindigkeit von vorher. Dein Wurf hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>`me` lags behind the hand. While it is held, nothing damps it.</source>
+        <translation>`me` bleibt hinter der Hand zurück. Was gehalten wird, wird nicht gedämpft.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame of a body with any number of feet. The hand comes first, then each foot, and the body last.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild für einen Körper mit beliebig vielen Füßen. Erst kommt die Hand, dann jeder Fuß und zuletzt der Körper.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity and held),
+feet.count, pointer, k, damp, radius. Functions of your own stand above frame.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity und held),
+feet.count, pointer, k, damp, radius. Eigene Funktionen stehen über frame.</translation>
+    </message>
+    <message>
+        <source>Three functions help: `pull(me, anchor)` returns the pull on `me`, `follow(me)` is for a body that is held, and `move(me)` damps and moves.</source>
+        <translation>Drei Funktionen helfen: `pull(me, anchor)` gibt den Zug an `me` zurück, `follow(me)` ist für einen Körper, der gehalten wird, und `move(me)` dämpft und bewegt.</translation>
+    </message>
+    <message>
+        <source>The order: if the body is held, it follows. Then a loop: each foot follows if it is held; if not, it is pulled by the body and moves. Then the body, if it is not held: all pulls, and one move.</source>
+        <translation>Die Reihenfolge: Wird der Körper gehalten, folgt er. Dann eine Schleife: Jeder Fuß folgt, wenn er gehalten wird; wenn nicht, zieht ihn der Körper, und er bewegt sich. Dann der Körper, wenn er nicht gehalten wird: alle Züge und eine Bewegung.</translation>
+    </message>
+    <message>
+        <source>`Vec2 pull(Body me, Body anchor)` returns `k * (target - me.position)`. Its target is `anchor.position + radius * Vec2(cos(angle), sin(angle))`, with the angle of `me.position - anchor.position`.</source>
+        <translation>`Vec2 pull(Body me, Body anchor)` gibt `k * (target - me.position)` zurück. Sein Ziel ist `anchor.position + radius * Vec2(cos(angle), sin(angle))`, mit dem Winkel von `me.position - anchor.position`.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but each target is on the far side of the body that pulls.</source>
+        <translation>Der Rest stimmt, aber jedes Ziel ist auf der anderen Seite des Körpers, der zieht.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the springs pull the bodies onto each other. They should stay `radius` px apart.</source>
+        <translation>Der Rest stimmt, aber die Federn ziehen die Körper aufeinander. Sie sollen `radius` px Abstand halten.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but every pull points away from its target.</source>
+        <translation>Der Rest stimmt, aber jeder Zug zeigt von seinem Ziel weg.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

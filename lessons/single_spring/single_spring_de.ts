@@ -571,6 +571,256 @@ Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das
         <source>hold it still there for a moment.</source>
         <translation>halte ihn dort einen Moment lang still.</translation>
     </message>
+    <message>
+        <source>the throw</source>
+        <translation>der Wurf</translation>
+    </message>
+    <message>
+        <source>Write what the foot does **while you hold it**: it goes where the pointer is. Its velocity is how far the hand moved in this frame.</source>
+        <translation>Schreibe, was der Fuß tut, **während du ihn hältst**: Er geht dorthin, wo der Zeiger ist. Seine Geschwindigkeit ist, wie weit sich die Hand in diesem Bild bewegt hat.</translation>
+    </message>
+    <message>
+        <source>The foot is held: set its velocity and its position.</source>
+        <translation>Der Fuß ist in der Hand: Setze seine Geschwindigkeit und seinen Ort.</translation>
+    </message>
+    <message>
+        <source>The foot is still where the hand was in the last frame. The hand is at `pointer` now. The velocity is the difference.</source>
+        <translation>Der Fuß ist noch dort, wo die Hand im letzten Bild war. Die Hand ist jetzt bei `pointer`. Die Geschwindigkeit ist der Unterschied.</translation>
+    </message>
+    <message>
+        <source>Two lines: first the velocity, then the position. After the move the difference would be 0.</source>
+        <translation>Zwei Zeilen: erst die Geschwindigkeit, dann der Ort. Nach der Bewegung wäre der Unterschied 0.</translation>
+    </message>
+    <message>
+        <source>`foot.velocity = pointer - …;` and then `foot.position = …;`</source>
+        <translation>`foot.velocity = pointer - …;` und dann `foot.position = …;`</translation>
+    </message>
+    <message>
+        <source>The foot has already moved when you take the difference, so its velocity is 0 and it cannot be thrown. Swap the two lines.</source>
+        <translation>Der Fuß hat sich schon bewegt, wenn du den Unterschied nimmst. Darum ist seine Geschwindigkeit 0, und du kannst ihn nicht werfen. Vertausche die zwei Zeilen.</translation>
+    </message>
+    <message>
+        <source>The velocity points backwards: from the hand to where the foot was. It flies away from your throw.</source>
+        <translation>Die Geschwindigkeit zeigt rückwärts: von der Hand dorthin, wo der Fuß war. Er fliegt gegen deinen Wurf davon.</translation>
+    </message>
+    <message>
+        <source>The foot follows the hand, but keeps the velocity from before you took it. Your throw has no effect.</source>
+        <translation>Der Fuß folgt der Hand, behält aber die Geschwindigkeit, die er hatte, bevor du ihn genommen hast. Dein Wurf hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>With `+=` the velocity grows in each frame that you hold the foot. Set it with `=`.</source>
+        <translation>Mit `+=` wächst die Geschwindigkeit in jedem Bild, in dem du den Fuß hältst. Setze sie mit `=`.</translation>
+    </message>
+    <message>
+        <source>the pull of the spring</source>
+        <translation>der Zug der Feder</translation>
+    </message>
+    <message>
+        <source>Write the **pull of the spring**: add **k** times the missing distance to the foot’s velocity.</source>
+        <translation>Schreibe den **Zug der Feder**: Addiere **k** mal den fehlenden Abstand zur Geschwindigkeit des Fußes.</translation>
+    </message>
+    <message>
+        <source>The spring pulls the foot towards the centre.</source>
+        <translation>Die Feder zieht den Fuß zur Mitte.</translation>
+    </message>
+    <message>
+        <source>The missing distance is a vector that points from the foot to the centre.</source>
+        <translation>Der fehlende Abstand ist ein Vektor, der vom Fuß zur Mitte zeigt.</translation>
+    </message>
+    <message>
+        <source>A difference of two places points from the second to the first: `a - b` leads from b to a.</source>
+        <translation>Die Differenz zweier Orte zeigt vom zweiten zum ersten: `a - b` führt von b nach a.</translation>
+    </message>
+    <message>
+        <source>`foot.velocity += k * (… - …);` with `centre` and `foot.position`.</source>
+        <translation>`foot.velocity += k * (… - …);` mit `centre` und `foot.position`.</translation>
+    </message>
+    <message>
+        <source>The pull points away from the centre. Swap the two places of the difference.</source>
+        <translation>Der Zug zeigt von der Mitte weg. Vertausche die zwei Orte der Differenz.</translation>
+    </message>
+    <message>
+        <source>With `=` the foot forgets the velocity that it had, so it never swings. The pull is added with `+=`.</source>
+        <translation>Mit `=` vergisst der Fuß die Geschwindigkeit, die er hatte, und schwingt nie. Der Zug wird mit `+=` addiert.</translation>
+    </message>
+    <message>
+        <source>The direction is right, but the pull is the whole distance. Multiply it by `k`.</source>
+        <translation>Die Richtung stimmt, aber der Zug ist der ganze Abstand. Multipliziere ihn mit `k`.</translation>
+    </message>
+    <message>
+        <source>This moves the foot by the pull. A pull changes the velocity, and the velocity moves the foot.</source>
+        <translation>Das bewegt den Fuß um den Zug. Ein Zug ändert die Geschwindigkeit, und die Geschwindigkeit bewegt den Fuß.</translation>
+    </message>
+    <message>
+        <source>damping and the move</source>
+        <translation>die Dämpfung und die Bewegung</translation>
+    </message>
+    <message>
+        <source>The spring has pulled. Write the **end of the frame**: damping takes its share of the velocity, and then the foot moves.</source>
+        <translation>Die Feder hat gezogen. Schreibe das **Ende des Bildes**: Die Dämpfung nimmt ihren Anteil der Geschwindigkeit, und dann bewegt sich der Fuß.</translation>
+    </message>
+    <message>
+        <source>Damping, and then the move.</source>
+        <translation>Die Dämpfung, und dann die Bewegung.</translation>
+    </message>
+    <message>
+        <source>After damping, the velocity is `damp` times what it was.</source>
+        <translation>Nach der Dämpfung ist die Geschwindigkeit `damp` mal so groß wie vorher.</translation>
+    </message>
+    <message>
+        <source>A velocity is the distance for one frame, so the move adds the velocity to the position.</source>
+        <translation>Die Geschwindigkeit ist der Weg in einem Bild. Die Bewegung addiert also die Geschwindigkeit zum Ort.</translation>
+    </message>
+    <message>
+        <source>`foot.velocity *= …;` and then `foot.position += …;`</source>
+        <translation>`foot.velocity *= …;` und dann `foot.position += …;`</translation>
+    </message>
+    <message>
+        <source>The foot moves before damping takes its share. It should move by the damped velocity: swap the two lines.</source>
+        <translation>Der Fuß bewegt sich, bevor die Dämpfung ihren Anteil nimmt. Er soll sich mit der gedämpften Geschwindigkeit bewegen: Vertausche die zwei Zeilen.</translation>
+    </message>
+    <message>
+        <source>The foot moves, but nothing takes speed away. Damping is missing.</source>
+        <translation>Der Fuß bewegt sich, aber nichts macht ihn langsamer. Die Dämpfung fehlt.</translation>
+    </message>
+    <message>
+        <source>`damp` is the share that the foot keeps, not the share that it loses.</source>
+        <translation>`damp` ist der Anteil, den der Fuß behält, nicht der Anteil, den er verliert.</translation>
+    </message>
+    <message>
+        <source>The foot moves by the damped velocity, but keeps the undamped one for the next frame. Change `foot.velocity` itself.</source>
+        <translation>Der Fuß bewegt sich mit der gedämpften Geschwindigkeit, behält aber die ungedämpfte für das nächste Bild. Ändere `foot.velocity` selbst.</translation>
+    </message>
+    <message>
+        <source>the target with an offset</source>
+        <translation>das Ziel mit einem Versatz</translation>
+    </message>
+    <message>
+        <source>Write the **target** of the spring: the place **offset** px to the right of the body.</source>
+        <translation>Schreibe das **Ziel** der Feder: den Ort, der **Versatz** px rechts vom Körper ist.</translation>
+    </message>
+    <message>
+        <source>Vec2 target: the place where the spring ends.</source>
+        <translation>Vec2 target: der Ort, an dem die Feder endet.</translation>
+    </message>
+    <message>
+        <source>Begin with the position of the body. Right means a larger x. y stays.</source>
+        <translation>Beginne mit dem Ort des Körpers. Rechts heißt: ein größeres x. y bleibt.</translation>
+    </message>
+    <message>
+        <source>`Vec2 target = …;` makes a variable. You can change its `x` afterwards.</source>
+        <translation>`Vec2 target = …;` macht eine Variable. Danach kannst du ihr `x` ändern.</translation>
+    </message>
+    <message>
+        <source>`Vec2 target = body.position;` and then `target.x += …;`</source>
+        <translation>`Vec2 target = body.position;` und dann `target.x += …;`</translation>
+    </message>
+    <message>
+        <source>The target is on the left of the body. x grows to the right.</source>
+        <translation>Das Ziel ist links vom Körper. x wächst nach rechts.</translation>
+    </message>
+    <message>
+        <source>The target is below the body: y points down. Change its x.</source>
+        <translation>Das Ziel ist unter dem Körper: y zeigt nach unten. Ändere sein x.</translation>
+    </message>
+    <message>
+        <source>The target is on the body itself. Add the offset.</source>
+        <translation>Das Ziel ist auf dem Körper selbst. Addiere den Versatz.</translation>
+    </message>
+    <message>
+        <source>The target moves along with the foot, so the foot never gets there. Begin with the position of the body.</source>
+        <translation>Das Ziel bewegt sich mit dem Fuß mit, darum kommt der Fuß nie an. Beginne mit dem Ort des Körpers.</translation>
+    </message>
+    <message>
+        <source>the target in any direction</source>
+        <translation>das Ziel in jeder Richtung</translation>
+    </message>
+    <message>
+        <source>Write the **target in any direction**: the place at the distance **radius** from the body, in the direction in which the foot is.</source>
+        <translation>Schreibe das **Ziel in jeder Richtung**: den Ort im Abstand **Radius** vom Körper, in der Richtung, in der der Fuß ist.</translation>
+    </message>
+    <message>
+        <source>Vec2 target: the nearest place on the ring.</source>
+        <translation>Vec2 target: der nächste Ort auf dem Ring.</translation>
+    </message>
+    <message>
+        <source>First find the direction: the vector from the body to the foot. `atan2` makes an angle of its y and its x.</source>
+        <translation>Finde zuerst die Richtung: den Vektor vom Körper zum Fuß. `atan2` macht aus seinem y und seinem x einen Winkel.</translation>
+    </message>
+    <message>
+        <source>`Vec2(cos(angle), sin(angle))` is a step of 1&#x202f;px at that angle. Make it `radius` times as long, and start at the body.</source>
+        <translation>`Vec2(cos(angle), sin(angle))` ist ein Schritt von 1 px in diesem Winkel. Mach ihn `radius` mal so lang und beginne beim Körper.</translation>
+    </message>
+    <message>
+        <source>`Vec2 from = foot.position - body.position;`
+
+`double angle = atan2(from.y, from.x);`
+
+`Vec2 target = body.position + radius * …;`</source>
+        <translation>`Vec2 from = foot.position - body.position;`
+
+`double angle = atan2(from.y, from.x);`
+
+`Vec2 target = body.position + radius * …;`</translation>
+    </message>
+    <message>
+        <source>The target is on the other side of the body. The direction has to lead from the body to the foot.</source>
+        <translation>Das Ziel ist auf der anderen Seite des Körpers. Die Richtung muss vom Körper zum Fuß führen.</translation>
+    </message>
+    <message>
+        <source>x and y are swapped in `atan2`: y comes first.</source>
+        <translation>x und y sind in `atan2` vertauscht: y kommt zuerst.</translation>
+    </message>
+    <message>
+        <source>`cos` and `sin` are swapped: `cos` belongs to x.</source>
+        <translation>`cos` und `sin` sind vertauscht: `cos` gehört zu x.</translation>
+    </message>
+    <message>
+        <source>The ring is around the top left corner of the picture. Add the position of the body.</source>
+        <translation>Der Ring liegt um die linke obere Ecke des Bildes. Addiere den Ort des Körpers.</translation>
+    </message>
+    <message>
+        <source>The target is on the body itself. It should be `radius` px away from it.</source>
+        <translation>Das Ziel ist auf dem Körper selbst. Es soll `radius` px von ihm entfernt sein.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame. You can carry the body. You can carry and throw the foot, and its spring ends on the ring around the body.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild. Den Körper kannst du tragen. Den Fuß kannst du tragen und werfen, und seine Feder endet auf dem Ring um den Körper.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: body, foot (each with position, velocity and held),
+pointer, k, damp, radius.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held),
+pointer, k, damp, radius.</translation>
+    </message>
+    <message>
+        <source>Begin with the hand: `if (body.held)` the body goes to the pointer. `if (foot.held)` the foot does too, and its velocity is how far the hand moved. What comes then happens only if the foot is not held.</source>
+        <translation>Beginne mit der Hand: `if (body.held)`, dann geht der Körper zum Zeiger. `if (foot.held)`, dann geht auch der Fuß dorthin, und seine Geschwindigkeit ist, wie weit sich die Hand bewegt hat. Was danach kommt, geschieht nur, wenn der Fuß nicht gehalten wird.</translation>
+    </message>
+    <message>
+        <source>In `else`: find the target on the ring, add the pull to the velocity, damp the velocity, and move the foot.</source>
+        <translation>In `else`: Finde das Ziel auf dem Ring, addiere den Zug zur Geschwindigkeit, dämpfe die Geschwindigkeit und bewege den Fuß.</translation>
+    </message>
+    <message>
+        <source>The target: `body.position + radius * Vec2(cos(angle), sin(angle))`, with the angle of `foot.position - body.position`. The pull: `k * (target - foot.position)`.</source>
+        <translation>Das Ziel: `body.position + radius * Vec2(cos(angle), sin(angle))`, mit dem Winkel von `foot.position - body.position`. Der Zug: `k * (target - foot.position)`.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the foot cannot be thrown: while you hold it, its velocity has to be how far the hand moved.</source>
+        <translation>Der Rest stimmt, aber der Fuß lässt sich nicht werfen: Während du ihn hältst, muss seine Geschwindigkeit sein, wie weit sich die Hand bewegt hat.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the target is on the other side of the body.</source>
+        <translation>Der Rest stimmt, aber das Ziel ist auf der anderen Seite des Körpers.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the target is on the body itself. It should be `radius` px away from it.</source>
+        <translation>Der Rest stimmt, aber das Ziel ist auf dem Körper selbst. Es soll `radius` px von ihm entfernt sein.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

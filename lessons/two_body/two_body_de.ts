@@ -215,6 +215,128 @@ Aber er zeigt, wie lang die Feder ist. Wo er länger ist als **Radius**, zieht d
         <source>let time run (**Space**) until the pair has left the stage.</source>
         <translation>lass die Zeit laufen (**Leertaste**), bis das Paar die Bühne verlassen hat.</translation>
     </message>
+    <message>
+        <source>the opposite pull</source>
+        <translation>der Gegenzug</translation>
+    </message>
+    <message>
+        <source>Write the **opposite pull**: the spring also pulls the body, to its place at the distance **radius** from the foot.</source>
+        <translation>Schreibe den **Gegenzug**: Die Feder zieht auch den Körper, an seinen Ort im Abstand **Radius** vom Fuß.</translation>
+    </message>
+    <message>
+        <source>The spring pulls the body, too.</source>
+        <translation>Die Feder zieht auch den Körper.</translation>
+    </message>
+    <message>
+        <source>It is the line of the foot, with the two bodies swapped.</source>
+        <translation>Es ist die Zeile des Fußes, mit vertauschten Körpern.</translation>
+    </message>
+    <message>
+        <source>`nearest(body, foot)` is the place at the right distance from the foot that is nearest to the body.</source>
+        <translation>`nearest(body, foot)` ist der Ort im richtigen Abstand vom Fuß, der dem Körper am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>`body.velocity += k * (nearest(…, …) - body.position);`</source>
+        <translation>`body.velocity += k * (nearest(…, …) - body.position);`</translation>
+    </message>
+    <message>
+        <source>The pull points away from the body’s place. A pull leads from where a body is to where it should be, and is added.</source>
+        <translation>Der Zug zeigt vom Ort des Körpers weg. Ein Zug führt von dort, wo ein Körper ist, dorthin, wo er sein soll, und wird addiert.</translation>
+    </message>
+    <message>
+        <source>This is the pull on the foot. The body would go the same way as the foot, and they would never meet.</source>
+        <translation>Das ist der Zug am Fuß. Der Körper ginge denselben Weg wie der Fuß, und sie träfen sich nie.</translation>
+    </message>
+    <message>
+        <source>`nearest(foot, body)` is the place of the foot. Swap the two bodies.</source>
+        <translation>`nearest(foot, body)` ist der Ort des Fußes. Vertausche die zwei Körper.</translation>
+    </message>
+    <message>
+        <source>This pulls the body onto the foot. It should stay `radius` px away.</source>
+        <translation>Das zieht den Körper auf den Fuß. Er soll `radius` px entfernt bleiben.</translation>
+    </message>
+    <message>
+        <source>the nearest place</source>
+        <translation>der nächste Ort</translation>
+    </message>
+    <message>
+        <source>Write the function **nearest**: it returns the place at the distance **radius** from `anchor` that is nearest to `me`.</source>
+        <translation>Schreibe die Funktion **nearest**: Sie gibt den Ort im Abstand **Radius** von `anchor` zurück, der `me` am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>Return the place on the ring around anchor.</source>
+        <translation>Gib den Ort auf dem Ring um anchor zurück.</translation>
+    </message>
+    <message>
+        <source>The place is in the direction of `me`, seen from `anchor`.</source>
+        <translation>Der Ort liegt in der Richtung von `me`, von `anchor` aus gesehen.</translation>
+    </message>
+    <message>
+        <source>The angle of a vector is `atan2(y, x)`, and `Vec2(cos(angle), sin(angle))` is a step of 1&#x202f;px in its direction.</source>
+        <translation>Der Winkel eines Vektors ist `atan2(y, x)`, und `Vec2(cos(angle), sin(angle))` ist ein Schritt von 1 px in seiner Richtung.</translation>
+    </message>
+    <message>
+        <source>`Vec2 from = me.position - anchor.position;`
+
+`double angle = …;`
+
+`return anchor.position + …;`</source>
+        <translation>`Vec2 from = me.position - anchor.position;`
+
+`double angle = …;`
+
+`return anchor.position + …;`</translation>
+    </message>
+    <message>
+        <source>The place is on the far side of `anchor`. The direction has to lead from `anchor` to `me`.</source>
+        <translation>Der Ort ist auf der anderen Seite von `anchor`. Die Richtung muss von `anchor` zu `me` führen.</translation>
+    </message>
+    <message>
+        <source>The place is `radius` px from `me`. Start at `anchor`.</source>
+        <translation>Der Ort ist `radius` px von `me` entfernt. Beginne bei `anchor`.</translation>
+    </message>
+    <message>
+        <source>The place is on `anchor` itself. It should be `radius` px away.</source>
+        <translation>Der Ort ist auf `anchor` selbst. Er soll `radius` px entfernt sein.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame. Hold and throw both bodies. The foot is pulled and moves first, and then the body, which sees the foot where it already is.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild. Beide Körper kannst du halten und werfen. Der Fuß wird gezogen und bewegt sich zuerst. Dann kommt der Körper, der den Fuß dort sieht, wo er schon ist.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: body, foot (each with position, velocity and held),
+pointer, k, damp, radius. A function nearest(me, anchor) can find the place on a ring.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held),
+pointer, k, damp, radius. Eine Funktion nearest(me, anchor) kann den Ort auf einem Ring finden.</translation>
+    </message>
+    <message>
+        <source>Begin with the hand: a held body goes to the pointer, and its velocity is how far the hand moved. Do this for both bodies first.</source>
+        <translation>Beginne mit der Hand: Ein gehaltener Körper geht zum Zeiger, und seine Geschwindigkeit ist, wie weit sich die Hand bewegt hat. Tu das zuerst für beide Körper.</translation>
+    </message>
+    <message>
+        <source>Then the foot, if it is not held: pull, damping, move. Then the same for the body, if it is not held.</source>
+        <translation>Dann der Fuß, wenn er nicht gehalten wird: Zug, Dämpfung, Bewegung. Dann dasselbe für den Körper, wenn er nicht gehalten wird.</translation>
+    </message>
+    <message>
+        <source>`Vec2 nearest(Body me, Body anchor)` above `frame` returns the target. The pull is `k * (nearest(foot, body) - foot.position)`, and for the body the other way round.</source>
+        <translation>`Vec2 nearest(Body me, Body anchor)` über `frame` gibt das Ziel zurück. Der Zug ist `k * (nearest(foot, body) - foot.position)`, und für den Körper andersherum.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the foot cannot be thrown: while you hold it, its velocity has to be how far the hand moved.</source>
+        <translation>Der Rest stimmt, aber der Fuß lässt sich nicht werfen: Während du ihn hältst, muss seine Geschwindigkeit sein, wie weit sich die Hand bewegt hat.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the foot moves before damping takes its share.</source>
+        <translation>Der Rest stimmt, aber der Fuß bewegt sich, bevor die Dämpfung ihren Anteil nimmt.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the pull on the body points away from its place.</source>
+        <translation>Der Rest stimmt, aber der Zug am Körper zeigt von seinem Ort weg.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>
