@@ -4,6 +4,7 @@
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/step_button.h"
+#include "app/ui/learn/task_box.h"
 #include "app/ui/learn/try_box.h"
 #include "app/ui/learn/why_box.h"
 
@@ -30,7 +31,7 @@ constexpr int todoMilliseconds =
 }
 
 Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme)
+    : QWidget(parent), m_session(session), m_theme(theme), m_desk(session)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -51,6 +52,8 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
     column->addWidget(makeButtons());
     session.onChange(ChangeKind::step, this, &Narration::open);
     connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
+    connect(&m_desk, &TaskDesk::changed, this, &Narration::showTasks);
+    connect(&session.progress(), &Progress::changed, this, &Narration::showTasks);
     m_todoDue.setSingleShot(true);
     m_todoDue.setInterval(todoMilliseconds);
     connect(&m_todoDue, &QTimer::timeout, this, &Narration::showTodos);
@@ -85,6 +88,13 @@ QWidget *Narration::makeText()
     m_whyColumn = new QVBoxLayout;
     m_whyColumn->setSpacing(0);
     column->addLayout(m_whyColumn);
+    m_taskHeading = new QLabel(tr("Write it yourself"), page);
+    m_taskHeading->setObjectName("heading");
+    m_taskHeading->setFixedHeight(headingHeight);
+    m_taskColumn = new QVBoxLayout;
+    m_taskColumn->setSpacing(0);
+    m_taskColumn->addWidget(m_taskHeading);
+    column->addLayout(m_taskColumn);
     column->addStretch(1);
     connect(m_text, &NarrationText::linkActivated, this, [this](const QUrl &link, const QPoint &place) {
         if (!wordOf(link).isEmpty())
@@ -144,6 +154,7 @@ void Narration::open()
     m_title->setText(step.title);
     m_text->setText(step.narration);
     addWhys();
+    addTasks();
     addTries();
     nameButtons();
     m_area->verticalScrollBar()->setValue(0);
@@ -176,14 +187,44 @@ void Narration::addWhys()
     for (const lessons::Why &why : m_session.step().explanation.whys) {
         m_whys.push_back(new WhyBox(why, m_theme, m_area->widget()));
         m_whyColumn->addWidget(m_whys.back());
-        connect(m_whys.back(), &WhyBox::unfolded, this, [this, box = m_whys.back()](bool open) {
-            fitText();
-            emit heightChanged();
-            if (open) // once the layout is done, scrolls the question to the top
-                QTimer::singleShot(0, box, [this, box] { m_area->verticalScrollBar()->setValue(box->y()); });
-        });
+        connect(m_whys.back(), &WhyBox::unfolded, this,
+                [this, box = m_whys.back()](bool open) { showUnfolded(box, open); });
     }
     m_whyColumn->setContentsMargins(0, m_whys.empty() ? 0 : 6, 0, 0);
+}
+
+void Narration::addTasks()
+{
+    qDeleteAll(m_tasks);
+    m_tasks.clear();
+    for (const lessons::CodeTask &task : m_session.step().codeTasks) {
+        auto *box = new TaskBox(m_desk, task, m_theme, m_area->widget());
+        m_tasks.push_back(box);
+        m_taskColumn->addWidget(box);
+        connect(box, &TaskBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
+        connect(box, &TaskBox::started, this, &Narration::listingRequested);
+    }
+    m_taskHeading->setVisible(!m_tasks.empty());
+    m_taskColumn->setContentsMargins(0, m_tasks.empty() ? 0 : 6, 0, 0);
+}
+
+void Narration::showTasks()
+{
+    bool changed = false;
+    for (TaskBox *box : m_tasks)
+        changed = box->refresh() || changed;
+    if (!changed)
+        return;
+    fitText();
+    emit heightChanged();
+}
+
+void Narration::showUnfolded(QWidget *box, bool open)
+{
+    fitText();
+    emit heightChanged();
+    if (open) // once the layout is done, scrolls the box to the top
+        QTimer::singleShot(0, box, [this, box] { m_area->verticalScrollBar()->setValue(box->y()); });
 }
 
 void Narration::nameButtons()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/listing/task_desk.h"
 #include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
 
@@ -19,6 +20,7 @@ namespace app {
 class NarrationText;
 class Glossary;
 class StepButton;
+class TaskBox;
 class TryBox;
 class WhyBox;
 
@@ -43,12 +45,15 @@ public:
     int fullHeight() const;
     /// Returns the same height with the text area at its scrollable minimum, px.
     int leastHeight() const;
+    TaskDesk &taskDesk() { return m_desk; }
 
 signals:
     /// Emitted when the learner clicks a glossary word in the text. `place` is below the word, in screen coordinates.
     void wordRequested(const QString &name, const QPoint &place);
     /// Emitted when the learner goes on from the last step of a lesson, so its summary comes next.
     void summaryRequested();
+    /// Emitted when the learner starts a task in the listing, so the listing should be shown.
+    void listingRequested();
     /// Emitted when a part is folded or unfolded, which changes the height.
     void heightChanged();
 
@@ -62,6 +67,10 @@ private:
     void open();
     void addTries();
     void addWhys();
+    void addTasks();
+    void showTasks();
+    /// Makes room for `box`, which was folded or unfolded.
+    void showUnfolded(QWidget *box, bool open);
     void nameButtons();
     void goOn();
     void remember(std::size_t number, bool shown);
@@ -84,6 +93,10 @@ private:
     std::vector<TryBox *> m_tries;
     QVBoxLayout *m_whyColumn = nullptr;
     std::vector<WhyBox *> m_whys;
+    TaskDesk m_desk;
+    QLabel *m_taskHeading = nullptr;
+    QVBoxLayout *m_taskColumn = nullptr;
+    std::vector<TaskBox *> m_tasks;
     QTimer m_todoDue;
     bool m_isOpen = false; ///< false while a step opens: ticks from before do not show answers
     QSet<QString> m_hints; ///< shown hints, by step and number, until the program ends

@@ -125,7 +125,7 @@ void SummaryPage::refresh()
     m_startOver->setText(canGiveBack ? tr("Restore the ticks") : tr("Restart this lesson"));
     m_startOver->setToolTip(canGiveBack ? tr("Ticks everything again that you had done before")
                                         : tr("Removes the ticks of this lesson. You can restore them."));
-    m_startOver->setEnabled(canGiveBack || summary.done > 0);
+    m_startOver->setEnabled(canGiveBack || summary.done > 0 || summary.written > 0);
     if (!m_startOver->isEnabled())
         m_startOver->setToolTip(tr("Nothing is ticked in this lesson yet."));
     applyTheme();
@@ -145,6 +145,8 @@ void SummaryPage::startOver()
 QString SummaryPage::textOf(const LessonSummary &summary) const
 {
     QStringList text{tr("%1 of %2 things tried.").arg(summary.done).arg(summary.count)};
+    if (summary.codeTasks > 0)
+        text << tr("%1 of %2 tasks written in the listing.").arg(summary.written).arg(summary.codeTasks);
     for (const StepSummary &step : summary.steps) {
         const bool isDone = step.open.isEmpty();
         text << QStringLiteral("**%1**%2")
@@ -153,6 +155,8 @@ QString SummaryPage::textOf(const LessonSummary &summary) const
             text << step.learnt;
         for (const QString &open : step.open)
             text << tr("Still to try: %1").arg(open);
+        for (const QString &unwritten : step.unwritten)
+            text << tr("Still to write: %1").arg(unwritten);
     }
     if (summary.next)
         text << tr("**Next: %1.** %2").arg(summary.next->title, summary.next->summary);

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "app/model/listing/task_desk.h"
+#include "app/ui/theme/theme.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QToolButton;
+class QVBoxLayout;
+
+namespace app {
+
+class NarrationText;
+class WhyButton;
+
+/// A task in the step's listing, folded to its title. Unfolded, it shows its text. While the learner writes, it also shows
+/// what is still wrong, hints, and the way to the solution.
+class TaskBox : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `task` must be one of the open step, and all arguments must outlive this object.
+    TaskBox(TaskDesk &desk, const lessons::CodeTask &task, const Theme &theme, QWidget *parent = nullptr);
+
+    const lessons::CodeTask &task() const { return m_task; }
+    /// Shows the present state of the desk. Returns whether the height can be another.
+    bool refresh();
+
+signals:
+    /// Emitted when the box is folded or unfolded.
+    void unfolded(bool open);
+    /// Emitted when the learner starts to write, so the listing should be shown.
+    void started();
+
+private:
+    QToolButton *addButton(const QString &name, const QString &text, const QString &tip);
+    bool isActive() const { return m_desk.task() == &m_task; }
+
+    TaskDesk &m_desk;
+    const lessons::CodeTask &m_task;
+    WhyButton *m_title;
+    QWidget *m_content;
+    NarrationText *m_text;
+    NarrationText *m_sentence;
+    std::vector<NarrationText *> m_hints;
+    QToolButton *m_start = nullptr;
+    QToolButton *m_hint = nullptr;
+    QToolButton *m_solution = nullptr;
+    QToolButton *m_stop = nullptr;
+};
+
+}
