@@ -623,8 +623,13 @@ RunResult Interpreter::execute(const sim::State &state, const Binding &binding, 
                          {}};
     }
     m_cues = m_lastLine = 0;
+    m_recorded.clear();
     if (!m_result.error)
         runFrame();
+    if (m_recording.lines) {
+        recordChanges();
+        m_result.globals = variables();
+    }
     if (m_recording.findsNonFinite && !m_result.error) {
         const std::string name = firstNonFinite();
         if (!name.empty()) {
@@ -758,6 +763,8 @@ void Interpreter::record(int line, int column, int depth)
     }
     if (m_recording.lines && !keepsLine)
         m_result.isComplete = false;
+    if (m_recording.lines && m_result.isComplete)
+        recordChanges();
     if (!keepsLine && !isLast && !m_recording.findsNonFinite)
         return;
     TracedLine traced = {line, depth, m_context->GetFunction(0)->GetName(), variables(), {}};
@@ -776,6 +783,21 @@ void Interpreter::record(int line, int column, int depth)
     } else {
         m_recording.lines->push_back(std::move(traced));
     }
+}
+
+void Interpreter::recordChanges()
+{
+    const bool isFirst = m_recorded.empty();
+    std::size_t next = 0;
+    forEachCell([&](const BodyCell &cell, const auto &) {
+        const BodyMotion now = {cell.point, cell.position, cell.velocity, cell.angle, cell.spin};
+        if (isFirst) {
+            m_recorded.push_back(now);
+        } else if (BodyMotion &before = m_recorded[next++]; before != now) {
+            before = now;
+            m_recording.lines->back().changed.push_back(now);
+        }
+    });
 }
 
 void Interpreter::onException()

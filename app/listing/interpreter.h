@@ -45,6 +45,7 @@ struct RunResult
     bool isStopped = false;         ///< whether it was left because of Recording::stopAfter
     bool isComplete = true;         ///< whether all lines were recorded
     std::optional<TracedLine> next; ///< if it was left: the line before which it stopped
+    std::vector<Variable> globals;  ///< after the frame, if its lines were recorded
 };
 
 /// A compiled listing, its script engine, and the memory for one frame. Only one thread may use it at a time, so
@@ -160,6 +161,8 @@ private:
     void onLine();
     void onException();
     void record(int line, int column, int depth);
+    /// Adds the bodies that have changed since the last call to the last recorded line.
+    void recordChanges();
     void fail(RunErrorKind kind, int line, std::string sentence);
     /// Returns the name of the first position, velocity or global that is not finite, or an empty string.
     std::string firstNonFinite() const;
@@ -232,11 +235,12 @@ private:
     // The frame that is running.
     Recording m_recording;
     RunResult m_result;
-    int m_cues = 0;      ///< calls of onLine()
-    int m_lines = 0;     ///< lines so far, of which a line with several parts is one
-    int m_lastLine = 0;  ///< of the last cue
-    int m_lastDepth = 0; ///< of the last cue
-    TracedLine m_before; ///< the line that runs now, for findsNonFinite
+    int m_cues = 0;                     ///< calls of onLine()
+    int m_lines = 0;                    ///< lines so far, of which a line with several parts is one
+    int m_lastLine = 0;                 ///< of the last cue
+    int m_lastDepth = 0;                ///< of the last cue
+    TracedLine m_before;                ///< the line that runs now, for findsNonFinite
+    std::vector<BodyMotion> m_recorded; ///< all bodies at the last call of recordChanges()
     bool m_isInitialising = false;
 };
 

@@ -37,6 +37,7 @@ public:
     explicit ListingMethod(std::shared_ptr<const Program> program) : m_program(std::move(program)) {}
 
     const Program &program() const { return *m_program; }
+    std::shared_ptr<const Program> programPtr() const { return m_program; }
 
     std::string id() const override { return "listing"; }
     std::string title() const override { return SIM_TEXT("Your code"); }

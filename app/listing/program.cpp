@@ -81,6 +81,11 @@ bool Program::dependsOnTime() const
     return m_data->scan.uses("frame_number") || m_data->scan.uses("random");
 }
 
+bool Program::remembers() const
+{
+    return m_data->scan.hasGlobals();
+}
+
 std::optional<RunError> Program::run(sim::State &state, const Binding &binding) const
 {
     return m_data->run(state, binding, {}).error;
@@ -95,6 +100,7 @@ Trace Program::trace(const sim::State &state, const Binding &binding) const
     RunResult result = m_data->run(after, binding, recording);
     trace.isComplete = result.isComplete;
     trace.error = std::move(result.error);
+    trace.globals = std::move(result.globals);
     countLoopTurns(trace.lines);
     return trace;
 }

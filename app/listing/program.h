@@ -24,6 +24,7 @@ struct Compiled
 struct Trace
 {
     std::vector<TracedLine> lines;
+    std::vector<Variable> globals; ///< after the frame
     bool isComplete = true;        ///< whether all lines are there; see maxTracedLines
     std::optional<RunError> error; ///< the mistake that stopped the frame
 };
@@ -53,6 +54,8 @@ public:
     const Vocabulary &vocabulary() const;
     /// Returns whether a frame depends on its number, because the listing uses `frame_number` or `random`.
     bool dependsOnTime() const;
+    /// Returns whether the listing has variables of its own outside of functions, which State::memory keeps.
+    bool remembers() const;
 
     /// Computes one frame. Reads and writes positions, velocities, angles, spins, the gait clock and the memory of
     /// `state`; reads its input and its frame number. After an error `state` is unchanged.

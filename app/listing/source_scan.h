@@ -65,6 +65,8 @@ public:
     const std::vector<Loop> &loops() const { return m_loops; }
     /// Returns the names of all functions, variables and parameters.
     std::vector<std::string> declaredNames() const;
+    /// Returns whether there are variables outside of functions.
+    bool hasGlobals() const { return !m_globals.empty(); }
     /// Returns whether the word `name` is used.
     bool uses(std::string_view name) const;
     /// Returns the function around `offset`, or null.

@@ -74,6 +74,15 @@ struct LoopTurn
     friend bool operator==(const LoopTurn &, const LoopTurn &) = default;
 };
 
+/// The motion of a body: px, px/frame, degrees and degrees/frame.
+struct BodyMotion
+{
+    int point = -1; ///< index in the state
+    sim::Vec2 position, velocity;
+    double angle = 0.0, spin = 0.0; ///< 0 where bodies do not turn
+    friend bool operator==(const BodyMotion &, const BodyMotion &) = default;
+};
+
 /// A line that is about to run.
 struct TracedLine
 {
@@ -82,6 +91,8 @@ struct TracedLine
     std::string function;
     std::vector<Variable> variables; ///< in scope, before the line runs; globals last
     std::vector<LoopTurn> loops;     ///< the loops of `function` around it, outermost first
+    /// The bodies that change until the next line of the trace, with their motion then.
+    std::vector<BodyMotion> changed = {};
 };
 
 }

@@ -137,6 +137,15 @@ bool Timeline::replaceScript(Script script)
     return forked;
 }
 
+void Timeline::correctScript(Script script)
+{
+    Track next(std::move(script), m_budget / 2);
+    const Cursor before = cursor();
+    m_track = std::move(next);
+    m_forkFrame = 0;
+    seek({before.frame, 0});
+}
+
 bool Timeline::replaceInput(std::vector<Event> input)
 {
     if (input == script().input)

@@ -60,6 +60,10 @@ public:
     /// Replaces the script (method, step size, effects, initial states) and stays at the same frame.
     /// @throws Error if its method cannot compute its scene
     bool replaceScript(Script script);
+    /// Replaces the script as a correction of the last edit: the replaced run is forgotten, and the comparison run
+    /// stays.
+    /// @throws Error if its method cannot compute its scene
+    void correctScript(Script script);
     /// Replaces the input and stays at the same frame. Keyframes before the first difference stay.
     /// @throws Error if the method cannot compute a scene that results from the input
     bool replaceInput(std::vector<Event> input);

@@ -9,6 +9,7 @@
 #include <QString>
 
 #include <cstdint>
+#include <optional>
 
 namespace app {
 
@@ -20,6 +21,8 @@ struct Experiment
     std::int64_t frames = 300; ///< number of frames that `trace` computes
     sim::Script script;        ///< complete: presets filled in
     Branches branches = {};    ///< other runs, and the learner's name for this one
+    /// The text of the listing that the learner has written, if the run does not use it; at most listing::maxTextBytes.
+    std::optional<QString> draft = {};
 };
 
 constexpr qint64 largestExperiment = 32 << 20; ///< bytes

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/listing/program.h"
+#include "app/model/session/edit_label.h"
 #include "app/model/session/open_run.h"
 
 #include <QElapsedTimer>
@@ -9,6 +10,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace app {
@@ -54,7 +56,7 @@ public:
     /// Returns whether the run is computed by text() itself, so that lines and values belong to it.
     bool isRunning() const { return isInUse() && !m_run.draft(); }
     /// Returns the mistakes of text(), in its order. Empty if it compiles.
-    const std::vector<CodeMistake> &mistakes() const;
+    std::vector<CodeMistake> mistakes() const;
     /// Returns the program of text(), or null if it does not compile.
     std::shared_ptr<const listing::Program> program() const;
     /// Returns the mistake that ended the run, if its own code did.
@@ -64,7 +66,8 @@ public:
     /// the run as it was becomes the ghost. Texts that follow each other within pauseMilliseconds are undone together,
     /// unless RunEditor::endGesture() was called between them. A text of more than listing::maxTextBytes is a mistake.
     void write(const QString &text);
-    /// Replaces the text by the step's listing, and makes the step's own method compute the run. It can be undone.
+    /// Replaces the text by the step's listing. If the text was in use, the step's own method computes the run then. It can
+    /// be undone.
     void reset();
     /// Makes the text compute the run: as *Your code*, or by the step's own method if it is the step's listing. If the
     /// text does not compile, says so, and changes nothing.
@@ -74,7 +77,7 @@ public:
     const listing::Compiled &compiled(const QString &text) const;
 
     /// Returns the names of the open step's scene.
-    listing::Vocabulary vocabulary() const;
+    const listing::Vocabulary &vocabulary() const;
 
 private:
     struct Cached
@@ -85,14 +88,17 @@ private:
     };
 
     bool isOwnMethod() const;
-    void set(const QString &text, const QString &what, const QString &gesture);
+    void set(const QString &text, const EditLabel &label);
+    /// Returns the method that computes `text`, which `program` was compiled from.
+    std::pair<sim::MethodPtr, sim::StepSize>
+    methodOf(const QString &text, const std::shared_ptr<const listing::Program> &program) const;
 
     OpenRun &m_run;
     RunEditor &m_editor;
     QElapsedTimer m_sinceWritten;
     mutable std::vector<Cached> m_cache; ///< the latest first
-    mutable QString m_mistakesOf;        ///< the text that m_mistakes belongs to
-    mutable std::vector<CodeMistake> m_mistakes;
+    mutable listing::Vocabulary m_names;
+    mutable std::pair<const lessons::Step *, sim::Values> m_namesOf; ///< what m_names was found in
 };
 
 }

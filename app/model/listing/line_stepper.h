@@ -7,8 +7,10 @@
 
 #include <QObject>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace app {
 
@@ -68,33 +70,39 @@ public:
     void follow();
 
 private:
-    /// What a traced frame belongs to.
-    struct Place
-    {
-        std::int64_t frame = -1;
-        std::shared_ptr<const sim::ComposedInterval> interval;
-        std::shared_ptr<const listing::Program> program;
-        friend bool operator==(const Place &, const Place &) = default;
-    };
+    /// A traced frame, with everything that it depends on.
     struct Traced
     {
-        Place place;
+        std::shared_ptr<const sim::ComposedInterval> interval;
+        std::shared_ptr<const listing::Program> program;
+        sim::State start;
         std::shared_ptr<const ListingFrame> frame;
     };
 
     /// Goes to the start of the frame if the cursor is between two phases. Returns whether it was.
     bool leavePhases();
     void set(int index);
-    std::shared_ptr<const ListingFrame> frameAfter(std::int64_t frame) const;
+    /// Goes to the last line of the frame that back() has gone back to, as soon as the run is there.
+    void arrive();
+    /// Returns the frame after `frame` of `track`, traced from `end`, the state there. `traced` caches it.
+    std::shared_ptr<const ListingFrame> frameFrom(const sim::Track &track, const sim::State &end,
+                                                  std::int64_t frame, Traced &traced) const;
+    /// Returns the variables that `program` remembers at `frame` of a run that another method computes.
+    std::vector<std::byte> memoryAt(const sim::Script &script,
+                                    const std::shared_ptr<const listing::Program> &program,
+                                    std::int64_t frame) const;
 
     OpenRun &m_run;
     const Preview &m_preview;
     Playback &m_playback;
     const LearnerCode &m_code;
     int m_index = 0;
-    std::int64_t m_at = -1; ///< the frame that m_index belongs to
+    std::int64_t m_at = -1;          ///< the frame that m_index belongs to
+    std::int64_t m_goesToEndOf = -1; ///< the frame that back() is on its way to; -1: none
     std::optional<sim::State> m_state;
     mutable Traced m_next, m_last;
+    /// A run of the listing, for the variables that it remembers while its step's own method computes the run.
+    mutable std::optional<sim::Track> m_remembered;
 };
 
 }

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <variant>
+#include <string>
 #include <vector>
 
 namespace app {
@@ -53,9 +53,16 @@ public:
     int nextWithin(int index, int depth) const;
 
 private:
+    /// Returns the motion of a point after `index` lines.
+    std::optional<listing::BodyMotion> motionOf(int point, int index) const;
+    std::optional<listing::Value> variable(const std::string &name, int index, int scope) const;
+    /// Returns a variable, or a name of the scene that has a value by itself.
+    std::optional<listing::Value> rootValue(const std::string &name, int index, int scope) const;
+    std::optional<listing::Value> memberValue(const listing::Value &value, const std::string &member,
+                                              int index) const;
+
     std::shared_ptr<const listing::Program> m_program;
     listing::Binding m_binding;
-    std::vector<std::string> m_names; ///< of the points
     std::int64_t m_frame;
     sim::State m_start; ///< as the first line finds it
     listing::Trace m_trace;

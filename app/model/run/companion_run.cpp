@@ -14,11 +14,6 @@ namespace {
 
 constexpr std::size_t memory = std::size_t{32} << 20;
 
-bool sameButForInput(const sim::Script &a, const sim::Script &b)
-{
-    return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff;
-}
-
 }
 
 void CompanionRun::take(const sim::Script &script)

@@ -1,5 +1,6 @@
 #include "app/model/run/same_run.h"
 
+#include "app/model/run/run_program.h"
 #include "sim/pipeline/method.h"
 
 #include <algorithm>
@@ -9,18 +10,29 @@ namespace app {
 
 namespace {
 
-/// Compares ids, because each search for a method creates a new object.
-bool sameMethod(const sim::MethodPtr &a, const sim::MethodPtr &b)
+const std::string &textOf(const sim::MethodPtr &method)
 {
-    return a == b || (a && b && a->id() == b->id());
+    static const std::string none;
+    const std::shared_ptr<const listing::Program> program = programOf(method);
+    return program ? program->text() : none;
 }
 
+}
+
+bool sameMethod(const sim::MethodPtr &a, const sim::MethodPtr &b)
+{
+    // By id, because each search for a method creates a new object.
+    return a == b || (a && b && a->id() == b->id() && textOf(a) == textOf(b));
 }
 
 bool sameRun(const sim::Script &a, const sim::Script &b)
 {
-    return sameMethod(a.method, b.method) && a.step == b.step && a.values == b.values &&
-           a.bodies == b.bodies && a.effectsOff == b.effectsOff;
+    return sameMethod(a.method, b.method) && a.step == b.step && sameButForInput(a, b);
+}
+
+bool sameButForInput(const sim::Script &a, const sim::Script &b)
+{
+    return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff;
 }
 
 bool sameScript(const sim::Script &a, const sim::Script &b)

@@ -17,7 +17,7 @@ constexpr qint64 reportMilliseconds = 250;
 
 RunSnapshot ComparisonRuns::snapshot() const
 {
-    return {std::make_shared<const sim::Script>(m_run.timeline().script()), m_branches};
+    return {std::make_shared<const sim::Script>(m_run.timeline().script()), m_branches, m_run.draft()};
 }
 
 void ComparisonRuns::reset(Branches branches)

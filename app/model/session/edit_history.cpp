@@ -25,12 +25,15 @@ public:
     }
 
     int id() const override { return 1; }
+    bool isOf(const QString &gesture, int number) const
+    {
+        return !gesture.isEmpty() && m_label.gesture == gesture && m_gesture == number;
+    }
 
     bool mergeWith(const QUndoCommand *command) override
     {
         const auto &next = static_cast<const Edit &>(*command);
-        if (m_label.gesture.isEmpty() || next.m_label.gesture != m_label.gesture ||
-            next.m_gesture != m_gesture)
+        if (!isOf(next.m_label.gesture, next.m_gesture))
             return false;
         m_after = next.m_after;
         setObsolete(changedNothing());
@@ -53,7 +56,7 @@ private:
     bool changedNothing() const
     {
         return sameScript(*m_before.script, *m_after.script) &&
-               m_before.branches.all() == m_after.branches.all();
+               m_before.branches.all() == m_after.branches.all() && m_before.draft == m_after.draft;
     }
 
     EditHistory &m_history;
@@ -72,6 +75,13 @@ EditHistory::EditHistory()
 void EditHistory::add(const EditLabel &label, RunSnapshot before, RunSnapshot after)
 {
     m_stack.push(new Edit(*this, label, std::move(before), std::move(after)));
+}
+
+bool EditHistory::continues(const QString &gesture) const
+{
+    const int last = m_stack.index() - 1;
+    const auto *edit = last < 0 ? nullptr : dynamic_cast<const Edit *>(m_stack.command(last));
+    return edit && edit->isOf(gesture, m_gesture);
 }
 
 }

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace app {
@@ -17,6 +18,8 @@ struct RunSnapshot
 {
     std::shared_ptr<const sim::Script> script;
     Branches branches;
+    std::optional<QString> draft =
+        {}; ///< the text of the listing that does not compute the run; see OpenRun::draft()
 };
 
 /// When a replaced run becomes a branch.
@@ -39,6 +42,8 @@ public:
     void setRestore(Restore restore) { m_restore = std::move(restore); }
     /// Adds an edit that has been made already. An edit that changed nothing is not added.
     void add(const EditLabel &label, RunSnapshot before, RunSnapshot after);
+    /// Returns whether an edit with this gesture would be merged with the last one.
+    bool continues(const QString &gesture) const;
     /// The next edit is not merged with the last one, even if both belong to the same kind of gesture.
     void endGesture() { ++m_gesture; }
     QUndoStack &stack() { return m_stack; }

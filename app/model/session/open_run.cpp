@@ -18,6 +18,14 @@ void OpenRun::setTimeline(std::unique_ptr<sim::Timeline> timeline)
     m_selected = QString::fromStdString(m_timeline->track().interval().scene.names.front());
 }
 
+void OpenRun::setDraft(std::optional<QString> draft)
+{
+    if (draft == m_draft)
+        return;
+    m_draft = std::move(draft);
+    m_changes.announce(ChangeKind::code);
+}
+
 void OpenRun::select(const QString &body)
 {
     if (body == m_selected)

@@ -1,6 +1,6 @@
 #include "app/model/session/playback.h"
 
-#include "app/model/text/sentences.h"
+#include "app/model/run/run_program.h"
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -335,7 +335,7 @@ void Playback::advance(int frames)
     const std::optional<sim::Stop> &stop = timeline.stop();
     if (stop && timeline.cursor().frame == stop->frame) {
         if (isPlaying() || !wasStopped)
-            m_run.changes().showMessage(sentenceFor(*stop));
+            m_run.changes().showMessage(endSentence(timeline.track()));
         pause();
     }
     m_run.changes().announce(ChangeKind::cursor);

@@ -37,7 +37,10 @@ Picture Presentation::currentPicture(const sim::Track &track) const
 
 Picture Presentation::picture() const
 {
-    return currentPicture(m_preview.run().track());
+    const sim::Track &track = m_preview.run().track();
+    if (m_lines.state() && !m_preview.isActive())
+        return pictureOf(track, track.nextInterval(), *m_lines.state());
+    return currentPicture(track);
 }
 
 std::optional<Picture> Presentation::comparison() const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/listing/line_stepper.h"
 #include "app/model/picture/view_cache.h"
 #include "app/model/session/companion_follower.h"
 #include "app/model/session/picture.h"
@@ -18,11 +19,13 @@ class Presentation : public QObject
     Q_OBJECT
 
 public:
-    Presentation(const OpenRun &run, const Preview &preview, const CompanionFollower &companion)
-        : m_run(run), m_preview(preview), m_companion(companion)
+    Presentation(const OpenRun &run, const Preview &preview, const CompanionFollower &companion,
+                 const LineStepper &lines)
+        : m_run(run), m_preview(preview), m_companion(companion), m_lines(lines)
     {
     }
 
+    /// Returns the picture of the moment that is shown, also between two lines of the listing.
     Picture picture() const;
     /// Returns the comparison run at the frame shown, if there is one.
     std::optional<Picture> comparison() const;
@@ -50,6 +53,7 @@ private:
     const OpenRun &m_run;
     const Preview &m_preview;
     const CompanionFollower &m_companion;
+    const LineStepper &m_lines;
     mutable ViewCache m_views;
 };
 

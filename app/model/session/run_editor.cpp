@@ -1,5 +1,6 @@
 #include "app/model/session/run_editor.h"
 
+#include "app/model/run/run_program.h"
 #include "app/model/run/same_run.h"
 #include "app/model/text/sentences.h"
 #include "sim/base/error.h"
@@ -20,6 +21,14 @@ std::vector<sim::Event> openingInput(const lessons::Step &step, const sim::Scrip
                               : std::vector<sim::Event>();
 }
 
+/// Returns the kinds of the change from one run to another. The listing computes only one of them if the methods differ.
+ChangeKinds kindsOf(const sim::Script &before, const sim::Script &after)
+{
+    const ChangeKinds kinds = ChangeKind::run | ChangeKind::cursor;
+    return sameMethod(before.method, after.method) && before.step == after.step ? kinds
+                                                                                : kinds | ChangeKind::code;
+}
+
 }
 
 RunEditor::RunEditor(OpenRun &run, Preview &preview, CompanionFollower &companion, Playback &playback,
@@ -32,7 +41,7 @@ RunEditor::RunEditor(OpenRun &run, Preview &preview, CompanionFollower &companio
     });
 }
 
-void RunEditor::begin(sim::Script script, sim::Cursor at, Branches branches)
+void RunEditor::begin(sim::Script script, sim::Cursor at, Branches branches, std::optional<QString> draft)
 {
     auto timeline = std::make_unique<sim::Timeline>(std::move(script)); // throws before anything has changed
     const ChangeNotifier::Batch batch(m_run.changes());
@@ -40,7 +49,10 @@ void RunEditor::begin(sim::Script script, sim::Cursor at, Branches branches)
     m_input.forget();
     m_comparisons.reset(std::move(branches));
     m_otherStep.reset();
+    m_typedOver = 0;
+    m_wantedFrame = 0;
     m_run.setTimeline(std::move(timeline));
+    m_run.setDraft(std::move(draft));
     m_companion.open();
     m_playback.open();
     m_run.changes().announce(ChangeKind::step, 0);
@@ -67,7 +79,8 @@ void RunEditor::edit(const EditLabel &label, const Edit &edit)
     else if (before.branches.own().end > timeline.cursor().frame)
         replaced = Replaced::branch;
     m_comparisons.recordEdit(label, before, computed, replaced);
-    m_run.changes().announce(ChangeKind::run | ChangeKind::cursor,
+    m_run.setDraft(draftBeside(*before.script));
+    m_run.changes().announce(kindsOf(*before.script, timeline.script()),
                              firstDifferent(*before.script, timeline.script()));
     if (replaced != Replaced::forgotten) {
         m_comparisons.showNewest();
@@ -77,13 +90,27 @@ void RunEditor::edit(const EditLabel &label, const Edit &edit)
     m_history.add(label, std::move(before), m_comparisons.snapshot());
 }
 
+std::optional<QString> RunEditor::draftBeside(const sim::Script &before) const
+{
+    const std::shared_ptr<const listing::Program> was = programOf(before.method);
+    if (!was || programOf(m_run.timeline().script().method) || m_run.draft())
+        return m_run.draft();
+    return QString::fromStdString(was->text());
+}
+
 void RunEditor::startWith(const lessons::Preset &preset)
 {
     sim::Values values = m_run.step().defaultValues();
     for (const auto &[id, value] : preset.values)
         values.set(id.toStdString(), value);
-    startAnew({tr("Choose “%1”").arg(preset.title), preset.title, {}, preset.title}, values,
-              {sim::findMethod(m_run.step().method.toStdString())});
+    startAnew({tr("Choose “%1”").arg(preset.title), preset.title, {}, preset.title}, values, ownMethods());
+}
+
+std::vector<sim::MethodPtr> RunEditor::ownMethods() const
+{
+    const sim::MethodPtr own = sim::findMethod(m_run.step().method.toStdString());
+    const sim::MethodPtr &now = m_run.timeline().script().method;
+    return programOf(now) ? std::vector{now, own} : std::vector{own};
 }
 
 void RunEditor::startAfresh()
@@ -113,11 +140,12 @@ void RunEditor::startAnew(const EditLabel &label, sim::Script script)
     RunSnapshot before = m_comparisons.snapshot();
     const std::int64_t computed = m_run.timeline().computed();
     m_playback.pause();
-    begin(std::move(script), {}, before.branches);
+    begin(std::move(script), {}, before.branches, before.draft);
+    m_run.setDraft(draftBeside(*before.script));
     const bool hadFrames = std::max(computed, before.branches.own().end) > 0;
     m_comparisons.recordEdit(label, before, computed, hadFrames ? Replaced::branch : Replaced::forgotten);
     m_history.add(label, std::move(before), m_comparisons.snapshot());
-    m_run.changes().announce(ChangeKind::run, 0);
+    m_run.changes().announce(ChangeKind::run | ChangeKind::code, 0);
     if (wasPlaying)
         m_playback.play();
 }
@@ -199,8 +227,12 @@ void RunEditor::goBackTo(int id)
         return;
     const QString name = branch->name;
     RunSnapshot before = m_comparisons.snapshot();
-    RunSnapshot to{branch->script, m_comparisons.branches()};
+    RunSnapshot to{branch->script, m_comparisons.branches(), before.draft};
     to.branches.settle(*to.script);
+    if (programOf(to.script->method))
+        to.draft.reset();
+    else if (const auto program = programOf(before.script->method); program && !to.draft)
+        to.draft = QString::fromStdString(program->text());
     const QString made = before.branches.own().made;
     restore(to, made.isEmpty() ? tr("the first run") : made, KeepRun::always);
     m_comparisons.limit();
@@ -263,6 +295,7 @@ void RunEditor::restore(const RunSnapshot &to, const QString &replacedName, Keep
     const ChangeNotifier::Batch batch(m_run.changes());
     const RunSnapshot before = m_comparisons.snapshot();
     if (sameScript(*to.script, *before.script)) {
+        m_run.setDraft(to.draft);
         m_comparisons.restoreBranches(to.branches);
         return;
     }
@@ -273,7 +306,7 @@ void RunEditor::restore(const RunSnapshot &to, const QString &replacedName, Keep
         branches.add(std::move(replaced));
     if (needsNewStart(*to.script)) {
         m_playback.pause();
-        begin(*to.script, {}, std::move(branches));
+        begin(*to.script, {}, std::move(branches), to.draft);
         return;
     }
     m_input.forget();
@@ -287,8 +320,8 @@ void RunEditor::restore(const RunSnapshot &to, const QString &replacedName, Keep
         return;
     }
     m_comparisons.restore(std::move(branches), isComparison ? before.script.get() : nullptr);
-    m_run.changes().announce(ChangeKind::run | ChangeKind::cursor,
-                             firstDifferent(*before.script, *to.script));
+    m_run.setDraft(to.draft);
+    m_run.changes().announce(kindsOf(*before.script, *to.script), firstDifferent(*before.script, *to.script));
     m_playback.goToPaused(at);
     if (const Branch *branch = m_comparisons.branches().find(*before.script))
         m_comparisons.show(branch->id);

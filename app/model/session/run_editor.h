@@ -43,6 +43,10 @@ public:
     /// Applies a remedy. If the run has ended by itself, the remedy holds from frame 0 on, and the session goes to the
     /// same frame again. All input stays.
     void use(const sim::Remedy &remedy);
+    /// Sets the method that computes the listing, and the text `draft` that the run does not use, in one edit. If the
+    /// edit is merged with the last one, the run of that one is forgotten, and its ghost stays.
+    void setListing(const EditLabel &label, std::optional<QString> draft, const sim::MethodPtr &method,
+                    sim::StepSize step);
     /// Returns the parameter of the step that damps, if it has one.
     std::optional<sim::DampRange> damping() const;
     /// Returns the parameter of the step that counts passes over sticks, if it has one.
@@ -85,17 +89,25 @@ public:
     using Edit = std::function<bool(sim::Timeline &)>;
     /// Runs `edit` on the run, announces the change, and makes it undoable.
     void edit(const EditLabel &label, const Edit &edit);
-    /// Starts the run of `script` at `at` with these branches, in place of everything that is open. It cannot be undone.
+    /// Starts the run of `script` at `at` with these branches, in place of everything that is open. `draft` is the text of
+    /// the listing, if the run does not use it. It cannot be undone.
     /// Throws sim::Error if there is no such run; nothing has changed then.
-    void begin(sim::Script script, sim::Cursor at, Branches branches);
+    void begin(sim::Script script, sim::Cursor at, Branches branches, std::optional<QString> draft = {});
 
 private:
     void setStep(sim::StepSize step);
     void runAgain(const sim::Remedy &remedy);
+    /// Returns the methods for a new start of the step's run, best first: the learner's code if it is in use, then that of
+    /// the step.
+    std::vector<sim::MethodPtr> ownMethods() const;
     /// Starts the step's run with these values and without user input, by the first of `methods` that can compute it.
     void startAnew(const EditLabel &label, const sim::Values &values,
                    const std::vector<sim::MethodPtr> &methods);
     void startAnew(const EditLabel &label, sim::Script script);
+    /// Replaces the run for setListing(), and goes to the same frame again. Returns whether it could be computed.
+    bool replaceListing(const EditLabel &label, sim::Script script);
+    /// Returns the draft beside the run in use, which keeps the learner's text if the run `before` used it.
+    std::optional<QString> draftBeside(const sim::Script &before) const;
     void restore(const RunSnapshot &to, const QString &replacedName, KeepRun keepReplaced);
     /// Returns whether the step has to be opened anew for `script`.
     bool needsNewStart(const sim::Script &script) const;
@@ -110,6 +122,8 @@ private:
     ComparisonRuns &m_comparisons;
     EditHistory &m_history;
     UserInput m_input;
+    int m_typedOver = 0;            ///< id of the branch that the last edit of the listing has left
+    std::int64_t m_wantedFrame = 0; ///< where the learner was before the last edit of the listing
     std::optional<sim::StepSize>
         m_otherStep; ///< the last step of the kind that the method in use does not take
 };

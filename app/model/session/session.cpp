@@ -7,9 +7,10 @@ namespace app {
 
 Session::Session(const LessonLibrary &library, QObject *parent)
     : QObject(parent), m_run(library, m_changes), m_preview(m_run, [this] { return isBusy(); }),
-      m_companion(m_run, m_preview), m_presentation(m_run, m_preview, m_companion),
-      m_playback(m_run, m_preview, m_companion, m_attempts), m_comparisons(m_run, m_history),
-      m_editor(m_run, m_preview, m_companion, m_playback, m_comparisons, m_history)
+      m_companion(m_run, m_preview), m_playback(m_run, m_preview, m_companion, m_attempts),
+      m_comparisons(m_run, m_history),
+      m_editor(m_run, m_preview, m_companion, m_playback, m_comparisons, m_history), m_code(m_run, m_editor),
+      m_lines(m_run, m_preview, m_playback, m_code), m_presentation(m_run, m_preview, m_companion, m_lines)
 {
     connect(&m_changes, &ChangeNotifier::changed, this, &Session::changed);
     connect(&m_changes, &ChangeNotifier::messageRequested, this, &Session::messageRequested);
@@ -28,6 +29,8 @@ void Session::prepare(ChangeKinds kinds)
     const Change change{kinds};
     if (change.isAny(ChangeKind::run))
         m_playback.wakeUp();
+    if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::code))
+        m_lines.follow();
     if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing)) {
         m_preview.endIfShown();
         m_playback.checkAttempts();
@@ -78,7 +81,8 @@ void Session::openStep(const QString &lessonId, const QString &stepId)
             m_run.setStep(i, j);
             const auto handover = m_handovers.find(m_run.key());
             if (handover != m_handovers.end())
-                m_editor.begin(handover->second.script, handover->second.at, handover->second.branches);
+                m_editor.begin(handover->second.script, handover->second.at, handover->second.branches,
+                               handover->second.draft);
             else
                 m_editor.begin(step().script(), {}, {});
             return;
@@ -107,14 +111,18 @@ void Session::open(const Experiment &experiment)
     sim::Timeline trial(experiment.script); // throws before anything has changed
     const ChangeNotifier::Batch batch(m_changes);
     openStep(experiment.lesson, experiment.step);
-    m_editor.begin(experiment.script, {}, m_comparisons.renumbered(experiment.branches));
+    m_editor.begin(experiment.script, {}, m_comparisons.renumbered(experiment.branches), experiment.draft);
     m_history.stack().clear();
 }
 
 Experiment Session::experiment() const
 {
-    return {lesson().id, step().id, std::max<std::int64_t>(1, timeline().computed()), timeline().script(),
-            m_comparisons.branches().marked()};
+    return {lesson().id,
+            step().id,
+            std::max<std::int64_t>(1, timeline().computed()),
+            timeline().script(),
+            m_comparisons.branches().marked(),
+            m_run.draft()};
 }
 
 std::optional<Experiment> Session::experimentOf(const QString &lesson, const QString &step) const
@@ -122,16 +130,20 @@ std::optional<Experiment> Session::experimentOf(const QString &lesson, const QSt
     const auto found = m_handovers.find(OpenRun::keyOf(lesson, step));
     if (found == m_handovers.end())
         return std::nullopt;
-    return Experiment{lesson, step, std::max<std::int64_t>(1, found->second.at.frame), found->second.script,
-                      found->second.branches.marked()};
+    return Experiment{lesson,
+                      step,
+                      std::max<std::int64_t>(1, found->second.at.frame),
+                      found->second.script,
+                      found->second.branches.marked(),
+                      found->second.draft};
 }
 
 void Session::leave()
 {
     m_playback.pause();
     input().releaseAll();
-    m_handovers.insert_or_assign(
-        m_run.key(), StepHandover{timeline().script(), timeline().cursor(), m_comparisons.branches()});
+    m_handovers.insert_or_assign(m_run.key(), StepHandover{timeline().script(), timeline().cursor(),
+                                                           m_comparisons.branches(), m_run.draft()});
 }
 
 QString Session::todo(int number) const

@@ -1,0 +1,269 @@
+#include "app/model/listing/listing_frame.h"
+
+#include "app/listing/tokens.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+using listing::Value;
+
+/// A part of a path behind its first name.
+struct PathPart
+{
+    std::string member; ///< empty: an index
+    std::string index;  ///< the path in the brackets
+};
+
+struct Path
+{
+    std::string root;
+    std::vector<PathPart> parts;
+};
+
+/// Returns the parts of "feet[i].position"; empty for anything else than names, members and indices.
+std::optional<Path> pathOf(const std::string &text)
+{
+    const listing::Tokens tokens(text);
+    if (!tokens.isWord(0))
+        return {};
+    Path path = {std::string(tokens[0].text), {}};
+    for (std::size_t i = 1; i < tokens.size();) {
+        if (tokens.is(i, ".") && tokens.isWord(i + 1)) {
+            path.parts.push_back({std::string(tokens[i + 1].text), {}});
+            i += 2;
+        } else if (tokens.is(i, "[") && tokens.closing(i) < tokens.size() && tokens.closing(i) > i + 1) {
+            const std::size_t begin = tokens.beginOf(i + 1);
+            const std::size_t end = tokens.endOf(tokens.closing(i) - 1);
+            path.parts.push_back({{}, text.substr(begin, end - begin)});
+            i = tokens.closing(i) + 1;
+        } else {
+            return {};
+        }
+    }
+    return path;
+}
+
+std::optional<int> wholeNumber(const std::string &text)
+{
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+
+const listing::Variable *variableIn(const std::vector<listing::Variable> &variables, const std::string &name)
+{
+    // Locals come first; of two with one name, the inner one is declared later.
+    const listing::Variable *found = nullptr;
+    for (const listing::Variable &one : variables) {
+        if (one.name == name && !(found && one.isGlobal))
+            found = &one;
+    }
+    return found;
+}
+
+std::optional<Value> memberOf(sim::Vec2 vector, const std::string &member)
+{
+    if (member == "x")
+        return Value(vector.x);
+    if (member == "y")
+        return Value(vector.y);
+    if (member == "length")
+        return Value(sim::length(vector));
+    return {};
+}
+
+std::optional<Value> memberOf(const sim::Keys &keys, const std::string &member)
+{
+    if (member == "left")
+        return Value(keys.left);
+    if (member == "right")
+        return Value(keys.right);
+    if (member == "up")
+        return Value(keys.up);
+    if (member == "down")
+        return Value(keys.down);
+    return {};
+}
+
+}
+
+ListingFrame::ListingFrame(std::shared_ptr<const listing::Program> program, const sim::Scene &scene,
+                           const sim::State &start, std::int64_t frame)
+    : m_program(std::move(program)), m_binding(listing::bind(m_program->vocabulary(), scene)), m_frame(frame),
+      m_start(m_program->runLines(start, m_binding, 0).state), m_trace(m_program->trace(start, m_binding))
+{
+    // A deeper line is in a new call. So is one on the first line of the same function, before the function has any
+    // variables: two calls on one line have nothing between them.
+    struct Call
+    {
+        int number = 0;
+        const listing::TracedLine *first = nullptr;
+    };
+    std::vector<Call> calls; // around the line, outermost first
+    int count = 0;
+    for (const listing::TracedLine &line : m_trace.lines) {
+        const auto depth = static_cast<std::size_t>(line.depth);
+        if (calls.size() > depth + 1)
+            calls.resize(depth + 1);
+        const bool beginsAgain = calls.size() == depth + 1 && depth > 0 &&
+                                 (line.function != calls.back().first->function ||
+                                  (line.line == calls.back().first->line && line.loops.empty() &&
+                                   line.variables.size() == calls.back().first->variables.size()));
+        if (beginsAgain)
+            calls.pop_back();
+        while (calls.size() < depth + 1)
+            calls.push_back({count++, &line});
+        m_calls.push_back(calls.back().number);
+    }
+}
+
+sim::State ListingFrame::stateAfter(int index) const
+{
+    return m_program->runLines(m_start, m_binding, index).state;
+}
+
+std::optional<listing::BodyMotion> ListingFrame::motionOf(int point, int index) const
+{
+    if (point < 0 || point >= m_start.pointCount())
+        return {};
+    for (int i = std::min(index, count()) - 1; i >= 0; --i) {
+        const std::vector<listing::BodyMotion> &changed = line(i).changed;
+        const auto found = std::find_if(changed.begin(), changed.end(),
+                                        [&](const listing::BodyMotion &one) { return one.point == point; });
+        if (found != changed.end())
+            return *found;
+    }
+    return listing::BodyMotion{point, m_start.positionOf(point), m_start.velocityOf(point),
+                               m_start.angle.rows() > point ? m_start.angle[point] : 0.0,
+                               m_start.spin.rows() > point ? m_start.spin[point] : 0.0};
+}
+
+std::optional<Value> ListingFrame::variable(const std::string &name, int index, int scope) const
+{
+    const auto in = [&](int i) { return variableIn(line(i).variables, name); };
+    if (scope < count() && scope >= 0) {
+        // The values after `index` lines are those before the next line of the same call.
+        for (int i = index; i < count() && line(i).depth >= line(scope).depth; ++i) {
+            if (callOf(i) != callOf(scope))
+                continue;
+            if (const listing::Variable *found = in(i))
+                return found->value;
+            break;
+        }
+        for (int i = std::min(index, count()) - 1; i >= 0; --i) {
+            const listing::Variable *found = callOf(i) == callOf(scope) ? in(i) : nullptr;
+            if (found && !found->isGlobal)
+                return found->value;
+        }
+    }
+    const std::vector<listing::Variable> &all = index < count() ? line(index).variables : m_trace.globals;
+    const listing::Variable *global = variableIn(all, name);
+    return global && global->isGlobal ? std::optional(global->value) : std::nullopt;
+}
+
+std::optional<Value> ListingFrame::rootValue(const std::string &name, int index, int scope) const
+{
+    if (std::optional<Value> value = variable(name, index, scope))
+        return value;
+    const listing::Vocabulary &names = m_program->vocabulary();
+    const auto at = [&](const std::vector<std::string> &list) {
+        return static_cast<std::size_t>(std::find(list.begin(), list.end(), name) - list.begin());
+    };
+    if (const std::size_t i = at(names.bodies); i < names.bodies.size())
+        return Value(listing::BodyReference{name, m_binding.bodies[i]});
+    if (const std::size_t i = at(names.parameters); i < names.parameters.size())
+        return Value(m_binding.parameters[i]);
+    const bool isHeld = m_start.hold.point >= 0;
+    if (name == "pointer")
+        return Value(isHeld ? m_start.hold.hand : m_start.input.pointer.value_or(sim::Vec2{}));
+    if (name == "target")
+        return Value(m_start.input.target);
+    if (name == "pointer_down")
+        return Value(isHeld || m_start.input.pointerDown);
+    if (name == "frame_number")
+        return Value(static_cast<double>(m_start.frame));
+    return {};
+}
+
+std::optional<Value> ListingFrame::memberValue(const Value &value, const std::string &member, int index) const
+{
+    if (const auto *vector = std::get_if<sim::Vec2>(&value))
+        return memberOf(*vector, member);
+    const auto *body = std::get_if<listing::BodyReference>(&value);
+    const std::optional<listing::BodyMotion> motion = body ? motionOf(body->point, index) : std::nullopt;
+    if (!motion)
+        return {};
+    if (member == "position")
+        return Value(motion->position);
+    if (member == "velocity")
+        return Value(motion->velocity);
+    if (member == "angle" && m_start.angle.rows() > 0)
+        return Value(motion->angle);
+    if (member == "spin" && m_start.spin.rows() > 0)
+        return Value(motion->spin);
+    if (member == "held")
+        return Value(m_start.hold.point == body->point);
+    if (member == "mass")
+        return Value(m_binding.mass[body->point]);
+    if (member == "radius")
+        return Value(m_binding.radius[body->point]);
+    return {};
+}
+
+std::optional<Value> ListingFrame::valueOf(const QString &text, int index, int scope) const
+{
+    const std::optional<Path> path = pathOf(text.toStdString());
+    if (!path)
+        return {};
+    const std::vector<listing::Vocabulary::Array> &arrays = m_program->vocabulary().arrays;
+    const auto array =
+        std::find_if(arrays.begin(), arrays.end(), [&](const auto &one) { return one.name == path->root; });
+    std::optional<Value> value = variable(path->root, index, scope);
+    auto part = path->parts.begin();
+    if (!value && path->root == "keys" && part != path->parts.end()) {
+        value = memberOf(m_start.input.keys, part->member);
+        ++part;
+    } else if (!value && array != arrays.end() && part != path->parts.end()) {
+        const std::vector<int> &points = m_binding.arrays[static_cast<std::size_t>(array - arrays.begin())];
+        if (part->member == "count") {
+            value = Value(static_cast<std::int64_t>(points.size()));
+        } else if (part->member.empty()) {
+            std::optional<int> i = wholeNumber(part->index);
+            if (!i) {
+                const std::optional<Value> computed =
+                    valueOf(QString::fromStdString(part->index), index, scope);
+                const auto *whole = computed ? std::get_if<std::int64_t>(&*computed) : nullptr;
+                i = whole ? std::optional(static_cast<int>(*whole)) : std::nullopt;
+            }
+            if (i && *i >= 0 && *i < static_cast<int>(points.size()))
+                value = Value(listing::BodyReference{array->name + "[" + std::to_string(*i) + "]",
+                                                     points[static_cast<std::size_t>(*i)]});
+        }
+        ++part;
+    } else if (!value) {
+        value = rootValue(path->root, index, scope);
+    }
+    for (; value && part != path->parts.end(); ++part)
+        value = part->member.empty() ? std::nullopt : memberValue(*value, part->member, index);
+    return value;
+}
+
+std::optional<Value> ListingFrame::valueOf(const QString &path, int index) const
+{
+    return valueOf(path, index, std::min(index, count() - 1));
+}
+
+int ListingFrame::nextWithin(int index, int depth) const
+{
+    int next = index + 1;
+    while (next < count() && line(next).depth > depth)
+        ++next;
+    return std::min(next, count());
+}
+
+}

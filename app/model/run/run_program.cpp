@@ -1,0 +1,53 @@
+#include "app/model/run/run_program.h"
+
+#include "app/listing/listing_method.h"
+#include "app/model/text/listing_text.h"
+#include "app/model/text/sentences.h"
+#include "sim/run/script/composed_interval.h"
+
+#include <QCoreApplication>
+
+namespace app {
+
+namespace {
+
+struct RunProgramText
+{
+    Q_DECLARE_TR_FUNCTIONS(RunProgramText)
+};
+
+}
+
+std::shared_ptr<const listing::Program> programOf(const sim::MethodPtr &method)
+{
+    const auto *listed = dynamic_cast<const listing::ListingMethod *>(method.get());
+    return listed ? listed->programPtr() : nullptr;
+}
+
+std::optional<listing::RunError> runErrorOf(const sim::Track &track)
+{
+    const std::shared_ptr<const listing::Program> program = programOf(track.script().method);
+    if (!program || !track.stop())
+        return {};
+    const std::int64_t frame = track.stop()->frame;
+    sim::State state = track.stateAfterInput(track.stateAt(frame), frame);
+    const auto interval = track.intervalAt(frame + track.framesPerOutput());
+    return program->run(state, listing::bind(program->vocabulary(), interval->scene));
+}
+
+QString mistakeSentence(const listing::RunError &error)
+{
+    return RunProgramText::tr("Line %1 of your code: %2")
+        .arg(QString::number(error.line), listingSentence(error.sentence));
+}
+
+QString endSentence(const sim::Track &track)
+{
+    const std::optional<listing::RunError> error = runErrorOf(track);
+    if (!error)
+        return sentenceFor(*track.stop());
+    return RunProgramText::tr("Stopped at frame %1. %2")
+        .arg(QString::number(track.stop()->frame), mistakeSentence(*error));
+}
+
+}
