@@ -2,7 +2,7 @@
 #include "app/cli/terminal.h"
 #include "app/cli/verbs.h"
 #include "app/model/experiment/experiment.h"
-#include "app/model/text/sentences.h"
+#include "app/model/run/run_program.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
@@ -113,7 +113,7 @@ int writeTrace(const Experiment &experiment, lessons::TraceColumns columns)
     if (isWhole)
         return exitDone;
     if (track.stop()) {
-        printMessage(sentenceFor(*track.stop()));
+        printMessage(endSentence(track));
         return exitNo;
     }
     printMessage(TraceText::tr("Stopped at frame %1 of %2.").arg(last).arg(experiment.frames));

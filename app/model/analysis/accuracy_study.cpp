@@ -1,10 +1,13 @@
 #include "app/model/analysis/accuracy_study.h"
 
+#include "app/model/run/run_program.h"
 #include "app/model/text/sentences.h"
+#include "sim/methods/methods.h"
 
 #include <QElapsedTimer>
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -58,9 +61,13 @@ void AccuracyStudy::start()
     m_error.clear();
     m_subject = Subject{m_session.lesson().id, m_session.step().id, m_session.timeline().script()};
     sim::StudyPlan plan;
-    plan.inUse = sim::MethodSetup{m_subject->script.method, m_subject->script.step};
+    sim::Script measured = m_subject->script;
+    if (programOf(measured.method)) // it has no shorter steps, so it has no error to measure
+        measured.method = sim::findMethod(m_session.step().method.toStdString());
+    else
+        plan.inUse = sim::MethodSetup{measured.method, measured.step};
     m_job.start(
-        [this, plan, script = m_subject->script, function = m_function](const BackgroundJob::Context &job) {
+        [this, plan, script = std::move(measured), function = m_function](const BackgroundJob::Context &job) {
             QElapsedTimer sinceReport;
             const auto report = [&](const sim::Accuracy &soFar, double done) {
                 if (!sinceReport.isValid() || sinceReport.hasExpired(reportMilliseconds)) {
@@ -114,6 +121,14 @@ bool AccuracyStudy::isAbout(const Subject &subject) const
            sameScene(subject.script, m_session.timeline().script());
 }
 
+QString AccuracyStudy::leftOut() const
+{
+    return programOf(m_session.timeline().script().method)
+               ? tr("Your code is left out: it computes whole frames, so it cannot be compared with shorter "
+                    "steps.")
+               : QString();
+}
+
 const sim::AccuracyRow *AccuracyStudy::inUse() const
 {
     if (!m_accuracy)
@@ -141,7 +156,7 @@ void AccuracyStudy::followRun()
         m_subject.reset();
     }
     // A finished study that does not cover the session's method or step must be repeated.
-    const bool isMissing = m_stage == Stage::done && !inUse();
+    const bool isMissing = m_stage == Stage::done && !inUse() && leftOut().isEmpty();
     if (m_isActive && (!sameSubject || isMissing))
         m_settleTimer.start();
     else

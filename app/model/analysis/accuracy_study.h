@@ -48,6 +48,8 @@ public:
     /// Returns the row of the session's method and step; null if it was not measured.
     const sim::AccuracyRow *inUse() const;
     QString error() const { return m_error; }
+    /// Returns why the session's method is not measured: it is the learner's code. Otherwise empty.
+    QString leftOut() const;
     /// Sets the session's method and step to those of `setup`.
     void adopt(const sim::MethodSetup &setup);
 

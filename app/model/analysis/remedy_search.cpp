@@ -1,5 +1,7 @@
 #include "app/model/analysis/remedy_search.h"
 
+#include "app/model/run/run_program.h"
+
 namespace app {
 
 RemedySearch::RemedySearch(Session &session, QObject *parent) : QObject(parent), m_session(session)
@@ -37,6 +39,8 @@ void RemedySearch::update()
 void RemedySearch::begin()
 {
     m_hasBegun = true;
+    if (programOf(m_session.timeline().script().method))
+        return; // the mistake is in the learner's code, which no other step mends
     m_search.start(
         [script = m_session.timeline().script(), stop = *stop(),
          damping = m_session.editor().damping()](const BackgroundJob::Context &job) {

@@ -1,5 +1,6 @@
 #include "app/model/analysis/stability_monitor.h"
 
+#include "app/model/run/run_program.h"
 #include "sim/base/error.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -89,7 +90,7 @@ StabilityReading StabilityMonitor::readingOf(const Subject &subject, const std::
                                              const BackgroundJob::Context &job)
 {
     StabilityReading reading = readStability(subject.script, subject.interval, subject.state);
-    if (!offers || job.isCancelled())
+    if (!offers || job.isCancelled() || programOf(subject.script.method))
         return reading;
     try {
         reading.remedies = sim::remediesFor(subject.script, subject.interval->values, subject.state,
@@ -190,6 +191,7 @@ bool StabilityMonitor::canMap(MapPlane plane) const
 {
     const lessons::Step &step = m_session.step();
     return m_session.timeline().state().pointCount() <= sim::maxAnalysedPoints &&
+           !programOf(m_session.timeline().script().method) &&
            m_session.timeline().script().method->stepLimit() == sim::StepLimit::stiffness &&
            step.parameter(QStringLiteral("k")) &&
            (plane == MapPlane::step || step.parameter(QStringLiteral("damp"))) && !nothingSwings();

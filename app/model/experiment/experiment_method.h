@@ -9,4 +9,12 @@ namespace app {
 /// @throws UserError: an unknown method, an invalid step, or a step that does not fit the method
 void readMethod(const QString &file, const JsonFields &fields, sim::Script &script);
 
+/// Reads "code", if the file has it, and makes it the method of `script`, whose scene must be complete.
+/// @throws UserError: too long, or it does not compile
+void readCode(const QString &file, const JsonFields &fields, sim::Script &script);
+
+/// Returns the text of a listing in the field `name`.
+/// @throws UserError: not a text, or longer than listing::maxTextBytes
+QString codeText(const QString &file, const JsonValue &value, const QString &name);
+
 }

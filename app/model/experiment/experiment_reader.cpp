@@ -1,5 +1,6 @@
 #include "app/model/experiment/experiment.h"
 
+#include "app/model/experiment/experiment_method.h"
 #include "app/model/experiment/experiment_run.h"
 #include "app/model/text/quoting.h"
 
@@ -30,6 +31,8 @@ public:
         m_experiment.frames = run.frames;
         m_experiment.script = run.script;
         readOwnName();
+        if (const JsonValue *draft = m_fields.find("draft"))
+            m_experiment.draft = codeText(m_file, *draft, "draft");
         if (const JsonValue *branches = m_fields.find("branches"))
             readBranches(*branches);
         return m_experiment;
@@ -52,7 +55,7 @@ private:
     void readStep()
     {
         m_fields.refuseOthers(QStringList{"format", "lesson", "step"} + runFields() +
-                              QStringList{"name", "named", "kept", "branches"});
+                              QStringList{"draft", "name", "named", "kept", "branches"});
         m_experiment.lesson = text("lesson", lessonIds(m_library));
         const LessonEntry *lesson = m_library.lesson(m_experiment.lesson);
         if (!lesson)

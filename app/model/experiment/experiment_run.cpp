@@ -45,6 +45,7 @@ public:
         readScene();
         openRun();
         readPoints();
+        compileCode();
         readFrames();
         if (const JsonValue *input = m_fields.find("input"))
             m_events = readInput(m_file, *input, m_step);
@@ -164,6 +165,15 @@ private:
         const auto own = [this] { return script().build(script().values).start.pointCount(); };
         const std::optional<int> &given = script().values.points;
         script().values.sticks = readSticks(m_file, *links, given ? *given : own());
+    }
+
+    void compileCode()
+    {
+        try {
+            readCode(m_file, m_fields, script());
+        } catch (const sim::Error &error) { // of the scene
+            refuse(m_file, m_fields.line(), sentenceFor(error));
+        }
     }
 
     /// Walks through the input, and collects the bodies and effects of the run's scenes.
@@ -321,8 +331,8 @@ private:
 
 const QStringList &runFields()
 {
-    static const QStringList names = {"method",     "h",      "tolerance", "effects", "scene", "frames",
-                                      "parameters", "bodies", "links",     "seed",    "input"};
+    static const QStringList names = {"method", "code",       "h",      "tolerance", "effects", "scene",
+                                      "frames", "parameters", "bodies", "links",     "seed",    "input"};
     return names;
 }
 

@@ -1,9 +1,11 @@
 #include "app/model/experiment/experiment.h"
 
+#include "app/listing/limits.h"
 #include "app/model/experiment/blueprint_writer.h"
 #include "app/model/experiment/experiment_events.h"
 #include "app/model/experiment/input_walk.h"
 #include "app/model/experiment/parameter_value.h"
+#include "app/model/run/run_program.h"
 #include "app/model/text/json_writer.h"
 #include "app/model/text/quoting.h"
 #include "sim/methods/methods.h"
@@ -183,6 +185,8 @@ void writeRun(const sim::Script &script, std::int64_t frames, const lessons::Ste
     const sim::Script untouched = step.script();
     if (script.method->id() != untouched.method->id())
         json.field("method", script.method->id());
+    if (const auto program = programOf(script.method))
+        json.field("code", program->text());
     const sim::Script opened = step.prepareScript ? step.scriptWith(script.values, script.method) : untouched;
     if (script.step != sim::stepFor(*script.method, opened.step))
         script.step.isAdaptive() ? json.field("tolerance", script.step.tolerance)
@@ -207,6 +211,16 @@ void writeRun(const sim::Script &script, std::int64_t frames, const lessons::Ste
     const std::vector<sim::Event> input = effectiveInput(script);
     if (input.empty() ? !opened.input.empty() : script.input != opened.input)
         writeInput(input, step, json);
+}
+
+void writeDraft(const QString &draft, JsonWriter &json)
+{
+    if (draft.toStdString().size() > listing::maxTextBytes)
+        throw UserError(
+            ExperimentWriterText::tr("your code is longer than %1 bytes, the most that a file can store. "
+                                     "Shorten it.")
+                .arg(listing::maxTextBytes));
+    json.field("draft", draft);
 }
 
 /// Writes the name of a run. Also writes whether the learner named it and whether it is kept, if either is false.
@@ -286,6 +300,8 @@ QByteArray experimentText(const Experiment &experiment, const LessonLibrary &lib
     if (const QString name = own.name.isEmpty() ? own.made : own.name; own.isKept || !own.name.isEmpty())
         writeName(name, !own.name.isEmpty(), own.isKept, json);
     writeRun(experiment.script, experiment.frames, *step, json);
+    if (experiment.draft)
+        writeDraft(*experiment.draft, json);
     writeBranches(branches, experiment.script, *step, json);
     json.endObject();
     if (!json.isFinite())

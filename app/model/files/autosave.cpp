@@ -63,7 +63,7 @@ Autosave::Autosave(Session &session, const Document &document, QString folder, i
     m_timer.setSingleShot(true);
     m_timer.setInterval(within);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
-    session.onChange(ChangeKind::step | ChangeKind::run, this, &Autosave::note);
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &Autosave::note);
     connect(&document, &Document::stateChanged, this, &Autosave::note);
 }
 
@@ -100,7 +100,8 @@ void Autosave::note()
     const auto written = m_written.find(name);
     const bool isThere = written != m_written.end();
     const bool isSame = isThere && sameScript(written->second.script, m_session.timeline().script()) &&
-                        sameMarked(written->second.branches, m_session.comparisons().branches());
+                        sameMarked(written->second.branches, m_session.comparisons().branches()) &&
+                        written->second.draft == m_session.code().draft();
     if (m_document.isChanged() ? isSame : !isThere)
         return;
     m_changed[name] = QDateTime::currentDateTime();

@@ -9,7 +9,7 @@ namespace app {
 Document::Document(Session &session, QObject *parent) : QObject(parent), m_session(session)
 {
     session.onChange(ChangeKind::step, this, &Document::follow);
-    session.onChange(ChangeKind::run, this, &Document::announce);
+    session.onChange(ChangeKind::run | ChangeKind::code, this, &Document::announce);
     follow();
 }
 
@@ -34,13 +34,17 @@ bool Document::isChanged(const StepName &which) const
     const auto found = m_saved.find(which);
     if (found == m_saved.end())
         return false;
-    const auto differs = [&](const sim::Script &script, const Branches &branches) {
-        return !sameScript(found->second.script, script) || !sameMarked(found->second.branches, branches);
+    const Saved &kept = found->second;
+    const auto differs = [&](const sim::Script &script, const Branches &branches,
+                             const std::optional<QString> &draft) {
+        return !sameScript(kept.script, script) || !sameMarked(kept.branches, branches) ||
+               kept.draft != draft;
     };
     if (which == name())
-        return differs(m_session.timeline().script(), m_session.comparisons().branches());
+        return differs(m_session.timeline().script(), m_session.comparisons().branches(),
+                       m_session.code().draft());
     const std::optional<Experiment> left = m_session.experimentOf(which.lesson, which.step);
-    return left && differs(left->script, left->branches);
+    return left && differs(left->script, left->branches, left->draft);
 }
 
 std::vector<StepName> Document::changed() const
@@ -76,8 +80,9 @@ void Document::announce()
 
 void Document::keep(const QString &path)
 {
-    m_saved.insert_or_assign(
-        name(), Saved{path, m_session.timeline().script(), m_session.comparisons().branches().marked()});
+    m_saved.insert_or_assign(name(),
+                             Saved{path, m_session.timeline().script(),
+                                   m_session.comparisons().branches().marked(), m_session.code().draft()});
     announce();
 }
 
@@ -106,7 +111,7 @@ void Document::save(const StepName &which, const QString &path)
     if (!experiment)
         return;
     writeExperiment(path, *experiment, m_session.library());
-    m_saved.insert_or_assign(which, Saved{path, experiment->script, experiment->branches});
+    m_saved.insert_or_assign(which, Saved{path, experiment->script, experiment->branches, experiment->draft});
     announce();
 }
 
@@ -118,6 +123,7 @@ void Document::giveUp(const StepName &which)
         return;
     found->second.script = experiment->script;
     found->second.branches = experiment->branches;
+    found->second.draft = experiment->draft;
     announce();
 }
 

@@ -38,6 +38,7 @@ public:
         QString path;       ///< empty if there is no file
         sim::Script script; ///< as in the file, or the step's own script
         Branches branches = {};
+        std::optional<QString> draft = {}; ///< see Experiment::draft
     };
     /// Returns the saved state of every step that was open.
     const std::map<StepName, Saved> &saved() const { return m_saved; }

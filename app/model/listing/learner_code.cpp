@@ -138,6 +138,8 @@ void LearnerCode::write(const QString &text)
 
 void LearnerCode::reset()
 {
+    const ChangeNotifier::Batch batch(m_run.changes());
+    emit wasReset();
     m_editor.endGesture();
     set(original(), {tr("Reset listing"), tr("your code"), {}, tr("the listing of the step")});
 }

@@ -47,6 +47,8 @@ public:
     QString original() const;
     /// Returns the text as the learner has left it.
     QString text() const;
+    /// Returns the text if the run does not use it; see OpenRun::draft().
+    const std::optional<QString> &draft() const { return m_run.draft(); }
     /// Returns whether the text differs from the step's listing.
     bool isChanged() const { return text() != original(); }
     /// Returns whether the listing computes the run, or did before its latest text stopped compiling. The step's own
@@ -78,6 +80,10 @@ public:
 
     /// Returns the names of the open step's scene.
     const listing::Vocabulary &vocabulary() const;
+
+signals:
+    /// reset() is about to replace the text.
+    void wasReset();
 
 private:
     struct Cached

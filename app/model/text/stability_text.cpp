@@ -1,5 +1,6 @@
 #include "app/model/text/stability_text.h"
 
+#include "app/model/run/run_program.h"
 #include "app/model/text/accuracy_text.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/sentences.h"
@@ -184,6 +185,10 @@ QString stabilityVerdict(const StabilityReading &reading)
         return StabilityText::tr("<b>No springs act here.</b> The other effects have no stiffness, so no "
                                  "step is too long for them.");
     case Bound::unknown:
+        if (programOf(reading.method))
+            return StabilityText::tr(
+                "<b>Unknown for your code.</b> The limit follows from the springs of the scene, "
+                "and your code may compute anything else.");
         return StabilityText::tr("<b>Unknown here.</b> The pulls in this state are not finite numbers.");
     case Bound::tooLarge:
         return StabilityText::

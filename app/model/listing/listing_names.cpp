@@ -1,0 +1,97 @@
+#include "app/model/listing/listing_names.h"
+
+#include "app/listing/language.h"
+#include "app/listing/source_scan.h"
+#include "app/model/listing/assigned_paths.h"
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+using listing::Tokens;
+
+bool contains(const std::vector<std::string> &names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Returns the type of the path that ends with token `last`: "Body", "Bodies", "Vec2" or "Keys". Empty if it is not known.
+std::string typeOf(const Tokens &tokens, std::size_t last, const listing::Vocabulary &vocabulary)
+{
+    const std::size_t begin = beginOfPath(tokens, last);
+    const std::string_view root = tokens[begin].text, word = tokens[last].text;
+    if (word == "position" || word == "velocity")
+        return "Vec2";
+    const bool isArray = std::any_of(vocabulary.arrays.begin(), vocabulary.arrays.end(),
+                                     [&](const auto &one) { return one.name == root; });
+    if (tokens.is(last, "]"))
+        return isArray ? "Body" : "";
+    if (last != begin)
+        return {};
+    if (isArray)
+        return "Bodies";
+    if (contains(vocabulary.bodies, root))
+        return "Body";
+    if (root == "keys")
+        return "Keys";
+    if (root == "pointer" || root == "target" || root == "hand")
+        return "Vec2";
+    std::string type;
+    for (std::size_t i = 0; i < last; ++i) { // the last declaration before it
+        if ((tokens.is(i, "Vec2") || tokens.is(i, "Body")) && tokens.is(i + 1, root))
+            type = tokens[i].text;
+    }
+    return type;
+}
+
+}
+
+QStringList completionsAt(const QString &text, int line, int column, const listing::Vocabulary &vocabulary)
+{
+    const QString before = text.section('\n', line - 1, line - 1).left(column - 1);
+    if (before.contains(QStringLiteral("//")))
+        return {};
+    qsizetype wordBegin = before.size();
+    while (wordBegin > 0 && (before[wordBegin - 1].isLetterOrNumber() || before[wordBegin - 1] == '_'))
+        --wordBegin;
+    const QString word = before.mid(wordBegin);
+    const bool isMember = wordBegin > 0 && before[wordBegin - 1] == '.';
+    if (word.isEmpty() ? !isMember : word.front().isDigit())
+        return {};
+    std::vector<std::string> names;
+    if (isMember) {
+        const QString above = line > 1 ? text.section('\n', 0, line - 2) + '\n' : QString();
+        const std::string code = (above + before.left(wordBegin - 1)).toStdString();
+        const Tokens tokens(code);
+        if (tokens.empty() || !(tokens.isWord(tokens.size() - 1) || tokens.is(tokens.size() - 1, "]")))
+            return {};
+        names = listing::membersOf(typeOf(tokens, tokens.size() - 1, vocabulary), vocabulary.bodiesTurn);
+    } else {
+        const listing::SourceScan scan(text.toStdString());
+        names = scan.declaredNames();
+        const auto append = [&](const std::vector<std::string> &more) {
+            names.insert(names.end(), more.begin(), more.end());
+        };
+        append(vocabulary.bodies);
+        append(vocabulary.parameters);
+        append(listing::keywords());
+        append(listing::commonNames());
+        for (const listing::Vocabulary::Array &array : vocabulary.arrays)
+            names.push_back(array.name);
+        if (vocabulary.hasGait)
+            append({"gait", "gait_speed"});
+    }
+    QStringList completions;
+    for (const std::string &name : names) {
+        const QString one = QString::fromStdString(name);
+        if (one.startsWith(word) && one != word)
+            completions << one;
+    }
+    completions.sort();
+    completions.removeDuplicates();
+    return completions;
+}
+
+}
