@@ -1,0 +1,375 @@
+// Tasks in listings: the gaps of a listing, and the desk that a learner writes at.
+
+#include "app/model/listing/learner_code.h"
+#include "app/model/listing/task_desk.h"
+#include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/narration.h"
+#include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/task_box.h"
+#include "app/ui/learn/why_box.h"
+#include "lessons/api/listing.h"
+#include "tests/app/support/panel_fixture.h"
+#include "tests/suite.h"
+
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTest>
+#include <QToolButton>
+
+using namespace app;
+using namespace tests;
+
+namespace {
+
+const char *const source = R"(void frame()
+{
+    //> pull
+    foot.velocity += 1;
+    if (true)
+        foot.velocity *= 2;
+    //<
+    //> move
+    foot.position += foot.velocity;
+    //<
+}
+)";
+
+const char *const rightPull = "foot.velocity = foot.velocity + (centre - foot.position) * k;";
+
+struct DeskFixture : SessionFixture
+{
+    DeskFixture() : SessionFixture(LessonLibrary::load({LESSON_DIR}))
+    {
+        session.openStep("single_spring", "fixed_centre");
+    }
+
+    /// Returns the learner's text with `code` in place of the pull.
+    QString with(const QString &code) const { return session.step().listing.with("pull", code); }
+    /// Types `code` in place of the pull, and waits for the judgement.
+    void write(const QString &code)
+    {
+        session.code().write(with(code));
+        waitForJudge();
+    }
+    void waitForJudge()
+    {
+        QVERIFY(QTest::qWaitFor([this] { return !desk.isJudging(); }, 30'000));
+    }
+    bool isTicked() const { return session.progress().isWritten("single_spring", "fixed_centre", "pull"); }
+    const lessons::CodeTask &pull() const { return session.step().codeTasks.front(); }
+
+    TaskDesk desk{session};
+};
+
+struct TaskPanelFixture : PanelFixture<LearnPanel>
+{
+    TaskPanelFixture() : PanelFixture(LessonLibrary::load({LESSON_DIR}), QSize(280, 732))
+    {
+        session.openStep("single_spring", "fixed_centre");
+        settle();
+    }
+
+    TaskBox &box() const { return *panel.findChild<TaskBox *>(); }
+    QToolButton &button(const char *name) const { return *box().findChild<QToolButton *>(name); }
+    /// Returns the visible texts of the box with this name.
+    QStringList texts(const char *name) const
+    {
+        QStringList all;
+        for (const NarrationText *text : box().findChildren<NarrationText *>(name)) {
+            if (text->isVisible())
+                all << text->toPlainText();
+        }
+        return all;
+    }
+    void press(const char *name)
+    {
+        QVERIFY(button(name).isVisible());
+        QTest::mouseClick(&button(name), Qt::LeftButton);
+    }
+};
+
+}
+
+class CodeTasksTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QSettings().clear(); }
+
+    void aListingHidesTheMarkersOfItsGaps();
+    void aGapIsReplacedWithItsIndentation();
+    void wrongMarkersAreRejected_data();
+    void wrongMarkersAreRejected();
+    void startingEmptiesThePlace();
+    void startingCanBeUndone();
+    void rightCodeTicksTheTask();
+    void aNearMissTellsWhatItDoes();
+    void codeThatDoesNotCompileHasNoJudgement();
+    void theLastTextIsJudged();
+    void resettingTheListingTicksNothing();
+    void theSolutionTicksNothing();
+    void typingTheListingsOwnLineTicks();
+    void hintsComeOneByOne();
+    void aTaskWaitsWhileAnotherStepIsOpen();
+    void theWholeFrameBeginsWithAnEmptyFunction();
+    void tasksAreUnfoldedAndStartedWithTheMouse();
+    void thePanelShowsWhatIsWrongAndThenTheTick();
+};
+
+void CodeTasksTest::aListingHidesTheMarkersOfItsGaps()
+{
+    const lessons::Listing listing = lessons::parseListing(source);
+    QCOMPARE(listing.text,
+             QString("void frame()\n{\n    foot.velocity += 1;\n    if (true)\n        foot.velocity "
+                     "*= 2;\n    foot.position += foot.velocity;\n}\n"));
+    QCOMPARE(listing.gaps.size(), 2U);
+    QVERIFY(*listing.gap("pull") == (lessons::Gap{"pull", 3, 3}));
+    QVERIFY(*listing.gap("move") == (lessons::Gap{"move", 6, 1}));
+    QVERIFY(!listing.gap("other"));
+    QCOMPARE(listing.solution("pull"), QString("foot.velocity += 1;\nif (true)\n    foot.velocity *= 2;\n"));
+    QCOMPARE(listing.solution("frame"), listing.text);
+    QVERIFY(lessons::parseListing({}).isEmpty());
+}
+
+void CodeTasksTest::aGapIsReplacedWithItsIndentation()
+{
+    const lessons::Listing listing = lessons::parseListing(source);
+    QCOMPARE(
+        listing.with("move", "a;\n\n    b;"),
+        QString("void frame()\n{\n    foot.velocity += 1;\n    if (true)\n        foot.velocity *= 2;\n    "
+                "a;\n\n        b;\n}\n"));
+    QCOMPARE(listing.with("pull", listing.solution("pull")), listing.text);
+    QCOMPARE(listing.with("other", "a;"), listing.text);
+    lessons::CodeTask task;
+    task.id = "pull";
+    task.comment = "First\nand second";
+    QCOMPARE(listing.emptied(task),
+             QString("void frame()\n{\n    // First\n    // and second\n    foot.position += "
+                     "foot.velocity;\n}\n"));
+}
+
+void CodeTasksTest::wrongMarkersAreRejected_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("place");
+    QTest::newRow("no end") << "//> a\nx;\n"
+                            << "line 2";
+    QTest::newRow("no begin") << "x;\n//<\n"
+                              << "line 2";
+    QTest::newRow("inside another") << "//> a\n//> b\nx;\n//<\n//<\n"
+                                    << "line 2";
+    QTest::newRow("empty") << "//> a\n//<\n"
+                           << "line 2";
+    QTest::newRow("twice") << "//> a\nx;\n//<\n//> a\ny;\n//<\n"
+                           << "line 4";
+    QTest::newRow("no id") << "//>\nx;\n//<\n"
+                           << "line 1";
+    QTest::newRow("whole frame") << "//> frame\nx;\n//<\n"
+                                 << "line 1";
+}
+
+void CodeTasksTest::wrongMarkersAreRejected()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, place);
+    try {
+        lessons::parseListing(text);
+        QFAIL("accepted");
+    } catch (const std::runtime_error &error) {
+        QVERIFY2(QString(error.what()).startsWith(place), error.what());
+    }
+}
+
+void CodeTasksTest::startingEmptiesThePlace()
+{
+    DeskFixture world;
+    QVERIFY(!world.desk.task());
+    world.desk.start("pull");
+    QCOMPARE(world.desk.task(), &world.pull());
+    QCOMPARE(world.session.code().text(), world.with("// " + world.pull().comment));
+    QVERIFY(world.desk.sentence().isEmpty());
+    QVERIFY(!world.desk.verdict());
+    world.desk.start("no such task");
+    QCOMPARE(world.desk.task(), &world.pull());
+}
+
+void CodeTasksTest::startingCanBeUndone()
+{
+    DeskFixture world;
+    world.session.code().write(world.session.step().listing.text + "// mine\n");
+    const QString before = world.session.code().text();
+    world.desk.start("pull");
+    world.session.editor().undo();
+    QCOMPARE(world.session.code().text(), before);
+    QVERIFY(!world.desk.task());
+    QVERIFY(!world.isTicked());
+}
+
+void CodeTasksTest::rightCodeTicksTheTask()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    QSignalSpy ticks(&world.session.progress(), &Progress::changed);
+    world.write(rightPull);
+    QVERIFY(world.desk.verdict()->kind == Verdict::Kind::right);
+    QVERIFY(world.isTicked() && world.desk.isDone(world.pull()));
+    QCOMPARE(ticks.count(), 1);
+    QVERIFY(world.desk.sentence().startsWith("Right"));
+    QVERIFY(Progress().isWritten("single_spring", "fixed_centre", "pull")); // also after a new start
+    QVERIFY(!world.session.progress().isDone("single_spring", "fixed_centre", 0));
+    world.session.progress().forgetLesson("single_spring");
+    QVERIFY(!world.isTicked());
+}
+
+void CodeTasksTest::aNearMissTellsWhatItDoes()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    world.write("foot.velocity -= (centre - foot.position) * k;");
+    QVERIFY(world.desk.verdict()->kind == Verdict::Kind::nearMiss);
+    QVERIFY(world.desk.sentence().contains("points away"));
+    QVERIFY(!world.isTicked());
+}
+
+void CodeTasksTest::codeThatDoesNotCompileHasNoJudgement()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    world.write("foot.velocity += k * (foot.position - centre);");
+    QVERIFY(world.desk.verdict());
+    world.write("foot.velocity += k * (");
+    QVERIFY(!world.desk.verdict());
+    QVERIFY(world.desk.sentence().isEmpty()); // the editor says what is wrong
+}
+
+void CodeTasksTest::theLastTextIsJudged()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    world.session.code().write(world.with(rightPull));
+    world.write("foot.velocity += k * (foot.position - centre);"); // before the first judgement has arrived
+    QVERIFY(world.desk.verdict()->kind == Verdict::Kind::nearMiss);
+    QVERIFY(!world.isTicked());
+}
+
+void CodeTasksTest::resettingTheListingTicksNothing()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    world.session.code().reset();
+    world.waitForJudge();
+    QCOMPARE(world.session.code().text(), world.session.step().listing.text);
+    QVERIFY(!world.desk.task());
+    QVERIFY(!world.isTicked());
+}
+
+void CodeTasksTest::theSolutionTicksNothing()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    world.desk.showSolution();
+    world.waitForJudge();
+    QCOMPARE(world.session.code().text(), world.session.step().listing.text);
+    QVERIFY(world.desk.isSolutionShown());
+    QVERIFY(world.desk.sentence().contains("solution"));
+    QVERIFY(!world.isTicked());
+    world.write(rightPull); // nor does another text while it is shown
+    QVERIFY(!world.isTicked());
+    world.desk.start("pull");
+    QVERIFY(!world.desk.isSolutionShown());
+    world.write(rightPull);
+    QVERIFY(world.isTicked());
+}
+
+void CodeTasksTest::typingTheListingsOwnLineTicks()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    world.write("foot.velocity += k * (centre - foot.position);"); // the very text of the listing
+    QCOMPARE(world.session.code().text(), world.session.step().listing.text);
+    QVERIFY(world.isTicked());
+}
+
+void CodeTasksTest::hintsComeOneByOne()
+{
+    DeskFixture world;
+    world.desk.showNextHint(); // no task yet
+    QCOMPARE(world.desk.hintsShown(), 0);
+    world.desk.start("pull");
+    for (const int shown : {1, 2, 3, 3}) {
+        world.desk.showNextHint();
+        QCOMPARE(world.desk.hintsShown(), shown);
+    }
+    world.desk.stop();
+    QVERIFY(!world.desk.task());
+    QCOMPARE(world.desk.hintsShown(), 0);
+}
+
+void CodeTasksTest::aTaskWaitsWhileAnotherStepIsOpen()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    world.desk.showNextHint();
+    world.session.openStep("single_spring", "drag");
+    QVERIFY(!world.desk.task());
+    world.session.openStep("single_spring", "fixed_centre");
+    QCOMPARE(world.desk.task(), &world.pull());
+    QCOMPARE(world.desk.hintsShown(), 1);
+    world.write(rightPull);
+    QVERIFY(world.isTicked());
+}
+
+void CodeTasksTest::theWholeFrameBeginsWithAnEmptyFunction()
+{
+    DeskFixture world;
+    world.session.openStep("single_spring", "radial");
+    world.desk.start("frame");
+    QVERIFY(world.desk.task()->isWholeFrame());
+    QVERIFY(world.session.code().text().endsWith("\nvoid frame()\n{\n}\n"));
+    QVERIFY(world.session.code().text().startsWith("// "));
+    QVERIFY(world.session.code().program());
+}
+
+void CodeTasksTest::tasksAreUnfoldedAndStartedWithTheMouse()
+{
+    TaskPanelFixture world;
+    auto *title = world.box().findChild<WhyButton *>();
+    QVERIFY(title->text().contains("pull"));
+    QVERIFY(world.texts("taskText").isEmpty());
+    QTest::mouseClick(title, Qt::LeftButton);
+    QCOMPARE(world.texts("taskText").size(), 1);
+    QVERIFY(!world.button("stopTask").isVisible());
+    QSignalSpy requests(&world.panel.narration(), &Narration::listingRequested);
+    world.press("startTask");
+    QCOMPARE(requests.count(), 1);
+    QVERIFY(world.session.code().text() != world.session.step().listing.text);
+    QVERIFY(!world.button("startTask").isVisible());
+    world.press("taskHintButton");
+    world.press("taskHintButton");
+    QCOMPARE(world.texts("taskHint").size(), 2);
+    QCOMPARE(world.button("taskHintButton").text(), QString("Hint 3 of 3"));
+    world.press("taskSolution");
+    QCOMPARE(world.session.code().text(), world.session.step().listing.text);
+    QCOMPARE(world.texts("taskSentence").size(), 1);
+    world.press("stopTask");
+    QVERIFY(world.texts("taskHint").isEmpty() && world.texts("taskSentence").isEmpty());
+}
+
+void CodeTasksTest::thePanelShowsWhatIsWrongAndThenTheTick()
+{
+    TaskPanelFixture world;
+    QTest::mouseClick(world.box().findChild<WhyButton *>(), Qt::LeftButton);
+    world.press("startTask");
+    const auto with = [&](const QString &code) { return world.session.step().listing.with("pull", code); };
+    world.session.code().write(with("foot.velocity += k * (foot.position - centre);"));
+    QVERIFY(QTest::qWaitFor([&] { return world.texts("taskSentence").join("").contains("points away"); },
+                            30'000));
+    world.session.code().write(with(rightPull));
+    QVERIFY(
+        QTest::qWaitFor([&] { return world.box().findChild<WhyButton *>()->text().endsWith("✓"); }, 30'000));
+    QVERIFY(world.texts("taskSentence").join("").startsWith("Right"));
+}
+
+SUITE(tst_code_tasks, CodeTasksTest)
+#include "tst_code_tasks.moc"
