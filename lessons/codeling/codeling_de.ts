@@ -631,6 +631,192 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
         <source>let time run for 100&#x202f;frames after the click. So far: %1.</source>
         <translation>lass die Zeit nach dem Klick 100&#x202f;Bilder lang laufen. Bisher: %1.</translation>
     </message>
+    <message>
+        <source>the pull to the target</source>
+        <translation>der Zug zum Ziel</translation>
+    </message>
+    <message>
+        <source>Write the **pull of the motor**: a spring to the target. Times **dt** twice, the tutorial’s time of a frame, it becomes a velocity per frame.</source>
+        <translation>Schreibe den **Zug des Motors**: eine Feder zum Ziel. Zweimal mal **dt**, die Zeit eines Bildes im Tutorial, wird daraus eine Geschwindigkeit pro Bild.</translation>
+    </message>
+    <message>
+        <source>Vec2 pull: the spring to the target.</source>
+        <translation>Vec2 pull: die Feder zum Ziel.</translation>
+    </message>
+    <message>
+        <source>The missing distance leads from `lead.position` to `target`.</source>
+        <translation>Der fehlende Abstand führt von `lead.position` zu `target`.</translation>
+    </message>
+    <message>
+        <source>A spring pulls `k` times the missing distance. Multiply by `dt` twice.</source>
+        <translation>Eine Feder zieht `k` mal den fehlenden Abstand. Multipliziere zweimal mit `dt`.</translation>
+    </message>
+    <message>
+        <source>`Vec2 pull = k * dt * dt * (… - …);`</source>
+        <translation>`Vec2 pull = k * dt * dt * (… - …);`</translation>
+    </message>
+    <message>
+        <source>The pull points away from the target. Swap the two places of the difference.</source>
+        <translation>Der Zug zeigt vom Ziel weg. Vertausche die zwei Orte der Differenz.</translation>
+    </message>
+    <message>
+        <source>The pull is too strong by far: `dt` belongs there twice.</source>
+        <translation>Der Zug ist viel zu stark: `dt` gehört zweimal dorthin.</translation>
+    </message>
+    <message>
+        <source>The pull is too strong by far: `dt` is missing, twice.</source>
+        <translation>Der Zug ist viel zu stark: `dt` fehlt, zweimal.</translation>
+    </message>
+    <message>
+        <source>a tail that follows</source>
+        <translation>ein Schwanz, der folgt</translation>
+    </message>
+    <message>
+        <source>Write **which end gives way**: the tail takes the whole `correction`. But if your hand holds the tail, the lead takes it.</source>
+        <translation>Schreibe, **welches Ende nachgibt**: Der Schwanz nimmt die ganze `correction`. Aber wenn deine Hand den Schwanz hält, nimmt sie die Spitze.</translation>
+    </message>
+    <message>
+        <source>Move the tail, or the lead if the tail is held.</source>
+        <translation>Bewege den Schwanz, oder die Spitze, wenn der Schwanz gehalten wird.</translation>
+    </message>
+    <message>
+        <source>The tail comes closer with a minus. The lead would come closer with a plus.</source>
+        <translation>Der Schwanz kommt mit einem Minus näher. Die Spitze käme mit einem Plus näher.</translation>
+    </message>
+    <message>
+        <source>`if (tail.held) lead.position += …; else tail.position -= …;`</source>
+        <translation>`if (tail.held) lead.position += …; else tail.position -= …;`</translation>
+    </message>
+    <message>
+        <source>While you hold the tail it slips out of your hand. Then the lead has to give way.</source>
+        <translation>Während du den Schwanz hältst, rutscht er dir aus der Hand. Dann muss die Spitze nachgeben.</translation>
+    </message>
+    <message>
+        <source>The correction points the wrong way: the two get apart. The tail needs a minus, and the lead a plus.</source>
+        <translation>Die Korrektur zeigt in die falsche Richtung: Die beiden kommen auseinander. Der Schwanz braucht ein Minus und die Spitze ein Plus.</translation>
+    </message>
+    <message>
+        <source>The lead gives way, so it drags on the tail. It should be the tail that follows.</source>
+        <translation>Die Spitze gibt nach, darum bremst sie der Schwanz. Folgen soll der Schwanz.</translation>
+    </message>
+    <message>
+        <source>While you hold the tail, nothing gives way, and the stick stretches.</source>
+        <translation>Während du den Schwanz hältst, gibt nichts nach, und der Stab dehnt sich.</translation>
+    </message>
+    <message>
+        <source>Write the **anticipation**: before it goes to a new target, the lead backs up by the part **anticipation** of the distance. The shift is a push, too.</source>
+        <translation>Schreibe das **Ausholen**: Bevor die Spitze zu einem neuen Ziel geht, weicht sie zurück, um den Teil **Ausholen** des Abstands. Die Verschiebung ist auch ein Schubs.</translation>
+    </message>
+    <message>
+        <source>The lead backs up: shift its position, and add the shift to its velocity.</source>
+        <translation>Die Spitze weicht zurück: Verschiebe ihren Ort und addiere die Verschiebung zu ihrer Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>Away from the target: from the target to where the lead is.</source>
+        <translation>Vom Ziel weg: vom Ziel dorthin, wo die Spitze ist.</translation>
+    </message>
+    <message>
+        <source>The shift is `anticipation` times that vector. It is added twice: to the position and to the velocity.</source>
+        <translation>Die Verschiebung ist `anticipation` mal dieser Vektor. Sie wird zweimal addiert: zum Ort und zur Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>`Vec2 shift = anticipation * (lead.position - …);`, and two lines with `+= shift`.</source>
+        <translation>`Vec2 shift = anticipation * (lead.position - …);`, und zwei Zeilen mit `+= shift`.</translation>
+    </message>
+    <message>
+        <source>The lead jumps towards the target. To back up, it has to go the other way.</source>
+        <translation>Die Spitze springt zum Ziel hin. Um auszuholen, muss sie in die andere Richtung.</translation>
+    </message>
+    <message>
+        <source>The lead backs up, but the shift gives it no velocity. Add the shift to the velocity, too.</source>
+        <translation>Die Spitze weicht zurück, aber die Verschiebung gibt ihr keine Geschwindigkeit. Addiere sie auch zur Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>The lead gets a push, but does not jump back. Add the shift to the position, too.</source>
+        <translation>Die Spitze bekommt einen Schubs, springt aber nicht zurück. Addiere die Verschiebung auch zum Ort.</translation>
+    </message>
+    <message>
+        <source>The lead backs up by the whole distance. Multiply by `anticipation`.</source>
+        <translation>Die Spitze weicht um den ganzen Abstand zurück. Multipliziere mit `anticipation`.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame of a swimmer: it backs up before a new target, a spring pulls the lead, and the tail follows on a stick.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Schwimmers: Er holt vor einem neuen Ziel aus, eine Feder zieht die Spitze, und der Schwanz folgt an einem Stab.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: lead, tail (each with position, velocity and held), target,
+new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: lead, tail (jeweils mit position, velocity und held), target,
+new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</translation>
+    </message>
+    <message>
+        <source>First the anticipation, for each new target, if the lead is not held. Then the lead: in your hand, or damped (`keep`), pulled and moved. Then the tail.</source>
+        <translation>Zuerst das Ausholen, für jedes neue Ziel, wenn die Spitze nicht gehalten wird. Dann die Spitze: in deiner Hand, oder gedämpft (`keep`), gezogen und bewegt. Dann der Schwanz.</translation>
+    </message>
+    <message>
+        <source>The lead: `lead.velocity *= keep;`, then the pull `k * dt * dt * (target - lead.position)`, then the move.</source>
+        <translation>Die Spitze: `lead.velocity *= keep;`, dann der Zug `k * dt * dt * (target - lead.position)`, dann die Bewegung.</translation>
+    </message>
+    <message>
+        <source>The tail: in your hand it goes to `hand`. The error of the stick is the distance minus `rest_length`. Move the tail by it towards the lead. If the tail is held, move the lead instead.</source>
+        <translation>Der Schwanz: In deiner Hand geht er zu `hand`. Der Fehler des Stabs ist der Abstand minus `rest_length`. Bewege den Schwanz um ihn zur Spitze hin. Wird der Schwanz gehalten, bewege stattdessen die Spitze.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the lead jumps towards a new target. It should back up.</source>
+        <translation>Der Rest stimmt, aber die Spitze springt zu einem neuen Ziel hin. Sie soll ausholen.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but backing up gives the lead no velocity. The shift is a push, too.</source>
+        <translation>Der Rest stimmt, aber das Ausholen gibt der Spitze keine Geschwindigkeit. Die Verschiebung ist auch ein Schubs.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but while you hold the tail, the lead has to give way.</source>
+        <translation>Der Rest stimmt, aber während du den Schwanz hältst, muss die Spitze nachgeben.</translation>
+    </message>
+    <message>
+        <source>the width that keeps the area</source>
+        <translation>die Breite, die die Fläche erhält</translation>
+    </message>
+    <message>
+        <source>Write the **width** that keeps the area: **rest_length** times 30 at rest. Count a spine of less than 10&#x202f;px as 10&#x202f;px long.</source>
+        <translation>Schreibe die **Breite**, die die Fläche erhält: In Ruhe ist diese **Ruhelänge** mal 30. Ein Rückgrat von weniger als 10&#x202f;px zählt wie eines von 10&#x202f;px.</translation>
+    </message>
+    <message>
+        <source>double wanted: the width that keeps the area.</source>
+        <translation>double wanted: die Breite, die die Fläche erhält.</translation>
+    </message>
+    <message>
+        <source>The area is the length times the width, so the width is the area divided by the length.</source>
+        <translation>Die Fläche ist Länge mal Breite, also ist die Breite die Fläche geteilt durch die Länge.</translation>
+    </message>
+    <message>
+        <source>The length is the distance of `lead` and `tail`. `max(…, 10)` is never less than 10.</source>
+        <translation>Die Länge ist der Abstand von `lead` und `tail`. `max(…, 10)` ist nie kleiner als 10.</translation>
+    </message>
+    <message>
+        <source>`double wanted = rest_length * 30 / max(length(… - …), 10);`</source>
+        <translation>`double wanted = rest_length * 30 / max(length(… - …), 10);`</translation>
+    </message>
+    <message>
+        <source>The width stays 30&#x202f;px, so a short swimmer has a smaller area. Half as long has to be twice as wide.</source>
+        <translation>Die Breite bleibt 30&#x202f;px, darum hat ein kurzer Schwimmer eine kleinere Fläche. Halb so lang muss doppelt so breit sein.</translation>
+    </message>
+    <message>
+        <source>It gets wider as it gets longer. Divide by the length.</source>
+        <translation>Er wird breiter, wenn er länger wird. Teile durch die Länge.</translation>
+    </message>
+    <message>
+        <source>This is far too narrow: the area is `rest_length` times 30.</source>
+        <translation>Das ist viel zu schmal: Die Fläche ist `rest_length` mal 30.</translation>
+    </message>
+    <message>
+        <source>`correction` points from the lead to the tail, and is as long as the error.</source>
+        <translation>`correction` zeigt von der Spitze zum Schwanz und ist so lang wie der Fehler.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

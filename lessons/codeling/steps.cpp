@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/codeling/text.h"
 #include "parameters.h"
@@ -55,6 +56,7 @@ Step motorStep()
     step.addParameters(motorParameters());
     step.explanation = motorExplanation();
     step.tries = motorTries();
+    step.codeTasks = motorCodeTasks();
     step.scene = motor::setUp;
     step.measures = {anticipationMeasure()};
     return step;
@@ -77,6 +79,7 @@ Step orientationStep()
     step.addParameters(motorParameters());
     step.explanation = orientationExplanation();
     step.tries = orientationTries();
+    step.codeTasks = orientationCodeTasks();
     step.scene = orientation::setUp;
     step.measures = {anticipationMeasure()};
     return step;
@@ -98,6 +101,7 @@ Step anticipationStep()
     step.addParameters(motorParameters());
     step.explanation = anticipationExplanation();
     step.tries = anticipationTries();
+    step.codeTasks = anticipationCodeTasks();
     step.scene = anticipation::setUp;
     step.measures = {anticipationMeasure()};
     return step;
@@ -137,6 +141,7 @@ Step volumeStep()
         "calmer moves look better.");
     step.explanation = volumeExplanation();
     step.tries = volumeTries();
+    step.codeTasks = volumeCodeTasks();
     step.scene = volume::setUp;
     step.view = bodyView;
     step.measures.insert(step.measures.begin(), {areaMeasure(), widthMeasure()});

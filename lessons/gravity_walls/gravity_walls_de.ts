@@ -191,6 +191,164 @@ Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Gewo
         <source>Stop, and press **Shift+→** until the strip under the timeline marks gravity.</source>
         <translation>Halte an und drück **Umschalt+→**, bis der Streifen unter der Zeitleiste die Schwerkraft markiert.</translation>
     </message>
+    <message>
+        <source>the bounce at a wall</source>
+        <translation>der Abprall an einer Wand</translation>
+    </message>
+    <message>
+        <source>Write the **bounce at the right wall**: if the edge of the disc is past the wall, put the disc back, and turn its velocity round.</source>
+        <translation>Schreibe den **Abprall an der rechten Wand**: Ist der Rand der Scheibe an der Wand vorbei, setze die Scheibe zurück und kehre ihre Geschwindigkeit um.</translation>
+    </message>
+    <message>
+        <source>If the disc is past the right wall: put it back, and let it bounce.</source>
+        <translation>Ist die Scheibe an der rechten Wand vorbei: zurücksetzen und abprallen lassen.</translation>
+    </message>
+    <message>
+        <source>The disc touches the wall when its middle is `me.radius` away from `right`.</source>
+        <translation>Die Scheibe berührt die Wand, wenn ihre Mitte `me.radius` von `right` entfernt ist.</translation>
+    </message>
+    <message>
+        <source>In the `if` are two lines: one sets `me.position.x`, the other turns `me.velocity.x` round and keeps the share `bounce` of it.</source>
+        <translation>Im `if` stehen zwei Zeilen: Die eine setzt `me.position.x`, die andere kehrt `me.velocity.x` um und behält davon den Anteil `bounce`.</translation>
+    </message>
+    <message>
+        <source>`if (me.position.x &gt; right - …)`, and in it `me.position.x = …;` and `me.velocity.x *= -…;`</source>
+        <translation>`if (me.position.x &gt; right - …)`, und darin `me.position.x = …;` und `me.velocity.x *= -…;`</translation>
+    </message>
+    <message>
+        <source>Half of the disc is inside the wall: the middle of the disc bounces, not its edge. Use `me.radius`.</source>
+        <translation>Die halbe Scheibe steckt in der Wand: Die Mitte der Scheibe prallt ab, nicht ihr Rand. Nimm `me.radius`.</translation>
+    </message>
+    <message>
+        <source>The velocity still points into the wall. A minus turns it round.</source>
+        <translation>Die Geschwindigkeit zeigt noch in die Wand hinein. Ein Minus kehrt sie um.</translation>
+    </message>
+    <message>
+        <source>The velocity turns round, but the disc is still past the wall. Put it back, too.</source>
+        <translation>Die Geschwindigkeit kehrt sich um, aber die Scheibe ist noch an der Wand vorbei. Setze sie auch zurück.</translation>
+    </message>
+    <message>
+        <source>The disc is put back, but its velocity still points into the wall.</source>
+        <translation>Die Scheibe wird zurückgesetzt, aber ihre Geschwindigkeit zeigt noch in die Wand hinein.</translation>
+    </message>
+    <message>
+        <source>The whole velocity turns round. Only the part across the wall does, which is x.</source>
+        <translation>Die ganze Geschwindigkeit kehrt sich um. Das tut nur der Teil quer zur Wand, also x.</translation>
+    </message>
+    <message>
+        <source>the bounce on the floor</source>
+        <translation>der Abprall am Boden</translation>
+    </message>
+    <message>
+        <source>Write the **bounce on the floor**, for a disc whose edge is below `floor`.</source>
+        <translation>Schreibe den **Abprall am Boden**, für eine Scheibe, deren Rand unter `floor` ist.</translation>
+    </message>
+    <message>
+        <source>If the disc is below the floor: put it back, and let it bounce.</source>
+        <translation>Ist die Scheibe unter dem Boden: zurücksetzen und abprallen lassen.</translation>
+    </message>
+    <message>
+        <source>It is the bounce at the wall, with y in place of x. y points down.</source>
+        <translation>Es ist der Abprall an der Wand, mit y anstelle von x. y zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>The disc touches the floor when its middle is `me.radius` above `floor`: at `floor - me.radius`.</source>
+        <translation>Die Scheibe berührt den Boden, wenn ihre Mitte `me.radius` über `floor` ist: bei `floor - me.radius`.</translation>
+    </message>
+    <message>
+        <source>`if (me.position.y &gt; …)`, and in it `me.position.y = …;` and `me.velocity.y *= -…;`</source>
+        <translation>`if (me.position.y &gt; …)`, und darin `me.position.y = …;` und `me.velocity.y *= -…;`</translation>
+    </message>
+    <message>
+        <source>Half of the disc is below the floor. Use `me.radius`.</source>
+        <translation>Die halbe Scheibe ist unter dem Boden. Nimm `me.radius`.</translation>
+    </message>
+    <message>
+        <source>The velocity turns round, but the disc is still below the floor. Put it back, too.</source>
+        <translation>Die Geschwindigkeit kehrt sich um, aber die Scheibe ist noch unter dem Boden. Setze sie auch zurück.</translation>
+    </message>
+    <message>
+        <source>The disc is put back, but its velocity still points down.</source>
+        <translation>Die Scheibe wird zurückgesetzt, aber ihre Geschwindigkeit zeigt noch nach unten.</translation>
+    </message>
+    <message>
+        <source>This happens above the floor. y points down, so what is below the floor has the larger y.</source>
+        <translation>Das geschieht über dem Boden. y zeigt nach unten, also hat das größere y, was unter dem Boden ist.</translation>
+    </message>
+    <message>
+        <source>Write the line for **gravity**: in each frame it adds the same velocity to every body, downwards.</source>
+        <translation>Schreibe die Zeile für die **Schwerkraft**: In jedem Bild gibt sie jedem Körper dieselbe Geschwindigkeit dazu, nach unten.</translation>
+    </message>
+    <message>
+        <source>Gravity pulls me down.</source>
+        <translation>Die Schwerkraft zieht mich nach unten.</translation>
+    </message>
+    <message>
+        <source>Gravity is one more pull, so it changes the velocity.</source>
+        <translation>Die Schwerkraft ist noch ein Zug, also ändert sie die Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>It pulls down only, and y points down.</source>
+        <translation>Sie zieht nur nach unten, und y zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>`me.velocity.y += …;`</source>
+        <translation>`me.velocity.y += …;`</translation>
+    </message>
+    <message>
+        <source>The bodies fall upwards. y points down, so a pull down is added to y.</source>
+        <translation>Die Körper fallen nach oben. y zeigt nach unten, also wird ein Zug nach unten zu y addiert.</translation>
+    </message>
+    <message>
+        <source>The bodies sink at the same speed for ever. Gravity changes the velocity, and what falls gets faster.</source>
+        <translation>Die Körper sinken ewig gleich schnell. Die Schwerkraft ändert die Geschwindigkeit, und was fällt, wird schneller.</translation>
+    </message>
+    <message>
+        <source>This gravity pulls to the right. Down is y.</source>
+        <translation>Diese Schwerkraft zieht nach rechts. Nach unten ist y.</translation>
+    </message>
+    <message>
+        <source>With `=` the body forgets how fast it fell already.</source>
+        <translation>Mit `=` vergisst der Körper, wie schnell er schon fiel.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame of a body with feet in a room, with springs, gravity, damping and three walls.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Körpers mit Füßen in einem Raum, mit Federn, Schwerkraft, Dämpfung und drei Wänden.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity, radius and held),
+feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity, radius und held),
+feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</translation>
+    </message>
+    <message>
+        <source>The frame is that of lesson 3: the body follows if it is held, then each foot, then the body. New is only how a body moves.</source>
+        <translation>Das Bild ist das von Lektion 3: Der Körper folgt, wenn er gehalten wird, dann jeder Fuß, dann der Körper. Neu ist nur, wie sich ein Körper bewegt.</translation>
+    </message>
+    <message>
+        <source>To move: add gravity, damp, move. Then three walls: the right one, the left one and the floor. There is no ceiling.</source>
+        <translation>Zum Bewegen: Schwerkraft addieren, dämpfen, bewegen. Dann drei Wände: die rechte, die linke und der Boden. Eine Decke gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>A wall: `if (me.position.x &gt; right - me.radius)`, then `me.position.x = right - me.radius;` and `me.velocity.x *= -bounce;`</source>
+        <translation>Eine Wand: `if (me.position.x &gt; right - me.radius)`, dann `me.position.x = right - me.radius;` und `me.velocity.x *= -bounce;`</translation>
+    </message>
+    <message>
+        <source>The rest is right, but gravity is missing.</source>
+        <translation>Der Rest stimmt, aber die Schwerkraft fehlt.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the bodies fall upwards.</source>
+        <translation>Der Rest stimmt, aber die Körper fallen nach oben.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but every pull points away from its target.</source>
+        <translation>Der Rest stimmt, aber jeder Zug zeigt von seinem Ziel weg.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

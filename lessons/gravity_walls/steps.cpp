@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/acting.h"
@@ -52,6 +53,7 @@ Step wallsStep()
         "Here left is left.)");
     step.explanation = wallsExplanation();
     step.tries = wallsTries();
+    step.codeTasks = wallsCodeTasks();
     step.scene = walls::setUp;
     return step;
 }
@@ -72,6 +74,7 @@ Step gravityStep()
         "it round.");
     step.explanation = gravityExplanation();
     step.tries = gravityTries();
+    step.codeTasks = gravityCodeTasks();
     step.scene = gravity::setUp;
     return step;
 }

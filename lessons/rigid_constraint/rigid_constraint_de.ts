@@ -619,6 +619,224 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
         <source>Press **Space**. Hold the mouse button down in the picture and lead p0 into an upper corner.</source>
         <translation>Drück die **Leertaste**. Halte in der Szene die Maustaste gedrückt und führe p0 in eine obere Ecke.</translation>
     </message>
+    <message>
+        <source>the error of a stick</source>
+        <translation>der Fehler eines Stabs</translation>
+    </message>
+    <message>
+        <source>Write the **error** of the stick: by how much it is longer than it should be.</source>
+        <translation>Schreibe den **Fehler** des Stabs: um wie viel er länger ist, als er sein soll.</translation>
+    </message>
+    <message>
+        <source>double error: how much too long the stick is.</source>
+        <translation>double error: um wie viel der Stab zu lang ist.</translation>
+    </message>
+    <message>
+        <source>`d` leads from one end to the other, so its length is that of the stick now.</source>
+        <translation>`d` führt von einem Ende zum anderen. Seine Länge ist also die des Stabs jetzt.</translation>
+    </message>
+    <message>
+        <source>`length(d)` returns the length of a vector, and `stick.length` is the right one.</source>
+        <translation>`length(d)` gibt die Länge eines Vektors zurück, und `stick.length` ist die richtige.</translation>
+    </message>
+    <message>
+        <source>`double error = length(d) - …;`</source>
+        <translation>`double error = length(d) - …;`</translation>
+    </message>
+    <message>
+        <source>The sign is wrong: a stick that is too long gets longer still. The error is what there is, minus what there should be.</source>
+        <translation>Das Vorzeichen ist falsch: Ein zu langer Stab wird noch länger. Der Fehler ist das, was ist, minus das, was sein soll.</translation>
+    </message>
+    <message>
+        <source>This is the whole length, so the two ends meet. Subtract the right length.</source>
+        <translation>Das ist die ganze Länge, darum treffen sich die zwei Enden. Subtrahiere die richtige Länge.</translation>
+    </message>
+    <message>
+        <source>a shared error</source>
+        <translation>ein geteilter Fehler</translation>
+    </message>
+    <message>
+        <source>Share the **error** between the two ends: `a` takes the part `share_of_a` of it, and `b` the rest. At 0.5 each takes half.</source>
+        <translation>Teile den **Fehler** zwischen den zwei Enden: `a` nimmt davon den Anteil `share_of_a` und `b` den Rest. Bei 0,5 nimmt jedes die Hälfte.</translation>
+    </message>
+    <message>
+        <source>double part_of_a and part_of_b: the error, shared.</source>
+        <translation>double part_of_a und part_of_b: der Fehler, geteilt.</translation>
+    </message>
+    <message>
+        <source>Together the two parts have to be the whole error.</source>
+        <translation>Zusammen müssen die zwei Teile der ganze Fehler sein.</translation>
+    </message>
+    <message>
+        <source>If `a` takes a share of 0.3, what is left for `b` is 1 - 0.3.</source>
+        <translation>Nimmt `a` einen Anteil von 0,3, bleibt für `b` noch 1 - 0,3.</translation>
+    </message>
+    <message>
+        <source>`double part_of_a = error * …;` and `double part_of_b = error * (1 - …);`</source>
+        <translation>`double part_of_a = error * …;` und `double part_of_b = error * (1 - …);`</translation>
+    </message>
+    <message>
+        <source>Both ends take the whole error, so the stick is as much too short as it was too long.</source>
+        <translation>Beide Enden nehmen den ganzen Fehler. Darum ist der Stab nun so viel zu kurz, wie er zu lang war.</translation>
+    </message>
+    <message>
+        <source>Both take half, whatever the shares are. Use `share_of_a`.</source>
+        <translation>Beide nehmen die Hälfte, was die Anteile auch sind. Nimm `share_of_a`.</translation>
+    </message>
+    <message>
+        <source>The two parts are equal. They add up to the whole error only at a share of 0.5.</source>
+        <translation>Die zwei Teile sind gleich. Nur bei einem Anteil von 0,5 ergeben sie zusammen den ganzen Fehler.</translation>
+    </message>
+    <message>
+        <source>The two shares are swapped.</source>
+        <translation>Die zwei Anteile sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>one stick after the other</source>
+        <translation>ein Stab nach dem anderen</translation>
+    </message>
+    <message>
+        <source>Write the **loop** that gives every stick its length back, in the order of the list.</source>
+        <translation>Schreibe die **Schleife**, die jedem Stab seine Länge zurückgibt, in der Reihenfolge der Liste.</translation>
+    </message>
+    <message>
+        <source>Enforce every stick.</source>
+        <translation>Stelle jeden Stab richtig.</translation>
+    </message>
+    <message>
+        <source>There are `sticks.count` sticks, from the number 0 on.</source>
+        <translation>Es gibt `sticks.count` Stäbe, von der Nummer 0 an.</translation>
+    </message>
+    <message>
+        <source>`enforce(stick)` gives one stick its length back.</source>
+        <translation>`enforce(stick)` gibt einem Stab seine Länge zurück.</translation>
+    </message>
+    <message>
+        <source>`for (int i = 0; i &lt; …; i++)`, and in it `enforce(sticks[…]);`</source>
+        <translation>`for (int i = 0; i &lt; …; i++)`, und darin `enforce(sticks[…]);`</translation>
+    </message>
+    <message>
+        <source>The loop leaves out the first stick. It has the number 0.</source>
+        <translation>Die Schleife lässt den ersten Stab aus. Er hat die Nummer 0.</translation>
+    </message>
+    <message>
+        <source>The loop leaves out the last stick.</source>
+        <translation>Die Schleife lässt den letzten Stab aus.</translation>
+    </message>
+    <message>
+        <source>The loop begins with the last stick. Each stick changes the ones before it, so the order matters.</source>
+        <translation>Die Schleife beginnt mit dem letzten Stab. Jeder Stab verändert die davor, darum kommt es auf die Reihenfolge an.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame of the figure of sticks. The pointer carries the first point, your hand can hold any point, and each stick gets its length back.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild der Figur aus Stäben. Der Zeiger trägt den ersten Punkt, deine Hand kann jeden Punkt halten, und jeder Stab bekommt seine Länge zurück.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: points[i] (with position and held), points.count, sticks[i] (with a, b,
+length and share), sticks.count, hand, pointer, pointer_known.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: points[i] (mit position und held), points.count, sticks[i] (mit a, b,
+length und share), sticks.count, hand, pointer, pointer_known.</translation>
+    </message>
+    <message>
+        <source>First the points: one that is held goes to `hand`. The first point goes to `pointer` if `pointer_known` and it is not held. Then each stick, in order.</source>
+        <translation>Zuerst die Punkte: Ein gehaltener geht zu `hand`. Der erste Punkt geht zu `pointer`, wenn `pointer_known` gilt und er nicht gehalten wird. Dann jeder Stab, der Reihe nach.</translation>
+    </message>
+    <message>
+        <source>A stick: its error is its length now minus `stick.length`. `stick.a` takes the part `stick.share`, and `stick.b` the rest. If one end is held, the other takes all.</source>
+        <translation>Ein Stab: Sein Fehler ist seine Länge jetzt minus `stick.length`. `stick.a` nimmt den Anteil `stick.share` und `stick.b` den Rest. Wird ein Ende gehalten, nimmt das andere alles.</translation>
+    </message>
+    <message>
+        <source>With `Vec2 out = direction(stick.b, stick.a);`: `stick.a.position -= error * share * out;` and `stick.b.position += error * (1 - share) * out;`</source>
+        <translation>Mit `Vec2 out = direction(stick.b, stick.a);`: `stick.a.position -= error * share * out;` und `stick.b.position += error * (1 - share) * out;`</translation>
+    </message>
+    <message>
+        <source>The rest is right, but both ends take the whole error.</source>
+        <translation>Der Rest stimmt, aber beide Enden nehmen den ganzen Fehler.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the first stick is left out. It has the number 0.</source>
+        <translation>Der Rest stimmt, aber der erste Stab ist ausgelassen. Er hat die Nummer 0.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the sticks come in the wrong order.</source>
+        <translation>Der Rest stimmt, aber die Stäbe kommen in der falschen Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>Verlet’s new place</source>
+        <translation>Verlets neuer Ort</translation>
+    </message>
+    <message>
+        <source>Write the **new place** of a point that falls: gravity adds to its velocity, damping takes its share of both, and then it moves.</source>
+        <translation>Schreibe den **neuen Ort** eines Punktes, der fällt: Die Schwerkraft kommt zu seiner Geschwindigkeit hinzu, die Dämpfung nimmt ihren Anteil von beidem, und dann bewegt er sich.</translation>
+    </message>
+    <message>
+        <source>The point falls, is damped, and moves.</source>
+        <translation>Der Punkt fällt, wird gedämpft und bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Gravity adds `gravity` to the velocity in y.</source>
+        <translation>Die Schwerkraft addiert `gravity` zur Geschwindigkeit in y.</translation>
+    </message>
+    <message>
+        <source>Damping comes after gravity, so it takes its share of the sum.</source>
+        <translation>Die Dämpfung kommt nach der Schwerkraft und nimmt ihren Anteil von der Summe.</translation>
+    </message>
+    <message>
+        <source>`point.velocity = damp * (point.velocity + Vec2(0, …));` and then the move.</source>
+        <translation>`point.velocity = damp * (point.velocity + Vec2(0, …));` und dann die Bewegung.</translation>
+    </message>
+    <message>
+        <source>Damping takes its share before gravity. It should take its share of the sum.</source>
+        <translation>Die Dämpfung nimmt ihren Anteil vor der Schwerkraft. Sie soll ihn von der Summe nehmen.</translation>
+    </message>
+    <message>
+        <source>Nothing falls: gravity is missing.</source>
+        <translation>Nichts fällt: Die Schwerkraft fehlt.</translation>
+    </message>
+    <message>
+        <source>This gravity pulls to the right. Down is y, the second number.</source>
+        <translation>Diese Schwerkraft zieht nach rechts. Nach unten ist y, die zweite Zahl.</translation>
+    </message>
+    <message>
+        <source>The point moves by the velocity of the last frame. Move it last.</source>
+        <translation>Der Punkt bewegt sich mit der Geschwindigkeit des letzten Bildes. Bewege ihn zuletzt.</translation>
+    </message>
+    <message>
+        <source>the velocity after the sticks</source>
+        <translation>die Geschwindigkeit nach den Stäben</translation>
+    </message>
+    <message>
+        <source>Sticks and walls have moved the points. Write the **velocity** of each: how far it came in this frame.</source>
+        <translation>Stäbe und Wände haben die Punkte bewegt. Schreibe von jedem die **Geschwindigkeit**: wie weit er in diesem Bild kam.</translation>
+    </message>
+    <message>
+        <source>The velocity of each point: how far it came.</source>
+        <translation>Die Geschwindigkeit jedes Punktes: wie weit er kam.</translation>
+    </message>
+    <message>
+        <source>`before` is where a point was when the frame began.</source>
+        <translation>`before` ist, wo ein Punkt war, als das Bild begann.</translation>
+    </message>
+    <message>
+        <source>How far a point came is its position now minus the one before.</source>
+        <translation>Wie weit ein Punkt kam, ist sein Ort jetzt minus der Ort davor.</translation>
+    </message>
+    <message>
+        <source>In a loop: `points[i].velocity = points[i].position - …;`</source>
+        <translation>In einer Schleife: `points[i].velocity = points[i].position - …;`</translation>
+    </message>
+    <message>
+        <source>The velocity points backwards: it leads from now to before.</source>
+        <translation>Die Geschwindigkeit zeigt rückwärts: Sie führt von jetzt nach vorher.</translation>
+    </message>
+    <message>
+        <source>With `+=` each velocity counts twice. Set it with `=`.</source>
+        <translation>Mit `+=` zählt jede Geschwindigkeit doppelt. Setze sie mit `=`.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/rigid_constraint/text.h"
@@ -159,6 +160,7 @@ Step pairStep()
     step.addParameters({length(100)});
     step.explanation = pairExplanation();
     step.tries = pairTries();
+    step.codeTasks = pairCodeTasks();
     step.scene = pair::setUp;
     return step;
 }
@@ -178,6 +180,7 @@ Step sharedErrorStep()
     step.addParameters({share(), length(100)});
     step.explanation = sharedErrorExplanation();
     step.tries = sharedErrorTries();
+    step.codeTasks = sharedErrorCodeTasks();
     step.scene = shared_error::setUp;
     return step;
 }
@@ -217,6 +220,7 @@ Step listStep()
     step.addParameters({triangles(), length(50)});
     step.explanation = listExplanation();
     step.tries = listTries();
+    step.codeTasks = listCodeTasks();
     step.scene = list::setUp;
     return step;
 }
@@ -239,6 +243,7 @@ Step verletStep()
     step.addParameters(room());
     step.explanation = verletExplanation();
     step.tries = verletTries();
+    step.codeTasks = verletCodeTasks();
     step.scene = verlet::setUp;
     step.view = boxView;
     return step;

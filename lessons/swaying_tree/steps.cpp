@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/tree_view.h"
@@ -78,6 +79,7 @@ Step branchesStep()
         "Branches are numbered level by level, from left to right: 0 is the trunk.");
     step.explanation = branchesExplanation();
     step.tries = branchesTries();
+    step.codeTasks = branchesCodeTasks();
     step.scene = branches::setUp;
     step.measures = {countMeasure()};
     return step;
@@ -120,6 +122,7 @@ Step towardsPointerStep()
         "lines show what each formula wants of the branch next to the pointer.");
     step.explanation = towardsPointerExplanation();
     step.tries = towardsPointerTries();
+    step.codeTasks = towardsPointerCodeTasks();
     step.scene = towards_pointer::setUp;
     step.overlays = aimByBothFormulas;
     return step;

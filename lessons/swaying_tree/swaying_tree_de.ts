@@ -927,6 +927,200 @@ Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x2
         <source>go back farther, to where you were still blowing, and choose it there.</source>
         <translation>geh weiter zurück, dorthin, wo du noch geblasen hast, und wähle sie dort.</translation>
     </message>
+    <message>
+        <source>a function that calls itself</source>
+        <translation>eine Funktion, die sich selbst aufruft</translation>
+    </message>
+    <message>
+        <source>Write how a **branch grows**: its two children turn away from it, by **spread** degrees to either side. Then each child does the same.</source>
+        <translation>Schreibe, wie ein **Zweig wächst**: Seine zwei Kinder drehen sich von ihm weg, um **Spreizung** Grad zu beiden Seiten. Dann tut jedes Kind dasselbe.</translation>
+    </message>
+    <message>
+        <source>Turn both children, and let each of them grow.</source>
+        <translation>Drehe beide Kinder und lass jedes von ihnen wachsen.</translation>
+    </message>
+    <message>
+        <source>The children are `branch.children[0]` and `branch.children[1]`. The first turns left, which is a smaller angle.</source>
+        <translation>Die Kinder sind `branch.children[0]` und `branch.children[1]`. Das erste dreht sich nach links, zu einem kleineren Winkel.</translation>
+    </message>
+    <message>
+        <source>The function calls itself, once for each child. The `return` above ends this at the smallest branches.</source>
+        <translation>Die Funktion ruft sich selbst auf, einmal für jedes Kind. Das `return` darüber beendet das bei den kleinsten Zweigen.</translation>
+    </message>
+    <message>
+        <source>`branch.children[0].angle = branch.angle - spread;` and then `grow(branch.children[0]);`</source>
+        <translation>`branch.children[0].angle = branch.angle - spread;` und dann `grow(branch.children[0]);`</translation>
+    </message>
+    <message>
+        <source>Only the first two branches turn. Each of them has to grow, too: the function calls itself.</source>
+        <translation>Nur die ersten zwei Zweige drehen sich. Jeder von ihnen muss auch wachsen: Die Funktion ruft sich selbst auf.</translation>
+    </message>
+    <message>
+        <source>The tree is mirrored: the first child turns left, to a smaller angle.</source>
+        <translation>Der Baum ist gespiegelt: Das erste Kind dreht sich nach links, zu einem kleineren Winkel.</translation>
+    </message>
+    <message>
+        <source>Only the left side grows. Call the function for both children.</source>
+        <translation>Nur die linke Seite wächst. Rufe die Funktion für beide Kinder auf.</translation>
+    </message>
+    <message>
+        <source>All branches point the same way. The children turn by `spread`.</source>
+        <translation>Alle Zweige zeigen in dieselbe Richtung. Die Kinder drehen sich um `spread`.</translation>
+    </message>
+    <message>
+        <source>where children begin</source>
+        <translation>wo Kinder beginnen</translation>
+    </message>
+    <message>
+        <source>Write where the **children begin**: where the branch ends. Each child then places its own children in the same way.</source>
+        <translation>Schreibe, wo die **Kinder beginnen**: wo der Zweig endet. Jedes Kind setzt dann auf dieselbe Weise seine eigenen Kinder.</translation>
+    </message>
+    <message>
+        <source>Find the end of the branch, and place each child there.</source>
+        <translation>Finde das Ende des Zweigs und setze jedes Kind dorthin.</translation>
+    </message>
+    <message>
+        <source>The end is `reach(branch)` away from the beginning, if the branch is as large as the trunk. A smaller one reaches `branch.scale` times as far.</source>
+        <translation>Das Ende ist `reach(branch)` vom Anfang entfernt, wenn der Zweig so groß wie der Stamm ist. Ein kleinerer reicht `branch.scale` mal so weit.</translation>
+    </message>
+    <message>
+        <source>A loop over `branch.children.count` calls the function itself for each child.</source>
+        <translation>Eine Schleife über `branch.children.count` ruft die Funktion selbst für jedes Kind auf.</translation>
+    </message>
+    <message>
+        <source>`Vec2 end = branch.position + branch.scale * …;` and in the loop `place(branch.children[i], …);`</source>
+        <translation>`Vec2 end = branch.position + branch.scale * …;` und in der Schleife `place(branch.children[i], …);`</translation>
+    </message>
+    <message>
+        <source>All branches begin in one place: the children begin where the branch begins. They belong at its end.</source>
+        <translation>Alle Zweige beginnen an einem Ort: Die Kinder beginnen, wo der Zweig beginnt. Sie gehören an sein Ende.</translation>
+    </message>
+    <message>
+        <source>Each branch is as long as the trunk. Multiply by `branch.scale`.</source>
+        <translation>Jeder Zweig ist so lang wie der Stamm. Multipliziere mit `branch.scale`.</translation>
+    </message>
+    <message>
+        <source>Only the first child follows. And a branch without children has no number 0.</source>
+        <translation>Nur das erste Kind folgt. Und ein Zweig ohne Kinder hat keine Nummer 0.</translation>
+    </message>
+    <message>
+        <source>The tree grows from the wrong end: the branch leads from its beginning to its end with a plus.</source>
+        <translation>Der Baum wächst vom falschen Ende aus: Der Zweig führt mit einem Plus von seinem Anfang zu seinem Ende.</translation>
+    </message>
+    <message>
+        <source>turn towards the pointer</source>
+        <translation>zum Zeiger drehen</translation>
+    </message>
+    <message>
+        <source>Write the **angle** with which the branch points along `way`. An angle of a branch is in degrees.</source>
+        <translation>Schreibe den **Winkel**, mit dem der Zweig entlang `way` zeigt. Ein Zweig hat seinen Winkel in Grad.</translation>
+    </message>
+    <message>
+        <source>Set the angle of the branch.</source>
+        <translation>Setze den Winkel des Zweigs.</translation>
+    </message>
+    <message>
+        <source>`atan2` makes an angle of a y and an x. It is in radians.</source>
+        <translation>`atan2` macht aus einem y und einem x einen Winkel. Er ist in Radiant.</translation>
+    </message>
+    <message>
+        <source>The function `degrees()` returns how many degrees are in one radian.</source>
+        <translation>Die Funktion `degrees()` gibt zurück, wie viele Grad ein Radiant hat.</translation>
+    </message>
+    <message>
+        <source>`branch.angle = atan2(…, …) * …;`</source>
+        <translation>`branch.angle = atan2(…, …) * …;`</translation>
+    </message>
+    <message>
+        <source>This angle is in radians. Multiply by `degrees()`.</source>
+        <translation>Dieser Winkel ist in Radiant. Multipliziere mit `degrees()`.</translation>
+    </message>
+    <message>
+        <source>x and y are swapped in `atan2`: y comes first.</source>
+        <translation>x und y sind in `atan2` vertauscht: y kommt zuerst.</translation>
+    </message>
+    <message>
+        <source>With `+=` the branch turns on in each frame. Set the angle with `=`.</source>
+        <translation>Mit `+=` dreht sich der Zweig in jedem Bild weiter. Setze den Winkel mit `=`.</translation>
+    </message>
+    <message>
+        <source>The branch turns to the wrong side: y points down, and so does the angle.</source>
+        <translation>Der Zweig dreht sich zur falschen Seite: y zeigt nach unten, und der Winkel auch.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame of a tree that turns to the pointer while its button is down. All its branches follow one function that calls itself.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Baums, der sich zum Zeiger dreht, solange dessen Taste gedrückt ist. Alle Zweige folgen einer Funktion, die sich selbst aufruft.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: branches[0] (the trunk; each branch has position, angle, scale,
+held and children[i]), children.count, base_length, hand, pointer, pointer_down.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: branches[0] (der Stamm; jeder Zweig hat position, angle, scale,
+held und children[i]), children.count, base_length, hand, pointer, pointer_down.</translation>
+    </message>
+    <message>
+        <source>`void move(Body branch, Vec2 origin)` places a branch and then calls itself for its children. `frame` calls it for the trunk, which begins where it is.</source>
+        <translation>`void move(Body branch, Vec2 origin)` setzt einen Zweig und ruft sich dann selbst für dessen Kinder auf. `frame` ruft sie für den Stamm auf, der beginnt, wo er ist.</translation>
+    </message>
+    <message>
+        <source>In `move`: the branch begins at `origin`, or at `hand` if it is held. If `pointer_down`, and it is not held, it turns to the pointer. Its end is the origin of its children.</source>
+        <translation>In `move`: Der Zweig beginnt bei `origin`, oder bei `hand`, wenn er gehalten wird. Bei `pointer_down`, und wenn er nicht gehalten wird, dreht er sich zum Zeiger. Sein Ende ist der Ursprung seiner Kinder.</translation>
+    </message>
+    <message>
+        <source>The angle is `atan2(way.y, way.x) * 180 / pi` with `Vec2 way = pointer - branch.position`. The end is `branch.scale * base_length` away, in the direction `Vec2(cos(rad), sin(rad))`.</source>
+        <translation>Der Winkel ist `atan2(way.y, way.x) * 180 / pi` mit `Vec2 way = pointer - branch.position`. Das Ende ist `branch.scale * base_length` entfernt, in der Richtung `Vec2(cos(rad), sin(rad))`.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but x and y are swapped in `atan2`: y comes first.</source>
+        <translation>Der Rest stimmt, aber x und y sind in `atan2` vertauscht: y kommt zuerst.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but each branch is as long as the trunk. Multiply by its `scale`.</source>
+        <translation>Der Rest stimmt, aber jeder Zweig ist so lang wie der Stamm. Multipliziere mit seinem `scale`.</translation>
+    </message>
+    <message>
+        <source>back to rest</source>
+        <translation>zurück zur Ruhe</translation>
+    </message>
+    <message>
+        <source>Write how a branch goes **back to rest**: each frame by the missing angle, divided by **ease**. If less than 1° is missing, it stays.</source>
+        <translation>Schreibe, wie ein Zweig **zur Ruhe zurückkehrt**: in jedem Bild um den fehlenden Winkel, geteilt durch **Langsamkeit**. Fehlt weniger als 1°, bleibt er stehen.</translation>
+    </message>
+    <message>
+        <source>Go a part of the way back to the angle at rest.</source>
+        <translation>Geh einen Teil des Wegs zum Winkel der Ruhe zurück.</translation>
+    </message>
+    <message>
+        <source>The missing angle leads from `branch.angle` to `branch.rest`.</source>
+        <translation>Der fehlende Winkel führt von `branch.angle` zu `branch.rest`.</translation>
+    </message>
+    <message>
+        <source>`abs` makes a number positive, so that both sides count.</source>
+        <translation>`abs` macht eine Zahl positiv, sodass beide Seiten zählen.</translation>
+    </message>
+    <message>
+        <source>`double way = branch.rest - …;` and `if (abs(way) &gt; 1) branch.angle += way / …;`</source>
+        <translation>`double way = branch.rest - …;` und `if (abs(way) &gt; 1) branch.angle += way / …;`</translation>
+    </message>
+    <message>
+        <source>The branch jumps back at once. Divide by `ease`.</source>
+        <translation>Der Zweig springt sofort zurück. Teile durch `ease`.</translation>
+    </message>
+    <message>
+        <source>The branch turns away from rest. Swap the two angles.</source>
+        <translation>Der Zweig dreht sich von der Ruhe weg. Vertausche die zwei Winkel.</translation>
+    </message>
+    <message>
+        <source>The branch only goes back from one side. `abs(way)` counts both.</source>
+        <translation>Der Zweig kehrt nur von einer Seite zurück. `abs(way)` zählt beide.</translation>
+    </message>
+    <message>
+        <source>It also moves when less than 1° is missing, so it never stops. An `if` ends this.</source>
+        <translation>Er bewegt sich auch, wenn weniger als 1° fehlt, und hält darum nie an. Ein `if` beendet das.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -1,6 +1,7 @@
 #include "steps.h"
 
 #include "checks.h"
+#include "code_tasks.h"
 #include "explanations.h"
 #include "lessons/api/parameters.h"
 #include "lessons/walking_gait/text.h"
@@ -59,6 +60,7 @@ Step bonesStep()
         "The body is a handle again: only your hand moves it.");
     step.explanation = bonesExplanation();
     step.tries = bonesTries();
+    step.codeTasks = bonesCodeTasks();
     step.scene = bones::setUp;
     step.view = plainView;
     step.overlays = boneLines;
@@ -132,6 +134,7 @@ Step swingStep()
         "place is 50 px out. Near the speed at which it would swing by itself, it goes much farther.");
     step.explanation = swingExplanation();
     step.tries = swingTries();
+    step.codeTasks = swingCodeTasks();
     step.scene = swing::setUp;
     step.view = curvedLegsView;
     step.overlays = targetsOnCircle;
@@ -152,6 +155,7 @@ Step bodyPulledStep()
         "is. Legs alone get nowhere: there must be something to stand on.");
     step.explanation = bodyPulledExplanation();
     step.tries = bodyPulledTries();
+    step.codeTasks = bodyPulledCodeTasks();
     step.scene = body_pulled::setUp;
     step.view = curvedLegsView;
     step.overlays = centreAndTargets;
@@ -177,6 +181,7 @@ Step groundStep()
         "From here on k is 0.1.");
     step.explanation = groundExplanation();
     step.tries = groundTries();
+    step.codeTasks = groundCodeTasks();
     step.scene = walking_gait::ground::setUp;
     step.view = groundView;
     step.isFootDown = isPlanted;

@@ -927,6 +927,200 @@ Trotzdem sagt sie dir etwas: wie weit der Fuß vom Körper weg ist. In Ruhe ist 
         <source>Pull a foot at least 75&#x202f;px away and let go. The line shows how far the foot swings.</source>
         <translation>Zieh einen Fuß mindestens 75&#x202f;px weg und lass los. Die Linie zeigt, wie weit der Fuß schwingt.</translation>
     </message>
+    <message>
+        <source>where a foot belongs</source>
+        <translation>wohin ein Fuß gehört</translation>
+    </message>
+    <message>
+        <source>Write where the foot belongs: **leg** px from the body, in the direction that `angle` tells. At the angle 0 it is on the left.</source>
+        <translation>Schreibe, wohin der Fuß gehört: **Bein** px vom Körper, in der Richtung, die `angle` angibt. Beim Winkel 0 ist er links.</translation>
+    </message>
+    <message>
+        <source>Vec2 target: where the foot belongs.</source>
+        <translation>Vec2 target: wohin der Fuß gehört.</translation>
+    </message>
+    <message>
+        <source>`Vec2(cos(angle), sin(angle))` is a step of 1&#x202f;px at that angle. At 0 it leads to the right.</source>
+        <translation>`Vec2(cos(angle), sin(angle))` ist ein Schritt von 1&#x202f;px in diesem Winkel. Bei 0 führt er nach rechts.</translation>
+    </message>
+    <message>
+        <source>A minus makes it lead the other way.</source>
+        <translation>Ein Minus lässt ihn in die andere Richtung führen.</translation>
+    </message>
+    <message>
+        <source>`Vec2 target = body.position - …;`</source>
+        <translation>`Vec2 target = body.position - …;`</translation>
+    </message>
+    <message>
+        <source>The feet are swapped: at the angle 0 the foot belongs on the left. Subtract.</source>
+        <translation>Die Füße sind vertauscht: Beim Winkel 0 gehört der Fuß nach links. Subtrahiere.</translation>
+    </message>
+    <message>
+        <source>The foot is only 1&#x202f;px away from the body. Multiply by `leg`.</source>
+        <translation>Der Fuß ist nur 1&#x202f;px vom Körper entfernt. Multipliziere mit `leg`.</translation>
+    </message>
+    <message>
+        <source>`cos` and `sin` are swapped: `cos` belongs to x.</source>
+        <translation>`cos` und `sin` sind vertauscht: `cos` gehört zu x.</translation>
+    </message>
+    <message>
+        <source>the target of a swinging foot</source>
+        <translation>das Ziel eines schwingenden Fußes</translation>
+    </message>
+    <message>
+        <source>Write the **target of a swinging foot**: as before, but the clock `gait` turns the angle, and the place is **drop** px lower.</source>
+        <translation>Schreibe das **Ziel eines schwingenden Fußes**: wie zuvor, aber die Uhr `gait` dreht den Winkel, und der Ort ist **Absenkung** px tiefer.</translation>
+    </message>
+    <message>
+        <source>Vec2 target: the place goes round the body, drop px below it.</source>
+        <translation>Vec2 target: Der Ort läuft im Kreis, drop px unter dem Körper.</translation>
+    </message>
+    <message>
+        <source>The clock is an angle, too. Add it to the angle of the bone.</source>
+        <translation>Auch die Uhr ist ein Winkel. Addiere sie zum Winkel des Knochens.</translation>
+    </message>
+    <message>
+        <source>Down is a larger y: change `target.y` in the end.</source>
+        <translation>Nach unten ist ein größeres y: Ändere am Ende `target.y`.</translation>
+    </message>
+    <message>
+        <source>`Vec2 target = body.position - leg * Vec2(cos(angle + …), sin(…));` and `target.y += …;`</source>
+        <translation>`Vec2 target = body.position - leg * Vec2(cos(angle + …), sin(…));` und `target.y += …;`</translation>
+    </message>
+    <message>
+        <source>The feet go round backwards. Add the clock to the angle.</source>
+        <translation>Die Füße laufen rückwärts im Kreis. Addiere die Uhr zum Winkel.</translation>
+    </message>
+    <message>
+        <source>The feet stand still: the clock `gait` is missing.</source>
+        <translation>Die Füße stehen still: Die Uhr `gait` fehlt.</translation>
+    </message>
+    <message>
+        <source>The feet go round the body itself. They belong `drop` px lower.</source>
+        <translation>Die Füße laufen um den Körper selbst. Sie gehören `drop` px tiefer.</translation>
+    </message>
+    <message>
+        <source>The feet go round above the body. y points down.</source>
+        <translation>Die Füße laufen über dem Körper im Kreis. y zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>force and opposite force</source>
+        <translation>Kraft und Gegenkraft</translation>
+    </message>
+    <message>
+        <source>Write the **two sides of a force**: the foot feels `force`, and the body feels the opposite. What your hand holds feels nothing.</source>
+        <translation>Schreibe die **zwei Seiten einer Kraft**: Der Fuß spürt `force`, und der Körper spürt das Gegenteil. Was deine Hand hält, spürt nichts.</translation>
+    </message>
+    <message>
+        <source>The foot feels the force, the body the opposite one.</source>
+        <translation>Der Fuß spürt die Kraft, der Körper die Gegenkraft.</translation>
+    </message>
+    <message>
+        <source>A force changes the velocity of what feels it.</source>
+        <translation>Eine Kraft ändert die Geschwindigkeit dessen, was sie spürt.</translation>
+    </message>
+    <message>
+        <source>The opposite of a vector has a minus. Each line needs an `if`: what is held keeps its velocity.</source>
+        <translation>Das Gegenteil eines Vektors hat ein Minus. Jede Zeile braucht ein `if`: Was gehalten wird, behält seine Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>`if (!foot.held) foot.velocity += …;` and for the body `-=`.</source>
+        <translation>`if (!foot.held) foot.velocity += …;` und für den Körper `-=`.</translation>
+    </message>
+    <message>
+        <source>The body feels the same force as the foot, so both go the same way. It has to feel the opposite.</source>
+        <translation>Der Körper spürt dieselbe Kraft wie der Fuß, darum bewegen sich beide in dieselbe Richtung. Er muss das Gegenteil spüren.</translation>
+    </message>
+    <message>
+        <source>The body feels nothing, so it hangs in the air like a handle.</source>
+        <translation>Der Körper spürt nichts und hängt in der Luft wie ein Griff.</translation>
+    </message>
+    <message>
+        <source>The force also acts on what your hand holds. Its velocity has to stay that of your hand.</source>
+        <translation>Die Kraft wirkt auch auf das, was deine Hand hält. Seine Geschwindigkeit muss die deiner Hand bleiben.</translation>
+    </message>
+    <message>
+        <source>Both forces are turned round: the foot flees from its target.</source>
+        <translation>Beide Kräfte sind umgekehrt: Der Fuß flieht vor seinem Ziel.</translation>
+    </message>
+    <message>
+        <source>feet on the ground</source>
+        <translation>Füße auf dem Boden</translation>
+    </message>
+    <message>
+        <source>Write how the **ground holds a foot** (not the body): put it back, let it bounce, and with full traction (`traction == 0`) it does not slide.</source>
+        <translation>Schreibe, wie der **Boden einen Fuß hält** (nicht den Körper): zurücksetzen, abprallen lassen, und bei voller Haftung (`traction == 0`) gleitet er nicht.</translation>
+    </message>
+    <message>
+        <source>If a foot is below the ground: put it back, let it bounce, and hold it.</source>
+        <translation>Ist ein Fuß unter dem Boden: zurücksetzen, abprallen lassen und festhalten.</translation>
+    </message>
+    <message>
+        <source>A point is a foot if `me != body`. It is below the ground if its y is larger than `ground`.</source>
+        <translation>Ein Punkt ist ein Fuß, wenn `me != body` gilt. Er ist unter dem Boden, wenn sein y größer als `ground` ist.</translation>
+    </message>
+    <message>
+        <source>After the bounce, its velocity in y is `-bounce` times what it was.</source>
+        <translation>Nach dem Abprall ist seine Geschwindigkeit in y `-bounce` mal die von vorher.</translation>
+    </message>
+    <message>
+        <source>`if (me.position.y &gt; ground &amp;&amp; me != body)`, and in it: set `me.position.y`, then `me.velocity.y *= -bounce;`, then `if (traction == 0) me.velocity.x = 0;`</source>
+        <translation>`if (me.position.y &gt; ground &amp;&amp; me != body)`, und darin: `me.position.y` setzen, dann `me.velocity.y *= -bounce;`, dann `if (traction == 0) me.velocity.x = 0;`</translation>
+    </message>
+    <message>
+        <source>The feet slide on the ground as on ice, so the body does not get on. With full traction their velocity in x is 0.</source>
+        <translation>Die Füße gleiten auf dem Boden wie auf Eis, darum kommt der Körper nicht voran. Bei voller Haftung ist ihre Geschwindigkeit in x 0.</translation>
+    </message>
+    <message>
+        <source>The feet are put back, but they keep their velocity: they slide, and each pull starts from a fall.</source>
+        <translation>Die Füße werden zurückgesetzt, behalten aber ihre Geschwindigkeit: Sie gleiten, und jeder Zug beginnt mit einem Fall.</translation>
+    </message>
+    <message>
+        <source>The feet are held, but below the ground. Put them back.</source>
+        <translation>Die Füße werden gehalten, aber unter dem Boden. Setze sie zurück.</translation>
+    </message>
+    <message>
+        <source>The feet stick to the ground from the start: this holds what is above it. y points down.</source>
+        <translation>Die Füße kleben von Anfang an am Boden: Das hält, was über ihm ist. y zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>the whole frame</source>
+        <translation>das ganze Bild</translation>
+    </message>
+    <message>
+        <source>**From the empty page:** write the whole frame of a creature that walks: two feet, a clock, forces on both sides, gravity, and the ground.</source>
+        <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Wesens, das geht: zwei Füße, eine Uhr, Kräfte auf beiden Seiten, Schwerkraft und der Boden.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: body, feet[0], feet[1] (each with position, velocity and held),
+hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: full).</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, feet[0], feet[1] (jeweils mit position, velocity und held),
+hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: voll).</translation>
+    </message>
+    <message>
+        <source>The order of a frame: what is held follows the hand. Then both feet pull. Then all three move, the feet first. In the end the clock goes on by `speed`.</source>
+        <translation>Die Reihenfolge eines Bildes: Was gehalten wird, folgt der Hand. Dann ziehen beide Füße. Dann bewegen sich alle drei, die Füße zuerst. Am Ende geht die Uhr um `speed` weiter.</translation>
+    </message>
+    <message>
+        <source>The foot 0 has the angle 0, and the foot 1 the angle `pi`. The target is `body.position - leg * Vec2(cos(angle + gait), sin(angle + gait))`, `drop` px lower. The body feels the opposite force.</source>
+        <translation>Der Fuß 0 hat den Winkel 0, der Fuß 1 den Winkel `pi`. Das Ziel ist `body.position - leg * Vec2(cos(angle + gait), sin(angle + gait))`, `drop` px tiefer. Der Körper spürt die Gegenkraft.</translation>
+    </message>
+    <message>
+        <source>To move: gravity, damping, the move, and then the ground. The ground holds feet only: `me != body`.</source>
+        <translation>Zum Bewegen: Schwerkraft, Dämpfung, die Bewegung und dann der Boden. Der Boden hält nur Füße: `me != body`.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the clock stands still, so no foot ever moves on.</source>
+        <translation>Der Rest stimmt, aber die Uhr steht still, darum geht kein Fuß je weiter.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the clock runs backwards.</source>
+        <translation>Der Rest stimmt, aber die Uhr läuft rückwärts.</translation>
+    </message>
+    <message>
+        <source>The rest is right, but the feet slide on the ground as on ice.</source>
+        <translation>Der Rest stimmt, aber die Füße gleiten auf dem Boden wie auf Eis.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

@@ -44,9 +44,9 @@ using Strokes = std::array<Stroke, 2>;
 // The hand moves in all directions. The second run begins with an undisturbed motion, and no body is thrown in the
 // third one before the others had time to settle.
 constexpr std::array<Strokes, judgeTrials> judgeStrokes = {{
-    {{{4, 18, {9.0, 4.0}, 0.1, 0}, {40, 58, {-7.0, -6.0}, -0.08, 4}}},
-    {{{30, 42, {-11.0, 5.0}, 0.05, 0}, {60, 74, {6.0, 8.0}, 0.12, 0}}},
-    {{{2, 22, {-4.0, -8.0}, 0.15, 6}, {50, 60, {10.0, -7.0}, 0.0, 0}}},
+    {{{4, 18, {16.0, 6.0}, 0.1, 0}, {40, 58, {-14.0, -9.0}, -0.08, 4}}},
+    {{{30, 42, {-17.0, 5.0}, 0.05, 0}, {60, 74, {9.0, 14.0}, 0.12, 0}}},
+    {{{2, 22, {-6.0, -14.0}, 0.15, 6}, {50, 60, {15.0, -8.0}, 0.0, 0}}},
 }};
 
 void addStroke(std::vector<sim::Event> &input, const std::string &body, sim::Vec2 hand, const Stroke &stroke)
