@@ -1,7 +1,9 @@
 #include "app/model/breakpoints/breakpoint_monitor.h"
 
+#include "app/listing/tokens.h"
 #include "app/model/code/code_listing.h"
 #include "app/model/code/source_files.h"
+#include "app/model/run/run_program.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
 #include "sim/run/script/composed_interval.h"
@@ -10,6 +12,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -23,6 +26,26 @@ struct BreakpointMonitorText
 const sim::Phase &nextPhase(const sim::Timeline &run)
 {
     return run.track().nextInterval()->pipeline.phaseAt(run.cursor().phase);
+}
+
+/// Returns the types of the variables in the listing that computes a run of `step`, by name.
+std::map<QString, QString> variablesOf(const lessons::Step &step, const sim::Script &script)
+{
+    std::string text;
+    if (const auto program = programOf(script.method))
+        text = program->text();
+    else if (script.method->id() == step.method.toStdString() && script.step == sim::StepSize())
+        text = step.listing.text.toStdString();
+    const listing::Tokens tokens(text);
+    std::map<QString, QString> variables;
+    for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
+        const QString type =
+            QString::fromUtf8(tokens[i].text.data(), static_cast<qsizetype>(tokens[i].text.size()));
+        static const QStringList types = {"double", "int", "bool", "Vec2", "Body"};
+        if (types.contains(type) && tokens.isWord(i + 1) && !tokens.is(i + 2, "("))
+            variables[QString::fromStdString(std::string(tokens[i + 1].text))] = type;
+    }
+    return variables;
 }
 
 QString sentenceFor(const Breakpoint &breakpoint, const sim::Timeline &run)
@@ -45,6 +68,7 @@ ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &ti
         if (!parameter.choices.isEmpty())
             names.choices[parameter.id] = parameter.choices;
     }
+    names.variables = variablesOf(step, timeline.script());
     return names;
 }
 
@@ -76,6 +100,7 @@ void BreakpointMonitor::watch(const std::vector<Breakpoint> &breakpoints, const 
             m_watched.push_back({one, {}, {}});
     }
     m_shown = m_next = nullptr;
+    m_last = {-1, 0};
     m_rowsOver = 0;
 }
 
@@ -94,10 +119,12 @@ void BreakpointMonitor::fit(const sim::Timeline &run)
         if (one.breakpoint.place)
             one.phases = phasesAt(*one.breakpoint.place, next->pipeline);
         one.isInForce = !one.breakpoint.place || !one.phases.empty();
+        one.isOfLines = false;
         if (one.breakpoint.condition.isEmpty())
             continue;
         try {
             one.condition = Condition::parse(one.breakpoint.condition, names);
+            one.isOfLines = one.condition->readsVariables();
         } catch (const UserError &) {
             one.isInForce = false; // a name in it does not exist here; the list of breakpoints says so
         }
@@ -106,15 +133,17 @@ void BreakpointMonitor::fit(const sim::Timeline &run)
 
 bool BreakpointMonitor::holds(const Watched &one, const sim::Timeline &run) const
 {
-    return one.isInForce &&
+    return one.isInForce && !one.isOfLines &&
            (!one.condition || one.condition->holds({run.state(), run.cursor().frame, &nextPhase(run)}));
 }
 
 void BreakpointMonitor::checkBreakpoints(const sim::Timeline &run)
 {
     fit(run);
-    for (Watched &one : m_watched)
-        one.held = !one.breakpoint.place && holds(one, run);
+    for (Watched &one : m_watched) {
+        if (!one.isOfLines)
+            one.held = !one.breakpoint.place && holds(one, run);
+    }
 }
 
 sim::Cursor BreakpointMonitor::nextPlace(const sim::Timeline &run, sim::Cursor target) const
@@ -122,7 +151,7 @@ sim::Cursor BreakpointMonitor::nextPlace(const sim::Timeline &run, sim::Cursor t
     const sim::Pipeline &pipeline = run.track().nextInterval()->pipeline;
     const auto mayStopAt = [&](int phase) {
         return std::any_of(m_watched.begin(), m_watched.end(), [&](const Watched &one) {
-            return one.isInForce &&
+            return one.isInForce && !one.isOfLines &&
                    (!one.breakpoint.place || std::find(one.phases.begin(), one.phases.end(),
                                                        phase % pipeline.phasesPerStep()) != one.phases.end());
         });
@@ -142,6 +171,8 @@ std::optional<BreakHit> BreakpointMonitor::hitAt(const sim::Timeline &run)
     const int phase = run.cursor().phase % m_next->pipeline.phasesPerStep();
     const Breakpoint *hit = nullptr;
     for (Watched &one : m_watched) {
+        if (one.isOfLines)
+            continue;
         const bool isHere = !one.breakpoint.place ||
                             std::find(one.phases.begin(), one.phases.end(), phase) != one.phases.end();
         if (!isHere)
@@ -153,17 +184,49 @@ std::optional<BreakHit> BreakpointMonitor::hitAt(const sim::Timeline &run)
     }
     if (!hit)
         return std::nullopt;
-    return BreakHit{hit->id, run.cursor(), sentenceFor(*hit, run)};
+    return BreakHit{hit->id, run.cursor(), 0, sentenceFor(*hit, run)};
+}
+
+std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, From from)
+{
+    fit(run);
+    const auto isWatched = [](const Watched &one) { return one.isInForce && one.isOfLines; };
+    if (run.cursor().phase != 0 || std::none_of(m_watched.begin(), m_watched.end(), isWatched))
+        return std::nullopt;
+    const LinesAhead ahead = m_lines ? m_lines() : LinesAhead();
+    if (!ahead.frame)
+        return std::nullopt;
+    sim::State state = ahead.frame->stateAfter(ahead.index);
+    for (int i = ahead.index; i < ahead.frame->count(); ++i) {
+        if (i > ahead.index)
+            ahead.frame->applyLine(i - 1, state);
+        const auto number = [&](const std::string &path) { return ahead.frame->numberOf(path, i); };
+        const bool counts = i > ahead.index || (from == From::firstLine && i == 0);
+        for (Watched &one : m_watched) {
+            if (!isWatched(one))
+                continue;
+            const bool now = one.condition->holds({state, run.cursor().frame, nullptr, number});
+            if (now && !std::exchange(one.held, now) && counts)
+                return BreakHit{one.breakpoint.id, run.cursor(), i,
+                                BreakpointMonitorText::tr("Stopped at frame %1 before line %2: %3.")
+                                    .arg(QString::number(run.cursor().frame),
+                                         QString::number(ahead.frame->line(i).line),
+                                         one.breakpoint.condition)};
+            one.held = now;
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor target)
 {
-    if (run.cursor() != m_last)
+    const bool goesOn = run.cursor() == m_last;
+    if (!goesOn)
         m_rowsOver = 0;
     checkBreakpoints(run);
     target.frame =
         target.frame / run.track().framesPerOutput() * run.track().framesPerOutput(); // rounded as in seek()
-    std::optional<BreakHit> hit;
+    std::optional<BreakHit> hit = hitInLines(run, goesOn ? From::firstLine : From::behindCursor);
     while (!hit && run.cursor() < target) {
         const sim::Cursor wanted = nextPlace(run, target);
         run.seek(wanted);
@@ -174,6 +237,8 @@ std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor t
         hit = hitAt(run);
         if (run.cursor().phase == 0)
             m_rowsOver = run.isFinished() ? m_rowsOver + 1 : 0;
+        if (!hit && run.cursor() < target)
+            hit = hitInLines(run, From::firstLine);
     }
     m_last = run.cursor();
     return hit;

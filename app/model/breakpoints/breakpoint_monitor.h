@@ -2,8 +2,13 @@
 
 #include "app/model/breakpoints/breakpoints.h"
 #include "app/model/breakpoints/condition.h"
+#include "app/model/listing/listing_frame.h"
 #include "lessons/api/step.h"
 #include "sim/run/timeline.h"
+
+#include <functional>
+#include <memory>
+#include <utility>
 
 namespace app {
 
@@ -12,7 +17,15 @@ struct BreakHit
 {
     int id = 0; ///< id of the breakpoint
     sim::Cursor at;
+    int lines = 0;    ///< lines of the listing that have run in the next frame; 0 at a phase
     QString sentence; ///< "Stopped at frame 41 before gravity: foot0.y > 380."
+};
+
+/// The lines of the frame after the cursor, if a listing computes the run.
+struct LinesAhead
+{
+    std::shared_ptr<const ListingFrame> frame; ///< null: no listing
+    int index = 0;                             ///< lines that have run
 };
 
 /// Returns the names that conditions of `step` may use at the cursor of `timeline`.
@@ -22,13 +35,17 @@ ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &ti
 std::vector<int> phasesAt(const CodePlace &place, const sim::Pipeline &pipeline);
 
 /// Advances runs and stops them at breakpoints. A breakpoint with a line stops before each phase of that line, if its
-/// condition holds. A breakpoint without a line stops before the first phase at which its condition becomes true. The
-/// starting point never counts, so a stopped run can go on.
+/// condition holds. A breakpoint without a line stops before the first phase at which its condition becomes true. With
+/// variables of a listing, it stops before the first line of the listing instead. The starting point never counts, so a
+/// stopped run can go on.
 class BreakpointMonitor
 {
 public:
     /// Sets the breakpoints of `step` to watch from now on. `step` must outlive this monitor.
     void watch(const std::vector<Breakpoint> &breakpoints, const lessons::Step &step);
+    /// Sets the function that returns the lines after the cursor of the run. Without it, conditions on variables of a
+    /// listing never hold.
+    void setLines(std::function<LinesAhead()> lines) { m_lines = std::move(lines); }
     /// Returns whether there are breakpoints to watch.
     bool isWatching() const { return !m_watched.empty(); }
 
@@ -45,6 +62,7 @@ private:
         std::optional<Condition> condition;
         std::vector<int> phases; ///< of a step; empty without a line
         bool isInForce = false;  ///< whether the line runs here, and the condition is valid here
+        bool isOfLines = false;  ///< whether the condition depends on variables of the listing
         bool held = false;       ///< whether the condition held one phase ago; only without a line
     };
 
@@ -54,13 +72,17 @@ private:
     bool holds(const Watched &one, const sim::Timeline &run) const;
     sim::Cursor nextPlace(const sim::Timeline &run, sim::Cursor target) const;
     std::optional<BreakHit> hitAt(const sim::Timeline &run);
+    /// Checks the lines of the next frame, from the one at the cursor or from the first one on.
+    enum class From { behindCursor, firstLine };
+    std::optional<BreakHit> hitInLines(const sim::Timeline &run, From from);
 
     const lessons::Step *m_step = nullptr;
     std::vector<Watched> m_watched;
     std::shared_ptr<const sim::ComposedInterval> m_shown,
-        m_next;         ///< the intervals that m_watched was prepared for
-    sim::Cursor m_last; ///< where run() stopped last
-    int m_rowsOver = 0; ///< consecutive output steps checked since the run was over
+        m_next; ///< the intervals that m_watched was prepared for
+    std::function<LinesAhead()> m_lines;
+    sim::Cursor m_last = {-1, 0}; ///< where run() stopped last
+    int m_rowsOver = 0;           ///< consecutive output steps checked since the run was over
 };
 
 }

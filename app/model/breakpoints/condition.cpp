@@ -104,6 +104,12 @@ bool Condition::holds(const ConditionMoment &moment) const
         } else if (operation.kind == Kind::minus || operation.kind == Kind::absolute ||
                    operation.kind == Kind::root || operation.kind == Kind::negate) {
             stack.back() = single(operation.kind, stack.back());
+        } else if (operation.kind == Kind::variable) {
+            const std::optional<double> value =
+                moment.variable ? moment.variable(operation.path) : std::nullopt;
+            if (!value)
+                return false;
+            stack.push_back(*value);
         } else {
             stack.push_back(read(operation, moment));
         }
@@ -115,6 +121,12 @@ bool Condition::readsFrame() const
 {
     return std::any_of(m_program.begin(), m_program.end(),
                        [](const Operation &one) { return one.kind == Kind::frame; });
+}
+
+bool Condition::readsVariables() const
+{
+    return std::any_of(m_program.begin(), m_program.end(),
+                       [](const Operation &one) { return one.kind == Kind::variable; });
 }
 
 }

@@ -6,12 +6,16 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace app {
 
-/// The names that a condition may use: bodies of a scene, current parameters, and phases of a pipeline.
+/// The names that a condition may use: bodies of a scene, current parameters, phases of a pipeline, and variables of the
+/// listing that computes the run.
 struct ConditionNames
 {
     const sim::Scene &scene;
@@ -19,6 +23,8 @@ struct ConditionNames
     const sim::Pipeline &pipeline;
     /// The ids of choices, by the id of their parameter.
     std::map<QString, QStringList> choices = {};
+    /// The types of the listing's variables ("double", "Vec2", "Body"...), by name.
+    std::map<QString, QString> variables = {};
 };
 
 /// A moment at which a condition is evaluated.
@@ -27,6 +33,8 @@ struct ConditionMoment
     const sim::State &state;
     std::int64_t frame = 0;           ///< completed frames
     const sim::Phase *next = nullptr; ///< the phase that runs next
+    /// Returns a number of the listing by its path ("angle", "from.x"); empty where it has no value. Null between lines.
+    std::function<std::optional<double>(const std::string &path)> variable = {};
 };
 
 /// A condition on a moment of a run, as the learner writes it: `foot0.y > 380 and phase == "springs"`. Numbers are x,
@@ -42,10 +50,13 @@ public:
     /// @throws UserError one sentence with the place (counted in characters from 1) and the remedy
     static Condition parse(const QString &text, const ConditionNames &names);
 
-    /// Returns whether the condition holds. A comparison with NaN (0 / 0) is false, except "!=".
+    /// Returns whether the condition holds. A comparison with NaN (0 / 0) is false, except "!=". Where a variable of the
+    /// listing has no value, the condition does not hold.
     bool holds(const ConditionMoment &moment) const;
     /// Returns whether the condition depends on the frame number.
     bool readsFrame() const;
+    /// Returns whether the condition depends on variables of the listing, so that it can hold between two lines only.
+    bool readsVariables() const;
 
     /// One operation on a stack of numbers. Truth values are 1 or 0.
     struct Operation
@@ -60,6 +71,7 @@ public:
             angle,
             spin,
             phaseIs,
+            variable,
             minus,
             absolute,
             root,
@@ -81,6 +93,7 @@ public:
         double number = 0.0;                  ///< for `number`
         int point = -1;                       ///< for x to spin
         std::vector<std::string> phases = {}; ///< ids, for `phaseIs`
+        std::string path = {};                ///< for `variable`
     };
 
 private:

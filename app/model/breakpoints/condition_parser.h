@@ -40,6 +40,9 @@ private:
     Part withSign();
     Part primary();
     Part named();
+    /// Returns whether a word names a variable of the listing. A body of the same name takes precedence.
+    bool isVariable(const ConditionToken &word) const;
+    Part variable(const ConditionToken &word);
     Part bodyNumber(const ConditionToken &word);
     Part function(Kind kind);
     Part comparison(const ConditionToken &sign, Part left, Part right);

@@ -56,6 +56,8 @@ ConditionParser::Part ConditionParser::named()
     const ConditionToken word = now();
     if (word.text == u"abs" || word.text == u"sqrt")
         return function(word.text == u"abs" ? Kind::absolute : Kind::root);
+    if (isVariable(word))
+        return variable(word);
     if (word.text.contains('.'))
         return bodyNumber(word);
     ++m_at;
@@ -73,6 +75,39 @@ ConditionParser::Part ConditionParser::named()
             word.place,
             word.text,
             isChoice ? choices->second : QStringList()};
+}
+
+bool ConditionParser::isVariable(const ConditionToken &word) const
+{
+    const QString root = word.text.section('.', 0, 0);
+    return m_names.variables.contains(root) && m_names.scene.find(root.toStdString()) < 0;
+}
+
+ConditionParser::Part ConditionParser::variable(const ConditionToken &word)
+{
+    ++m_at;
+    const QString root = word.text.section('.', 0, 0), type = m_names.variables.at(root);
+    QString member = word.text.section('.', 1);
+    if (type == u"Vec2" && member != u"x" && member != u"y")
+        refuse(word.place,
+               ConditionParserNamesText::tr("%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.")
+                   .arg(root));
+    if (type == u"Body") {
+        static const QHash<QString, QString> members = {
+            {"x", "position.x"},  {"y", "position.y"}, {"vx", "velocity.x"},
+            {"vy", "velocity.y"}, {"angle", "angle"},  {"spin", "spin"},
+        };
+        if (!membersOf(m_names.scene.start).contains(member))
+            refuse(word.place,
+                   ConditionParserNamesText::tr("%1 is a body; ask for one of its numbers, as in %1.y (%2).")
+                       .arg(root, listOf(membersOf(m_names.scene.start))));
+        member = members.value(member);
+    } else if (type != u"Vec2" && !member.isEmpty()) {
+        refuse(word.place, ConditionParserNamesText::tr("%1 is a number, without members.").arg(root));
+    }
+    Condition::Operation read{Kind::variable};
+    read.path = (member.isEmpty() ? root : root + '.' + member).toStdString();
+    return {Type::number, {read}, word.place, word.text, {}};
 }
 
 ConditionParser::Part ConditionParser::bodyNumber(const ConditionToken &word)
@@ -101,6 +136,8 @@ void ConditionParser::refuseName(const ConditionToken &word) const
                    .arg(word.text, listOf(membersOf(m_names.scene.start))));
     QStringList known = {QStringLiteral("frame"), QStringLiteral("phase")};
     known += parametersOf(m_names.values);
+    for (const auto &[name, type] : m_names.variables)
+        known << name;
     refuse(word.place, ConditionParserNamesText::tr(
                            "there is no %1 here; there are %2, and numbers of bodies, as in %3.y.")
                            .arg(quoted(word.text), someOf(known), bodiesOf(m_names.scene).value(0)));

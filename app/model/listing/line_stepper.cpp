@@ -93,6 +93,12 @@ LineStepper::Shown LineStepper::shown() const
     return {frame, frame ? frame->count() : 0, false};
 }
 
+LinesAhead LineStepper::ahead() const
+{
+    const bool isHere = m_run.timeline().cursor() == sim::Cursor{m_at, 0};
+    return {nextFrame(), isHere ? m_index : 0};
+}
+
 int LineStepper::nextLine() const
 {
     const std::shared_ptr<const ListingFrame> frame = nextFrame();
@@ -123,6 +129,7 @@ void LineStepper::goTo(int index)
 {
     const ChangeNotifier::Batch batch(m_run.changes());
     m_playback.pause();
+    m_playback.clearBreakHit();
     leavePhases();
     const std::shared_ptr<const ListingFrame> frame = nextFrame();
     if (!frame)
@@ -147,6 +154,7 @@ void LineStepper::back()
 {
     const ChangeNotifier::Batch batch(m_run.changes());
     m_playback.pause();
+    m_playback.clearBreakHit();
     if (leavePhases() || !isAvailable())
         return;
     if (m_index > 0) {
@@ -188,6 +196,7 @@ bool LineStepper::runTo(int line)
 {
     const ChangeNotifier::Batch batch(m_run.changes());
     m_playback.pause();
+    m_playback.clearBreakHit();
     leavePhases();
     const std::shared_ptr<const ListingFrame> frame = nextFrame();
     if (!frame)

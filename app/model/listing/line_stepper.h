@@ -66,6 +66,10 @@ public:
     /// Goes to a line of the next frame by the number of lines before it, 0 to count(). count() is the next frame.
     void goTo(int index);
 
+    /// Returns the next frame with the lines of it that have run, for breakpoints.
+    LinesAhead ahead() const;
+    /// Shows the run after `index` lines of the next frame, where a breakpoint has stopped it.
+    void stopAt(int index) { set(index); }
     /// Forgets the place inside a frame if the cursor or the run has changed.
     void follow();
 

@@ -127,6 +127,31 @@ sim::State ListingFrame::stateAfter(int index) const
     return m_program->runLines(m_start, m_binding, index).state;
 }
 
+void ListingFrame::applyLine(int index, sim::State &state) const
+{
+    for (const listing::BodyMotion &one : line(index).changed) {
+        state.place(one.point, one.position);
+        state.setVelocity(one.point, one.velocity);
+        if (state.angle.rows() > one.point)
+            state.angle[one.point] = one.angle;
+        if (state.spin.rows() > one.point)
+            state.spin[one.point] = one.spin;
+    }
+}
+
+std::optional<double> ListingFrame::numberOf(const std::string &path, int index) const
+{
+    const std::optional<Value> value = valueOf(QString::fromStdString(path), index);
+    if (!value)
+        return {};
+    if (const auto *number = std::get_if<double>(&*value))
+        return *number;
+    if (const auto *whole = std::get_if<std::int64_t>(&*value))
+        return static_cast<double>(*whole);
+    const auto *truth = std::get_if<bool>(&*value);
+    return truth ? std::optional(*truth ? 1.0 : 0.0) : std::nullopt;
+}
+
 std::optional<listing::BodyMotion> ListingFrame::motionOf(int point, int index) const
 {
     if (point < 0 || point >= m_start.pointCount())

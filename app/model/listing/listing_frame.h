@@ -39,6 +39,8 @@ public:
 
     /// Returns the state after `index` lines.
     sim::State stateAfter(int index) const;
+    /// Applies the change of bodies by the line at `index` to the state before it.
+    void applyLine(int index, sim::State &state) const;
 
     /// Returns the value of a path such as "angle", "foot.velocity", "feet[i].position.x" or "k" after `index` lines, as
     /// the line at `index` sees it; after the last line, as that line did. Empty if there is no such value, or if the path
@@ -46,6 +48,9 @@ public:
     std::optional<listing::Value> valueOf(const QString &path, int index) const;
     /// The same, as the function at the line `scope` sees the names, with the values after `index` lines.
     std::optional<listing::Value> valueOf(const QString &path, int index, int scope) const;
+
+    /// Returns a double, int or bool as a number; empty for other values. As valueOf().
+    std::optional<double> numberOf(const std::string &path, int index) const;
 
     /// Returns the number of the call in which a line runs: lines of the same call have the same number.
     int callOf(int index) const { return m_calls[static_cast<std::size_t>(index)]; }

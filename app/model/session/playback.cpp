@@ -302,6 +302,14 @@ void Playback::stopAt(const BreakHit &hit)
 {
     pause();
     m_hit = hit;
+    if (hit.lines > 0 && m_stopAtLine)
+        m_stopAtLine(hit.lines);
+}
+
+void Playback::setLines(std::function<LinesAhead()> ahead, std::function<void(int)> stopAtLine)
+{
+    m_monitor.setLines(std::move(ahead));
+    m_stopAtLine = std::move(stopAtLine);
 }
 
 std::optional<BreakHit> Playback::advanceOneOutput()

@@ -8,6 +8,7 @@
 
 #include <QObject>
 
+#include <functional>
 #include <optional>
 #include <variant>
 
@@ -57,6 +58,11 @@ public:
     /// The breakpoints of the open step.
     Breakpoints &breakpoints() { return m_breakpoints; }
     const Breakpoints &breakpoints() const { return m_breakpoints; }
+    /// Sets how conditions on variables of the listing are watched: `ahead` returns the lines after the cursor, and
+    /// `stopAtLine` shows the run after that many of them.
+    void setLines(std::function<LinesAhead()> ahead, std::function<void(int)> stopAtLine);
+    /// Forgets the breakpoint that stopped the run, because it goes on.
+    void clearBreakHit() { m_hit.reset(); }
     /// Returns the breakpoint that stopped the run where it is, if nothing has changed since.
     const std::optional<BreakHit> &breakHit() const { return m_hit; }
 
@@ -108,6 +114,7 @@ private:
     Breakpoints m_breakpoints;
     BreakpointMonitor m_monitor;
     std::optional<BreakHit> m_hit;
+    std::function<void(int)> m_stopAtLine;
     bool m_isSliceDue = false; ///< whether the next slice of seeking is scheduled
 };
 

@@ -14,6 +14,7 @@ Session::Session(const LessonLibrary &library, QObject *parent)
 {
     connect(&m_changes, &ChangeNotifier::changed, this, &Session::changed);
     connect(&m_changes, &ChangeNotifier::messageRequested, this, &Session::messageRequested);
+    m_playback.setLines([this] { return m_lines.ahead(); }, [this](int lines) { m_lines.stopAt(lines); });
     m_editor.begin(step().script(), {}, {});
     m_changes.setPreparation([this](ChangeKinds kinds) { prepare(kinds); });
 }
