@@ -376,6 +376,10 @@
         <source>Stopped at frame %1 before %2: %3.</source>
         <translation>Angehalten bei Bild %1 vor „%2“: %3.</translation>
     </message>
+    <message>
+        <source>Stopped at frame %1 before line %2: %3.</source>
+        <translation>Angehalten bei Bild %1 vor Zeile %2: %3.</translation>
+    </message>
 </context>
 <context>
     <name>CaptionText</name>
@@ -731,6 +735,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>there is no %1 here; there are %2, and numbers of bodies, as in %3.y.</source>
         <translation>hier gibt es kein %1; es gibt %2 und Zahlen von Körpern, wie in %3.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a Vec2; ask for one of its numbers, %1.x or %1.y.</source>
+        <translation>%1 ist ein Vec2; frag nach einer seiner Zahlen, %1.x oder %1.y.</translation>
+    </message>
+    <message>
+        <source>%1 is a number, without members.</source>
+        <translation>%1 ist eine Zahl und hat keine Teile.</translation>
     </message>
 </context>
 <context>
@@ -1396,6 +1408,22 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>the method %1 has fixed steps; give &quot;h&quot; instead of &quot;tolerance&quot;.</source>
         <translation>das Verfahren %1 hat feste Zeitschritte; gib &quot;h&quot; statt &quot;tolerance&quot; an.</translation>
     </message>
+    <message>
+        <source>&quot;code&quot; needs the method %1; set &quot;method&quot; to it, or remove &quot;code&quot;.</source>
+        <translation>&quot;code&quot; braucht das Verfahren %1; setze &quot;method&quot; darauf, oder entferne &quot;code&quot;.</translation>
+    </message>
+    <message>
+        <source>the method %1 needs &quot;code&quot;, the text of a listing.</source>
+        <translation>das Verfahren %1 braucht &quot;code&quot;, den Text eines Listings.</translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes; it can have up to %3.</source>
+        <translation>%1 hat %2 Bytes; höchstens %3 sind möglich.</translation>
+    </message>
+    <message>
+        <source>&quot;code&quot; does not compile. Line %1: %2</source>
+        <translation>&quot;code&quot; lässt sich nicht übersetzen. Zeile %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ExperimentPointsText</name>
@@ -1492,6 +1520,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>the run has more input than a file can store. Restart it, or go back and continue from an earlier frame.</source>
         <translation>der Lauf hat mehr Eingaben, als in eine Datei passen. Starte ihn neu, oder geh zurück und mach bei einem früheren Bild weiter.</translation>
+    </message>
+    <message>
+        <source>your code is longer than %1 bytes, the most that a file can store. Shorten it.</source>
+        <translation>dein Code ist länger als %1 Bytes; mehr kann eine Datei nicht speichern. Kürze ihn.</translation>
     </message>
 </context>
 <context>
@@ -2316,6 +2348,13 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>LearnerCode</name>
+    <message>
+        <source>other code</source>
+        <translation>anderer Code</translation>
+    </message>
+</context>
+<context>
     <name>LessonPluginText</name>
     <message>
         <source>It is not a lesson that can be used: %1.</source>
@@ -2411,6 +2450,393 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>No lesson was found in %1; SPRINGSTEP_LESSONS can name a folder that has them.</source>
         <translation>In %1 wurde keine Lektion gefunden; SPRINGSTEP_LESSONS kann einen Ordner nennen, in dem welche sind.</translation>
+    </message>
+</context>
+<context>
+    <name>LineValuesText</name>
+    <message>
+        <source>%1: from %2 to %3</source>
+        <translation type="unfinished">%1: von %2 auf %3 {1:?} {2 ?}</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation type="unfinished">%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 = %2 of %3</source>
+        <translation>%1 = %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation type="unfinished">%1 von %2</translation>
+    </message>
+    <message>
+        <source>no body</source>
+        <translation>kein Körper</translation>
+    </message>
+    <message>
+        <source>This frame runs more than %1 lines. The others are not shown.</source>
+        <translation>In diesem Bild laufen mehr als %1 Zeilen. Die übrigen werden nicht gezeigt.</translation>
+    </message>
+</context>
+<context>
+    <name>ListingText</name>
+    <message>
+        <source>Did you mean %1?</source>
+        <translation>Meintest du %1?</translation>
+    </message>
+    <message>
+        <source>%1 is not a member of an array of bodies.</source>
+        <translation>%1 ist kein Teil einer Liste von Körpern.</translation>
+    </message>
+    <message>
+        <source>%1 is not a member of the array of creatures.</source>
+        <translation>%1 ist kein Teil der Liste der Wesen.</translation>
+    </message>
+    <message>
+        <source>%1 is not a member of the array of sticks.</source>
+        <translation>%1 ist kein Teil der Liste der Stäbe.</translation>
+    </message>
+    <message>
+        <source>%1 is not a member of the new targets.</source>
+        <translation>%1 ist kein Teil der neuen Ziele.</translation>
+    </message>
+    <message>
+        <source>%1 is not a member of the keys.</source>
+        <translation>%1 ist keine der Tasten.</translation>
+    </message>
+    <message>
+        <source>%1 is not a member of %2.</source>
+        <translation>%1 ist kein Teil von %2.</translation>
+    </message>
+    <message>
+        <source>It has %1.</source>
+        <translation>Es hat %1.</translation>
+    </message>
+    <message>
+        <source>Choose one of them first, for example with [0].</source>
+        <translation>Wähle zuerst einen davon, zum Beispiel mit [0].</translation>
+    </message>
+    <message>
+        <source>There is no function %1.</source>
+        <translation>Es gibt keine Funktion %1.</translation>
+    </message>
+    <message>
+        <source>There is no type %1.</source>
+        <translation>Es gibt keinen Typ %1.</translation>
+    </message>
+    <message>
+        <source>The types are %1.</source>
+        <translation>Die Typen sind %1.</translation>
+    </message>
+    <message>
+        <source>There is no %1: %2 is empty.</source>
+        <translation>Es gibt kein %1: %2 ist leer.</translation>
+    </message>
+    <message>
+        <source>There is no %1: the only one is %2.</source>
+        <translation>Es gibt kein %1: Das einzige ist %2.</translation>
+    </message>
+    <message>
+        <source>There is no %1: %2 goes from %3 to %4.</source>
+        <translation>Es gibt kein %1: %2 reicht von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>There is no %1.</source>
+        <translation>Es gibt kein %1.</translation>
+    </message>
+    <message>
+        <source>This scene has %1, and the numbers %2.</source>
+        <translation>Diese Szene hat %1 und die Zahlen %2.</translation>
+    </message>
+    <message>
+        <source>This scene has %1, and the number %2.</source>
+        <translation>Diese Szene hat %1 und die Zahl %2.</translation>
+    </message>
+    <message>
+        <source>This scene has the numbers %1.</source>
+        <translation>Diese Szene hat die Zahlen %1.</translation>
+    </message>
+    <message>
+        <source>This scene has the number %1.</source>
+        <translation>Diese Szene hat die Zahl %1.</translation>
+    </message>
+    <message>
+        <source>This scene has %1.</source>
+        <translation>Diese Szene hat %1.</translation>
+    </message>
+    <message>
+        <source>There already is %1 here.</source>
+        <translation>%1 gibt es hier schon.</translation>
+    </message>
+    <message>
+        <source>There already is %1 in this scene.</source>
+        <translation>%1 gibt es in dieser Szene schon.</translation>
+    </message>
+    <message>
+        <source>Use another name.</source>
+        <translation>Nimm einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>%1 does not take these values: %2.</source>
+        <translation>%1 nimmt diese Werte nicht: %2.</translation>
+    </message>
+    <message>
+        <source>A %1 cannot be used as a %2.</source>
+        <translation>Ein %1 lässt sich nicht als %2 verwenden.</translation>
+    </message>
+    <message>
+        <source>This sign does not work between a %1 and the other value.</source>
+        <translation>Dieses Zeichen geht nicht zwischen einem %1 und dem anderen Wert.</translation>
+    </message>
+    <message>
+        <source>This sign does not work between a %1 and a %2.</source>
+        <translation>Dieses Zeichen geht nicht zwischen einem %1 und einem %2.</translation>
+    </message>
+    <message>
+        <source>A Vec2 can be added to a Vec2, and multiplied or divided by a number.</source>
+        <translation>Ein Vec2 lässt sich zu einem Vec2 addieren, und mit einer Zahl malnehmen oder durch sie teilen.</translation>
+    </message>
+    <message>
+        <source>A value is missing here.</source>
+        <translation>Hier fehlt ein Wert.</translation>
+    </message>
+    <message>
+        <source>The name of a type is missing here: %1.</source>
+        <translation>Hier fehlt der Name eines Typs: %1.</translation>
+    </message>
+    <message>
+        <source>A name is missing here.</source>
+        <translation>Hier fehlt ein Name.</translation>
+    </message>
+    <message>
+        <source>The name of a member is missing behind the dot.</source>
+        <translation>Hinter dem Punkt fehlt der Name eines Teils.</translation>
+    </message>
+    <message>
+        <source>%1 is missing here.</source>
+        <translation>Hier fehlt %1.</translation>
+    </message>
+    <message>
+        <source>A Body cannot be replaced by another one.</source>
+        <translation>Ein Body lässt sich nicht durch einen anderen ersetzen.</translation>
+    </message>
+    <message>
+        <source>Set its position or its velocity.</source>
+        <translation>Setze seinen Ort oder seine Geschwindigkeit.</translation>
+    </message>
+    <message>
+        <source>This cannot be changed.</source>
+        <translation>Das lässt sich nicht ändern.</translation>
+    </message>
+    <message>
+        <source>A listing changes positions, velocities and its own variables.</source>
+        <translation>Ein Listing ändert Orte, Geschwindigkeiten und seine eigenen Variablen.</translation>
+    </message>
+    <message>
+        <source>A %1 cannot be set as a whole.</source>
+        <translation>Ein %1 lässt sich nicht als Ganzes setzen.</translation>
+    </message>
+    <message>
+        <source>%1 has no value yet.</source>
+        <translation>%1 hat noch keinen Wert.</translation>
+    </message>
+    <message>
+        <source>Give it one: %1.</source>
+        <translation>Gib ihm einen: %1.</translation>
+    </message>
+    <message>
+        <source>A condition is true or false.</source>
+        <translation>Eine Bedingung ist wahr oder falsch.</translation>
+    </message>
+    <message>
+        <source>Compare this with something, for example with == or &gt;.</source>
+        <translation>Vergleiche das mit etwas, zum Beispiel mit == oder &gt;.</translation>
+    </message>
+    <message>
+        <source>This function can end without &apos;return&apos;.</source>
+        <translation>Diese Funktion kann ohne &apos;return&apos; enden.</translation>
+    </message>
+    <message>
+        <source>It has to return a value in every case.</source>
+        <translation>Sie muss in jedem Fall einen Wert zurückgeben.</translation>
+    </message>
+    <message>
+        <source>The text ends too early: a &apos;}&apos; or a &apos;)&apos; is missing.</source>
+        <translation>Der Text endet zu früh: Es fehlt eine &apos;}&apos; oder eine &apos;)&apos;.</translation>
+    </message>
+    <message>
+        <source>A Body variable needs a body, for example %1.</source>
+        <translation>Eine Variable vom Typ Body braucht einen Körper, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be remembered from frame to frame.</source>
+        <translation>%1 lässt sich nicht von Bild zu Bild merken.</translation>
+    </message>
+    <message>
+        <source>Only numbers, bool and Vec2 can.</source>
+        <translation>Das geht nur mit Zahlen, bool und Vec2.</translation>
+    </message>
+    <message>
+        <source>The first value of %1 cannot be computed.</source>
+        <translation>Der erste Wert von %1 lässt sich nicht berechnen.</translation>
+    </message>
+    <message>
+        <source>Write the number itself, without %1.</source>
+        <translation>Schreibe die Zahl selbst, ohne %1.</translation>
+    </message>
+    <message>
+        <source>The function &apos;void frame()&apos; is missing.</source>
+        <translation>Die Funktion &apos;void frame()&apos; fehlt.</translation>
+    </message>
+    <message>
+        <source>It runs once in every frame.</source>
+        <translation>Sie läuft einmal in jedem Bild.</translation>
+    </message>
+    <message>
+        <source>This listing cannot be compiled.</source>
+        <translation>Dieses Listing lässt sich nicht übersetzen.</translation>
+    </message>
+    <message>
+        <source>Texts in quotes are not part of this language.</source>
+        <translation>Texte in Anführungszeichen gehören nicht zu dieser Sprache.</translation>
+    </message>
+    <message>
+        <source>It has numbers, bool and Vec2.</source>
+        <translation>Sie hat Zahlen, bool und Vec2.</translation>
+    </message>
+    <message>
+        <source>This character is not part of this language.</source>
+        <translation>Dieses Zeichen gehört nicht zu dieser Sprache.</translation>
+    </message>
+    <message>
+        <source>%1 is reserved and not part of this language.</source>
+        <translation>%1 ist reserviert und gehört nicht zu dieser Sprache.</translation>
+    </message>
+    <message>
+        <source>%1 is not part of this language.</source>
+        <translation>%1 gehört nicht zu dieser Sprache.</translation>
+    </message>
+    <message>
+        <source>A Body variable already stands for the body itself.</source>
+        <translation>Eine Variable vom Typ Body steht schon für den Körper selbst.</translation>
+    </message>
+    <message>
+        <source>Use &apos;if&apos;.</source>
+        <translation>Nimm &apos;if&apos;.</translation>
+    </message>
+    <message>
+        <source>A number ends without &apos;f&apos; here.</source>
+        <translation>Eine Zahl endet hier ohne &apos;f&apos;.</translation>
+    </message>
+    <message>
+        <source>&apos;void&apos; stands only before the name of a function.</source>
+        <translation>&apos;void&apos; steht nur vor dem Namen einer Funktion.</translation>
+    </message>
+    <message>
+        <source>%1 has no value, so it stands alone: %2.</source>
+        <translation>%1 hat keinen Wert, steht also allein: %2.</translation>
+    </message>
+    <message>
+        <source>&apos;=&apos; sets a value, and stands once in a statement.</source>
+        <translation>&apos;=&apos; setzt einen Wert und steht nur einmal in einer Anweisung.</translation>
+    </message>
+    <message>
+        <source>To compare, write &apos;==&apos;.</source>
+        <translation>Zum Vergleichen schreibe &apos;==&apos;.</translation>
+    </message>
+    <message>
+        <source>Only a variable can be set: a name, with members or an index behind it.</source>
+        <translation>Nur eine Variable lässt sich setzen: ein Name, mit Teilen oder einem Index dahinter.</translation>
+    </message>
+    <message>
+        <source>Compare two values at a time, for example %1.</source>
+        <translation>Vergleiche immer zwei Werte, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 &apos;else&apos; in this listing.</source>
+        <translation>In diesem Listing stehen mehr als %1 &apos;else&apos;.</translation>
+    </message>
+    <message>
+        <source>There are more than %1 brackets inside one another.</source>
+        <translation>Mehr als %1 Klammern stehen ineinander.</translation>
+    </message>
+    <message>
+        <source>This statement is too long.</source>
+        <translation>Diese Anweisung ist zu lang.</translation>
+    </message>
+    <message>
+        <source>Split it in two.</source>
+        <translation>Teile sie in zwei.</translation>
+    </message>
+    <message>
+        <source>The variables outside of functions take %1 bytes.</source>
+        <translation>Die Variablen außerhalb von Funktionen brauchen %1 Bytes.</translation>
+    </message>
+    <message>
+        <source>The most is %1.</source>
+        <translation>Erlaubt sind höchstens %1.</translation>
+    </message>
+    <message>
+        <source>This variable stands for no body.</source>
+        <translation>Diese Variable steht für keinen Körper.</translation>
+    </message>
+    <message>
+        <source>This divides by 0.</source>
+        <translation>Hier wird durch 0 geteilt.</translation>
+    </message>
+    <message>
+        <source>The result is too large for a number.</source>
+        <translation>Das Ergebnis ist zu groß für eine Zahl.</translation>
+    </message>
+    <message>
+        <source>This did not end after %1 lines.</source>
+        <translation>Das war nach %1 Zeilen nicht zu Ende.</translation>
+    </message>
+    <message>
+        <source>A loop or a function repeats without end.</source>
+        <translation>Eine Schleife oder eine Funktion wiederholt sich ohne Ende.</translation>
+    </message>
+    <message>
+        <source>Functions call functions %1 times inside one another.</source>
+        <translation>Funktionen rufen %1-mal ineinander Funktionen auf.</translation>
+    </message>
+    <message>
+        <source>Functions call functions too many times inside one another.</source>
+        <translation>Funktionen rufen zu oft ineinander Funktionen auf.</translation>
+    </message>
+    <message>
+        <source>A function that calls itself needs a case in which it does not.</source>
+        <translation>Eine Funktion, die sich selbst aufruft, braucht einen Fall, in dem sie es nicht tut.</translation>
+    </message>
+    <message>
+        <source>The position of %1 is not a finite number.</source>
+        <translation>Der Ort von %1 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The velocity of %1 is not a finite number.</source>
+        <translation>Die Geschwindigkeit von %1 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The angle or the spin of %1 is not a finite number.</source>
+        <translation>Der Winkel oder die Drehung von %1 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The gait of %1 is not a finite number.</source>
+        <translation>Der Gang von %1 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number.</source>
+        <translation>%1 ist keine endliche Zahl.</translation>
+    </message>
+    <message>
+        <source>The interpreter stopped.</source>
+        <translation>Der Interpreter hat angehalten.</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <comment>in a list</comment>
+        <translation> und </translation>
     </message>
 </context>
 <context>
@@ -2894,6 +3320,17 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>RunProgramText</name>
+    <message>
+        <source>Line %1 of your code: %2</source>
+        <translation>Zeile %1 deines Codes: %2</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1. %2</source>
+        <translation>Angehalten bei Bild %1. %2</translation>
+    </message>
+</context>
+<context>
     <name>SandboxPropertiesText</name>
     <message>
         <source>Point %1</source>
@@ -3347,6 +3784,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>has no such limit</source>
         <translation>hat keine solche Grenze</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Unknown for your code.&lt;/b&gt; The limit follows from the springs of the scene, and your code may compute anything else.</source>
+        <translation>&lt;b&gt;Für deinen Code unbekannt.&lt;/b&gt; Die Grenze folgt aus den Federn der Szene, und dein Code kann etwas ganz anderes berechnen.</translation>
     </message>
 </context>
 <context>
@@ -3863,6 +4304,13 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>All measured methods, with two more plots and with remarks</source>
         <translation>Alle gemessenen Verfahren, mit zwei weiteren Diagrammen und Anmerkungen</translation>
+    </message>
+</context>
+<context>
+    <name>app::AccuracyStudy</name>
+    <message>
+        <source>Your code is left out: it computes whole frames, so it cannot be compared with shorter steps.</source>
+        <translation>Dein Code fehlt hier: Er berechnet ganze Bilder, lässt sich also nicht mit kürzeren Zeitschritten vergleichen.</translation>
     </message>
 </context>
 <context>
@@ -5241,6 +5689,37 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::LearnerCode</name>
+    <message>
+        <source>Change code</source>
+        <translation>Code ändern</translation>
+    </message>
+    <message>
+        <source>Reset listing</source>
+        <translation>Listing zurücksetzen</translation>
+    </message>
+    <message>
+        <source>your code</source>
+        <translation type="unfinished">dein Code</translation>
+    </message>
+    <message>
+        <source>the listing of the step</source>
+        <translation>das Listing des Schritts</translation>
+    </message>
+    <message>
+        <source>This step has no listing.</source>
+        <translation>Dieser Schritt hat kein Listing.</translation>
+    </message>
+    <message>
+        <source>Your code does not compile. Line %1: %2</source>
+        <translation>Dein Code lässt sich nicht übersetzen. Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>Change method</source>
+        <translation type="unfinished">Verfahren ändern</translation>
+    </message>
+</context>
+<context>
     <name>app::LessonList</name>
     <message>
         <source>Lessons</source>
@@ -5303,6 +5782,13 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Next step</source>
         <translation>Nächster Schritt</translation>
+    </message>
+</context>
+<context>
+    <name>app::LineStepper</name>
+    <message>
+        <source>Line %1 does not run in this frame, nor in the next one.</source>
+        <translation>Zeile %1 läuft weder in diesem Bild noch im nächsten.</translation>
     </message>
 </context>
 <context>
@@ -6756,6 +7242,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>There is no map for this method: it is stable at every stiffness.</source>
         <translation>Für dieses Verfahren gibt es keine Karte: Es ist bei jeder Steifigkeit stabil.</translation>
     </message>
+    <message>
+        <source>There is no map for your code: it may compute anything, whatever the stiffness is.</source>
+        <translation>Für deinen Code gibt es keine Karte: Er kann alles Mögliche berechnen, wie groß die Steifigkeit auch ist.</translation>
+    </message>
 </context>
 <context>
     <name>app::StatusFigures</name>
@@ -7036,10 +7526,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>The code that runs</source>
         <translation>Der Code, der läuft</translation>
-    </message>
-    <message>
-        <source>These lines compute the scene. Beside them are the current values.</source>
-        <translation>Diese Zeilen berechnen die Szene. Neben ihnen stehen die aktuellen Werte.</translation>
     </message>
     <message>
         <source>Numbers to change</source>

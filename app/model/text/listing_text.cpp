@@ -1,10 +1,176 @@
 #include "app/model/text/listing_text.h"
 
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QStringList>
+
+#include <vector>
+
 namespace app {
 
-QString listingSentence(const std::string &sentence)
+namespace {
+
+struct ListingText
 {
-    return QString::fromStdString(sentence);
+    Q_DECLARE_TR_FUNCTIONS(ListingText)
+};
+
+/// The sentences of app/listing, which knows no Qt, with %1 to %3 in place of names and numbers. The first one that
+/// matches counts. "an" before a type stands here as "a".
+constexpr const char *patterns[] = {
+    // names
+    QT_TRANSLATE_NOOP("ListingText", "Did you mean %1?"),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not a member of an array of bodies."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not a member of the array of creatures."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not a member of the array of sticks."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not a member of the new targets."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not a member of the keys."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not a member of %2."),
+    QT_TRANSLATE_NOOP("ListingText", "It has %1."),
+    QT_TRANSLATE_NOOP("ListingText", "Choose one of them first, for example with [0]."),
+    QT_TRANSLATE_NOOP("ListingText", "There is no function %1."),
+    QT_TRANSLATE_NOOP("ListingText", "There is no type %1."),
+    QT_TRANSLATE_NOOP("ListingText", "The types are %1."),
+    QT_TRANSLATE_NOOP("ListingText", "There is no %1: %2 is empty."),
+    QT_TRANSLATE_NOOP("ListingText", "There is no %1: the only one is %2."),
+    QT_TRANSLATE_NOOP("ListingText", "There is no %1: %2 goes from %3 to %4."),
+    QT_TRANSLATE_NOOP("ListingText", "There is no %1."),
+    QT_TRANSLATE_NOOP("ListingText", "This scene has %1, and the numbers %2."),
+    QT_TRANSLATE_NOOP("ListingText", "This scene has %1, and the number %2."),
+    QT_TRANSLATE_NOOP("ListingText", "This scene has the numbers %1."),
+    QT_TRANSLATE_NOOP("ListingText", "This scene has the number %1."),
+    QT_TRANSLATE_NOOP("ListingText", "This scene has %1."),
+    QT_TRANSLATE_NOOP("ListingText", "There already is %1 here."),
+    QT_TRANSLATE_NOOP("ListingText", "There already is %1 in this scene."),
+    QT_TRANSLATE_NOOP("ListingText", "Use another name."),
+    // types and values
+    QT_TRANSLATE_NOOP("ListingText", "%1 does not take these values: %2."),
+    QT_TRANSLATE_NOOP("ListingText", "A %1 cannot be used as a %2."),
+    QT_TRANSLATE_NOOP("ListingText", "This sign does not work between a %1 and the other value."),
+    QT_TRANSLATE_NOOP("ListingText", "This sign does not work between a %1 and a %2."),
+    QT_TRANSLATE_NOOP("ListingText", "A Vec2 can be added to a Vec2, and multiplied or divided by a number."),
+    QT_TRANSLATE_NOOP("ListingText", "A value is missing here."),
+    QT_TRANSLATE_NOOP("ListingText", "The name of a type is missing here: %1."),
+    QT_TRANSLATE_NOOP("ListingText", "A name is missing here."),
+    QT_TRANSLATE_NOOP("ListingText", "The name of a member is missing behind the dot."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is missing here."),
+    QT_TRANSLATE_NOOP("ListingText", "A Body cannot be replaced by another one."),
+    QT_TRANSLATE_NOOP("ListingText", "Set its position or its velocity."),
+    QT_TRANSLATE_NOOP("ListingText", "This cannot be changed."),
+    QT_TRANSLATE_NOOP("ListingText", "A listing changes positions, velocities and its own variables."),
+    QT_TRANSLATE_NOOP("ListingText", "A %1 cannot be set as a whole."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 has no value yet."),
+    QT_TRANSLATE_NOOP("ListingText", "Give it one: %1."),
+    QT_TRANSLATE_NOOP("ListingText", "A condition is true or false."),
+    QT_TRANSLATE_NOOP("ListingText", "Compare this with something, for example with == or >."),
+    QT_TRANSLATE_NOOP("ListingText", "This function can end without 'return'."),
+    QT_TRANSLATE_NOOP("ListingText", "It has to return a value in every case."),
+    QT_TRANSLATE_NOOP("ListingText", "The text ends too early: a '}' or a ')' is missing."),
+    QT_TRANSLATE_NOOP("ListingText", "A Body variable needs a body, for example %1."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 cannot be remembered from frame to frame."),
+    QT_TRANSLATE_NOOP("ListingText", "Only numbers, bool and Vec2 can."),
+    QT_TRANSLATE_NOOP("ListingText", "The first value of %1 cannot be computed."),
+    QT_TRANSLATE_NOOP("ListingText", "Write the number itself, without %1."),
+    // the language
+    QT_TRANSLATE_NOOP("ListingText", "The function 'void frame()' is missing."),
+    QT_TRANSLATE_NOOP("ListingText", "It runs once in every frame."),
+    QT_TRANSLATE_NOOP("ListingText", "This listing cannot be compiled."),
+    QT_TRANSLATE_NOOP("ListingText", "Texts in quotes are not part of this language."),
+    QT_TRANSLATE_NOOP("ListingText", "It has numbers, bool and Vec2."),
+    QT_TRANSLATE_NOOP("ListingText", "This character is not part of this language."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is reserved and not part of this language."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not part of this language."),
+    QT_TRANSLATE_NOOP("ListingText", "A Body variable already stands for the body itself."),
+    QT_TRANSLATE_NOOP("ListingText", "Use 'if'."),
+    QT_TRANSLATE_NOOP("ListingText", "A number ends without 'f' here."),
+    QT_TRANSLATE_NOOP("ListingText", "'void' stands only before the name of a function."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 has no value, so it stands alone: %2."),
+    QT_TRANSLATE_NOOP("ListingText", "'=' sets a value, and stands once in a statement."),
+    QT_TRANSLATE_NOOP("ListingText", "To compare, write '=='."),
+    QT_TRANSLATE_NOOP("ListingText",
+                      "Only a variable can be set: a name, with members or an index behind it."),
+    QT_TRANSLATE_NOOP("ListingText", "Compare two values at a time, for example %1."),
+    // bounds
+    QT_TRANSLATE_NOOP("ListingText", "There are more than %1 'else' in this listing."),
+    QT_TRANSLATE_NOOP("ListingText", "There are more than %1 brackets inside one another."),
+    QT_TRANSLATE_NOOP("ListingText", "This statement is too long."),
+    QT_TRANSLATE_NOOP("ListingText", "Split it in two."),
+    QT_TRANSLATE_NOOP("ListingText", "The variables outside of functions take %1 bytes."),
+    QT_TRANSLATE_NOOP("ListingText", "The most is %1."),
+    // mistakes that stop a frame
+    QT_TRANSLATE_NOOP("ListingText", "This variable stands for no body."),
+    QT_TRANSLATE_NOOP("ListingText", "This divides by 0."),
+    QT_TRANSLATE_NOOP("ListingText", "The result is too large for a number."),
+    QT_TRANSLATE_NOOP("ListingText", "This did not end after %1 lines."),
+    QT_TRANSLATE_NOOP("ListingText", "A loop or a function repeats without end."),
+    QT_TRANSLATE_NOOP("ListingText", "Functions call functions %1 times inside one another."),
+    QT_TRANSLATE_NOOP("ListingText", "Functions call functions too many times inside one another."),
+    QT_TRANSLATE_NOOP("ListingText", "A function that calls itself needs a case in which it does not."),
+    QT_TRANSLATE_NOOP("ListingText", "The position of %1 is not a finite number."),
+    QT_TRANSLATE_NOOP("ListingText", "The velocity of %1 is not a finite number."),
+    QT_TRANSLATE_NOOP("ListingText", "The angle or the spin of %1 is not a finite number."),
+    QT_TRANSLATE_NOOP("ListingText", "The gait of %1 is not a finite number."),
+    QT_TRANSLATE_NOOP("ListingText", "%1 is not a finite number."),
+    QT_TRANSLATE_NOOP("ListingText", "The interpreter stopped."),
+};
+
+/// A pattern as an expression that finds its gaps.
+struct Matcher
+{
+    const char *source;
+    QRegularExpression expression;
+};
+
+const std::vector<Matcher> &matchers()
+{
+    static const std::vector<Matcher> all = [] {
+        std::vector<Matcher> made;
+        static const QRegularExpression gap(QStringLiteral("\\\\%\\d"));
+        for (const char *pattern : patterns) {
+            const QString escaped = QRegularExpression::escape(QString::fromUtf8(pattern));
+            made.push_back({pattern, QRegularExpression('^' + QString(escaped).replace(gap, "(.+?)") + '$')});
+        }
+        return made;
+    }();
+    return all;
+}
+
+/// Returns a list such as "body and feet" in the learner's language. Other texts stay.
+QString translatedList(QString gap)
+{
+    static const QRegularExpression list(QStringLiteral("^\\w+(, \\w+)* and \\w+$"));
+    return list.match(gap).hasMatch()
+               ? gap.replace(QStringLiteral(" and "), ListingText::tr(" and ", "in a list"))
+               : gap;
+}
+
+QString translatedSentence(const QString &sentence)
+{
+    static const QRegularExpression article(QStringLiteral("\\b([Aa])n (?=int\\b)"));
+    const QString plain = QString(sentence).replace(article, QStringLiteral("\\1 "));
+    for (const Matcher &one : matchers()) {
+        const QRegularExpressionMatch match = one.expression.match(plain);
+        if (!match.hasMatch())
+            continue;
+        QString translated = ListingText::tr(one.source);
+        if (translated == QLatin1String(one.source))
+            return sentence;
+        for (int i = 1; i <= match.lastCapturedIndex(); ++i)
+            translated.replace(QStringLiteral("%%1").arg(i), translatedList(match.captured(i)));
+        return translated;
+    }
+    return sentence; // a rare message of the interpreter
+}
+
+}
+
+QString listingSentence(const std::string &text)
+{
+    static const QRegularExpression ends(QStringLiteral("(?<=[.?]) (?=[A-Z'])"));
+    QStringList sentences = QString::fromStdString(text).split(ends);
+    for (QString &sentence : sentences)
+        sentence = translatedSentence(sentence);
+    return sentences.join(' ');
 }
 
 }

@@ -7,6 +7,6 @@
 namespace app {
 
 /// Returns a sentence of a listing's compiler, or of a mistake that stopped it, in the learner's language.
-QString listingSentence(const std::string &sentence);
+QString listingSentence(const std::string &text);
 
 }

@@ -333,10 +333,12 @@ const sim::AccuracyRow *AccuracyPanel::cheapest() const
 void AccuracyPanel::refreshCard()
 {
     const sim::Accuracy *accuracy = m_study.accuracy();
-    const QString text =
+    QString text =
         accuracy ? verdictOn(*accuracy, m_workPrecision->target(), m_study.inUse())
                  : tr("How accurate is each method for this scene, and what does it cost? Every method "
                       "computes it with many steps, and is compared with a far more accurate reference.");
+    if (accuracy && !m_study.leftOut().isEmpty())
+        text += ' ' + m_study.leftOut();
     if (text != m_verdict->text())
         m_verdict->setText(text);
     const sim::AccuracyRow *best = cheapest();

@@ -1,6 +1,7 @@
 #include "app/ui/stability/stability_panel.h"
 
 #include "app/model/analysis/growth_table.h"
+#include "app/model/run/run_program.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/stability/growth_plot.h"
@@ -292,6 +293,8 @@ QString StabilityPanel::whyNoMap() const
 {
     if (!m_monitor.session().step().parameter(QStringLiteral("k")))
         return tr("There is no map for this step: it has no stiffness k to change.");
+    if (programOf(m_monitor.session().timeline().script().method))
+        return tr("There is no map for your code: it may compute anything, whatever the stiffness is.");
     if (m_monitor.nothingSwings())
         return tr("There is no map here: no springs act, so every stiffness and every step is stable.");
     return tr("There is no map for this method: it is stable at every stiffness.");
