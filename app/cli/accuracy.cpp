@@ -3,6 +3,7 @@
 #include "app/cli/experiment_argument.h"
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
+#include "app/model/run/run_program.h"
 #include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
@@ -86,6 +87,11 @@ int runAccuracy(const Arguments &arguments)
     const AccuracyRequest request = accuracyRequest(arguments);
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     const Experiment experiment = experimentFor(request.experiment, library);
+    if (programOf(experiment.script.method))
+        throw UserError(
+            AccuracyText::tr("%1: the run is computed by code, which has no shorter steps to compare with. "
+                             "Remove \"method\" and \"code\" to measure the methods.")
+                .arg(shownPath(request.experiment)));
     const sim::StudyPlan plan = planFor(request, experiment);
     const AccuracyReport report{request.experiment, request.tolerance, *plan.inUse, study(experiment, plan)};
     if (isInterrupted()) {

@@ -2,7 +2,7 @@
 #include "app/cli/experiment_argument.h"
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
-#include "app/model/text/sentences.h"
+#include "app/model/run/run_program.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
 
@@ -46,7 +46,7 @@ InitialState initialStateOf(const sim::Script &script, std::int64_t frame)
     if (track.stop() && track.stop()->frame < frame)
         throw UserError(CostText::tr("The run does not reach frame %1. %2 Give an earlier frame.")
                             .arg(frame)
-                            .arg(sentenceFor(*track.stop())));
+                            .arg(endSentence(track)));
     std::shared_ptr<const sim::ComposedInterval> interval;
     sim::State state = track.preview(interval);
     state.frame = track.cursor().frame;

@@ -265,6 +265,10 @@
         <source>unstable at large steps: %1</source>
         <translation>instabil bei großen Zeitschritten: %1</translation>
     </message>
+    <message>
+        <source>%1: the run is computed by code, which has no shorter steps to compare with. Remove &quot;method&quot; and &quot;code&quot; to measure the methods.</source>
+        <translation>%1: Den Lauf berechnet Code, und der hat keine kürzeren Zeitschritte zum Vergleich. Entferne &quot;method&quot; und &quot;code&quot;, um die Verfahren zu messen.</translation>
+    </message>
 </context>
 <context>
     <name>Attempt</name>
