@@ -2460,11 +2460,11 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <name>LineValuesText</name>
     <message>
         <source>%1: from %2 to %3</source>
-        <translation type="unfinished">%1: von %2 auf %3 {1:?} {2 ?}</translation>
+        <translation>%1: von %2 auf %3</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation type="unfinished">%1: %2</translation>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>%1 = %2 of %3</source>
@@ -2472,7 +2472,7 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished">%1 von %2</translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>no body</source>
@@ -5704,7 +5704,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>your code</source>
-        <translation type="unfinished">dein Code</translation>
+        <translation>dein Code</translation>
     </message>
     <message>
         <source>the listing of the step</source>
@@ -5720,7 +5720,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Change method</source>
-        <translation type="unfinished">Verfahren ändern</translation>
+        <translation>Verfahren wechseln</translation>
     </message>
 </context>
 <context>
