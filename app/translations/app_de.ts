@@ -5720,7 +5720,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Change method</source>
-        <translation>Verfahren wechseln</translation>
+        <translation>Verfahren ändern</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,454 @@
+// Line by line through a frame, forwards and back, with the values of each line.
+
+#include "app/model/listing/line_values.h"
+#include "app/model/listing/vector_mark.h"
+#include "sim/run/script/composed_interval.h"
+#include "tests/app/listing/code_session.h"
+#include "tests/suite.h"
+
+#include <cmath>
+
+using namespace app;
+using code_session::Opened;
+using code_session::published;
+using code_session::sameMotion;
+
+namespace {
+
+/// Returns the code of the lines that run in the next frame, without spaces around it.
+QStringList codeOf(const Opened &opened)
+{
+    const QStringList text = opened.session.code().text().split('\n');
+    QStringList code;
+    for (const listing::TracedLine &line : opened.session.lines().nextFrame()->lines())
+        code << text[line.line - 1].trimmed();
+    return code;
+}
+
+/// Returns the chip beside the line that has `code`, or an empty one.
+LineChip chipAt(const Opened &opened, const QString &code)
+{
+    const LineStepper::Shown shown = opened.session.lines().shown();
+    if (!shown.frame)
+        return {};
+    for (const LineChip &chip : valuesAfter(*shown.frame, shown.index).chips) {
+        if (chip.line == opened.lineOf(code))
+            return chip;
+    }
+    return {};
+}
+
+LineValues valuesOf(const Opened &opened)
+{
+    const LineStepper::Shown shown = opened.session.lines().shown();
+    return valuesAfter(*shown.frame, shown.index);
+}
+
+std::optional<VectorMark> markAt(const Opened &opened, const QString &code, const QString &name)
+{
+    const LineStepper::Shown shown = opened.session.lines().shown();
+    const int line = opened.lineOf(code);
+    const QString text = opened.session.code().text();
+    const int column = static_cast<int>(text.split('\n')[line - 1].indexOf(name)) + 1;
+    return vectorMarkAt(text, line, column, *shown.frame, shown.index);
+}
+
+constexpr auto recursive = R"(
+double depth(int n)
+{
+    double below = 0;
+    if (n > 0)
+        below = depth(n - 1);
+    return below + 1;
+}
+
+double total = 0;
+
+void frame()
+{
+    total += 1;
+    double d = depth(2);
+    foot.position += Vec2(d, 0);
+}
+)";
+
+}
+
+class LineStepperTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theLinesRunInTheOrderOfTheText()
+    {
+        Opened opened("single_spring", "radial");
+        opened.goTo(5);
+        QVERIFY(opened.session.lines().isAvailable());
+        QCOMPARE(
+            codeOf(opened),
+            (QStringList{"if (body.held)", "if (foot.held)", "Vec2 from = foot.position - body.position;",
+                         "double angle = atan2(from.y, from.x);",
+                         "Vec2 target = body.position + radius * Vec2(cos(angle), sin(angle));",
+                         "foot.velocity += k * (target - foot.position);", "foot.velocity *= damp;",
+                         "foot.position += foot.velocity;"}));
+        QCOMPARE(opened.session.lines().count(), 8);
+        QCOMPARE(opened.session.lines().nextLine(), opened.lineOf("if (body.held)"));
+    }
+
+    void theSceneShowsWhatTheLinesHaveDone()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        opened.goTo(5);
+        const sim::State start = session.timeline().state();
+        const sim::State end = published(session.step(), session.timeline().script(), 6);
+        const int foot = session.timeline().track().interval().scene.find("foot");
+        for (int i = 1; i <= 7; ++i) {
+            session.lines().forward();
+            QCOMPARE(session.lines().index(), i);
+            QCOMPARE(session.timeline().cursor(), (sim::Cursor{5, 0}));
+            const sim::State shown = session.presentation().picture().state;
+            QVERIFY(shown.positionOf(foot) == start.positionOf(foot)); // the last line moves it
+            QVERIFY(i < 7 || shown.velocityOf(foot) == end.velocityOf(foot));
+            QVERIFY(i > 5 || shown.velocityOf(foot) == start.velocityOf(foot));
+        }
+        session.lines().forward();
+        QCOMPARE(session.lines().index(), 0);
+        QCOMPARE(session.timeline().cursor(), (sim::Cursor{6, 0}));
+        QVERIFY(sameMotion(session.presentation().picture().state, end));
+    }
+
+    void backGoesThroughTheSameStates()
+    {
+        Opened opened("multi_foot", "any_number");
+        Session &session = opened.session;
+        opened.goTo(2);
+        std::vector<sim::State> states;
+        std::vector<int> lines;
+        while (session.timeline().cursor().frame < 4) {
+            states.push_back(session.presentation().picture().state);
+            lines.push_back(session.lines().nextLine());
+            session.lines().forward();
+        }
+        QVERIFY(states.size() > 60); // two frames of three feet and more
+        while (!states.empty()) {
+            session.lines().back();
+            QVERIFY(sameMotion(session.presentation().picture().state, states.back()));
+            QCOMPARE(session.lines().nextLine(), lines.back());
+            states.pop_back();
+            lines.pop_back();
+        }
+        QCOMPARE(session.timeline().cursor(), (sim::Cursor{2, 0}));
+        QCOMPARE(session.lines().index(), 0);
+    }
+
+    void theFirstFrameHasNothingBeforeIt()
+    {
+        Opened opened("single_spring", "radial");
+        LineStepper &lines = opened.session.lines();
+        lines.back();
+        QCOMPARE(opened.session.timeline().cursor(), sim::Cursor{});
+        QCOMPARE(lines.index(), 0);
+        QVERIFY(!lines.shown().frame);
+        lines.forward();
+        QCOMPARE(lines.index(), 1);
+        lines.back();
+        QCOMPARE(lines.index(), 0);
+    }
+
+    void valuesStandBesideTheLinesThatSetThem()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        opened.goTo(5);
+        const sim::Scene &scene = session.timeline().track().interval().scene;
+        const sim::State state = session.timeline().state();
+        const sim::Vec2 from = state.positionOf(scene.find("foot")) - state.positionOf(scene.find("body"));
+        const double angle = std::atan2(from.y, from.x);
+        session.lines().goTo(4); // the angle is known, the target is not
+        const LineStepper::Shown shown = session.lines().shown();
+        QVERIFY(shown.isInside);
+        QCOMPARE(std::get<double>(*shown.frame->valueOf("angle", 4)), angle);
+        QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("from", 4)) == from);
+        QCOMPARE(std::get<double>(*shown.frame->valueOf("from.y", 4)), from.y);
+        QVERIFY(!shown.frame->valueOf("target_", 4));
+        QCOMPARE(chipAt(opened, "double angle").text, "angle = " + shownText(angle));
+        QVERIFY(chipAt(opened, "double angle").isChanged);
+        QVERIFY(!chipAt(opened, "Vec2 from").isChanged);
+        QVERIFY(chipAt(opened, "Vec2 target").text.isEmpty()); // not yet
+        QVERIFY(chipAt(opened, "foot.velocity *= damp").text.isEmpty());
+
+        session.lines().goTo(7);
+        const sim::Vec2 damped =
+            published(session.step(), session.timeline().script(), 6).velocityOf(scene.find("foot"));
+        QVERIFY(std::get<sim::Vec2>(*session.lines().shown().frame->valueOf("foot.velocity", 7)) == damped);
+        QCOMPARE(chipAt(opened, "foot.velocity *= damp").text, "foot.velocity = " + shownText(damped));
+        QVERIFY(chipAt(opened, "foot.velocity *= damp").isChanged);
+        QVERIFY(!chipAt(opened, "double angle").isChanged);
+    }
+
+    void betweenTwoFramesTheValuesAreThoseOfTheLastOne()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        opened.goTo(6);
+        const LineStepper::Shown shown = session.lines().shown();
+        QVERIFY(shown.frame && !shown.isInside);
+        QCOMPARE(shown.frame->frame(), 5);
+        QCOMPARE(shown.index, shown.frame->count());
+        const int foot = session.timeline().track().interval().scene.find("foot");
+        QCOMPARE(chipAt(opened, "foot.position +=").text,
+                 "foot.position = " + shownText(session.timeline().state().positionOf(foot)));
+        QVERIFY(!chipAt(opened, "foot.position +=").isChanged);
+        QCOMPARE(valuesOf(opened).calls, QStringList{"frame"});
+    }
+
+    void loopsSayWhichTurnTheyAreIn()
+    {
+        Opened opened("multi_foot", "any_number");
+        Session &session = opened.session;
+        session.editor().setParameter("feet", 5);
+        QVERIFY(session.lines().runTo(opened.lineOf("move(foot);")));
+        QVERIFY(session.lines().runTo(opened.lineOf("move(foot);")));
+        QVERIFY(session.lines().runTo(opened.lineOf("move(foot);")));
+        const LineValues values = valuesOf(opened);
+        QCOMPARE(values.loops.size(), std::size_t(1));
+        QCOMPARE(values.loops.front().line, opened.lineOf("for (int i"));
+        QCOMPARE(values.loops.front().text, QString("i = 2 of 5"));
+        QCOMPARE(chipAt(opened, "Body foot = feet[i]").text, QString("foot = feet[2]"));
+        QCOMPARE(values.calls, QStringList{"frame"});
+    }
+
+    void callsAreSteppedIntoOverAndOutOf()
+    {
+        Opened opened("multi_foot", "any_number");
+        Session &session = opened.session;
+        LineStepper &lines = session.lines();
+        QVERIFY(lines.runTo(opened.lineOf("foot.velocity += pull(foot, body);")));
+        const int before = lines.index();
+        lines.forward();
+        QCOMPARE(lines.nextLine(), opened.lineOf("Vec2 from = me.position"));
+        QCOMPARE(valuesOf(opened).calls, (QStringList{"frame", "pull"}));
+        lines.stepOut();
+        QCOMPARE(lines.nextLine(), opened.lineOf("move(foot);"));
+        lines.goTo(before);
+        lines.stepOver();
+        QCOMPARE(lines.nextLine(), opened.lineOf("move(foot);"));
+        lines.stepOver();
+        QVERIFY(lines.nextLine() != opened.lineOf("me.velocity *= damp;"));
+        lines.stepOut(); // of frame: to the next frame
+        QCOMPARE(session.timeline().cursor(), (sim::Cursor{1, 0}));
+        QCOMPARE(lines.index(), 0);
+    }
+
+    void runningToALineGoesOnToTheNextFrame()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        const int target = opened.lineOf("Vec2 target");
+        QVERIFY(session.lines().runTo(target));
+        QCOMPARE(session.lines().nextLine(), target);
+        QCOMPARE(session.timeline().cursor().frame, 0);
+        QVERIFY(session.lines().runTo(target));
+        QCOMPARE(session.lines().nextLine(), target);
+        QCOMPARE(session.timeline().cursor().frame, 1);
+        const int index = session.lines().index();
+        QVERIFY(!session.lines().runTo(opened.lineOf("body.position = pointer"))); // nobody holds the body
+        QCOMPARE(session.lines().index(), index);
+        QCOMPARE(session.timeline().cursor().frame, 1);
+    }
+
+    void functionsThatCallThemselvesShowTheirCalls()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        session.code().write(recursive);
+        QVERIFY2(session.code().isRunning(),
+                 qPrintable(session.code().mistakes().empty() ? QString()
+                                                              : session.code().mistakes().front().sentence));
+        QVERIFY(session.lines().runTo(opened.lineOf("below = depth(n - 1)")));
+        QVERIFY(session.lines().runTo(opened.lineOf("below = depth(n - 1)")));
+        QCOMPARE(valuesOf(opened).calls, (QStringList{"frame", "depth", "depth"}));
+        const LineStepper::Shown inner = session.lines().shown();
+        QCOMPARE(std::get<std::int64_t>(*inner.frame->valueOf("n", inner.index)), 1);
+        // On the way back each call has its own values again.
+        QVERIFY(session.lines().runTo(opened.lineOf("return below + 1")));
+        QVERIFY(session.lines().runTo(opened.lineOf("return below + 1")));
+        QVERIFY(session.lines().runTo(opened.lineOf("return below + 1")));
+        QCOMPARE(valuesOf(opened).calls, (QStringList{"frame", "depth"}));
+        QCOMPARE(chipAt(opened, "below = depth(n - 1)").text, QString("below = 2.00"));
+        opened.goTo(3);
+        QCOMPARE(chipAt(opened, "total += 1").text, QString("total = 3.00"));
+        QCOMPARE(chipAt(opened, "double d").text, QString("d = 3.00"));
+        session.lines().back(); // into frame 3: total is known before and after it
+        const LineStepper::Shown last = session.lines().shown();
+        QCOMPARE(std::get<double>(*last.frame->valueOf("total", 0)), 2.0);
+        QCOMPARE(std::get<double>(*last.frame->valueOf("total", last.index)), 3.0);
+    }
+
+    void aHeldBodyIsSteppedThroughWithTheHand()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        opened.goTo(3);
+        session.input().grab("foot");
+        session.input().moveTo({120, 300});
+        const int foot = session.timeline().track().interval().scene.find("foot");
+        const sim::Vec2 before = session.timeline().state().positionOf(foot);
+        session.lines().forward();
+        session.lines().forward();
+        QCOMPARE(session.lines().nextLine(), opened.lineOf("foot.velocity = pointer"));
+        QVERIFY(session.presentation().picture().state.positionOf(foot) == before);
+        session.lines().forward();
+        const LineStepper::Shown shown = session.lines().shown();
+        QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("foot.velocity", shown.index)) ==
+                (sim::Vec2{120, 300} - before));
+        QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("pointer", shown.index)) == (sim::Vec2{120, 300}));
+        session.lines().forward();
+        QCOMPARE(session.timeline().cursor(), (sim::Cursor{4, 0}));
+        QVERIFY(session.timeline().state().positionOf(foot) == (sim::Vec2{120, 300}));
+    }
+
+    void otherMovesOfTheCursorLeaveTheLines()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        opened.goTo(4);
+        const auto enter = [&] {
+            session.lines().goTo(3);
+            return session.lines().index() == 3 && session.lines().state();
+        };
+        QVERIFY(enter());
+        session.playback().frameForward();
+        QCOMPARE(session.lines().index(), 0);
+        QVERIFY(!session.lines().state());
+        QVERIFY(enter());
+        opened.goTo(2);
+        QCOMPARE(session.lines().index(), 0);
+        QVERIFY(enter());
+        session.playback().phaseForward();
+        QCOMPARE(session.lines().index(), 0);
+        QVERIFY(!session.lines().shown().frame);
+        opened.goTo(2);
+        QVERIFY(enter());
+        session.openStep("single_spring", "drag");
+        QCOMPARE(session.lines().index(), 0);
+    }
+
+    void aNumberChangedInsideAFrameKeepsThePlace()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        opened.goTo(4);
+        session.lines().goTo(6);
+        session.editor().setParameter("k", 0.45);
+        QCOMPARE(session.lines().index(), 6);
+        sim::Script script = session.timeline().script();
+        const sim::State end = published(session.step(), script, 5);
+        const int foot = session.timeline().track().interval().scene.find("foot");
+        session.lines().forward();
+        QVERIFY(session.presentation().picture().state.velocityOf(foot) == end.velocityOf(foot));
+    }
+
+    void textThatDoesNotCompileHasNoLines()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        session.lines().goTo(3);
+        session.code().write(opened.listing() + "?");
+        QVERIFY(!session.lines().isAvailable());
+        QCOMPARE(session.lines().index(), 0);
+        QCOMPARE(session.lines().nextLine(), 0);
+        QVERIFY(!session.lines().shown().frame);
+        session.lines().forward();
+        QCOMPARE(session.lines().index(), 0);
+        session.editor().setMethod("rk4");
+        session.code().reset();
+        QVERIFY(!session.lines().isAvailable()); // another method computes the run
+    }
+
+    void aMistakeEndsTheFrameOnItsLine()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        session.code().write(
+            Opened::with(opened.listing(), "foot.velocity *= damp;", "int zero = 0; int one = 1 / zero;"));
+        opened.goTo(5);
+        QCOMPARE(session.timeline().cursor(), sim::Cursor{});
+        for (int i = 0; i < 20; ++i)
+            session.lines().forward();
+        QCOMPARE(session.timeline().cursor(), sim::Cursor{});
+        QCOMPARE(session.lines().nextLine(), opened.lineOf("1 / zero"));
+        QCOMPARE(valuesOf(opened).message,
+                 QString("Line %1 of your code: This divides by 0.").arg(opened.lineOf("1 / zero")));
+        QVERIFY(!chipAt(opened, "Vec2 target").text.isEmpty()); // the values that led there
+    }
+
+    void pointingAtAVec2DrawsIt()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        opened.goTo(5);
+        const sim::Scene &scene = session.timeline().track().interval().scene;
+        const sim::State state = session.timeline().state();
+        const sim::Vec2 foot = state.positionOf(scene.find("foot")),
+                        body = state.positionOf(scene.find("body"));
+        session.lines().goTo(6);
+
+        const std::optional<VectorMark> from = markAt(opened, "Vec2 from", "from");
+        QVERIFY(from);
+        QCOMPARE(from->kind, VectorMark::Kind::difference);
+        QVERIFY(from->from == body);
+        QVERIFY(length(from->to - foot) < 1e-9);
+        QCOMPARE(from->name, QString("from"));
+
+        const std::optional<VectorMark> target = markAt(opened, "Vec2 target", "target");
+        QVERIFY(target);
+        QCOMPARE(target->kind, VectorMark::Kind::place);
+        const double radius = session.timeline().values()["radius"];
+        QVERIFY(std::abs(length(target->to - body) - radius) < 1e-9); // on the ring
+
+        const std::optional<VectorMark> place = markAt(opened, "Vec2 from", "position");
+        QVERIFY(place);
+        QCOMPARE(place->kind, VectorMark::Kind::place);
+        QVERIFY(place->to == foot);
+        QCOMPARE(place->range, (TextRange{opened.lineOf("Vec2 from"), 21, 13}));
+
+        const std::optional<VectorMark> velocity = markAt(opened, "foot.velocity +=", "velocity");
+        QVERIFY(velocity);
+        QCOMPARE(velocity->kind, VectorMark::Kind::difference);
+        QVERIFY(velocity->from == foot);
+
+        QVERIFY(!markAt(opened, "double angle", "angle")); // a number
+        QVERIFY(!markAt(opened, "double angle", "double"));
+        QVERIFY(!markAt(opened, "// the nearest", "nearest"));
+    }
+
+    void pointingAtABodyFindsItsUses()
+    {
+        Opened opened("multi_foot", "any_number");
+        Session &session = opened.session;
+        QVERIFY(session.lines().runTo(opened.lineOf("move(foot);")));
+        const LineStepper::Shown shown = session.lines().shown();
+        const auto linesOf = [&](const QString &body) {
+            std::vector<int> lines;
+            for (const TextRange &range : usesOf(session.code().text(), body, session.code().vocabulary(),
+                                                 shown.frame.get(), shown.index))
+                lines.push_back(range.line);
+            return lines;
+        };
+        const std::vector<int> body = linesOf("body"), first = linesOf("foot0"), second = linesOf("foot1");
+        const auto has = [](const std::vector<int> &lines, int line) {
+            return std::find(lines.begin(), lines.end(), line) != lines.end();
+        };
+        QVERIFY(has(body, opened.lineOf("if (body.held)")) && has(body, opened.lineOf("move(body);")));
+        QVERIFY(!has(body, opened.lineOf("move(foot);")));
+        QVERIFY(has(first, opened.lineOf("Body foot = feet[i];")) &&
+                has(first, opened.lineOf("move(foot);")));
+        QVERIFY(has(second, opened.lineOf("Body foot = feet[i];")));
+        QVERIFY(!has(second, opened.lineOf("move(foot);"))); // `foot` is foot0 now
+    }
+};
+
+SUITE(tst_line_stepper, LineStepperTest)
+#include "tst_line_stepper.moc"
