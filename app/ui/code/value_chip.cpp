@@ -53,7 +53,10 @@ void ValueChip::paint(QPainter &painter, Look look, const QColor &behind, const 
     painter.setBrush(look == Look::now ? t.now : t.chip);
     painter.drawRoundedRect(rect, 4, 4);
     painter.setFont(theme.mono(chipPixels));
-    painter.setPen(look == Look::now ? t.nowText : look == Look::changed ? t.ink : t.ink2);
+    painter.setPen(look == Look::now       ? t.nowText
+                   : look == Look::changed ? t.ink
+                   : look == Look::earlier ? t.ink3
+                                           : t.ink2);
     painter.drawText(rect, Qt::AlignCenter, text);
 }
 

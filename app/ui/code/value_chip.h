@@ -26,6 +26,7 @@ struct ValueChip
         plain,
         changed, ///< the value has just changed
         now,     ///< the line is the current one
+        earlier, ///< the value belongs to an earlier moment
     };
 
     QRect rect;   ///< empty without a value

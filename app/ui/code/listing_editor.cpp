@@ -1,0 +1,298 @@
+#include "app/ui/code/listing_editor.h"
+
+#include "app/ui/code/code_colors.h"
+#include "app/ui/code/code_scintilla.h"
+#include "app/ui/code/listing_editor_styles.h"
+#include "app/ui/code/scintilla_style.h"
+#include "app/ui/theme/theme.h"
+
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QSignalBlocker>
+
+#include <algorithm>
+#include <utility>
+
+namespace app {
+
+namespace {
+
+constexpr int tabColumns = 4;
+constexpr int marginWidths[] = {30, 13, 3, 7}; ///< px: numbers, the arrow, changed lines, a gap
+
+}
+
+ListingEditor::ListingEditor(const Theme &theme, QWidget *parent) : QsciScintilla(parent), m_theme(theme)
+{
+    setAccessibleName(tr("Listing: the code that you can change"));
+    setAccessibleDescription(
+        tr("Type to change it; the run is computed again after a short pause. Tab indents, "
+           "Ctrl+Space completes a name, Esc leaves the editor."));
+    m_typing.setSingleShot(true);
+    m_typing.setInterval(pauseMilliseconds);
+    connect(&m_typing, &QTimer::timeout, this, [this] { emit written(text()); });
+    setUp();
+    applyTheme();
+    connect(&theme, &Theme::changed, this, &ListingEditor::applyTheme);
+    connect(this, &QsciScintilla::textChanged, this, [this] {
+        if (!m_isSetting)
+            m_typing.start();
+    });
+    // Scintilla accepts no other changes while it reports one.
+    connect(this, &QsciScintilla::textChanged, this, &ListingEditor::followText, Qt::QueuedConnection);
+    connect(this, &QsciScintillaBase::SCN_CHARADDED, this, &ListingEditor::followCharacter,
+            Qt::QueuedConnection);
+    // Scintilla does not scroll the values that are painted over the text.
+    for (const QScrollBar *bar : {verticalScrollBar(), horizontalScrollBar()})
+        connect(bar, &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
+}
+
+void ListingEditor::setUp()
+{
+    setUtf8(true);
+    setEolMode(EolUnix);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::StrongFocus);
+    setAcceptDrops(false); // the window takes files
+    viewport()->setAcceptDrops(false);
+    setCaretLineVisible(false);
+    setIndentationsUseTabs(false);
+    setTabWidth(tabColumns);
+    setIndentationWidth(tabColumns);
+    setBraceMatching(SloppyBraceMatch);
+    setMinimumSize(160, 3 * codeRowPixels);
+    auto *corner = new QWidget(this); // otherwise the style draws its own square where two scroll bars meet
+    corner->setAutoFillBackground(true);
+    setCornerWidget(corner);
+    send(*this, SCI_SETUNDOCOLLECTION, 0); // undo is the session's
+    send(*this, SCI_SETLEXER, SCLEX_CONTAINER);
+    send(*this, SCI_SETSCROLLWIDTH, 1);
+    send(*this, SCI_SETSCROLLWIDTHTRACKING, 1);
+    send(*this, SCI_SETMARGINLEFT, 0, 0);
+    send(*this, SCI_AUTOCSETORDER, SC_ORDER_PRESORTED);
+    send(*this, SCI_AUTOCSETMAXHEIGHT, 8);
+    send(*this, SCI_INDICSETSTYLE, mistakeIndicator, INDIC_SQUIGGLE);
+    send(*this, SCI_INDICSETSTYLE, dragIndicator, INDIC_DOTS);
+    send(*this, SCI_INDICSETSTYLE, useIndicator, INDIC_BOX);
+    for (int margin = 0; margin < 4; ++margin) {
+        setMarginType(margin, margin == 0 ? NumberMargin : SymbolMargin);
+        setMarginWidth(margin, marginWidths[margin]);
+        setMarginMarkerMask(margin, margin == 0 ? 0 : 1 << nextMargin);
+        setMarginSensitivity(margin, false);
+        send(*this, SCI_SETMARGINCURSORN, static_cast<std::size_t>(margin), SC_CURSORARROW);
+    }
+    setMarginWidth(4, 0);
+    markerDefine(Background, nextText);
+    markerDefine(FullRectangle, nextMargin);
+}
+
+void ListingEditor::applyTheme()
+{
+    const Tokens &t = m_theme.tokens();
+    styleCode(*this, m_theme);
+    for (const int marker : {nextText, nextMargin})
+        setMarkerBackgroundColor(t.wash, marker), setMarkerForegroundColor(t.wash, marker);
+    QFont bold = inPoints(*this, m_theme.mono(), 13);
+    bold.setWeight(QFont::Bold);
+    defineStyle(*this, STYLE_BRACELIGHT, bold, t.ink, t.sunk);
+    defineStyle(*this, STYLE_BRACEBAD, bold, t.past, t.panel);
+    setCaretForegroundColor(t.ink);
+    SendScintilla(SCI_INDICSETFORE, mistakeIndicator, t.past);
+    SendScintilla(SCI_INDICSETFORE, dragIndicator, t.ink3);
+    SendScintilla(SCI_INDICSETFORE, useIndicator, t.ink2);
+    viewport()->update();
+}
+
+int ListingEditor::marginsWidth()
+{
+    return marginWidths[0] + marginWidths[1] + marginWidths[2] + marginWidths[3];
+}
+
+void ListingEditor::setListing(const QString &listing)
+{
+    m_typing.stop();
+    const QByteArray now = text().toUtf8(), then = listing.toUtf8();
+    if (now == then)
+        return;
+    const bool isFirst = now.isEmpty();
+    qsizetype head = std::mismatch(now.begin(), now.end(), then.begin(), then.end()).first - now.begin();
+    const auto isInsideLetter = [](const QByteArray &bytes, qsizetype at) {
+        return at < bytes.size() && (static_cast<unsigned char>(bytes[at]) & 0xC0U) == 0x80U;
+    };
+    while (head > 0 && (isInsideLetter(now, head) || isInsideLetter(then, head)))
+        --head;
+    qsizetype tail = 0;
+    while (tail < std::min(now.size(), then.size()) - head &&
+           now[now.size() - 1 - tail] == then[then.size() - 1 - tail])
+        ++tail;
+    while (tail > 0 && isInsideLetter(now, now.size() - tail))
+        --tail;
+    m_isSetting = true;
+    send(*this, SCI_SETTARGETSTART, static_cast<std::size_t>(head));
+    send(*this, SCI_SETTARGETEND, static_cast<std::size_t>(now.size() - tail));
+    const QByteArray middle = then.mid(head, then.size() - tail - head);
+    SendScintilla(SCI_REPLACETARGET, static_cast<unsigned long>(middle.size()), middle.constData());
+    m_isSetting = false;
+    send(*this, SCI_GOTOPOS, isFirst ? 0 : static_cast<std::size_t>(head + middle.size()));
+}
+
+void ListingEditor::flush()
+{
+    if (!isPending())
+        return;
+    m_typing.stop();
+    emit written(text());
+}
+
+void ListingEditor::followText()
+{
+    styleText();
+    underlineSpots();
+    m_pointed.reset();
+}
+
+void ListingEditor::styleText()
+{
+    QByteArray inks;
+    for (const QString &line : text().split('\n'))
+        inks += inksOf(line) + '\0';
+    inks.chop(1);
+    send(*this, SCI_STARTSTYLING, 0);
+    SendScintilla(SCI_SETSTYLINGEX, static_cast<unsigned long>(inks.size()), inks.constData());
+}
+
+void ListingEditor::underlineSpots()
+{
+    send(*this, SCI_SETINDICATORCURRENT, dragIndicator);
+    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    for (int line = 1; line <= lines(); ++line) {
+        for (const Spot &spot : spotsOf(line)) {
+            const long from = positionOf(line, spot.range.column);
+            send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(from),
+                 positionOf(line, spot.range.column + spot.range.length) - from);
+        }
+    }
+}
+
+std::vector<ListingEditor::Spot> ListingEditor::spotsOf(int line) const
+{
+    static const QRegularExpression tokens(
+        QStringLiteral(R"(//.*|(?<![\w.])\d+(?:\.\d+)?(?![\w.])|(?<![\w.])[A-Za-z_]\w*)"));
+    std::vector<Spot> spots;
+    for (auto found = tokens.globalMatch(text(line - 1)); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        const QString token = match.captured();
+        const bool isNumber = token[0].isDigit();
+        if (!isNumber && !m_parameters.contains(token))
+            continue;
+        const auto start = static_cast<int>(match.capturedStart());
+        spots.push_back({{line, start + 1, static_cast<int>(token.size())}, token, isNumber});
+    }
+    return spots;
+}
+
+void ListingEditor::setMistakes(const std::vector<CodeMistake> &mistakes)
+{
+    if (mistakes == m_mistakes)
+        return;
+    m_mistakes = mistakes;
+    send(*this, SCI_SETINDICATORCURRENT, mistakeIndicator);
+    const long length = send(*this, SCI_GETLENGTH);
+    send(*this, SCI_INDICATORCLEARRANGE, 0, length);
+    for (const CodeMistake &mistake : mistakes) {
+        // A mistake at the end of the text has no letter of its own: the last one is underlined.
+        const long from = std::clamp(positionOf(mistake.line, mistake.column), 0L, std::max(0L, length - 1));
+        const long to =
+            std::min(length, std::max(from + 1, positionOf(mistake.line, mistake.column + mistake.length)));
+        send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(from), to - from);
+    }
+}
+
+void ListingEditor::setChangedLines(const ChangedLines &changed)
+{
+    if (changed == m_changed)
+        return;
+    m_changed = changed;
+    viewport()->update();
+}
+
+void ListingEditor::setMarks(const LineMarks &marks)
+{
+    if (marks == m_marks)
+        return;
+    const bool moved = marks.next != m_marks.next && marks.next > 0 && marks.isInside;
+    m_marks = marks;
+    markerDeleteAll();
+    if (marks.next > 0 && marks.isInside) {
+        markerAdd(marks.next - 1, nextText);
+        markerAdd(marks.next - 1, nextMargin);
+    }
+    if (moved) {
+        const long start = positionOf(marks.next, 1);
+        send(*this, SCI_SCROLLRANGE, static_cast<std::size_t>(start), start);
+    }
+    viewport()->update();
+}
+
+void ListingEditor::setValues(LineValues values)
+{
+    if (values == m_values)
+        return;
+    m_values = std::move(values);
+    viewport()->update();
+}
+
+void ListingEditor::setParameters(const QStringList &ids)
+{
+    if (ids == m_parameters)
+        return;
+    m_parameters = ids;
+    underlineSpots();
+}
+
+void ListingEditor::setUses(const std::vector<TextRange> &uses)
+{
+    send(*this, SCI_SETINDICATORCURRENT, useIndicator);
+    send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
+    for (const TextRange &use : uses) {
+        const long from = positionOf(use.line, use.column);
+        send(*this, SCI_INDICATORFILLRANGE, static_cast<std::size_t>(from),
+             positionOf(use.line, use.column + use.length) - from);
+    }
+}
+
+void ListingEditor::showCompletions(const QStringList &names)
+{
+    int line = 0, index = 0;
+    getCursorPosition(&line, &index);
+    static const QRegularExpression lastWord(QStringLiteral("\\w*$"));
+    const QString word = lastWord.match(textBefore(line + 1, index)).captured();
+    if (names.isEmpty() || names == QStringList(word)) {
+        send(*this, SCI_AUTOCCANCEL);
+        return;
+    }
+    SendScintilla(SCI_AUTOCSHOW, static_cast<unsigned long>(word.toUtf8().size()),
+                  names.join(' ').toUtf8().constData());
+}
+
+bool ListingEditor::isUnderlined(int line, int column) const
+{
+    return send(*this, SCI_INDICATORVALUEAT, mistakeIndicator, positionOf(line, column)) != 0;
+}
+
+bool ListingEditor::isUse(int line, int column) const
+{
+    return send(*this, SCI_INDICATORVALUEAT, useIndicator, positionOf(line, column)) != 0;
+}
+
+bool ListingEditor::isListActive() const
+{
+    return send(*this, SCI_AUTOCACTIVE) != 0;
+}
+
+QString ListingEditor::textBefore(int line, int index) const
+{
+    return text(line - 1).left(index);
+}
+
+}

@@ -1,0 +1,168 @@
+#pragma once
+
+#include "app/model/listing/changed_lines.h"
+#include "app/model/listing/learner_code.h"
+#include "app/model/listing/line_values.h"
+#include "app/model/listing/vector_mark.h"
+#include "app/ui/code/value_chip.h"
+
+#include <Qsci/qsciscintilla.h>
+
+#include <QTimer>
+
+#include <optional>
+#include <vector>
+
+namespace app {
+
+class Theme;
+
+/// The lines of a listing that the editor marks.
+struct LineMarks
+{
+    int next = 0;          ///< runs next, with an arrow; from 1, 0: none
+    bool isInside = false; ///< whether the run is inside a frame, so that the next line has a background
+    int failed = 0;        ///< its mistake ended the run; from 1, 0: none
+    friend bool operator==(const LineMarks &, const LineMarks &) = default;
+};
+
+/// An editor for the listing of a step, with values at the ends of lines. It knows nothing of the session: it tells what
+/// the learner typed, and shows what it is told.
+///
+/// A click in the margin asks to run to a line. A parameter or a number can be dragged sideways. Tab and Shift+Tab indent;
+/// Esc leaves the editor. Undo and redo are the window's.
+class ListingEditor : public QsciScintilla
+{
+    Q_OBJECT
+
+public:
+    /// The time from the last key to written(), in ms.
+    static constexpr int pauseMilliseconds = 150;
+
+    explicit ListingEditor(const Theme &theme, QWidget *parent = nullptr);
+
+    /// Shows `text`. Only the part that differs is replaced, so the caret and the view stay.
+    void setListing(const QString &text);
+    /// Returns whether the learner typed something that written() has not told yet.
+    bool isPending() const { return m_typing.isActive(); }
+    /// Emits written() now if it is pending.
+    void flush();
+    /// Forgets what is pending.
+    void dropPending() { m_typing.stop(); }
+
+    /// Underlines the mistakes.
+    void setMistakes(const std::vector<CodeMistake> &mistakes);
+    void setChangedLines(const ChangedLines &changed);
+    void setMarks(const LineMarks &marks);
+    const LineMarks &marks() const { return m_marks; }
+    /// Sets the values at the ends of lines. While they are `earlier` ones, they are paler.
+    void setValues(LineValues values);
+    const LineValues &values() const { return m_values; }
+    /// Sets the parameters, which can be dragged.
+    void setParameters(const QStringList &ids);
+    /// Marks the places that use a body.
+    void setUses(const std::vector<TextRange> &uses);
+    /// Shows the names that can continue the word before the caret, or hides the list if there are none.
+    void showCompletions(const QStringList &names);
+
+    // For tests: lines from 1, columns in characters from 1, places in the viewport, px.
+    QString chipText(int line) const { return chipOf(line).text; }
+    QRect lineRect(int line) const;
+    QRect wordRect(const TextRange &range) const;
+    bool isUnderlined(int line, int column) const;
+    bool isUse(int line, int column) const;
+    /// Returns whether the list of completions is open.
+    bool isListActive() const;
+    static int marginsWidth();
+
+signals:
+    /// Emitted when the learner has changed the text and then paused.
+    void written(const QString &text);
+    /// Emitted when names are wanted for the word before a position.
+    void completionsWanted(int line, int column);
+    void runRequested(int line);
+    /// Emitted when the mouse moves to another place of the text, or off the text.
+    void pointedAt(std::optional<app::TextRange> place);
+    /// Emitted when the learner starts to drag a parameter, moves it (`pixels` since the start), and ends the drag.
+    /// `keep` is false if the drag was cancelled.
+    void parameterTaken(const QString &id);
+    void parameterDragged(int pixels, bool fine);
+    void parameterLeft(bool keep);
+    /// Emitted before the first and after the last change of a number that is dragged.
+    void numberGesture();
+    /// Emitted when the learner leaves the editor with the Esc key.
+    void left();
+    void resetRequested();
+
+protected:
+    bool event(QEvent *event) override;
+    bool viewportEvent(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+
+private:
+    /// A parameter or a number of the text that can be dragged.
+    struct Spot
+    {
+        TextRange range;
+        QString text;
+        bool isNumber = false;
+    };
+    struct Drag
+    {
+        Spot spot;
+        QPoint from;
+        bool hasBegun = false; ///< whether the mouse has moved far enough
+        QString before;        ///< the number's text
+    };
+
+    void setUp();
+    void applyTheme();
+    void styleText();
+    void underlineSpots();
+    void followText();
+    void followCharacter(int character);
+    std::vector<Spot> spotsOf(int line) const;
+    std::optional<Spot> spotAt(const QPoint &place) const;
+    std::optional<TextRange> placeAt(const QPoint &place) const;
+    int lineAt(const QPoint &place) const;
+    void setPointed(std::optional<TextRange> place);
+    void drag(const QPoint &to, bool fine);
+    void endDrag(bool keep);
+    void replace(const TextRange &range, const QString &by);
+
+    void breakLine();
+    void closeBrace();
+    void indentLines(int by);
+    QString textBefore(int line, int index) const;
+
+    long positionOf(int line, int column) const { return positionFromLineIndex(line - 1, column - 1); }
+    int endOfCode(int line) const;
+    /// Returns the forms of the value or loop beside a line, longest first.
+    QStringList formsOf(int line) const;
+    const LineChip *valueOf(int line) const;
+    ValueChip chipOf(int line) const;
+    QString tipAt(const QPoint &place) const;
+    bool isChanged(int line) const;
+    void paintLine(QPainter &painter, int line) const;
+
+    const Theme &m_theme;
+    QTimer m_typing;
+    bool m_isSetting = false; ///< whether the program changes the text, not the learner
+    LineMarks m_marks;
+    LineValues m_values;
+    ChangedLines m_changed;
+    QStringList m_parameters;
+    std::vector<CodeMistake> m_mistakes;
+    std::optional<Drag> m_drag;
+    std::optional<TextRange> m_pointed;
+};
+
+}

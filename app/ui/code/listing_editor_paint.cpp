@@ -1,0 +1,158 @@
+// Values, arrow and marks that are painted over the listing.
+
+#include "app/ui/code/code_colors.h"
+#include "app/ui/code/code_scintilla.h"
+#include "app/ui/code/listing_editor.h"
+#include "app/ui/theme/theme.h"
+
+#include <QPaintEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+// From the left: line numbers, the arrow, changed lines, a gap.
+constexpr int arrowLeft = 30;
+constexpr int changeLeft = 43;
+constexpr int changeWidth = 3;
+
+}
+
+QRect ListingEditor::lineRect(int line) const
+{
+    const auto height = static_cast<int>(send(*this, SCI_TEXTHEIGHT, 0));
+    const long above = line - 1 - send(*this, SCI_GETFIRSTVISIBLELINE);
+    return {0, static_cast<int>(above) * height, viewport()->width(), height};
+}
+
+QRect ListingEditor::wordRect(const TextRange &range) const
+{
+    const auto x = [this](long position) {
+        return static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, position));
+    };
+    const QRect row = lineRect(range.line);
+    const int left = x(positionOf(range.line, range.column));
+    return {left, row.top(), x(positionOf(range.line, range.column + range.length)) - left, row.height()};
+}
+
+int ListingEditor::endOfCode(int line) const
+{
+    QString code = text(line - 1);
+    while (code.endsWith('\n') || code.endsWith('\r'))
+        code.chop(1);
+    const QByteArray inks = inksOf(code);
+    const qsizetype comment = inks.indexOf(static_cast<char>(Ink::comment));
+    qsizetype length = comment < 0 ? code.size() : QString::fromUtf8(code.toUtf8().left(comment)).size();
+    while (length > 0 && code[length - 1].isSpace())
+        --length;
+    return static_cast<int>(
+        send(*this, SCI_POINTXFROMPOSITION, 0, positionOf(line, static_cast<int>(length) + 1)));
+}
+
+const LineChip *ListingEditor::valueOf(int line) const
+{
+    const auto found = std::find_if(m_values.chips.begin(), m_values.chips.end(),
+                                    [line](const LineChip &chip) { return chip.line == line; });
+    return found == m_values.chips.end() ? nullptr : &*found;
+}
+
+QStringList ListingEditor::formsOf(int line) const
+{
+    // The turn of a loop says the value of its counter, too.
+    for (const LoopNote &loop : m_values.loops) {
+        if (loop.line == line)
+            return {loop.text};
+    }
+    const LineChip *value = valueOf(line);
+    return value ? QStringList(value->text) + value->shorter : QStringList();
+}
+
+ValueChip ListingEditor::chipOf(int line) const
+{
+    const QStringList forms = formsOf(line);
+    if (forms.isEmpty())
+        return {};
+    return fitChip(forms, {lineRect(line), endOfCode(line), verticalScrollBar()->isVisible()}, m_theme);
+}
+
+bool ListingEditor::isChanged(int line) const
+{
+    return std::binary_search(m_changed.changed.begin(), m_changed.changed.end(), line);
+}
+
+void ListingEditor::paintEvent(QPaintEvent *event)
+{
+    QsciScintilla::paintEvent(event);
+    QPainter painter(viewport());
+    painter.setRenderHint(QPainter::Antialiasing);
+    for (int line = 1; line <= lines(); ++line) {
+        if (lineRect(line).intersects(event->rect()))
+            paintLine(painter, line);
+    }
+}
+
+void ListingEditor::paintLine(QPainter &painter, int line) const
+{
+    const Tokens &t = m_theme.tokens();
+    const QRect row = lineRect(line);
+    if (isChanged(line))
+        painter.fillRect(QRect(changeLeft, row.top(), changeWidth, row.height()), t.ok);
+    // A notch between two lines marks lines of the original that are missing there.
+    const auto &removed = m_changed.removedBefore;
+    const auto paintNotch = [&](int y) {
+        QPainterPath notch;
+        notch.addPolygon(QPolygonF{QPointF(changeLeft, y - 3.5), QPointF(changeLeft + 5.0, y),
+                                   QPointF(changeLeft, y + 3.5)});
+        painter.fillPath(notch, t.past);
+    };
+    if (std::find(removed.begin(), removed.end(), line) != removed.end())
+        paintNotch(std::max(4, row.top()));
+    if (line == lines() && std::find(removed.begin(), removed.end(), line + 1) != removed.end())
+        paintNotch(row.bottom());
+    const bool isNext = line == m_marks.next;
+    if (isNext || line == m_marks.failed) {
+        const QPointF at(arrowLeft + 1.5, row.top() + 4);
+        QPainterPath arrow;
+        arrow.addPolygon(QPolygonF{{0, 2}, {5, 2}, {10, 6}, {5, 10}, {0, 10}}.translated(at));
+        painter.fillPath(arrow, line == m_marks.failed ? t.past : t.now);
+    }
+    const bool isMarked = isNext && m_marks.isInside;
+    if (isMarked && t.washLine.alpha() > 0) { // high contrast has a frame in place of the background
+        painter.setPen(QPen(t.washLine, 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(row.adjusted(marginsWidth() - 3, 1, -1, -1));
+    }
+    const ValueChip chip = chipOf(line);
+    const LineChip *value = valueOf(line);
+    const ValueChip::Look look = value && value->isChanged    ? ValueChip::Look::changed
+                                 : value && !value->isInScope ? ValueChip::Look::earlier
+                                                              : ValueChip::Look::plain;
+    chip.paint(painter, look, isMarked ? t.wash : t.panel, m_theme);
+}
+
+QString ListingEditor::tipAt(const QPoint &place) const
+{
+    const int line = lineAt(place);
+    if (line == 0)
+        return {};
+    if (chipOf(line).rect.contains(place)) {
+        const LineChip *value = valueOf(line);
+        return value ? value->tip : formsOf(line).first();
+    }
+    if (place.x() < marginsWidth()) {
+        const QString what = tr("Click to run to this line");
+        return isChanged(line) ? tr("You changed this line. %1.").arg(what) : what;
+    }
+    for (const CodeMistake &mistake : m_mistakes) {
+        if (mistake.line == line && wordRect({mistake.line, mistake.column, mistake.length}).contains(place))
+            return mistake.sentence;
+    }
+    return {};
+}
+
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+namespace app {
+
+// Scintilla numbers that the files of ListingEditor share.
+
+constexpr int mistakeIndicator = 8; ///< under mistakes
+constexpr int dragIndicator = 9;    ///< under parameters and numbers that can be dragged
+constexpr int useIndicator = 10;    ///< round the names that stand for a body
+
+/// Markers: the background of the next line, and of its margin.
+enum ListingMarker { nextText, nextMargin };
+
+}

@@ -1,0 +1,298 @@
+#include "app/ui/code/listing_panel.h"
+
+#include "app/model/code/code_targets.h"
+#include "app/model/listing/changed_lines.h"
+#include "app/model/listing/line_values.h"
+#include "app/model/listing/listing_names.h"
+#include "app/model/run/run_program.h"
+#include "app/ui/code/listing_editor.h"
+#include "app/ui/theme/theme.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+constexpr qint64 playingMilliseconds = 100; ///< between two updates during playback, to keep numbers readable
+constexpr int rowMargin = 16;
+
+QLabel *textRow(const char *name, QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setObjectName(name);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->hide();
+    return label;
+}
+
+}
+
+ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme), m_calls(textRow("caption", this)),
+      m_editor(new ListingEditor(theme, this)), m_mistake(new QWidget(this)),
+      m_sentence(textRow("failure", m_mistake))
+{
+    m_calls->setContentsMargins(rowMargin, 0, rowMargin, 4);
+    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_sentence->show();
+    auto *divider = new QWidget(m_mistake);
+    divider->setObjectName("divider");
+    divider->setAttribute(Qt::WA_StyledBackground);
+    divider->setFixedHeight(1);
+    m_sentence->setContentsMargins(rowMargin, 6, rowMargin, 8);
+    auto *below = new QVBoxLayout(m_mistake);
+    below->setContentsMargins(0, 0, 0, 0);
+    below->setSpacing(0);
+    below->addWidget(divider);
+    below->addWidget(m_sentence);
+    m_mistake->hide();
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_calls);
+    layout->addWidget(m_editor, 1);
+    layout->addWidget(m_mistake);
+    setFocusProxy(m_editor);
+    makeActions();
+    connectEditor();
+    applyTheme();
+    connect(&theme, &Theme::changed, this, &ListingPanel::applyTheme);
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
+                         ChangeKind::preview | ChangeKind::code,
+                     this, &ListingPanel::follow);
+    refresh();
+}
+
+ListingPanel::~ListingPanel()
+{
+    // The actions have no parent if nobody put them into a title.
+    if (m_actions && !m_actions->parent())
+        delete m_actions;
+}
+
+void ListingPanel::makeActions()
+{
+    m_actions = new QWidget;
+    auto *row = new QHBoxLayout(m_actions);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_reset = new QToolButton;
+    m_reset->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_reset->setText(tr("Reset listing"));
+    m_reset->setObjectName("resetListing");
+    m_reset->setIconSize({16, 16});
+    m_reset->setFixedHeight(28);
+    m_reset->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(m_reset);
+    connect(m_reset, &QToolButton::clicked, this, [this] {
+        m_editor->dropPending();
+        m_session.code().reset();
+    });
+}
+
+void ListingPanel::connectEditor()
+{
+    connect(m_editor, &ListingEditor::written, this, &ListingPanel::write);
+    connect(m_editor, &ListingEditor::completionsWanted, this, [this](int line, int column) {
+        m_editor->showCompletions(
+            completionsAt(m_editor->text(), line, column, m_session.code().vocabulary()));
+    });
+    connect(m_editor, &ListingEditor::runRequested, this, [this](int line) {
+        if (m_session.lines().isAvailable())
+            m_session.lines().runTo(line);
+        else
+            emit messageRequested(
+                m_session.code().isInUse()
+                    ? tr("Correct the mistake first. Until then, the last good code computes the run.")
+                    : tr("This listing does not compute the run. Choose “Use your code” first."));
+    });
+    connect(m_editor, &ListingEditor::pointedAt, this, &ListingPanel::pointAt);
+    connect(m_editor, &ListingEditor::parameterTaken, this, &ListingPanel::takeParameter);
+    connect(m_editor, &ListingEditor::parameterDragged, this, &ListingPanel::dragParameter);
+    connect(m_editor, &ListingEditor::parameterLeft, this, &ListingPanel::leaveParameter);
+    connect(m_editor, &ListingEditor::numberGesture, this, [this] { m_session.editor().endGesture(); });
+    connect(m_editor, &ListingEditor::left, this, &ListingPanel::left);
+    connect(m_editor, &ListingEditor::resetRequested, m_reset, &QToolButton::click);
+}
+
+void ListingPanel::applyTheme()
+{
+    m_reset->setIcon(m_theme.icon(QStringLiteral("reset")));
+    m_calls->setFont(m_theme.mono(12));
+}
+
+void ListingPanel::write(const QString &text)
+{
+    m_session.code().write(text);
+}
+
+QString ListingPanel::sentence() const
+{
+    return m_mistake->isHidden() ? QString() : m_sentence->text();
+}
+
+QString ListingPanel::calls() const
+{
+    return m_calls->isHidden() ? QString() : m_calls->text();
+}
+
+void ListingPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    refresh();
+}
+
+void ListingPanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_editor->flush();
+    pointAt(std::nullopt);
+}
+
+void ListingPanel::follow(const Change &change)
+{
+    if (change.isAny(ChangeKind::step))
+        m_editor->dropPending(); // it belongs to the step before
+    if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::code)) {
+        refresh();
+        return;
+    }
+    if (!isVisible() || (m_session.playback().isPlaying() && m_refreshed.isValid() &&
+                         m_refreshed.elapsed() < playingMilliseconds))
+        return;
+    showMistakes();
+    showValues();
+}
+
+void ListingPanel::refresh()
+{
+    showText();
+    showMistakes();
+    showValues();
+}
+
+void ListingPanel::showText()
+{
+    const LearnerCode &code = m_session.code();
+    QStringList parameters;
+    for (const lessons::Parameter &parameter : m_session.step().parameters) {
+        if (!parameter.restartsRun) // dragging it would restart the run at every value
+            parameters << parameter.id;
+    }
+    m_editor->setParameters(parameters);
+    if (!m_editor->isPending())
+        m_editor->setListing(code.text());
+    m_editor->setChangedLines(changedLines(code.original(), code.text()));
+    m_reset->setEnabled(code.isChanged());
+    m_reset->setToolTip(code.isChanged() ? tr("Bring the step's own listing back (Undo brings yours back)")
+                                         : tr("This is the step's own listing."));
+    const QString caption = code.isChanged() ? tr("your code") : QString();
+    if (caption == m_caption)
+        return;
+    m_caption = caption;
+    emit captionChanged(caption);
+}
+
+void ListingPanel::showMistakes()
+{
+    const LearnerCode &code = m_session.code();
+    const std::vector<CodeMistake> mistakes = code.mistakes();
+    m_editor->setMistakes(mistakes);
+    QString sentence;
+    if (!mistakes.empty())
+        sentence = tr("Line %1: %2").arg(mistakes.front().line).arg(mistakes.front().sentence);
+    else if (const std::optional<listing::RunError> error = code.runError())
+        sentence = mistakeSentence(*error);
+    m_sentence->setText(sentence);
+    m_mistake->setVisible(!sentence.isEmpty());
+}
+
+void ListingPanel::showValues()
+{
+    m_refreshed.start();
+    const LineStepper &lines = m_session.lines();
+    const LineStepper::Shown shown = lines.shown();
+    const bool isPlaying = m_session.playback().isPlaying();
+    LineValues values = shown.frame ? valuesAfter(*shown.frame, shown.index) : LineValues();
+    LineMarks marks;
+    if (!isPlaying && lines.isAvailable()) {
+        marks.next = lines.nextLine();
+        marks.isInside = lines.index() > 0;
+        if (const std::optional<listing::RunError> error = m_session.code().runError())
+            marks.failed = error->line;
+    }
+    if (isPlaying) {
+        for (LineChip &chip : values.chips)
+            chip.isChanged = false; // the marks would flicker
+    }
+    const QString calls = values.calls.size() > 1 ? values.calls.join(QStringLiteral(" › ")) : QString();
+    m_calls->setText(calls);
+    m_calls->setVisible(!calls.isEmpty() && !isPlaying);
+    m_editor->setMarks(marks);
+    m_editor->setValues(std::move(values));
+    showUses();
+    if (m_pointed)
+        pointAt(m_pointed);
+}
+
+void ListingPanel::showUses()
+{
+    if (m_pointedBody.isEmpty()) {
+        m_editor->setUses({});
+        return;
+    }
+    const LineStepper::Shown shown = m_session.lines().shown();
+    m_editor->setUses(usesOf(m_editor->text(), m_pointedBody, m_session.code().vocabulary(),
+                             shown.frame.get(), shown.index));
+}
+
+void ListingPanel::setPointedBody(const QString &body)
+{
+    if (body == m_pointedBody)
+        return;
+    m_pointedBody = body;
+    if (isVisible())
+        showUses();
+}
+
+void ListingPanel::pointAt(const std::optional<TextRange> &place)
+{
+    m_pointed = place;
+    LineStepper::Shown shown = m_session.lines().shown();
+    if (place && !shown.frame)
+        shown = {m_session.lines().nextFrame(), 0, false};
+    const bool isKnown = place && shown.frame && !m_session.playback().isPlaying();
+    emit vectorPointedAt(
+        isKnown ? vectorMarkAt(m_editor->text(), place->line, place->column, *shown.frame, shown.index)
+                : std::nullopt);
+}
+
+void ListingPanel::takeParameter(const QString &id)
+{
+    m_session.editor().endGesture();
+    m_drag = Drag{id, m_session.editor().parameter(id)};
+}
+
+void ListingPanel::dragParameter(int pixels, bool fine)
+{
+    const lessons::Parameter *parameter = m_drag ? m_session.step().parameter(m_drag->parameter) : nullptr;
+    if (parameter)
+        m_session.editor().setParameter(
+            parameter->id, draggedValue(*parameter, m_drag->from, (fine ? finePixel : 1.0) * pixels));
+}
+
+void ListingPanel::leaveParameter(bool keep)
+{
+    if (!m_drag)
+        return;
+    if (!keep)
+        m_session.editor().setParameter(m_drag->parameter, m_drag->from);
+    m_session.editor().endGesture();
+    m_drag.reset();
+}
+
+}

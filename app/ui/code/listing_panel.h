@@ -1,0 +1,90 @@
+#pragma once
+
+#include "app/model/listing/vector_mark.h"
+#include "app/model/session/session.h"
+
+#include <QElapsedTimer>
+#include <QPointer>
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+
+namespace app {
+
+class ListingEditor;
+class Theme;
+
+/// A panel with the listing of the open step: the whole program of a frame, which the learner steps through and changes.
+/// Each change is compiled after a short pause, and the run is computed again.
+class ListingPanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    ListingPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    ~ListingPanel() override;
+
+    ListingEditor &editor() { return *m_editor; }
+    /// Returns "your code" if the listing differs from the step's own; else an empty text.
+    QString caption() const { return m_caption; }
+    /// Returns the buttons for the right end of the title. The code that creates the title must place them.
+    QWidget *titleActions() { return m_actions; }
+    /// Returns the sentence under the editor; empty if the listing has no mistake.
+    QString sentence() const;
+    /// Returns the calls around the next line, "frame › grow"; empty outside of functions that `frame` calls.
+    QString calls() const;
+    /// Marks where the listing uses a body of the scene. An empty name marks nothing.
+    void setPointedBody(const QString &body);
+
+signals:
+    void captionChanged(const QString &caption);
+    /// Emitted with a message for the status line.
+    void messageRequested(const QString &sentence);
+    /// Emitted when the mouse moves onto a Vec2 of the listing, or off it.
+    void vectorPointedAt(const std::optional<app::VectorMark> &vector);
+    /// Emitted when the learner leaves the editor by keyboard.
+    void left();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    void makeActions();
+    void connectEditor();
+    void applyTheme();
+    void write(const QString &text);
+    void follow(const Change &change);
+    void refresh();
+    void showText();
+    void showMistakes();
+    void showValues();
+    void showUses();
+    void pointAt(const std::optional<TextRange> &place);
+    void takeParameter(const QString &id);
+    void dragParameter(int pixels, bool fine);
+    void leaveParameter(bool keep);
+
+    struct Drag
+    {
+        QString parameter;
+        double from = 0.0;
+    };
+
+    Session &m_session;
+    const Theme &m_theme;
+    QLabel *m_calls;
+    ListingEditor *m_editor;
+    QWidget *m_mistake;
+    QLabel *m_sentence;
+    QPointer<QWidget> m_actions;
+    QToolButton *m_reset = nullptr;
+    std::optional<Drag> m_drag;
+    std::optional<TextRange> m_pointed;
+    QString m_pointedBody;
+    QElapsedTimer m_refreshed; ///< time since the values were last shown
+    QString m_caption;
+};
+
+}
