@@ -76,6 +76,15 @@ public:
         add(KeyGroup::code, tr("Stop when…"),
             tr("the field below the code: stop when a condition becomes true"));
     }
+    void ofListing() const
+    {
+        add(KeyGroup::code, tr("Click left of a line, in the listing"), tr("run to it"));
+        add(KeyGroup::code, tr("Point at a place or a velocity, in the listing"),
+            tr("see it in the picture"));
+        add(KeyGroup::code, tr("Drag a number, in the listing"), tr("change it; with Shift in small steps"));
+        add(KeyGroup::code, tr("Ctrl+Space, in the listing"), tr("complete a name"));
+        add(KeyGroup::code, tr("Esc, in the listing"), tr("leave it, so that keys move the run again"));
+    }
     void ofAccuracy() const
     {
         add(KeyGroup::accuracy, tr("Arrow keys"), tr("walk through the points of a plot"));
@@ -100,6 +109,7 @@ void addGestures(HelpPage &page)
     gestures.ofScene();
     gestures.ofTime();
     gestures.ofCode();
+    gestures.ofListing();
     gestures.ofAccuracy();
 }
 

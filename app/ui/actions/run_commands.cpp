@@ -1,7 +1,7 @@
 #include "app/ui/actions/run_commands.h"
 
+#include "app/model/run/run_program.h"
 #include "app/model/session/session.h"
-#include "app/model/text/sentences.h"
 #include "app/ui/actions/command_list.h"
 
 namespace app {
@@ -12,6 +12,8 @@ RunCommands::RunCommands(Session &session, CommandList &list)
       frameBack(list.add(tr("Frame &back"), {QKeySequence(Qt::Key_Left)}, KeyGroup::time)),
       phaseForward(list.add(tr("&Next phase"), {QKeySequence("Shift+Right")}, KeyGroup::time)),
       phaseBack(list.add(tr("P&hase back"), {QKeySequence("Shift+Left")}, KeyGroup::time)),
+      stepOver(list.add(tr("Step over calls"), {QKeySequence("F10")}, KeyGroup::time)),
+      stepOut(list.add(tr("Step o&ut of the call"), {QKeySequence("Ctrl+F10")}, KeyGroup::time)),
       restart(list.add(tr("Re&start"), {QKeySequence(Qt::Key_Home)}, KeyGroup::time)),
       repeat(
           list.add(tr("Repea&t the run with the same input"), {QKeySequence("Shift+Home")}, KeyGroup::time)),
@@ -30,9 +32,10 @@ RunCommands::RunCommands(Session &session, CommandList &list)
     frameForward->setIconName("frame-forward");
     frameBack->setIconName("frame-back");
     phaseForward->setIconName("phase-forward");
-    phaseForward->setIconText(tr("One phase forward"));
     phaseBack->setIconName("phase-back");
-    phaseBack->setIconText(tr("One phase back"));
+    stepOver->setHelp(tr("Run the next line with all functions that it calls"));
+    stepOut->setHelp(tr("Run to the end of the function, or of the frame"));
+    nameSteps();
     restart->setIconName("reset");
     goToFrame->setHelp(tr("Go to a frame"));
     chooseRun->setIconName("runs");
@@ -52,8 +55,10 @@ void RunCommands::connectToSession()
     });
     connect(frameForward, &QAction::triggered, &session.playback(), &Playback::frameForward);
     connect(frameBack, &QAction::triggered, &session.playback(), &Playback::frameBack);
-    connect(phaseForward, &QAction::triggered, &session.playback(), &Playback::phaseForward);
-    connect(phaseBack, &QAction::triggered, &session.playback(), &Playback::phaseBack);
+    connect(phaseForward, &QAction::triggered, this, [this] { step(true); });
+    connect(phaseBack, &QAction::triggered, this, [this] { step(false); });
+    connect(stepOver, &QAction::triggered, this, [this] { m_session.lines().stepOver(); });
+    connect(stepOut, &QAction::triggered, this, [this] { m_session.lines().stepOut(); });
     connect(restart, &QAction::triggered, &session.editor(), &RunEditor::restart);
     connect(repeat, &QAction::triggered, &session.playback(), &Playback::repeat);
     connect(end, &QAction::triggered, &session, [&session] {
@@ -61,15 +66,43 @@ void RunCommands::connectToSession()
     });
     connect(startAfresh, &QAction::triggered, &session.editor(), &RunEditor::startAfresh);
     connect(forgetOldRun, &QAction::triggered, &session.comparisons(), &ComparisonRuns::removeShown);
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this,
-                     &RunCommands::follow);
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
+                         ChangeKind::code,
+                     this, &RunCommands::follow);
     session.onChange(ChangeKind::step | ChangeKind::run, this, &RunCommands::followBranches);
+}
+
+void RunCommands::setStepBy(StepBy stepBy)
+{
+    if (stepBy == m_stepBy)
+        return;
+    m_stepBy = stepBy;
+    nameSteps();
+    follow();
+    emit stepByChanged(stepBy);
+}
+
+void RunCommands::nameSteps()
+{
+    const bool byLine = m_stepBy == StepBy::lines;
+    phaseForward->setText(byLine ? tr("&Next line") : tr("&Next phase"));
+    phaseForward->setIconText(byLine ? tr("One line forward") : tr("One phase forward"));
+    phaseBack->setText(byLine ? tr("Line bac&k") : tr("P&hase back"));
+    phaseBack->setIconText(byLine ? tr("One line back") : tr("One phase back"));
+}
+
+void RunCommands::step(bool forward)
+{
+    if (m_stepBy == StepBy::lines)
+        forward ? m_session.lines().forward() : m_session.lines().back();
+    else
+        forward ? m_session.playback().phaseForward() : m_session.playback().phaseBack();
 }
 
 QString RunCommands::whyNoPast() const
 {
     // While the run moves, going back stops it at least.
-    const bool isAtStart = m_session.timeline().cursor() == sim::Cursor{};
+    const bool isAtStart = m_session.timeline().cursor() == sim::Cursor{} && m_session.lines().index() == 0;
     return isAtStart && !m_session.playback().isPlaying() && !m_session.playback().goal()
                ? tr("This is frame 0, the first frame.")
                : QString();
@@ -78,12 +111,14 @@ QString RunCommands::whyNoPast() const
 QString RunCommands::whyNoFuture() const
 {
     const std::optional<sim::Stop> &stop = m_session.timeline().stop();
-    return stop && m_session.timeline().cursor().frame >= stop->frame ? sentenceFor(*stop) : QString();
+    return stop && m_session.timeline().cursor().frame >= stop->frame
+               ? endSentence(m_session.timeline().track())
+               : QString();
 }
 
 void RunCommands::follow()
 {
-    const bool isInside = m_session.timeline().cursor().phase > 0;
+    const bool isInside = m_session.timeline().cursor().phase > 0 || m_session.lines().index() > 0;
     const QString noPast = whyNoPast();
     const QString noFuture = whyNoFuture();
     phaseBack->setObstacle(noPast);
@@ -91,9 +126,20 @@ void RunCommands::follow()
     frameBack->setObstacle(noPast);
     frameForward->setIconText(isInside ? tr("To the end of this frame") : tr("One frame forward"));
     frameForward->setObstacle(noFuture);
-    phaseForward->setObstacle(noFuture);
+    followLines(noFuture);
     followPlay(noFuture);
     followRestart(noPast);
+}
+
+void RunCommands::followLines(const QString &whyNoFuture)
+{
+    const bool byLine = m_stepBy == StepBy::lines;
+    // A frame with a mistake runs up to the line of the mistake.
+    const QString noLine = byLine && m_session.lines().nextLine() > 0 ? QString() : whyNoFuture;
+    phaseForward->setObstacle(noLine);
+    const QString noCalls = byLine ? noLine : tr("Open the Listing page of the code to go line by line.");
+    stepOver->setObstacle(noCalls);
+    stepOut->setObstacle(noCalls);
 }
 
 void RunCommands::followPlay(const QString &whyNot)

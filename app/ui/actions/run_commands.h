@@ -1,5 +1,7 @@
 #pragma once
 
+#include "app/ui/actions/step_by.h"
+
 #include <QObject>
 
 namespace app {
@@ -27,6 +29,8 @@ public:
     Command *const frameBack;
     Command *const phaseForward;
     Command *const phaseBack;
+    Command *const stepOver;
+    Command *const stepOut;
     Command *const restart;
     Command *const repeat;
     Command *const end;
@@ -40,9 +44,19 @@ public:
     Command *const nextStep;
     Command *const previousStep;
 
+    /// Sets what phaseForward and phaseBack run.
+    void setStepBy(StepBy stepBy);
+    StepBy stepBy() const { return m_stepBy; }
+
+signals:
+    void stepByChanged(StepBy stepBy);
+
 private:
     void connectToSession();
+    void step(bool forward);
     void follow();
+    void followLines(const QString &whyNoFuture);
+    void nameSteps();
     void followPlay(const QString &whyNot);
     void followRestart(const QString &whyNot);
     void followBranches();
@@ -52,6 +66,7 @@ private:
     QString whyNoFuture() const;
 
     Session &m_session;
+    StepBy m_stepBy = StepBy::phases;
 };
 
 }

@@ -37,7 +37,9 @@ void TimelineStrip::runTo(int phase)
 
 void TimelineStrip::step(bool forward, bool byPhase)
 {
-    if (byPhase)
+    if (byPhase && goesByLines())
+        forward ? m_session.lines().forward() : m_session.lines().back();
+    else if (byPhase)
         forward ? m_session.playback().phaseForward() : m_session.playback().phaseBack();
     else
         forward ? m_session.playback().frameForward() : m_session.playback().frameBack();
@@ -50,8 +52,10 @@ void TimelineStrip::mousePressEvent(QMouseEvent *event)
         QWidget::mousePressEvent(event);
         return;
     }
-    const int phase = m_phases.phaseAt(event->position());
-    if (phase >= 0) {
+    const int phase = partAt(event->position());
+    if (phase >= 0 && goesByLines()) {
+        m_session.lines().goTo(phase);
+    } else if (phase >= 0) {
         runTo(phase);
     } else if (const Fork *fork = forkAt(event->position())) {
         press(*fork, event->globalPosition().toPoint());
@@ -65,9 +69,11 @@ void TimelineStrip::mousePressEvent(QMouseEvent *event)
 void TimelineStrip::mouseMoveEvent(QMouseEvent *event)
 {
     if (!m_scrubbing) {
-        const int phase = m_phases.phaseAt(event->position());
+        const int phase = partAt(event->position());
         setHovered(phase);
-        if (phase >= 0 && !m_session.playback().isPlaying())
+        if (phase >= 0 && goesByLines())
+            emit pointedAt(std::nullopt);
+        else if (phase >= 0 && !m_session.playback().isPlaying())
             m_session.preview().show({frame(), m_position.phaseAfter(phase)});
         else
             emit pointedAt(trackFrameAt(event->position()));
@@ -130,6 +136,11 @@ void TimelineStrip::setHovered(int phase)
     m_hovered = phase;
     setCursor(phase >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
     update(0, TimelinePlaces::strip, width(), height() - TimelinePlaces::strip);
+}
+
+int TimelineStrip::partAt(const QPointF &place) const
+{
+    return goesByLines() ? m_lines.indexAt(place) : m_phases.phaseAt(place);
 }
 
 void TimelineStrip::wheelEvent(QWheelEvent *event)
@@ -237,7 +248,13 @@ QString TimelineStrip::hintOf(const Fork &fork) const
 
 QString TimelineStrip::hintAt(const QPoint &place) const
 {
-    const int phase = m_phases.phaseAt(place);
+    const int phase = partAt(place);
+    if (phase >= 0 && goesByLines())
+        return tr("Line %1, %2 of %3: %4\nClick to run to it.")
+            .arg(m_lines.lineOf(phase))
+            .arg(phase + 1)
+            .arg(m_lines.count())
+            .arg(m_lines.textOf(phase));
     if (phase >= 0) {
         const QString group = m_phases.groupOf(phase);
         const QString title = m_phases.titleOf(phase);

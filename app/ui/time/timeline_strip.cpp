@@ -1,6 +1,7 @@
 #include "app/ui/time/timeline_strip.h"
 
 #include "app/ui/theme/focus_ring.h"
+#include "app/ui/time/line_position.h"
 #include "app/ui/time/run_view.h"
 #include "app/ui/time/timeline_access.h"
 
@@ -56,9 +57,18 @@ void TimelineStrip::setForm(Form form)
     update();
 }
 
+void TimelineStrip::setStepBy(StepBy stepBy)
+{
+    m_stepBy = stepBy;
+    m_hovered = -1;
+    refresh();
+}
+
 QString TimelineStrip::sentence() const
 {
-    const QString current = sentenceOf(m_session.timeline());
+    const QString current = goesByLines() && m_session.timeline().cursor().phase == 0
+                                ? sentenceOf(m_session.lines(), frame())
+                                : sentenceOf(m_session.timeline());
     return m_session.preview().isActive()
                ? tr("%1. Preview: %2").arg(current, sentenceOf(m_session.preview().run()))
                : current;
@@ -97,6 +107,18 @@ void TimelineStrip::readPhases()
     m_interval = phasesShown();
     m_phases.setContent(*m_interval, m_showsEnd ? endOf(timeline) : m_position);
     m_phases.arrange(stripArea(m_axis), m_theme);
+    if (goesByLines())
+        readLines();
+}
+
+void TimelineStrip::readLines()
+{
+    // During playback the lines stay as they were: they would be computed again for every frame.
+    if (m_session.playback().isPlaying() && m_lines.count() > 0)
+        return;
+    m_lines.setContent(m_session.lines().nextFrame().get(), m_session.code().text(),
+                       m_session.lines().index());
+    m_lines.arrange(stripArea(m_axis), m_theme);
 }
 
 bool TimelineStrip::showsEnd() const
@@ -115,7 +137,7 @@ void TimelineStrip::follow(const Change &change)
 {
     if (change.isAny(ChangeKind::step))
         startNew();
-    else if (change.isAny(ChangeKind::run | ChangeKind::playing))
+    else if (change.isAny(ChangeKind::run | ChangeKind::playing | ChangeKind::code))
         refresh();
     if (change.isAny(ChangeKind::cursor))
         followCursor();
@@ -130,8 +152,9 @@ void TimelineStrip::followCursor()
     app::follow(m_view, m_session);
     const bool grown = coverRun();
     Position now = positionOf(m_session.timeline());
-    const bool samePhases =
-        m_interval == phasesShown() && m_showsEnd == showsEnd() && !before.isInside() && !now.isInside();
+    const bool isPlaying = m_session.playback().isPlaying();
+    const bool samePhases = (isPlaying || !goesByLines()) && m_interval == phasesShown() &&
+                            m_showsEnd == showsEnd() && !before.isInside() && !now.isInside();
     if (grown || !samePhases) {
         readPhases();
         update();
@@ -156,6 +179,7 @@ void TimelineStrip::resizeEvent(QResizeEvent *)
 {
     m_axis.setWidth(width());
     m_phases.arrange(stripArea(m_axis), m_theme);
+    m_lines.arrange(stripArea(m_axis), m_theme);
 }
 
 void TimelineStrip::paintEvent(QPaintEvent *event)
@@ -165,8 +189,12 @@ void TimelineStrip::paintEvent(QPaintEvent *event)
     paintTimeline(painter, m_axis, m_view, m_theme, m_form == Form::whole ? Below::fan : Below::nothing);
     if (m_pointed)
         paintPointed(painter, m_axis, *m_pointed, m_theme);
-    if (m_form == Form::whole && event->region().intersects(stripArea(m_axis).toAlignedRect()))
-        m_phases.paint(painter, m_theme, m_view.playing, m_hovered < 0 ? m_marked : m_hovered);
+    if (m_form == Form::whole && event->region().intersects(stripArea(m_axis).toAlignedRect())) {
+        if (goesByLines())
+            m_lines.paint(painter, m_theme, m_view.playing, m_hovered);
+        else
+            m_phases.paint(painter, m_theme, m_view.playing, m_hovered < 0 ? m_marked : m_hovered);
+    }
     if (hasFocus() && m_byKeyboard) {
         constexpr double half = FocusRing::width / 2.0;
         painter.setPen(QPen(m_theme.tokens().ink, FocusRing::width));

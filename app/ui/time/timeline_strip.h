@@ -1,7 +1,9 @@
 #pragma once
 
 #include "app/model/session/session.h"
+#include "app/ui/actions/step_by.h"
 #include "app/ui/theme/theme.h"
+#include "app/ui/time/line_strip.h"
 #include "app/ui/time/phase_strip.h"
 #include "app/ui/time/timeline_painter.h"
 
@@ -25,8 +27,12 @@ public:
     void setForm(Form form);
     Form form() const { return m_form; }
 
+    /// Sets what is shown below the track: the phases of a step, or the lines of a frame of the listing.
+    void setStepBy(StepBy stepBy);
+
     const TimelineAxis &axis() const { return m_axis; }
     const PhaseStrip &phases() const { return m_phases; }
+    const LineStrip &lines() const { return m_lines; }
     /// Returns "Frame 41, after gravity, 2 of 5 phases done".
     QString sentence() const;
     std::int64_t frame() const { return m_session.timeline().cursor().frame; }
@@ -67,6 +73,8 @@ private:
     /// Reads the cursor, and repaints what has changed.
     void followCursor();
     void readPhases();
+    void readLines();
+    bool goesByLines() const { return m_stepBy == StepBy::lines; }
     /// Returns whether the strip shows all phases of the frame just done, because the run is at its end.
     bool showsEnd() const;
     std::shared_ptr<const sim::ComposedInterval> phasesShown() const;
@@ -78,6 +86,8 @@ private:
     /// Opens a menu of these branches, or of all if there are none.
     void showRuns(std::vector<int> branches, const QPoint &onScreen);
     QString hintOf(const Fork &fork) const;
+    /// Returns the phase or line of the strip at a place, or -1.
+    int partAt(const QPointF &place) const;
     void setHovered(int phase);
     void showMarked();
     /// Returns the phase of the strip right before a moment, or -1.
@@ -92,11 +102,13 @@ private:
     const Theme &m_theme;
     TimelineAxis m_axis;
     PhaseStrip m_phases;
+    LineStrip m_lines;
+    StepBy m_stepBy = StepBy::phases;
     RunView m_view;
     Position m_position;
     std::shared_ptr<const sim::ComposedInterval> m_interval; ///< the interval whose phases are shown
     bool m_showsEnd = false;
-    int m_hovered = -1;                    ///< the phase under the mouse
+    int m_hovered = -1;                    ///< the phase or line under the mouse
     std::optional<std::int64_t> m_pointed; ///< the frame under the mouse
     int m_marked = -1;                     ///< the phase that is marked elsewhere
     Form m_form = Form::whole;

@@ -4,6 +4,7 @@
 #include "app/ui/actions/command_button.h"
 #include "app/ui/actions/run_commands.h"
 #include "app/ui/time/frame_counter.h"
+#include "app/ui/time/line_position.h"
 #include "app/ui/time/run_position.h"
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/speed_button.h"
@@ -151,6 +152,10 @@ void TransportBar::showFrame()
     const Position position = positionOf(m_session.timeline());
     QString detail = progressOf(position);
     QString brief = shortProgressOf(position);
+    if (m_session.lines().index() > 0) {
+        detail = progressOf(m_session.lines());
+        brief = shortProgressOf(m_session.lines());
+    }
     if (m_session.preview().isActive()) {
         showPreview(position.frame);
         return;

@@ -48,7 +48,8 @@ public:
     {
         QMenu *menu = m_bar.addMenu(tr("&Run"));
         menu->addActions({run.play, run.frameForward, run.frameBack, run.phaseForward, run.phaseBack,
-                          run.restart, run.repeat, run.end, run.goToFrame, run.slower, run.faster});
+                          run.stepOver, run.stepOut, run.restart, run.repeat, run.end, run.goToFrame,
+                          run.slower, run.faster});
         menu->addSeparator();
         menu->addActions({run.startAfresh, run.forgetOldRun});
         menu->addMenu(otherRuns);
