@@ -52,7 +52,7 @@ SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
     connect(m_steps, &QMenu::aboutToShow, this, &SceneBar::showValues);
     connect(m_steps, &StepMenu::chosen, this, &SceneBar::showValues);
     m_step->setMenu(m_steps);
-    session.onChange(ChangeKind::step | ChangeKind::run, this, &SceneBar::showValues);
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &SceneBar::showValues);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     showValues();
 }
@@ -74,8 +74,17 @@ void SceneBar::fillMethods()
         action->setData(QString::fromStdString(method->id()));
         group->addAction(action);
     }
+    menu->setToolTipsVisible(true);
+    menu->addSeparator();
+    m_listing = menu->addAction(tr("Your code"));
+    m_listing->setCheckable(true);
+    m_listing->setData(QStringLiteral("listing"));
+    group->addAction(m_listing);
     connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
-        m_session.editor().setMethod(action->data().toString());
+        if (action == m_listing)
+            m_session.code().use();
+        else
+            m_session.editor().setMethod(action->data().toString());
         showValues(); // if the method was rejected, this moves the mark back
     });
     connect(menu, &QMenu::aboutToShow, this, &SceneBar::showValues);
@@ -186,6 +195,9 @@ void SceneBar::showValues()
     m_step->setTexts(adaptive ? tr("Tolerance") : tr("Step"), stepTitle(script.step));
     for (QAction *action : m_method->menu()->actions())
         action->setChecked(action->data().toString().toStdString() == script.method->id());
+    m_listing->setEnabled(m_session.code().isOffered());
+    m_listing->setToolTip(m_session.code().isOffered() ? tr("The listing, as you changed it")
+                                                       : tr("This step has no listing."));
     m_steps->follow();
     arrange();
 }

@@ -5,6 +5,8 @@
 
 #include <QWidget>
 
+class QAction;
+
 namespace app {
 
 class Command;
@@ -56,6 +58,7 @@ private:
     const Theme &m_theme;
     SceneView *m_view = nullptr;
     FlatButton *m_method;
+    QAction *m_listing = nullptr; ///< the learner's code, among the methods
     FlatButton *m_step;
     FlatButton *m_show;
     FlatButton *m_zoom;

@@ -63,8 +63,8 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
     addLayers<RoomLayer, RampLayer, GroundLayer, ShadowLayer, ComparisonLayer, OnionLayer, TrailLayer,
               TreeLayer, MeadowLayer, LimbLayer, SkinLayer, SheetLayer, ChainLayer, LegLayer, SpringLayer,
-              StickLayer, BodyLayer, RestLayer, ReferenceLayer, OverlayLayer, ArrowLayer>(m_scene, m_shown,
-                                                                                          theme);
+              StickLayer, BodyLayer, RestLayer, ReferenceLayer, OverlayLayer, ArrowLayer, VectorLayer>(
+        m_scene, m_shown, theme);
     addLayers<RoomLayer, ShadowLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
               BodyLayer, RestLayer, OverlayLayer, NameLayer>(m_scene, m_companion, theme);
     m_scene.addItem(new NameLayer(m_shown, theme));
@@ -208,6 +208,14 @@ void SceneView::setExtras(const Extras &extras)
     }
     m_shown.extras = extras;
     refresh();
+}
+
+void SceneView::setVector(const std::optional<VectorMark> &vector)
+{
+    if (vector == m_shown.vector)
+        return;
+    m_shown.vector = vector;
+    viewport()->update();
 }
 
 void SceneView::takeExtrasOfStep()

@@ -41,6 +41,8 @@ public:
     /// Shows the area that the step shows first, together with `motion`: the box of a span of the run, from
     /// MotionArea::area().
     void showSpan(const QRectF &motion);
+    /// Draws a Vec2 of the listing, until it is set again.
+    void setVector(const std::optional<VectorMark> &vector);
     /// Moves the view to centre the body.
     void bringBack(const QString &body);
     /// Returns an image of the scene as shown, without legends and captions. `scale`: image px per screen px.

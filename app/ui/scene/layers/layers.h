@@ -31,6 +31,7 @@ enum class Height {
     reference,
     overlays,
     arrows,
+    vectors,
     names,
     pointers,
 };
@@ -270,6 +271,16 @@ class OverlayLayer : public Layer
 {
 public:
     OverlayLayer(const SceneContent &shown, const Theme &theme) : Layer(shown, theme, Height::overlays) {}
+
+protected:
+    void draw(const Canvas &canvas) const override;
+};
+
+/// Draws the Vec2 of the listing under the mouse, with its name: a cross at a place, an arrow for a difference.
+class VectorLayer : public Layer
+{
+public:
+    VectorLayer(const SceneContent &shown, const Theme &theme) : Layer(shown, theme, Height::vectors) {}
 
 protected:
     void draw(const Canvas &canvas) const override;

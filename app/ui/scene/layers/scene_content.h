@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/listing/vector_mark.h"
 #include "app/model/session/session.h"
 #include "app/ui/scene/hud/ruler.h"
 #include "app/ui/scene/layers/trail.h"
@@ -79,8 +80,9 @@ struct SceneContent
     std::vector<sim::State> onion; ///< onion skins, the latest first; empty unless shown
     Extras extras;
     Ruler ruler;
-    QString clock;     ///< the run's time, as text
-    int selected = -1; ///< the selected point, or -1
+    std::optional<VectorMark> vector; ///< the Vec2 of the listing under the mouse
+    QString clock;                    ///< the run's time, as text
+    int selected = -1;                ///< the selected point, or -1
     ArrowScales scales;
     std::optional<sim::State> before; ///< inside a frame: the state before the last phase done
     bool isInside = false;            ///< inside a frame, with velocities shown; the learner can hide them
