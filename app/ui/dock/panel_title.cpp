@@ -49,6 +49,11 @@ void PanelTitle::setCaption(const QString &caption)
     fitCaption();
 }
 
+void PanelTitle::addTabs(QWidget *tabs)
+{
+    m_row->insertWidget(m_row->indexOf(m_caption), tabs, 0, Qt::AlignVCenter);
+}
+
 void PanelTitle::addAction(QWidget *widget)
 {
     m_row->addWidget(widget, 0, Qt::AlignVCenter);

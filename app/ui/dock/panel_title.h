@@ -24,6 +24,8 @@ public:
     void setTitle(const QString &title);
     QString caption() const;
     void setCaption(const QString &caption);
+    /// Adds tabs behind the title.
+    void addTabs(QWidget *tabs);
     /// Adds a widget at the right end.
     void addAction(QWidget *widget);
 

@@ -1,5 +1,6 @@
 #include "app/ui/window/failure_notice.h"
 
+#include "app/model/run/run_program.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/stability_text.h"
 
@@ -56,7 +57,8 @@ void FailureNotice::refresh()
     setVisible(stop);
     if (!stop)
         return;
-    m_text->setText(sentenceFor(*stop));
+    m_text->setText(m_session.timeline().stop() ? endSentence(m_session.timeline().track())
+                                                : sentenceFor(*stop));
     setAccessibleName(m_text->text());
     const bool isEmpty = m_search.found().empty();
     m_hint->setVisible(isEmpty);

@@ -8,7 +8,10 @@
 #include "app/ui/accuracy/accuracy_panel.h"
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/branches/branches_panel.h"
+#include "app/ui/code/code_pages.h"
 #include "app/ui/code/code_panel.h"
+#include "app/ui/code/listing_editor.h"
+#include "app/ui/code/listing_panel.h"
 #include "app/ui/dialogs/notice.h"
 #include "app/ui/dialogs/recovery_prompt.h"
 #include "app/ui/dock/arrange_menu.h"
@@ -117,15 +120,16 @@ void MainWindow::makeDocks(CostFunction cost)
     m_energy = new EnergyPanel(m_session, m_theme, this);
     m_effects = new EffectsPanel(m_session, m_theme, std::move(cost), m_measuringThread, this);
     m_branches = new BranchesPanel(m_session, m_theme, this);
-    m_code = new CodePanel(m_session, m_theme, this);
+    m_code = new CodePages(m_session, m_theme, this);
     m_plots = new PlotsPanel(m_session, m_theme, this);
     m_numbers = new NumbersPanel(m_session, *m_measures, m_theme, this);
     m_gauge = new StabilityGauge(*m_stability, m_theme, this);
     m_stabilityPanel = new StabilityPanel(*m_stability, m_theme, this);
     auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
     codeTitle->setCaption(m_code->caption());
+    codeTitle->addTabs(m_code->titleTabs());
     codeTitle->addAction(m_code->titleActions());
-    connect(m_code, &CodePanel::captionChanged, codeTitle, &DockTitle::setCaption);
+    connect(m_code, &CodePages::captionChanged, codeTitle, &DockTitle::setCaption);
 
     const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea,
                below = Qt::BottomDockWidgetArea;
@@ -152,7 +156,8 @@ void MainWindow::connectPanels()
     followCover(docks[Panel::branches], m_branches);
     followCover(docks[Panel::plots], m_plots);
     Notice *notice = &m_centre->notice();
-    connect(m_code, &CodePanel::messageRequested, &m_session, &Session::showMessage);
+    connect(&m_code->engine(), &CodePanel::messageRequested, &m_session, &Session::showMessage);
+    connectListing();
     connect(m_plots, &PlotsPanel::messageRequested, &m_session, &Session::showMessage);
     connect(m_plots, &PlotsPanel::failed, notice, &Notice::showMessage);
     for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports(), &m_branches->exports(),
@@ -168,6 +173,24 @@ void MainWindow::connectPanels()
         // Qt passes the focus of a widget that was hidden to the next one, which Space would press.
         if (before && now && before->window() == this && now->window() == this && !before->isVisible())
             m_centre->scene().setFocus();
+    });
+}
+
+void MainWindow::connectListing()
+{
+    const ListingPanel &listing = m_code->listing();
+    SceneView *scene = &m_centre->scene();
+    connect(&listing, &ListingPanel::messageRequested, &m_session, &Session::showMessage);
+    connect(&listing, &ListingPanel::vectorPointedAt, scene, &SceneView::setVector);
+    connect(&listing, &ListingPanel::left, scene, qOverload<>(&QWidget::setFocus));
+    connect(scene, &SceneView::bodyPointedAt, &listing, &ListingPanel::setPointedBody);
+    const auto followPage = [this] { m_commands.run.setStepBy(m_code->stepBy()); };
+    connect(m_code, &CodePages::stepByChanged, this, followPage);
+    followPage();
+    connect(&m_learn->narration(), &Narration::listingRequested, this, [this] {
+        m_layout.docks.show(Panel::code, true);
+        m_code->choose(CodePages::Page::listing);
+        m_code->listing().editor().setFocus(Qt::OtherFocusReason);
     });
 }
 

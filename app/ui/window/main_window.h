@@ -24,7 +24,7 @@ namespace app {
 class AccuracyPanel;
 class BranchesPanel;
 class BuildPanel;
-class CodePanel;
+class CodePages;
 class DockFitter;
 class EffectsPanel;
 class EnergyPanel;
@@ -118,6 +118,7 @@ private:
     void makeMenus();
     void makeFiles();
     void connectPanels();
+    void connectListing();
     void connectCommands();
     void setSceneOnly(bool isOn);
     /// Shows the lessons or the tools of the sandbox, and chooses the mode to match.
@@ -158,7 +159,7 @@ private:
     EnergyPanel *m_energy = nullptr;
     EffectsPanel *m_effects = nullptr;
     BranchesPanel *m_branches = nullptr;
-    CodePanel *m_code = nullptr;
+    CodePages *m_code = nullptr;
     PlotsPanel *m_plots = nullptr;
     NumbersPanel *m_numbers = nullptr;
     StabilityPanel *m_stabilityPanel = nullptr;

@@ -1,5 +1,6 @@
 #include "app/ui/window/scene_column.h"
 
+#include "app/ui/actions/run_commands.h"
 #include "app/ui/dialogs/notice.h"
 #include "app/ui/dock/divider.h"
 #include "app/ui/dock/panel_layout.h"
@@ -38,6 +39,7 @@ SceneColumn::SceneColumn(Session &session, MeasureSeries &measures, const RunCom
     m_column->addWidget(divider(this));
     m_column->addWidget(m_transport);
     m_column->addWidget(m_timeline);
+    connect(&commands, &RunCommands::stepByChanged, m_timeline, &TimelineStrip::setStepBy);
     m_column->addWidget(m_footfall);
 }
 

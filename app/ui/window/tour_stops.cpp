@@ -1,6 +1,5 @@
 #include "app/ui/window/tour_stops.h"
 
-#include "app/ui/code/code_panel.h"
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/scene/scene_view.h"
@@ -11,7 +10,7 @@
 namespace app {
 
 std::vector<TourStop> tourStops(const QWidget &window, const SceneColumn &centre, const LearnPanel &learn,
-                                const CodePanel &code, const ParameterPanel &parameters)
+                                const QWidget &code, const ParameterPanel &parameters)
 {
     const auto whole = [&window](const QWidget &widget) {
         return [&window, &widget] { return QRect(widget.mapTo(&window, QPoint()), widget.size()); };
@@ -38,7 +37,10 @@ std::vector<TourStop> tourStops(const QWidget &window, const SceneColumn &centre
                   "from one to the next."),
          lowerHalf},
         {Tour::tr("The code that runs"),
-         Tour::tr("These lines compute the scene. Beside them are the current values."), whole(code)},
+         Tour::tr("These lines compute the scene. Beside them are the current values. Change a line, and the "
+                  "picture "
+                  "follows."),
+         whole(code)},
         {Tour::tr("Numbers to change"),
          Tour::tr("Move a slider, or type any number. The arrow beside it resets the number."),
          whole(parameters)},

@@ -4,13 +4,12 @@
 
 namespace app {
 
-class CodePanel;
 class LearnPanel;
 class ParameterPanel;
 class SceneColumn;
 
 /// Returns the cards of the tour of a window with these parts.
 std::vector<TourStop> tourStops(const QWidget &window, const SceneColumn &centre, const LearnPanel &learn,
-                                const CodePanel &code, const ParameterPanel &parameters);
+                                const QWidget &code, const ParameterPanel &parameters);
 
 }

@@ -1,9 +1,11 @@
 #include "tests/app/support/window_fixture.h"
 
+#include "app/ui/code/code_pages.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QApplication>
 #include <QPushButton>
+#include <QSettings>
 
 using namespace app;
 
@@ -13,6 +15,8 @@ namespace {
 
 Lessons lessonsOf(WindowSetup &setup)
 {
+    if (!setup.codePage.isEmpty())
+        QSettings().setValue(CodePages::pageKey, setup.codePage); // the window reads it when it is made
     Lessons lessons;
     if (!setup.language.isEmpty())
         lessons.language = std::make_unique<Language>(setup.language);

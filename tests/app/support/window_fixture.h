@@ -26,6 +26,7 @@ struct WindowSetup
     app::Scheme scheme = app::Scheme::light;
     app::StudyFunction study = noStudy;
     app::CostFunction cost = noCost;
+    QString codePage = QStringLiteral("engine"); ///< the page of the code; empty: as the settings say
 };
 
 /// The main window on the lessons of the program, shown and active, with the keyboard focus in the scene. Its functions

@@ -1,0 +1,78 @@
+#pragma once
+
+#include "app/ui/actions/step_by.h"
+
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QStackedWidget;
+class QToolButton;
+
+namespace lessons {
+struct Step;
+}
+
+namespace app {
+
+class CodePanel;
+class ListingPanel;
+class Session;
+class Theme;
+
+/// The two pages of the code: the listing, which the learner can change, and the engine's own code. Steps without a
+/// listing have the engine's page only. While another method computes the run, its page is shown, and the listing offered.
+class CodePages : public QWidget
+{
+    Q_OBJECT
+
+public:
+    enum class Page { listing, engine };
+    static constexpr const char *pageKey = "code/page"; ///< settings key of the page that the learner chose
+
+    CodePages(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    ~CodePages() override;
+
+    ListingPanel &listing() const { return *m_listing; }
+    CodePanel &engine() const { return *m_engine; }
+    Page page() const;
+    /// Shows a page on the learner's wish, and remembers it.
+    void choose(Page page);
+    /// Returns how the step commands go while this page is shown: by lines if the listing computes the run.
+    StepBy stepBy() const;
+    QString caption() const;
+    /// Returns the tabs for the title. The code that creates the title must place them, and the actions.
+    QWidget *titleTabs() const { return m_tabs; }
+    QWidget *titleActions() const { return m_actions; }
+
+signals:
+    void captionChanged(const QString &caption);
+    void stepByChanged();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    void makeTitle();
+    void makeOffer();
+    void follow();
+    void show(Page page);
+
+    Session &m_session;
+    ListingPanel *m_listing;
+    CodePanel *m_engine;
+    QStackedWidget *m_pages;
+    QWidget *m_offer;
+    QLabel *m_offerText;
+    QPushButton *m_use;
+    QWidget *m_tabs;
+    QWidget *m_actions;
+    QToolButton *m_listingTab = nullptr;
+    QToolButton *m_engineTab = nullptr;
+    Page m_wanted = Page::listing;
+    bool m_wasInUse = true;
+    const lessons::Step *m_step = nullptr; ///< the step that is shown
+};
+
+}
