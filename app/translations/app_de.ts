@@ -437,6 +437,41 @@
     </message>
 </context>
 <context>
+    <name>CodeJudge</name>
+    <message>
+        <source>%1° too far</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 px from its place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not yet: in frame %1 of a trial run, %2 is %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not yet: while your hand holds %1 in a trial run, %2 is %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Right: your code does the same as the listing in three trial runs.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not yet: in frame %1 of a trial run, line %2 stopped it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Not yet: in frame %1 of a trial run, a number became infinite.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1 is not correct yet, so the code cannot run.</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>CodeListingText</name>
     <message>
         <source>Scene</source>
@@ -1969,6 +2004,42 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>set the largest error that you accept</source>
         <translation>den größten Fehler einstellen, den du hinnimmst</translation>
     </message>
+    <message>
+        <source>Click left of a line, in the listing</source>
+        <translation>Links neben eine Zeile klicken, im Listing</translation>
+    </message>
+    <message>
+        <source>Point at a place or a velocity, in the listing</source>
+        <translation>Auf einen Ort oder eine Geschwindigkeit zeigen, im Listing</translation>
+    </message>
+    <message>
+        <source>see it in the picture</source>
+        <translation>im Bild ansehen</translation>
+    </message>
+    <message>
+        <source>Drag a number, in the listing</source>
+        <translation>Eine Zahl ziehen, im Listing</translation>
+    </message>
+    <message>
+        <source>change it; with Shift in small steps</source>
+        <translation>sie ändern; mit Umschalt in kleinen Schritten</translation>
+    </message>
+    <message>
+        <source>Ctrl+Space, in the listing</source>
+        <translation>Strg+Leertaste, im Listing</translation>
+    </message>
+    <message>
+        <source>complete a name</source>
+        <translation>einen Namen vervollständigen</translation>
+    </message>
+    <message>
+        <source>Esc, in the listing</source>
+        <translation>Esc, im Listing</translation>
+    </message>
+    <message>
+        <source>leave it, so that keys move the run again</source>
+        <translation>es verlassen, damit die Tasten wieder den Lauf bewegen</translation>
+    </message>
 </context>
 <context>
     <name>GifFileText</name>
@@ -2454,6 +2525,25 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>No lesson was found in %1; SPRINGSTEP_LESSONS can name a folder that has them.</source>
         <translation>In %1 wurde keine Lektion gefunden; SPRINGSTEP_LESSONS kann einen Ordner nennen, in dem welche sind.</translation>
+    </message>
+</context>
+<context>
+    <name>LinePositionText</name>
+    <message>
+        <source>before line %1, %2 of %3 lines run</source>
+        <translation>vor Zeile %1, %2 von %3 Zeilen gelaufen</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>Frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -4652,6 +4742,41 @@ Drück Eingabe, um es hinzuzufügen.</translation>
     </message>
 </context>
 <context>
+    <name>app::CodePages</name>
+    <message>
+        <source>Let the listing compute the run from here</source>
+        <translation>Den Lauf ab hier vom Listing berechnen lassen</translation>
+    </message>
+    <message>
+        <source>Listing</source>
+        <translation>Listing</translation>
+    </message>
+    <message>
+        <source>The program of a frame, to read, to step through and to change</source>
+        <translation>Das Programm eines Bildes: zum Lesen, zum Durchgehen und zum Ändern</translation>
+    </message>
+    <message>
+        <source>Engine</source>
+        <translation>Engine</translation>
+    </message>
+    <message>
+        <source>The code of Springstep that computes the run</source>
+        <translation>Der Code von Springstep, der den Lauf berechnet</translation>
+    </message>
+    <message>
+        <source>%1 computes this run, not the listing.</source>
+        <translation>Diesen Lauf berechnet %1, nicht das Listing.</translation>
+    </message>
+    <message>
+        <source>Use your code</source>
+        <translation>Deinen Code verwenden</translation>
+    </message>
+    <message>
+        <source>Use the listing</source>
+        <translation>Listing verwenden</translation>
+    </message>
+</context>
+<context>
     <name>app::CodePanel</name>
     <message>
         <source>Lines that are new in this step. Click to go through them.</source>
@@ -5796,6 +5921,80 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::ListingEditor</name>
+    <message>
+        <source>Listing: the code that you can change</source>
+        <translation>Listing: der Code, den du ändern kannst</translation>
+    </message>
+    <message>
+        <source>Type to change it; the run is computed again after a short pause. Tab indents, Ctrl+Space completes a name, Esc leaves the editor.</source>
+        <translation>Tippe, um es zu ändern; nach einer kurzen Pause wird der Lauf neu berechnet. Tab rückt ein, Strg+Leertaste vervollständigt einen Namen, Esc verlässt den Editor.</translation>
+    </message>
+    <message>
+        <source>Run to this line</source>
+        <translation>Bis zu dieser Zeile laufen</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Select all</source>
+        <translation>Alles auswählen</translation>
+    </message>
+    <message>
+        <source>Reset listing</source>
+        <translation>Listing zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Click to run to this line</source>
+        <translation>Klicken, um bis zu dieser Zeile zu laufen</translation>
+    </message>
+    <message>
+        <source>You changed this line. %1.</source>
+        <translation>Diese Zeile hast du geändert. %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ListingPanel</name>
+    <message>
+        <source>Reset listing</source>
+        <translation>Listing zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Correct the mistake first. Until then, the last good code computes the run.</source>
+        <translation>Berichtige zuerst den Fehler. Bis dahin berechnet der letzte gültige Code den Lauf.</translation>
+    </message>
+    <message>
+        <source>This listing does not compute the run. Choose “Use your code” first.</source>
+        <translation>Dieses Listing berechnet den Lauf nicht. Wähle zuerst „Deinen Code verwenden“.</translation>
+    </message>
+    <message>
+        <source>Bring the step&apos;s own listing back (Undo brings yours back)</source>
+        <translation>Das Listing des Schritts zurückholen (Rückgängig holt deines zurück)</translation>
+    </message>
+    <message>
+        <source>This is the step&apos;s own listing.</source>
+        <translation>Das ist das Listing des Schritts.</translation>
+    </message>
+    <message>
+        <source>your code</source>
+        <translation>dein Code</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>app::MainWindow</name>
     <message>
         <source>Accuracy</source>
@@ -5917,6 +6116,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>What you learnt in this lesson, and what comes next</source>
         <translation>Was du in dieser Lektion gelernt hast, und was danach kommt</translation>
+    </message>
+    <message>
+        <source>Write it yourself</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -6638,6 +6841,42 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Go back in time and change something: the old run then appears here.</source>
         <translation>Geh in der Zeit zurück und ändere etwas: Der alte Lauf erscheint dann hier.</translation>
     </message>
+    <message>
+        <source>Step over calls</source>
+        <translation>Aufrufe überspringen</translation>
+    </message>
+    <message>
+        <source>Step o&amp;ut of the call</source>
+        <translation>A&amp;us dem Aufruf heraus</translation>
+    </message>
+    <message>
+        <source>Run the next line with all functions that it calls</source>
+        <translation>Die nächste Zeile mit allen Funktionen ausführen, die sie aufruft</translation>
+    </message>
+    <message>
+        <source>Run to the end of the function, or of the frame</source>
+        <translation>Bis zum Ende der Funktion laufen, oder des Bildes</translation>
+    </message>
+    <message>
+        <source>&amp;Next line</source>
+        <translation>&amp;Nächste Zeile</translation>
+    </message>
+    <message>
+        <source>One line forward</source>
+        <translation>Eine Zeile weiter</translation>
+    </message>
+    <message>
+        <source>Line bac&amp;k</source>
+        <translation>Zeile zurüc&amp;k</translation>
+    </message>
+    <message>
+        <source>One line back</source>
+        <translation>Eine Zeile zurück</translation>
+    </message>
+    <message>
+        <source>Open the Listing page of the code to go line by line.</source>
+        <translation>Öffne die Seite „Listing“ des Codes, um Zeile für Zeile zu gehen.</translation>
+    </message>
 </context>
 <context>
     <name>app::RunEditor</name>
@@ -7088,6 +7327,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>The largest error that the method allows in each of its steps</source>
         <translation>Der größte Fehler, den das Verfahren in jedem seiner Zeitschritte zulässt</translation>
     </message>
+    <message>
+        <source>Your code</source>
+        <translation>Dein Code</translation>
+    </message>
+    <message>
+        <source>The listing, as you changed it</source>
+        <translation>Das Listing, wie du es geändert hast</translation>
+    </message>
+    <message>
+        <source>This step has no listing.</source>
+        <translation>Dieser Schritt hat kein Listing.</translation>
+    </message>
 </context>
 <context>
     <name>app::SceneCard</name>
@@ -7417,6 +7668,68 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>**Next: %1.** %2</source>
         <translation>**Weiter: %1.** %2</translation>
     </message>
+    <message>
+        <source>%1 of %2 tasks written in the listing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Still to write: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::TaskBox</name>
+    <message>
+        <source>Write it yourself</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Empties the place in the listing, so that you can write it</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shows the next hint</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Solution</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Writes the solution into the listing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Stops this task. Your code stays.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, done</source>
+        <translation type="unfinished">%1, geschafft</translation>
+    </message>
+    <message>
+        <source>Write it again</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Hint %1 of %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
+    <name>app::TaskDesk</name>
+    <message>
+        <source>This is the solution. To get the tick, start again and write it yourself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Trying your code …</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>app::TimelineStrip</name>
@@ -7455,6 +7768,12 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1. Preview: %2</source>
         <translation>%1. Vorschau: %2</translation>
+    </message>
+    <message>
+        <source>Line %1, %2 of %3: %4
+Click to run to it.</source>
+        <translation>Zeile %1, %2 von %3: %4
+Klicken, um bis dorthin zu laufen.</translation>
     </message>
 </context>
 <context>
@@ -7546,6 +7865,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Springstep ticks each task when it sees you do it. Click a lamp for a hint, or a dotted word for its meaning.</source>
         <translation>Springstep hakt jede Aufgabe ab, wenn es sieht, dass du sie erledigst. Klick auf eine Lampe für einen Tipp oder auf ein gepunktetes Wort für seine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>These lines compute the scene. Beside them are the current values. Change a line, and the picture follows.</source>
+        <translation>Diese Zeilen berechnen die Szene. Daneben stehen die aktuellen Werte. Ändere eine Zeile, und das Bild folgt.</translation>
     </message>
 </context>
 <context>
