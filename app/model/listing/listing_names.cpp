@@ -67,7 +67,7 @@ QStringList completionsAt(const QString &text, int line, int column, const listi
         const Tokens tokens(code);
         if (tokens.empty() || !(tokens.isWord(tokens.size() - 1) || tokens.is(tokens.size() - 1, "]")))
             return {};
-        names = listing::membersOf(typeOf(tokens, tokens.size() - 1, vocabulary), vocabulary.bodiesTurn);
+        names = listing::membersOf(typeOf(tokens, tokens.size() - 1, vocabulary), vocabulary);
     } else {
         const listing::SourceScan scan(text.toStdString());
         names = scan.declaredNames();
