@@ -439,36 +439,36 @@
 <context>
     <name>CodeJudge</name>
     <message>
-        <source>%1° too far</source>
-        <translation type="unfinished"></translation>
+        <source>%1° away from its angle</source>
+        <translation>%1° von seinem Winkel entfernt</translation>
     </message>
     <message>
-        <source>%1 px from its place</source>
-        <translation type="unfinished"></translation>
+        <source>%1&#x202f;px away from its place</source>
+        <translation>%1&#x202f;px von seinem Ort entfernt</translation>
     </message>
     <message>
         <source>Not yet: in frame %1 of a trial run, %2 is %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht: In Bild %1 eines Probelaufs ist %2 %3.</translation>
     </message>
     <message>
         <source>Not yet: while your hand holds %1 in a trial run, %2 is %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht: Während deine Hand in einem Probelauf %1 hält, ist %2 %3.</translation>
     </message>
     <message>
         <source>Right: your code does the same as the listing in three trial runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Richtig: In drei Probeläufen tut dein Code dasselbe wie das Listing.</translation>
     </message>
     <message>
         <source>Not yet: in frame %1 of a trial run, line %2 stopped it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht: In Bild %1 eines Probelaufs hat ihn Zeile %2 angehalten.</translation>
     </message>
     <message>
         <source>Not yet: in frame %1 of a trial run, a number became infinite.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht: In Bild %1 eines Probelaufs wurde eine Zahl unendlich.</translation>
     </message>
     <message>
         <source>Line %1 is not correct yet, so the code cannot run.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1 ist noch nicht richtig, darum kann der Code nicht laufen.</translation>
     </message>
 </context>
 <context>
@@ -6119,7 +6119,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Write it yourself</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreib es selbst</translation>
     </message>
 </context>
 <context>
@@ -7670,65 +7670,65 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>%1 of %2 tasks written in the listing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Aufgaben im Listing geschrieben.</translation>
     </message>
     <message>
         <source>Still to write: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch zu schreiben: %1</translation>
     </message>
 </context>
 <context>
     <name>app::TaskBox</name>
     <message>
         <source>Write it yourself</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreib es selbst</translation>
     </message>
     <message>
         <source>Empties the place in the listing, so that you can write it</source>
-        <translation type="unfinished"></translation>
+        <translation>Leert die Stelle im Listing, damit du sie schreiben kannst</translation>
     </message>
     <message>
         <source>Shows the next hint</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt den nächsten Tipp</translation>
     </message>
     <message>
         <source>Solution</source>
-        <translation type="unfinished"></translation>
+        <translation>Lösung</translation>
     </message>
     <message>
         <source>Writes the solution into the listing</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreibt die Lösung in das Listing</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>Stops this task. Your code stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Beendet diese Aufgabe. Dein Code bleibt.</translation>
     </message>
     <message>
         <source>%1, done</source>
-        <translation type="unfinished">%1, geschafft</translation>
+        <translation>%1, erledigt</translation>
     </message>
     <message>
         <source>Write it again</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreib es noch einmal</translation>
     </message>
     <message>
         <source>Hint %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipp %1 von %2</translation>
     </message>
 </context>
 <context>
     <name>app::TaskDesk</name>
     <message>
         <source>This is the solution. To get the tick, start again and write it yourself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ist die Lösung. Für den Haken beginne noch einmal und schreib es selbst.</translation>
     </message>
     <message>
         <source>Trying your code …</source>
-        <translation type="unfinished"></translation>
+        <translation>Dein Code wird ausprobiert …</translation>
     </message>
 </context>
 <context>

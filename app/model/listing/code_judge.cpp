@@ -2,6 +2,7 @@
 
 #include "app/listing/listing_method.h"
 #include "app/listing/program.h"
+#include "app/model/text/numbers.h"
 #include "app/model/text/sentences.h"
 #include "sim/methods/methods.h"
 #include "sim/run/script/composed_interval.h"
@@ -253,9 +254,9 @@ std::shared_ptr<const listing::Program> compiledForJudge(const QString &code,
 QString sentenceForDifference(const Verdict &verdict)
 {
     const QString body = withinSentence(bodyTitle(QString::fromStdString(verdict.body)));
-    const QString much = verdict.isAngle
-                             ? JudgeText::tr("%1° too far").arg(verdict.distance, 0, 'g', 2)
-                             : JudgeText::tr("%1 px from its place").arg(verdict.distance, 0, 'g', 2);
+    const QString difference = roughNumber(verdict.distance);
+    const QString much = verdict.isAngle ? JudgeText::tr("%1° away from its angle").arg(difference)
+                                         : JudgeText::tr("%1 px away from its place").arg(difference);
     if (verdict.held.empty())
         return JudgeText::tr("Not yet: in frame %1 of a trial run, %2 is %3.")
             .arg(verdict.frame)
