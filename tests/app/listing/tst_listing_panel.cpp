@@ -1,0 +1,420 @@
+#include "tests/app/listing/listing_window.h"
+#include "tests/suite.h"
+
+#include "app/ui/code/code_view.h"
+#include "sim/run/script/composed_interval.h"
+
+#include <QLineEdit>
+#include <QMenu>
+#include <QSettings>
+
+#include <cmath>
+
+using namespace listing_window;
+
+namespace {
+
+bool isNear(sim::Vec2 a, sim::Vec2 b)
+{
+    return std::hypot(a.x - b.x, a.y - b.y) < 1e-9;
+}
+
+}
+
+/// The panel where learners read, change and step through the listing of a step.
+class TestListingPanel : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void theListingIsThePageOfAStepThatHasOne()
+    {
+        const ListingFixture shown;
+        QCOMPARE(shown.pages.page(), CodePages::Page::listing);
+        QVERIFY(shown.editor.isVisible());
+        QCOMPARE(shown.editor.text(), shown.session.step().listing.text);
+        QVERIFY(shown.editor.text().contains("foot.velocity += k * (centre - foot.position);"));
+    }
+
+    void theEnginesPageIsOneClickAwayAndStaysInLaterWindows()
+    {
+        {
+            const ListingFixture shown;
+            QTest::mouseClick(shown.button("Engine"), Qt::LeftButton);
+            QVERIFY(shown.part<CodeView>().isVisible());
+            QVERIFY(!shown.editor.isVisible());
+        }
+        ListingFixture later("single_spring", "fixed_centre", {});
+        QCOMPARE(later.pages.page(), CodePages::Page::engine);
+        QTest::mouseClick(later.button("Listing"), Qt::LeftButton);
+        QVERIFY(later.editor.isVisible());
+    }
+
+    void aTypedChangeComputesTheRunAgainAndTheOldRunIsTheGhost()
+    {
+        ListingFixture shown;
+        const sim::Vec2 start = shown.position("foot");
+        const sim::Vec2 centre{shown.session.editor().parameter("centre_x"),
+                               shown.session.editor().parameter("centre_y")};
+        const double k = shown.session.editor().parameter("k"),
+                     damp = shown.session.editor().parameter("damp");
+        shown.goTo(30);
+        QVERIFY(isNear(shown.position("foot"), footOnSpring(start, centre, k, damp, 30)));
+        shown.type("foot.velocity *= damp", "damp", "0.5");
+        QCOMPARE(shown.frame(), 30);
+        QVERIFY(isNear(shown.position("foot"), footOnSpring(start, centre, k, 0.5, 30)));
+        QVERIFY(shown.session.comparisons().shown());
+        QVERIFY(shown.view.shown().comparison);
+        QCOMPARE(shown.panel.caption(), QString("your code"));
+        QVERIFY(shown.session.code().isInUse());
+    }
+
+    void aMistakeIsUnderlinedAndExplainedWhileTheLastGoodCodeGoesOn()
+    {
+        ListingFixture shown;
+        shown.goTo(20);
+        const sim::Vec2 before = shown.position("foot");
+        shown.type("foot.velocity *= damp", "velocity", "velocty");
+        QCOMPARE(shown.panel.sentence().left(8), QString("Line %1:").arg(shown.line("velocty")).left(8));
+        QVERIFY2(shown.panel.sentence().contains("velocty") && shown.panel.sentence().contains("velocity"),
+                 qPrintable(shown.panel.sentence()));
+        const TextRange wrong = shown.range("velocty", "velocty");
+        QVERIFY(shown.editor.isUnderlined(wrong.line, wrong.column));
+        QVERIFY(!shown.editor.isUnderlined(1, 1));
+        QVERIFY(isNear(shown.position("foot"), before));
+        shown.session.playback().frameForward();
+        QCOMPARE(shown.frame(), 21);
+        shown.type("velocty", "velocty", "velocity");
+        QVERIFY(shown.panel.sentence().isEmpty());
+        QVERIFY(!shown.editor.isUnderlined(wrong.line, wrong.column));
+    }
+
+    void shiftAndArrowsGoFromLineToLine()
+    {
+        ListingFixture shown;
+        shown.goTo(5);
+        shown.view.setFocus();
+        QList<int> lines{shown.next()};
+        for (int i = 0; i < 5; ++i) {
+            shown.key(Qt::Key_Right, Qt::ShiftModifier);
+            lines << shown.next();
+        }
+        const int first = shown.line("if (foot.held)"), centre = shown.line("Vec2 centre"),
+                  pull = shown.line("+= k *"), damping = shown.line("*= damp"),
+                  move = shown.line("position += foot.velocity");
+        QCOMPARE(lines, QList<int>({first, centre, pull, damping, move, first}));
+        QCOMPARE(shown.frame(), 6);
+        shown.key(Qt::Key_Left, Qt::ShiftModifier);
+        QCOMPARE(shown.frame(), 5);
+        QCOMPARE(shown.next(), move);
+        for (int i = 0; i < 4; ++i)
+            shown.key(Qt::Key_Left, Qt::ShiftModifier);
+        QCOMPARE(shown.next(), first);
+        QCOMPARE(shown.session.lines().index(), 0);
+    }
+
+    void insideAFrameThePictureAndTheValuesAreThoseAfterTheLine()
+    {
+        ListingFixture shown;
+        const sim::Vec2 foot = shown.position("foot");
+        const double k = shown.session.editor().parameter("k");
+        const double cx = shown.session.editor().parameter("centre_x");
+        for (int i = 0; i < 3; ++i)
+            shown.key(Qt::Key_Right, Qt::ShiftModifier);
+        const sim::State state = shown.session.presentation().picture().state;
+        QCOMPARE(state.velocityOf(0).x, k * (cx - foot.x));
+        QCOMPARE(state.positionOf(0).x, foot.x);
+        QVERIFY(!shown.editor.chipText(shown.line("+= k *")).isEmpty());
+        QVERIFY(shown.editor.chipText(shown.line("position += foot.velocity")).isEmpty());
+        shown.key(Qt::Key_Right); // to the end of the frame
+        QCOMPARE(shown.session.lines().index(), 0);
+        QCOMPARE(shown.frame(), 1);
+        QVERIFY(!shown.editor.chipText(shown.line("position += foot.velocity")).isEmpty());
+    }
+
+    void stepsGoIntoCallsOverThemAndOutOfThem()
+    {
+        ListingFixture shown("multi_foot", "two_feet");
+        const auto isInside = [&] { return !shown.panel.calls().isEmpty(); };
+        for (int i = 0; i < 60 && !isInside(); ++i)
+            shown.key(Qt::Key_Right, Qt::ShiftModifier);
+        QVERIFY(isInside());
+        QVERIFY2(shown.panel.calls().startsWith("frame › "), qPrintable(shown.panel.calls()));
+        const int inside = shown.session.lines().index();
+        shown.key(Qt::Key_F10, Qt::ControlModifier);
+        QVERIFY(!isInside());
+        QVERIFY(shown.session.lines().index() > inside);
+        const int out = shown.session.lines().index();
+        for (int i = shown.session.lines().index(); i > inside - 1; --i)
+            shown.key(Qt::Key_Left, Qt::ShiftModifier);
+        QVERIFY(!isInside());
+        shown.key(Qt::Key_F10);
+        QVERIFY(!isInside());
+        QVERIFY(shown.session.lines().index() >= out);
+    }
+
+    void aLoopSaysWhichTurnItIsIn()
+    {
+        ListingFixture shown("multi_foot", "any_number");
+        const int body = shown.line("Body foot = feet[i]");
+        shown.clickMargin(body);
+        QCOMPARE(shown.next(), body);
+        shown.clickMargin(body);
+        const QString turn = shown.editor.chipText(shown.line("for (int i"));
+        const auto feet = static_cast<int>(shown.session.editor().parameter("feet"));
+        QCOMPARE(turn, QString("i = 1 of %1").arg(feet)); // the second turn: it counts from 0
+    }
+
+    void aClickInTheMarginRunsToTheLine()
+    {
+        ListingFixture shown;
+        const int line = shown.line("*= damp");
+        shown.clickMargin(line);
+        QCOMPARE(shown.next(), line);
+        QCOMPARE(shown.frame(), 0);
+        shown.clickMargin(line); // again: in the next frame
+        QCOMPARE(shown.next(), line);
+        QCOMPARE(shown.frame(), 1);
+    }
+
+    void theStripShowsTheLinesOfTheFrame()
+    {
+        ListingFixture shown;
+        const LineStrip &strip = shown.timeline.lines();
+        QCOMPARE(strip.count(), 5);
+        QCOMPARE(strip.lineOf(3), shown.line("*= damp"));
+        QTest::mouseClick(&shown.timeline, Qt::LeftButton, {}, strip.areaOf(3).center().toPoint());
+        QCOMPARE(shown.next(), shown.line("*= damp"));
+        QVERIFY2(shown.timeline.sentence().contains("3 of 5 lines"), qPrintable(shown.timeline.sentence()));
+        QTest::mouseClick(shown.button("Engine"), Qt::LeftButton);
+        QVERIFY(
+            shown.timeline.hintAt(shown.timeline.phases().areaOf(0).center().toPoint()).contains("phase 1"));
+    }
+
+    void underTheEnginesPageShiftAndArrowsGoByPhases()
+    {
+        ListingFixture shown("single_spring", "fixed_centre", "engine");
+        shown.key(Qt::Key_Right, Qt::ShiftModifier);
+        QCOMPARE(shown.phase(), 1);
+        QCOMPARE(shown.session.lines().index(), 0);
+    }
+
+    void undoTakesBackWhatWasTypedAndRedoBringsItBack()
+    {
+        ListingFixture shown;
+        const QString original = shown.editor.text();
+        shown.type("foot.velocity *= damp", "damp", "0.5");
+        const QString changed = shown.editor.text();
+        QVERIFY(changed != original);
+        QTest::keyClick(&shown.editor, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(shown.editor.text(), original);
+        QTest::keyClick(&shown.editor, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+        QCOMPARE(shown.editor.text(), changed);
+    }
+
+    void undoRightAfterTypingTakesBackJustThat()
+    {
+        ListingFixture shown;
+        const QString original = shown.editor.text();
+        const TextRange at = shown.range("*= damp", "damp");
+        shown.editor.setFocus();
+        shown.editor.setSelection(at.line - 1, at.column - 1, at.line - 1, at.column + 3);
+        QTest::keyClicks(&shown.editor, "0.5");
+        QVERIFY(shown.editor.isPending());
+        QTest::keyClick(&shown.editor, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(shown.editor.text(), original);
+        shown.compile();
+        QCOMPARE(shown.editor.text(), original);
+    }
+
+    void resetBringsTheStepsListingBackAndUndoTheChange()
+    {
+        ListingFixture shown;
+        const QString original = shown.editor.text();
+        QAbstractButton &reset = shown.part<QToolButton>("resetListing");
+        QVERIFY(!reset.isEnabled());
+        shown.goTo(10);
+        const sim::Vec2 before = shown.position("foot");
+        shown.type("foot.velocity *= damp", "damp", "0.5");
+        const QString changed = shown.editor.text();
+        QVERIFY(reset.isEnabled());
+        QTest::mouseClick(&reset, Qt::LeftButton);
+        QCOMPARE(shown.editor.text(), original);
+        QVERIFY(isNear(shown.position("foot"), before));
+        QCOMPARE(shown.session.timeline().script().method->id(), std::string("published"));
+        QTest::keyClick(&shown.view, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(shown.editor.text(), changed);
+    }
+
+    void pointingAtAVectorDrawsItInTheScene()
+    {
+        ListingFixture shown;
+        shown.key(Qt::Key_Right);
+        shown.point(shown.middleOf("+= k *", "centre"));
+        const auto &place = shown.view.shown().vector;
+        QVERIFY(place.has_value());
+        QCOMPARE(place->kind, VectorMark::Kind::place);
+        QCOMPARE(place->to.x, shown.session.editor().parameter("centre_x"));
+        QCOMPARE(place->to.y, shown.session.editor().parameter("centre_y"));
+        shown.point(shown.middleOf("*= damp", "velocity"));
+        const auto &velocity = shown.view.shown().vector;
+        QVERIFY(velocity.has_value());
+        QCOMPARE(velocity->kind, VectorMark::Kind::difference);
+        QCOMPARE(velocity->from.x, shown.position("foot").x);
+        QCOMPARE(velocity->to.x - velocity->from.x, shown.session.timeline().state().velocityOf(0).x);
+        const QImage with = shown.view.picture();
+        shown.point(shown.middleOf("else", "else"));
+        QVERIFY(!shown.view.shown().vector);
+        QVERIFY(shown.view.picture() != with);
+    }
+
+    void pointingAtABodyMarksWhereTheListingUsesIt()
+    {
+        ListingFixture shown;
+        const TextRange use = shown.range("*= damp", "foot");
+        QVERIFY(!shown.editor.isUse(use.line, use.column));
+        QTest::mouseMove(shown.view.viewport(), shown.onScreen("foot"));
+        QCoreApplication::processEvents();
+        QVERIFY(shown.editor.isUse(use.line, use.column));
+        const TextRange other = shown.range("Vec2 centre", "centre");
+        QVERIFY(!shown.editor.isUse(other.line, other.column));
+        QTest::mouseMove(shown.view.viewport(), QPoint(3, 3));
+        QCoreApplication::processEvents();
+        QVERIFY(!shown.editor.isUse(use.line, use.column));
+    }
+
+    void aParameterIsDraggedWithoutAChangeOfTheText()
+    {
+        ListingFixture shown;
+        const QString before = shown.editor.text();
+        const double k = shown.session.editor().parameter("k");
+        tests::dragMouse(*shown.editor.viewport(), shown.middleOf("+= k *", "k"), {20, 0});
+        QVERIFY(shown.session.editor().parameter("k") > k);
+        QCOMPARE(shown.editor.text(), before);
+        QTest::keyClick(&shown.view, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(shown.session.editor().parameter("k"), k);
+    }
+
+    void aNumberIsDraggedInTheText()
+    {
+        ListingFixture shown;
+        shown.type("foot.velocity *= damp", "damp", "0.50");
+        tests::dragMouse(*shown.editor.viewport(), shown.middleOf("*= 0.50", "0.50"), {20, 0});
+        tests::settle();
+        QVERIFY2(shown.editor.text().contains("*= 0.60;"), qPrintable(shown.editor.text()));
+        QVERIFY(shown.session.code().text().contains("*= 0.60;"));
+    }
+
+    void escapeLeavesTheEditor()
+    {
+        ListingFixture shown;
+        shown.editor.setFocus();
+        QTest::keyClick(&shown.editor, Qt::Key_Escape);
+        QVERIFY(shown.view.hasFocus());
+    }
+
+    void theEditorIndentsAndSpacesDoNotPlay()
+    {
+        ListingFixture shown;
+        const int line = shown.line("*= damp");
+        shown.editor.setFocus();
+        shown.editor.setCursorPosition(line - 1, static_cast<int>(shown.editor.text(line - 1).size()) - 1);
+        QTest::keyClick(&shown.editor, Qt::Key_Return);
+        QTest::keyClicks(&shown.editor, "if (foot.held) {");
+        QTest::keyClick(&shown.editor, Qt::Key_Return);
+        QTest::keyClicks(&shown.editor, "foot.velocity *= 2;");
+        QTest::keyClick(&shown.editor, Qt::Key_Return);
+        QTest::keyClicks(&shown.editor, "}");
+        shown.compile();
+        QCOMPARE(shown.editor.text(line), QString("        if (foot.held) {\n"));
+        QCOMPARE(shown.editor.text(line + 1), QString("            foot.velocity *= 2;\n"));
+        QCOMPARE(shown.editor.text(line + 2), QString("        }\n"));
+        QVERIFY(!shown.session.playback().isPlaying());
+        QVERIFY(shown.panel.sentence().isEmpty());
+    }
+
+    void namesAreCompleted()
+    {
+        ListingFixture shown;
+        const int line = shown.line("*= damp");
+        shown.editor.setFocus();
+        shown.editor.setCursorPosition(line - 1, static_cast<int>(shown.editor.text(line - 1).size()) - 1);
+        QTest::keyClick(&shown.editor, Qt::Key_Return);
+        QTest::keyClicks(&shown.editor, "foot.vel");
+        QTRY_VERIFY(shown.editor.isListActive());
+        QTest::keyClick(&shown.editor, Qt::Key_Return);
+        QTest::keyClicks(&shown.editor, " *= 1;");
+        shown.compile();
+        QCOMPARE(shown.editor.text(line).trimmed(), QString("foot.velocity *= 1;"));
+    }
+
+    void underAnotherMethodItsPageIsShownAndTheListingOffered()
+    {
+        ListingFixture shown;
+        QPushButton &use = shown.part<QPushButton>("useListing");
+        QVERIFY(!use.isVisible());
+        shown.type("foot.velocity *= damp", "damp", "0.5");
+        const QString changed = shown.editor.text();
+        shown.session.editor().setMethod("rk4");
+        QCOMPARE(shown.pages.page(), CodePages::Page::engine);
+        QVERIFY(use.isVisible());
+        QCOMPARE(use.text(), QString("Use your code"));
+        QTest::mouseClick(&use, Qt::LeftButton);
+        QCOMPARE(shown.session.timeline().script().method->id(), std::string("listing"));
+        QCOMPARE(shown.pages.page(), CodePages::Page::listing);
+        QCOMPARE(shown.editor.text(), changed);
+        QVERIFY(!use.isVisible());
+    }
+
+    void yourCodeIsAmongTheMethods()
+    {
+        ListingFixture shown;
+        QAction &own = shown.actionCalled("Your code");
+        QVERIFY(own.isEnabled() && !own.isChecked());
+        shown.type("foot.velocity *= damp", "damp", "0.5");
+        QVERIFY(own.isChecked());
+        shown.session.editor().setMethod("rk4");
+        QVERIFY(!own.isChecked());
+        own.trigger();
+        QCOMPARE(shown.session.timeline().script().method->id(), std::string("listing"));
+    }
+
+    void aMistakeWhileItRunsIsShownOnItsLine()
+    {
+        ListingFixture shown;
+        shown.goTo(3);
+        shown.type("foot.velocity *= damp", "damp", "1 / (foot.position.x - foot.position.x)");
+        shown.session.playback().frameForward();
+        QVERIFY2(shown.panel.sentence().contains(QString("ine %1").arg(shown.line("1 / ("))),
+                 qPrintable(shown.panel.sentence()));
+        QCOMPARE(shown.editor.marks().failed, shown.line("1 / ("));
+    }
+
+    void aMistakeOfAStepStaysWithItsStep()
+    {
+        ListingFixture shown;
+        shown.type("foot.velocity *= damp", "velocity", "velocty");
+        shown.session.openFollowing();
+        QVERIFY(shown.panel.sentence().isEmpty());
+        QCOMPARE(shown.editor.text(), shown.session.step().listing.text);
+        shown.session.openPreceding();
+        QVERIFY(shown.editor.text().contains("velocty"));
+        QVERIFY(!shown.panel.sentence().isEmpty());
+    }
+
+    void everythingIsReadableInGermanAt1280By800()
+    {
+        tests::WindowFixture german({.lesson = "single_spring",
+                                     .step = "fixed_centre",
+                                     .language = "de",
+                                     .scheme = Scheme::dark,
+                                     .codePage = "listing"});
+        for (const char *name : {"resetListing"}) {
+            const QToolButton &button = german.part<QToolButton>(name);
+            QVERIFY2(button.width() >= button.sizeHint().width(), name);
+        }
+    }
+};
+
+SUITE(tst_listing_panel, TestListingPanel)
+#include "tst_listing_panel.moc"
