@@ -1,11 +1,14 @@
 // Line by line through a frame, forwards and back, with the values of each line.
 
+#include "app/model/breakpoints/breakpoint_monitor.h"
 #include "app/model/listing/line_values.h"
 #include "app/model/listing/vector_mark.h"
+#include "app/model/text/user_error.h"
 #include "sim/run/script/composed_interval.h"
 #include "tests/app/listing/code_session.h"
 #include "tests/suite.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace app;
@@ -382,6 +385,69 @@ private slots:
         QCOMPARE(valuesOf(opened).message,
                  QString("Line %1 of your code: This divides by 0.").arg(opened.lineOf("1 / zero")));
         QVERIFY(!chipAt(opened, "Vec2 target").text.isEmpty()); // the values that led there
+    }
+
+    void conditionsKnowTheVariables()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        const int foot = session.timeline().track().interval().scene.find("foot");
+        const int body = session.timeline().track().interval().scene.find("body");
+        std::vector<double> values; // of from.x, by the compiled pipeline
+        for (std::int64_t frame = 0; frame < 60; ++frame) {
+            const sim::State state = published(session.step(), session.timeline().script(), frame);
+            values.push_back(state.positionOf(foot).x - state.positionOf(body).x);
+        }
+        const double limit = (values.front() + *std::min_element(values.begin(), values.end())) / 2;
+        const auto isBelow = [&](double value) { return value < limit; };
+        const auto first = std::find_if(values.begin(), values.end(), isBelow);
+        QVERIFY(first != values.begin() && first != values.end());
+        const QString condition = QStringLiteral("from.x < %1").arg(limit, 0, 'g', 17);
+        session.playback().breakpoints().add(condition);
+        const auto stop = [&] {
+            session.playback().runTo({59, 0});
+            opened.waitUntilThere();
+            return session.timeline().cursor();
+        };
+        const std::int64_t frame = first - values.begin();
+        QCOMPARE(stop(), (sim::Cursor{frame, 0}));
+        QCOMPARE(session.lines().nextLine(),
+                 opened.lineOf("double angle")); // `from` is known since the line before
+        QVERIFY(session.playback().breakHit());
+        QCOMPARE(session.playback().breakHit()->sentence,
+                 QString("Stopped at frame %1 before line %2: %3.")
+                     .arg(QString::number(frame), QString::number(opened.lineOf("double angle")), condition));
+        // It comes true again in the next frame, where `from` is another variable.
+        const auto second = std::find_if(first + 1, values.end(), isBelow);
+        QCOMPARE(stop(), (sim::Cursor{second - values.begin(), 0}));
+        session.lines().forward();
+        QVERIFY(!session.playback().breakHit());
+    }
+
+    void conditionsOnUnknownVariablesSaySo_data()
+    {
+        QTest::addColumn<QString>("condition");
+        QTest::addColumn<QString>("sentence");
+        QTest::newRow("a Vec2")
+            << "from > 3"
+            << "Character 1: from is a Vec2; ask for one of its numbers, from.x or from.y.";
+        QTest::newRow("a number") << "angle.x > 3"
+                                  << "Character 1: angle is a number, without members.";
+        QTest::newRow("good") << "angle > 3 and from.y < 2 and foot.y > 1"
+                              << "";
+    }
+    void conditionsOnUnknownVariablesSaySo()
+    {
+        QFETCH(QString, condition);
+        QFETCH(QString, sentence);
+        Opened opened("single_spring", "radial");
+        QString said;
+        try {
+            Condition::parse(condition, conditionNames(opened.session.step(), opened.session.timeline()));
+        } catch (const UserError &error) {
+            said = error.sentence();
+        }
+        QCOMPARE(said, sentence);
     }
 
     void pointingAtAVec2DrawsIt()
