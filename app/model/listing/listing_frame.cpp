@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdlib>
 #include <utility>
 
 namespace app {
@@ -46,6 +47,13 @@ std::optional<Path> pathOf(const std::string &text)
         }
     }
     return path;
+}
+
+/// Returns the number in the last brackets of "sticks[12]", or -1.
+int numberIn(const std::string &name)
+{
+    const std::size_t open = name.rfind('[');
+    return open == std::string::npos ? -1 : std::atoi(name.c_str() + open + 1);
 }
 
 std::optional<int> wholeNumber(const std::string &text)
@@ -215,29 +223,140 @@ std::optional<Value> ListingFrame::rootValue(const std::string &name, int index,
     return {};
 }
 
-std::optional<Value> ListingFrame::memberValue(const Value &value, const std::string &member, int index) const
+std::optional<Value> ListingFrame::bodyMember(const listing::BodyReference &body, const std::string &member,
+                                              int index) const
 {
-    if (const auto *vector = std::get_if<sim::Vec2>(&value))
-        return memberOf(*vector, member);
-    const auto *body = std::get_if<listing::BodyReference>(&value);
-    const std::optional<listing::BodyMotion> motion = body ? motionOf(body->point, index) : std::nullopt;
+    const std::optional<listing::BodyMotion> motion = motionOf(body.point, index);
     if (!motion)
         return {};
     if (member == "position")
         return Value(motion->position);
     if (member == "velocity")
         return Value(motion->velocity);
+    if (member == "before")
+        return Value(m_start.positionOf(body.point));
     if (member == "angle" && m_start.angle.rows() > 0)
         return Value(motion->angle);
     if (member == "spin" && m_start.spin.rows() > 0)
         return Value(motion->spin);
     if (member == "held")
-        return Value(m_start.hold.point == body->point);
+        return Value(m_start.hold.point == body.point);
     if (member == "mass")
-        return Value(m_binding.mass[body->point]);
+        return Value(m_binding.mass[body.point]);
     if (member == "radius")
-        return Value(m_binding.radius[body->point]);
+        return Value(m_binding.radius[body.point]);
+    const int branch = branchAt(body.point);
+    if (branch < 0)
+        return {};
+    const listing::Binding::Branch &its = m_binding.branches[static_cast<std::size_t>(branch)];
+    if (member == "number")
+        return Value(std::int64_t{branch});
+    if (member == "rest")
+        return Value(its.rest);
+    if (member == "scale")
+        return Value(its.scale);
+    if (member == "length")
+        return Value(its.length);
+    if (member == "inertia")
+        return Value(its.inertia);
     return {};
+}
+
+std::optional<Value> ListingFrame::memberValue(const Value &value, const std::string &member, int index) const
+{
+    if (const auto *vector = std::get_if<sim::Vec2>(&value))
+        return memberOf(*vector, member);
+    const auto *reference = std::get_if<listing::BodyReference>(&value);
+    if (!reference || reference->name.empty())
+        return {};
+    using Kind = listing::BodyReference::Kind;
+    if (reference->kind == Kind::body)
+        return bodyMember(*reference, member, index);
+    if (reference->kind == Kind::creature)
+        return member == "body"
+                   ? std::optional(Value(listing::BodyReference{reference->name + ".body", reference->point}))
+                   : std::nullopt;
+    const auto number = static_cast<std::size_t>(numberIn(reference->name));
+    if (number >= m_binding.sticks.size())
+        return {};
+    const sim::Stick &stick = m_binding.sticks[number];
+    if (member == "a" || member == "b")
+        return Value(
+            listing::BodyReference{reference->name + '.' + member, member == "a" ? stick.a : stick.b});
+    if (member == "length")
+        return Value(stick.length);
+    if (member == "share")
+        return Value(stick.share);
+    return {};
+}
+
+int ListingFrame::branchAt(int point) const
+{
+    const std::vector<int> *branches = pointsOf("branches");
+    if (!branches || m_binding.branches.size() != branches->size())
+        return -1;
+    const auto found = std::find(branches->begin(), branches->end(), point);
+    return found == branches->end() ? -1 : static_cast<int>(found - branches->begin());
+}
+
+const std::vector<int> *ListingFrame::pointsOf(const std::string &array) const
+{
+    const std::vector<listing::Vocabulary::Array> &arrays = m_program->vocabulary().arrays;
+    const auto found =
+        std::find_if(arrays.begin(), arrays.end(), [&](const auto &one) { return one.name == array; });
+    return found == arrays.end() ? nullptr
+                                 : &m_binding.arrays[static_cast<std::size_t>(found - arrays.begin())];
+}
+
+std::optional<ListingFrame::List> ListingFrame::rootList(const std::string &name) const
+{
+    if (const std::vector<int> *points = pointsOf(name))
+        return List{name, points, 0, static_cast<int>(points->size())};
+    List list = {name, nullptr, 0, 0};
+    if (name == "creatures" && m_program->vocabulary().hasCreatures) {
+        list.kind = listing::BodyReference::Kind::creature;
+        list.count = static_cast<int>(m_binding.creatures.size());
+        return list;
+    }
+    if (name == "sticks" && m_program->vocabulary().hasSticks) {
+        list.kind = listing::BodyReference::Kind::stick;
+        list.count = static_cast<int>(m_binding.sticks.size());
+        return list;
+    }
+    return {};
+}
+
+std::optional<ListingFrame::List> ListingFrame::memberList(const Value &value,
+                                                           const std::string &member) const
+{
+    const auto *reference = std::get_if<listing::BodyReference>(&value);
+    if (!reference)
+        return {};
+    if (reference->kind == listing::BodyReference::Kind::creature && member == "feet") {
+        const auto number = static_cast<std::size_t>(numberIn(reference->name));
+        if (number >= m_binding.creatures.size())
+            return {};
+        const std::vector<int> &feet = m_binding.creatures[number].feet;
+        return List{reference->name + ".feet", &feet, 0, static_cast<int>(feet.size())};
+    }
+    const int branch = member == "children" ? branchAt(reference->point) : -1;
+    if (branch < 0)
+        return {};
+    const listing::Binding::Branch &its = m_binding.branches[static_cast<std::size_t>(branch)];
+    return List{"branches", pointsOf("branches"), its.firstChild, its.children};
+}
+
+std::optional<Value> ListingFrame::itemOf(const List &list, int i) const
+{
+    if (i < 0 || i >= list.count)
+        return {};
+    const int at = list.first + i;
+    int point = -1;
+    if (list.points)
+        point = (*list.points)[static_cast<std::size_t>(at)];
+    else if (list.kind == listing::BodyReference::Kind::creature)
+        point = m_binding.creatures[static_cast<std::size_t>(at)].body;
+    return Value(listing::BodyReference{list.name + '[' + std::to_string(at) + ']', point, list.kind});
 }
 
 std::optional<Value> ListingFrame::valueOf(const QString &text, int index, int scope) const
@@ -245,36 +364,35 @@ std::optional<Value> ListingFrame::valueOf(const QString &text, int index, int s
     const std::optional<Path> path = pathOf(text.toStdString());
     if (!path)
         return {};
-    const std::vector<listing::Vocabulary::Array> &arrays = m_program->vocabulary().arrays;
-    const auto array =
-        std::find_if(arrays.begin(), arrays.end(), [&](const auto &one) { return one.name == path->root; });
-    std::optional<Value> value = variable(path->root, index, scope);
     auto part = path->parts.begin();
-    if (!value && path->root == "keys" && part != path->parts.end()) {
+    const auto end = path->parts.end();
+    std::optional<Value> value = variable(path->root, index, scope);
+    std::optional<List> list = value ? std::nullopt : rootList(path->root);
+    if (!value && path->root == "keys" && part != end) {
         value = memberOf(m_start.input.keys, part->member);
         ++part;
-    } else if (!value && array != arrays.end() && part != path->parts.end()) {
-        const std::vector<int> &points = m_binding.arrays[static_cast<std::size_t>(array - arrays.begin())];
-        if (part->member == "count") {
-            value = Value(static_cast<std::int64_t>(points.size()));
-        } else if (part->member.empty()) {
+    } else if (!value && !list) {
+        value = rootValue(path->root, index, scope);
+    }
+    for (; part != end && (value || list); ++part) {
+        if (list && part->member == "count") {
+            value = Value(std::int64_t{list->count});
+            list.reset();
+        } else if (list) {
             std::optional<int> i = wholeNumber(part->index);
-            if (!i) {
+            if (!i && part->member.empty()) {
                 const std::optional<Value> computed =
                     valueOf(QString::fromStdString(part->index), index, scope);
                 const auto *whole = computed ? std::get_if<std::int64_t>(&*computed) : nullptr;
                 i = whole ? std::optional(static_cast<int>(*whole)) : std::nullopt;
             }
-            if (i && *i >= 0 && *i < static_cast<int>(points.size()))
-                value = Value(listing::BodyReference{array->name + "[" + std::to_string(*i) + "]",
-                                                     points[static_cast<std::size_t>(*i)]});
+            value = i ? itemOf(*list, *i) : std::nullopt;
+            list.reset();
+        } else {
+            list = part->member.empty() ? std::nullopt : memberList(*value, part->member);
+            value = list || part->member.empty() ? std::nullopt : memberValue(*value, part->member, index);
         }
-        ++part;
-    } else if (!value) {
-        value = rootValue(path->root, index, scope);
     }
-    for (; value && part != path->parts.end(); ++part)
-        value = part->member.empty() ? std::nullopt : memberValue(*value, part->member, index);
     return value;
 }
 

@@ -63,8 +63,27 @@ private:
     std::optional<listing::Value> variable(const std::string &name, int index, int scope) const;
     /// Returns a variable, or a name of the scene that has a value by itself.
     std::optional<listing::Value> rootValue(const std::string &name, int index, int scope) const;
+    std::optional<listing::Value> bodyMember(const listing::BodyReference &body, const std::string &member,
+                                             int index) const;
     std::optional<listing::Value> memberValue(const listing::Value &value, const std::string &member,
                                               int index) const;
+
+    /// An array of bodies, creatures or sticks.
+    struct List
+    {
+        std::string name;               ///< of the array that the items belong to
+        const std::vector<int> *points; ///< of that array; null for creatures and sticks
+        int first = 0;                  ///< index there of the first item
+        int count = 0;
+        listing::BodyReference::Kind kind = listing::BodyReference::Kind::body;
+    };
+    std::optional<List> rootList(const std::string &name) const;
+    std::optional<List> memberList(const listing::Value &value, const std::string &member) const;
+    std::optional<listing::Value> itemOf(const List &list, int i) const;
+    /// Returns the points of an array of bodies; null if there is none of this name.
+    const std::vector<int> *pointsOf(const std::string &array) const;
+    /// Returns the index of a branch in the tree, or -1 if the point is none.
+    int branchAt(int point) const;
 
     std::shared_ptr<const listing::Program> m_program;
     listing::Binding m_binding;

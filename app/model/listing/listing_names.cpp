@@ -17,21 +17,39 @@ bool contains(const std::vector<std::string> &names, std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// Returns the type of the path that ends with token `last`: "Body", "Bodies", "Vec2" or "Keys". Empty if it is not known.
+/// Returns the type of the path that ends with token `last`: "Body", "Bodies", "Vec2"... Empty if it is not known.
 std::string typeOf(const Tokens &tokens, std::size_t last, const listing::Vocabulary &vocabulary)
 {
     const std::size_t begin = beginOfPath(tokens, last);
     const std::string_view root = tokens[begin].text, word = tokens[last].text;
-    if (word == "position" || word == "velocity")
+    if (word == "position" || word == "velocity" || word == "before")
         return "Vec2";
+    if (last != begin && word == "children")
+        return "Children";
+    if (last != begin && word == "feet")
+        return "Bodies";
+    if (last != begin && (word == "body" || word == "a" || word == "b"))
+        return "Body";
     const bool isArray = std::any_of(vocabulary.arrays.begin(), vocabulary.arrays.end(),
                                      [&](const auto &one) { return one.name == root; });
-    if (tokens.is(last, "]"))
-        return isArray ? "Body" : "";
+    if (tokens.is(last, "]")) {
+        if (root == "new_targets")
+            return "Vec2";
+        const bool isRoot = tokens.closing(begin + 1) == last;
+        if (isRoot && root == "creatures")
+            return "Creature";
+        return isRoot && root == "sticks" ? "Stick" : "Body";
+    }
     if (last != begin)
         return {};
     if (isArray)
         return "Bodies";
+    if (root == "creatures")
+        return "Creatures";
+    if (root == "sticks")
+        return "Sticks";
+    if (root == "new_targets")
+        return "Targets";
     if (contains(vocabulary.bodies, root))
         return "Body";
     if (root == "keys")
@@ -40,7 +58,9 @@ std::string typeOf(const Tokens &tokens, std::size_t last, const listing::Vocabu
         return "Vec2";
     std::string type;
     for (std::size_t i = 0; i < last; ++i) { // the last declaration before it
-        if ((tokens.is(i, "Vec2") || tokens.is(i, "Body")) && tokens.is(i + 1, root))
+        const bool isType =
+            tokens.is(i, "Vec2") || tokens.is(i, "Body") || tokens.is(i, "Creature") || tokens.is(i, "Stick");
+        if (isType && tokens.is(i + 1, root))
             type = tokens[i].text;
     }
     return type;
@@ -80,8 +100,12 @@ QStringList completionsAt(const QString &text, int line, int column, const listi
         append(listing::commonNames());
         for (const listing::Vocabulary::Array &array : vocabulary.arrays)
             names.push_back(array.name);
-        if (vocabulary.hasGait)
+        if (vocabulary.hasGait && !vocabulary.hasCreatures)
             append({"gait", "gait_speed"});
+        if (vocabulary.hasCreatures)
+            append({"creatures", "Creature"});
+        if (vocabulary.hasSticks)
+            append({"sticks", "Stick"});
     }
     QStringList completions;
     for (const std::string &name : names) {

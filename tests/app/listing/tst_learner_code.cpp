@@ -87,7 +87,7 @@ private slots:
         QVERIFY(sameMotion(session.timeline().comparison()->state(), before));
         QVERIFY(!sameMotion(session.timeline().state(), before));
         QCOMPARE(session.comparisons().comparisonName(),
-                 QString("before: foot.velocity += k * (target - foot.position);").left(46) +
+                 QString("before: foot.velocity += k * (target - foot.position);").left(47) +
                      QStringLiteral("…"));
     }
 
@@ -155,7 +155,7 @@ private slots:
         QVERIFY(session.code().isInUse());
         QVERIFY(!session.code().isRunning());
         QCOMPARE(session.code().mistakes().size(), std::size_t(1));
-        const CodeMistake &mistake = session.code().mistakes().front();
+        const CodeMistake mistake = session.code().mistakes().front();
         QCOMPARE(mistake.line, opened.lineOf("velocty"));
         QCOMPARE(mistake.column, 14); // eight spaces and "foot."
         QCOMPARE(mistake.length, 7);

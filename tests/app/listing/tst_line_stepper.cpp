@@ -93,8 +93,8 @@ private slots:
                          "double angle = atan2(from.y, from.x);",
                          "Vec2 target = body.position + radius * Vec2(cos(angle), sin(angle));",
                          "foot.velocity += k * (target - foot.position);", "foot.velocity *= damp;",
-                         "foot.position += foot.velocity;"}));
-        QCOMPARE(opened.session.lines().count(), 8);
+                         "foot.position += foot.velocity;", "}"}));
+        QCOMPARE(opened.session.lines().count(), 9);
         QCOMPARE(opened.session.lines().nextLine(), opened.lineOf("if (body.held)"));
     }
 
@@ -106,12 +106,13 @@ private slots:
         const sim::State start = session.timeline().state();
         const sim::State end = published(session.step(), session.timeline().script(), 6);
         const int foot = session.timeline().track().interval().scene.find("foot");
-        for (int i = 1; i <= 7; ++i) {
+        for (int i = 1; i <= 8; ++i) {
             session.lines().forward();
             QCOMPARE(session.lines().index(), i);
             QCOMPARE(session.timeline().cursor(), (sim::Cursor{5, 0}));
             const sim::State shown = session.presentation().picture().state;
-            QVERIFY(shown.positionOf(foot) == start.positionOf(foot)); // the last line moves it
+            const sim::State &expected = i < 8 ? start : end; // the line before the last brace moves it
+            QVERIFY(shown.positionOf(foot) == expected.positionOf(foot));
             QVERIFY(i < 7 || shown.velocityOf(foot) == end.velocityOf(foot));
             QVERIFY(i > 5 || shown.velocityOf(foot) == start.velocityOf(foot));
         }
@@ -282,7 +283,7 @@ private slots:
         QCOMPARE(chipAt(opened, "below = depth(n - 1)").text, QString("below = 2.00"));
         opened.goTo(3);
         QCOMPARE(chipAt(opened, "total += 1").text, QString("total = 3.00"));
-        QCOMPARE(chipAt(opened, "double d").text, QString("d = 3.00"));
+        QCOMPARE(chipAt(opened, "double d =").text, QString("d = 3.00"));
         session.lines().back(); // into frame 3: total is known before and after it
         const LineStepper::Shown last = session.lines().shown();
         QCOMPARE(std::get<double>(*last.frame->valueOf("total", 0)), 2.0);
@@ -308,6 +309,7 @@ private slots:
                 (sim::Vec2{120, 300} - before));
         QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("pointer", shown.index)) == (sim::Vec2{120, 300}));
         session.lines().forward();
+        session.lines().forward(); // behind the brace
         QCOMPARE(session.timeline().cursor(), (sim::Cursor{4, 0}));
         QVERIFY(session.timeline().state().positionOf(foot) == (sim::Vec2{120, 300}));
     }
@@ -398,11 +400,16 @@ private slots:
             const sim::State state = published(session.step(), session.timeline().script(), frame);
             values.push_back(state.positionOf(foot).x - state.positionOf(body).x);
         }
-        const double limit = (values.front() + *std::min_element(values.begin(), values.end())) / 2;
-        const auto isBelow = [&](double value) { return value < limit; };
-        const auto first = std::find_if(values.begin(), values.end(), isBelow);
+        const auto farthest = std::max_element(values.begin(), values.end(), [&](double one, double other) {
+            return std::abs(one - values.front()) < std::abs(other - values.front());
+        });
+        const double limit = (values.front() + *farthest) / 2;
+        const bool falls = *farthest < values.front();
+        const auto isBeyond = [&](double value) { return falls ? value < limit : value > limit; };
+        const auto first = std::find_if(values.begin(), values.end(), isBeyond);
         QVERIFY(first != values.begin() && first != values.end());
-        const QString condition = QStringLiteral("from.x < %1").arg(limit, 0, 'g', 17);
+        const QString condition =
+            QStringLiteral("from.x %1 %2").arg(falls ? "<" : ">").arg(limit, 0, 'g', 17);
         session.playback().breakpoints().add(condition);
         const auto stop = [&] {
             session.playback().runTo({59, 0});
@@ -418,7 +425,7 @@ private slots:
                  QString("Stopped at frame %1 before line %2: %3.")
                      .arg(QString::number(frame), QString::number(opened.lineOf("double angle")), condition));
         // It comes true again in the next frame, where `from` is another variable.
-        const auto second = std::find_if(first + 1, values.end(), isBelow);
+        const auto second = std::find_if(first + 1, values.end(), isBeyond);
         QCOMPARE(stop(), (sim::Cursor{second - values.begin(), 0}));
         session.lines().forward();
         QVERIFY(!session.playback().breakHit());

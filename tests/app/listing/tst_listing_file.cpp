@@ -155,7 +155,8 @@ private slots:
             "line 6: \"code\" needs the method \"listing\"; set \"method\" to it, or remove \"code\".");
         row("code without a method", "\"code\": \"void frame() {}\"",
             "line 5: \"code\" needs the method \"listing\"; set \"method\" to it, or remove \"code\".");
-        row("a number", "\"method\": \"listing\",\n\"code\": 7", "line 6: \"code\" is 7; it must be a text.");
+        row("a number", "\"method\": \"listing\",\n\"code\": 7",
+            "line 6: \"code\" is 7; it must be a text in double quotes.");
         row("too long", "\"method\": \"listing\",\n\"code\": \"" + QByteArray(20'001, ' ') + "\"",
             "line 6: \"code\" has 20001 bytes; it can have up to 20000.");
         row("does not compile",
@@ -166,7 +167,8 @@ private slots:
             "line 6: \"code\" does not compile. Line 1: The function 'void frame()' is missing. It runs once "
             "in every "
             "frame.");
-        row("a draft that is a list", "\"draft\": []", "line 5: \"draft\" is a list; it must be a text.");
+        row("a draft that is a list", "\"draft\": []",
+            "line 5: \"draft\" is a list; it must be a text in double quotes.");
         row("a draft that is too long", "\"draft\": \"" + QByteArray(20'001, 'x') + "\"",
             "line 5: \"draft\" has 20001 bytes; it can have up to 20000.");
         row("half steps", "\"method\": \"listing\",\n\"h\": 0.5,\n\"code\": \"void frame() {}\"",
@@ -209,8 +211,9 @@ private slots:
             const QJsonObject object = QJsonDocument::fromJson(readAll(info.absoluteFilePath())).object();
             const LessonEntry *lesson = library().lesson(object["lesson"].toString());
             const lessons::Step *step = lesson ? lesson->step(object["step"].toString()) : nullptr;
-            const bool isPlain = step && !step->listing.isEmpty() && !object.contains("method") &&
-                                 step->method == "published" && !object.contains("h");
+            const bool isPlain = step && !step->listing.isEmpty() && step->method == "published" &&
+                                 object["method"].toString(step->method) == step->method &&
+                                 object["h"].toDouble(1.0) == 1.0;
             if (isPlain)
                 QTest::newRow(qPrintable(info.completeBaseName())) << info.absoluteFilePath();
         }
