@@ -17,7 +17,8 @@ namespace app {
 
 namespace {
 
-constexpr qint64 playingMilliseconds = 100; ///< between two updates during playback, to keep numbers readable
+constexpr qint64 betweenValuesMilliseconds =
+    100; ///< between two updates during playback, to keep numbers readable
 constexpr int rowMargin = 16;
 
 QLabel *textRow(const char *name, QWidget *parent)
@@ -162,7 +163,7 @@ void ListingPanel::follow(const Change &change)
         return;
     }
     if (!isVisible() || (m_session.playback().isPlaying() && m_refreshed.isValid() &&
-                         m_refreshed.elapsed() < playingMilliseconds))
+                         m_refreshed.elapsed() < betweenValuesMilliseconds))
         return;
     showMistakes();
     showValues();
