@@ -2932,6 +2932,11 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <comment>in a list</comment>
         <translation> und </translation>
     </message>
+    <message>
+        <source> or </source>
+        <comment>in a list</comment>
+        <translation> oder </translation>
+    </message>
 </context>
 <context>
     <name>Menus</name>

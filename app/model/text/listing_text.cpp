@@ -135,13 +135,16 @@ const std::vector<Matcher> &matchers()
     return all;
 }
 
-/// Returns a list such as "body and feet" in the learner's language. Other texts stay.
+/// Returns a list such as "body and feet" or "',' or ';'" in the learner's language. Other texts stay.
 QString translatedList(QString gap)
 {
-    static const QRegularExpression list(QStringLiteral("^\\w+(, \\w+)* and \\w+$"));
-    return list.match(gap).hasMatch()
-               ? gap.replace(QStringLiteral(" and "), ListingText::tr(" and ", "in a list"))
-               : gap;
+    static const QRegularExpression names(QStringLiteral("^\\w+(, \\w+)* and \\w+$"));
+    static const QRegularExpression signs(QStringLiteral("^'[^']+'(, '[^']+')* or '[^']+'$"));
+    if (names.match(gap).hasMatch())
+        gap.replace(QStringLiteral(" and "), ListingText::tr(" and ", "in a list"));
+    else if (signs.match(gap).hasMatch())
+        gap.replace(QStringLiteral(" or "), ListingText::tr(" or ", "in a list"));
+    return gap;
 }
 
 QString translatedSentence(const QString &sentence)

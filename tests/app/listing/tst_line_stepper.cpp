@@ -1,5 +1,6 @@
 // Line by line through a frame, forwards and back, with the values of each line.
 
+#include "app/listing/limits.h"
 #include "app/model/breakpoints/breakpoint_monitor.h"
 #include "app/model/listing/line_values.h"
 #include "app/model/listing/vector_mark.h"
@@ -96,6 +97,49 @@ private slots:
                          "foot.position += foot.velocity;", "}"}));
         QCOMPARE(opened.session.lines().count(), 9);
         QCOMPARE(opened.session.lines().nextLine(), opened.lineOf("if (body.held)"));
+    }
+
+    void everyListingCanBeSteppedThrough_data()
+    {
+        QTest::addColumn<QString>("lesson");
+        QTest::addColumn<QString>("step");
+        const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+        for (const LessonEntry &lesson : library.lessons) {
+            for (const lessons::Step &step : lesson.steps) {
+                if (!step.listing.isEmpty())
+                    QTest::addRow("%s/%s", qPrintable(lesson.id), qPrintable(step.id))
+                        << lesson.id << step.id;
+            }
+        }
+    }
+    void everyListingCanBeSteppedThrough()
+    {
+        QFETCH(QString, lesson);
+        QFETCH(QString, step);
+        Opened opened(lesson, step);
+        Session &session = opened.session;
+        opened.goTo(6);
+        QVERIFY(session.lines().isAvailable());
+        const std::shared_ptr<const ListingFrame> frame = session.lines().nextFrame();
+        QVERIFY(frame && !frame->error() && frame->count() > 0);
+        const sim::State end = published(session.step(), session.timeline().script(), 7);
+        const sim::State reached = frame->stateAfter(listing::maxLinesPerFrame);
+        QVERIFY((reached.position - end.position).abs().maxCoeff() <= 1e-9);
+        if (end.angle.size() > 0)
+            QVERIFY((reached.angle - end.angle).abs().maxCoeff() <= 1e-9);
+
+        const int middle = frame->count() / 2;
+        session.lines().goTo(middle);
+        QCOMPARE(session.lines().index(), middle);
+        const LineValues values = valuesOf(opened);
+        QCOMPARE(values.calls.front(), QString("frame"));
+        QCOMPARE(values.calls.back(), QString::fromStdString(frame->line(middle).function));
+        for (const LineChip &chip : values.chips)
+            QVERIFY(chip.text.contains(" = ") && !chip.tip.isEmpty());
+        session.lines().back();
+        QCOMPARE(session.lines().index(), middle - 1);
+        opened.goTo(7);
+        QVERIFY(!valuesOf(opened).chips.empty());
     }
 
     void theSceneShowsWhatTheLinesHaveDone()
