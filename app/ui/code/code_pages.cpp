@@ -37,7 +37,6 @@ CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
     layout->addWidget(m_offer);
     layout->addWidget(m_pages, 1);
     connect(m_engine, &CodePanel::captionChanged, this, [this] { emit captionChanged(caption()); });
-    connect(m_listing, &ListingPanel::captionChanged, this, [this] { emit captionChanged(caption()); });
     session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &CodePages::follow);
     m_wasInUse = session.code().isInUse();
     follow();
@@ -97,7 +96,7 @@ void CodePages::choose(Page page)
 
 QString CodePages::caption() const
 {
-    return page() == Page::listing ? m_listing->caption() : m_engine->caption();
+    return page() == Page::listing ? QString() : m_engine->caption();
 }
 
 StepBy CodePages::stepBy() const

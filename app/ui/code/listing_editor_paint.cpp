@@ -74,10 +74,19 @@ QStringList ListingEditor::formsOf(int line) const
 
 ValueChip ListingEditor::chipOf(int line) const
 {
-    const QStringList forms = formsOf(line);
+    QStringList forms = formsOf(line);
     if (forms.isEmpty())
         return {};
-    return fitChip(forms, {lineRect(line), endOfCode(line), verticalScrollBar()->isVisible()}, m_theme);
+    ChipRoom room{lineRect(line), endOfCode(line), verticalScrollBar()->isVisible()};
+    const ValueChip beside = fitChip(forms, room, m_theme);
+    const LineChip *value = valueOf(line);
+    if (!value || !value->isChanged || hasFocus() || forms.contains(beside.text))
+        return beside;
+    // The value that has just changed matters more than the end of a long line, unless the learner types.
+    room.endOfCode = marginsWidth();
+    if (forms.size() > 1)
+        forms.removeFirst();
+    return fitChip(forms, room, m_theme);
 }
 
 bool ListingEditor::isChanged(int line) const

@@ -38,24 +38,30 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
       m_editor(new ListingEditor(theme, this)), m_mistake(new QWidget(this)),
       m_sentence(textRow("failure", m_mistake))
 {
-    m_calls->setContentsMargins(rowMargin, 0, rowMargin, 4);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_sentence->show();
+    m_mistake->setObjectName("panel");
+    m_mistake->setAttribute(Qt::WA_StyledBackground);
     auto *divider = new QWidget(m_mistake);
     divider->setObjectName("divider");
     divider->setAttribute(Qt::WA_StyledBackground);
     divider->setFixedHeight(1);
-    m_sentence->setContentsMargins(rowMargin, 6, rowMargin, 8);
+    auto *room = new QVBoxLayout;
+    room->setContentsMargins(rowMargin, 6, rowMargin, 8);
+    room->addWidget(m_sentence);
     auto *below = new QVBoxLayout(m_mistake);
     below->setContentsMargins(0, 0, 0, 0);
     below->setSpacing(0);
     below->addWidget(divider);
-    below->addWidget(m_sentence);
+    below->addLayout(room);
     m_mistake->hide();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(m_calls);
+    auto *above = new QVBoxLayout;
+    above->setContentsMargins(rowMargin, 0, rowMargin, 4);
+    above->addWidget(m_calls);
+    layout->addLayout(above);
     layout->addWidget(m_editor, 1);
     layout->addWidget(m_mistake);
     setFocusProxy(m_editor);
@@ -191,11 +197,6 @@ void ListingPanel::showText()
     m_reset->setEnabled(code.isChanged());
     m_reset->setToolTip(code.isChanged() ? tr("Bring the step's own listing back (Undo brings yours back)")
                                          : tr("This is the step's own listing."));
-    const QString caption = code.isChanged() ? tr("your code") : QString();
-    if (caption == m_caption)
-        return;
-    m_caption = caption;
-    emit captionChanged(caption);
 }
 
 void ListingPanel::showMistakes()

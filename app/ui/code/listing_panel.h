@@ -26,8 +26,6 @@ public:
     ~ListingPanel() override;
 
     ListingEditor &editor() { return *m_editor; }
-    /// Returns "your code" if the listing differs from the step's own; else an empty text.
-    QString caption() const { return m_caption; }
     /// Returns the buttons for the right end of the title. The code that creates the title must place them.
     QWidget *titleActions() { return m_actions; }
     /// Returns the sentence under the editor; empty if the listing has no mistake.
@@ -38,7 +36,6 @@ public:
     void setPointedBody(const QString &body);
 
 signals:
-    void captionChanged(const QString &caption);
     /// Emitted with a message for the status line.
     void messageRequested(const QString &sentence);
     /// Emitted when the mouse moves onto a Vec2 of the listing, or off it.
@@ -84,7 +81,6 @@ private:
     std::optional<TextRange> m_pointed;
     QString m_pointedBody;
     QElapsedTimer m_refreshed; ///< time since the values were last shown
-    QString m_caption;
 };
 
 }
