@@ -46,7 +46,8 @@ CodePages::~CodePages() = default;
 
 void CodePages::makeOffer()
 {
-    m_offer->setObjectName("listingOffer");
+    m_offer->setObjectName("panel");
+    m_offer->setAttribute(Qt::WA_StyledBackground);
     m_offerText->setObjectName("caption");
     m_offerText->setWordWrap(true);
     m_use->setObjectName("useListing");

@@ -114,7 +114,6 @@ void ListingEditor::setListing(const QString &listing)
     const QByteArray now = text().toUtf8(), then = listing.toUtf8();
     if (now == then)
         return;
-    const bool isFirst = now.isEmpty();
     qsizetype head = std::mismatch(now.begin(), now.end(), then.begin(), then.end()).first - now.begin();
     const auto isInsideLetter = [](const QByteArray &bytes, qsizetype at) {
         return at < bytes.size() && (static_cast<unsigned char>(bytes[at]) & 0xC0U) == 0x80U;
@@ -133,7 +132,16 @@ void ListingEditor::setListing(const QString &listing)
     const QByteArray middle = then.mid(head, then.size() - tail - head);
     SendScintilla(SCI_REPLACETARGET, static_cast<unsigned long>(middle.size()), middle.constData());
     m_isSetting = false;
-    send(*this, SCI_GOTOPOS, isFirst ? 0 : static_cast<std::size_t>(head + middle.size()));
+    if (hasFocus())
+        send(*this, SCI_GOTOPOS, static_cast<std::size_t>(head + middle.size()));
+}
+
+void ListingEditor::showTop()
+{
+    send(*this, SCI_GOTOPOS, 0);
+    send(*this, SCI_SETFIRSTVISIBLELINE, 0);
+    send(*this, SCI_SETXOFFSET, 0);
+    send(*this, SCI_SETSCROLLWIDTH, 1); // as wide as the new text, not the old one
 }
 
 void ListingEditor::flush()
@@ -177,7 +185,7 @@ void ListingEditor::underlineSpots()
 std::vector<ListingEditor::Spot> ListingEditor::spotsOf(int line) const
 {
     static const QRegularExpression tokens(
-        QStringLiteral(R"(//.*|(?<![\w.])\d+(?:\.\d+)?(?![\w.])|(?<![\w.])[A-Za-z_]\w*)"));
+        QStringLiteral(R"(//.*|(?<![\w.\[])\d+(?:\.\d+)?(?![\w.])|(?<![\w.])[A-Za-z_]\w*)"));
     std::vector<Spot> spots;
     for (auto found = tokens.globalMatch(text(line - 1)); found.hasNext();) {
         const QRegularExpressionMatch match = found.next();

@@ -41,8 +41,10 @@ public:
 
     explicit ListingEditor(const Theme &theme, QWidget *parent = nullptr);
 
-    /// Shows `text`. Only the part that differs is replaced, so the caret and the view stay.
+    /// Shows `text`. Only the part that differs is replaced. The caret goes behind it if the learner types.
     void setListing(const QString &text);
+    /// Moves caret and view to the first line.
+    void showTop();
     /// Returns whether the learner typed something that written() has not told yet.
     bool isPending() const { return m_typing.isActive(); }
     /// Emits written() now if it is pending.

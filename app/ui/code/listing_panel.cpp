@@ -166,6 +166,9 @@ void ListingPanel::follow(const Change &change)
         m_editor->dropPending(); // it belongs to the step before
     if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::code)) {
         refresh();
+        if (m_step != &m_session.step())
+            m_editor->showTop();
+        m_step = &m_session.step();
         return;
     }
     if (!isVisible() || (m_session.playback().isPlaying() && m_refreshed.isValid() &&

@@ -77,6 +77,7 @@ private:
     QLabel *m_sentence;
     QPointer<QWidget> m_actions;
     QToolButton *m_reset = nullptr;
+    const lessons::Step *m_step = nullptr; ///< the step that is shown
     std::optional<Drag> m_drag;
     std::optional<TextRange> m_pointed;
     QString m_pointedBody;

@@ -61,8 +61,10 @@ void PanelTitle::addAction(QWidget *widget)
 
 void PanelTitle::fitCaption()
 {
-    const QString fitting =
-        m_caption->fontMetrics().elidedText(m_captionText, Qt::ElideRight, m_caption->width());
+    constexpr qsizetype leastLetters = 4; // the beginning of a word says nothing
+    QString fitting = m_caption->fontMetrics().elidedText(m_captionText, Qt::ElideRight, m_caption->width());
+    if (fitting != m_captionText && fitting.size() < leastLetters)
+        fitting.clear();
     m_caption->setText(fitting);
     m_caption->setToolTip(fitting == m_captionText ? QString() : m_captionText);
 }

@@ -18,6 +18,7 @@ constexpr double mostOfStrip = 0.6;    ///< the largest part of the strip that t
 constexpr double leastForNumber = 6.0; ///< px beside a number
 constexpr double leastForRule = 5.0;   ///< px, the narrowest cell with a line beside it
 constexpr double textSize = 12.0;
+constexpr double doneBar = 3.0; ///< px, the height of the bar above the lines that have run
 
 }
 
@@ -80,6 +81,10 @@ void LineStrip::paint(QPainter &painter, const Theme &theme, bool playing, int h
             painter.fillRect(areaOf(i), t.hover);
         paintCell(painter, theme, i, isNow);
     }
+    // As on the track of the timeline, a bar shows how far the frame has run.
+    const double run = m_index < count() ? areaOf(m_index).left() : m_area.right();
+    if (!playing && count() > 0)
+        painter.fillRect(QRectF(m_area.left(), m_area.top(), run - m_area.left(), doneBar), t.ink2);
     painter.restore();
     painter.setPen(t.line2);
     painter.setBrush(Qt::NoBrush);
