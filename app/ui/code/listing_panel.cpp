@@ -38,10 +38,10 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
       m_editor(new ListingEditor(theme, this)), m_mistake(new QWidget(this)),
       m_sentence(textRow("failure", m_mistake))
 {
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_sentence->show();
-    m_mistake->setObjectName("panel");
-    m_mistake->setAttribute(Qt::WA_StyledBackground);
     auto *divider = new QWidget(m_mistake);
     divider->setObjectName("divider");
     divider->setAttribute(Qt::WA_StyledBackground);
