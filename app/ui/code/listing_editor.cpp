@@ -6,6 +6,7 @@
 #include "app/ui/code/scintilla_style.h"
 #include "app/ui/theme/theme.h"
 
+#include <QGuiApplication>
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QSignalBlocker>
@@ -275,7 +276,11 @@ void ListingEditor::showCompletions(const QStringList &names)
     getCursorPosition(&line, &index);
     static const QRegularExpression lastWord(QStringLiteral("\\w*$"));
     const QString word = lastWord.match(textBefore(line + 1, index)).captured();
-    if (names.isEmpty() || names == QStringList(word)) {
+    // QScintilla 2.13 crashes if it places the list where there is no screen.
+    const QRect row = lineRect(line + 1);
+    const bool isOnScreen = QGuiApplication::screenAt(viewport()->mapToGlobal(row.topLeft())) &&
+                            QGuiApplication::screenAt(viewport()->mapToGlobal(row.bottomRight()));
+    if (names.isEmpty() || names == QStringList(word) || !isOnScreen) {
         send(*this, SCI_AUTOCCANCEL);
         return;
     }

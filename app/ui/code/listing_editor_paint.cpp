@@ -80,9 +80,12 @@ ValueChip ListingEditor::chipOf(int line) const
     ChipRoom room{lineRect(line), endOfCode(line), verticalScrollBar()->isVisible()};
     const ValueChip beside = fitChip(forms, room, m_theme);
     const LineChip *value = valueOf(line);
-    if (!value || !value->isChanged || hasFocus() || forms.contains(beside.text))
+    const bool isLoop = std::any_of(m_values.loops.begin(), m_values.loops.end(),
+                                    [line](const LoopNote &loop) { return loop.line == line; });
+    const bool isNews = isLoop || (value && value->isChanged);
+    if (!isNews || hasFocus() || forms.contains(beside.text))
         return beside;
-    // The value that has just changed matters more than the end of a long line, unless the learner types.
+    // What has just changed matters more than the end of a long line, unless the learner types.
     room.endOfCode = marginsWidth();
     if (forms.size() > 1)
         forms.removeFirst();

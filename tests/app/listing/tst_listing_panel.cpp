@@ -337,6 +337,7 @@ private slots:
     void namesAreCompleted()
     {
         ListingFixture shown;
+        shown.window.move(-500, 0); // the screen without a display is 800 px wide
         const int line = shown.line("*= damp");
         shown.editor.setFocus();
         shown.editor.setCursorPosition(line - 1, static_cast<int>(shown.editor.text(line - 1).size()) - 1);
@@ -347,6 +348,18 @@ private slots:
         QTest::keyClicks(&shown.editor, " *= 1;");
         shown.compile();
         QCOMPARE(shown.editor.text(line).trimmed(), QString("foot.velocity *= 1;"));
+    }
+
+    void whereThereIsNoScreenNoNamesAreOffered()
+    {
+        ListingFixture shown;
+        shown.window.move(3000, 0);
+        const int line = shown.line("*= damp");
+        shown.editor.setFocus();
+        shown.editor.setCursorPosition(line - 1, static_cast<int>(shown.editor.text(line - 1).size()) - 1);
+        QTest::keyClicks(&shown.editor, " foot.vel");
+        tests::settle();
+        QVERIFY(!shown.editor.isListActive());
     }
 
     void underAnotherMethodItsPageIsShownAndTheListingOffered()
