@@ -150,8 +150,9 @@ private slots:
                 lessons + ".");
         row("an unknown field", with("\"gravity\": 1"),
             "line 5: the file has no field \"gravity\"; there is \"format\", \"lesson\", \"step\", "
-            "\"method\", \"h\", \"tolerance\", \"effects\", \"scene\", \"frames\", \"parameters\", "
-            "\"bodies\", \"links\", \"seed\", \"input\", \"name\", \"named\", \"kept\", \"branches\".");
+            "\"method\", \"code\", \"h\", \"tolerance\", \"effects\", \"scene\", \"frames\", "
+            "\"parameters\", \"bodies\", \"links\", \"seed\", \"input\", \"draft\", \"name\", \"named\", "
+            "\"kept\", \"branches\".");
     }
     void whatAnExperimentMustHaveIsAskedFor() { checkRow(); }
 
