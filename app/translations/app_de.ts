@@ -6851,8 +6851,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Aufrufe überspringen</translation>
     </message>
     <message>
-        <source>Step o&amp;ut of the call</source>
-        <translation>A&amp;us dem Aufruf heraus</translation>
+        <source>Step out of the call</source>
+        <translation>Aus dem Aufruf heraus</translation>
     </message>
     <message>
         <source>Run the next line with all functions that it calls</source>

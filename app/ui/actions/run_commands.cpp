@@ -13,7 +13,7 @@ RunCommands::RunCommands(Session &session, CommandList &list)
       phaseForward(list.add(tr("&Next phase"), {QKeySequence("Shift+Right")}, KeyGroup::time)),
       phaseBack(list.add(tr("P&hase back"), {QKeySequence("Shift+Left")}, KeyGroup::time)),
       stepOver(list.add(tr("Step over calls"), {QKeySequence("F10")}, KeyGroup::time)),
-      stepOut(list.add(tr("Step o&ut of the call"), {QKeySequence("Ctrl+F10")}, KeyGroup::time)),
+      stepOut(list.add(tr("Step out of the call"), {QKeySequence("Ctrl+F10")}, KeyGroup::time)),
       restart(list.add(tr("Re&start"), {QKeySequence(Qt::Key_Home)}, KeyGroup::time)),
       repeat(
           list.add(tr("Repea&t the run with the same input"), {QKeySequence("Shift+Home")}, KeyGroup::time)),

@@ -240,7 +240,7 @@ void CodePanel::showNewLines()
 {
     const int count = m_listing.newLines();
     const QString text = count == 1 ? tr("1 line new") : tr("%1 lines new").arg(count);
-    m_newLines->setText(text);
+    m_newLines->setText(QString::number(count)); // short, like the removed lines
     m_newLines->setAccessibleName(text);
     m_newLines->setVisible(count > 0);
     const int gone = m_listing.goneLines();

@@ -150,6 +150,7 @@ private:
     /// Returns the forms of the value or loop beside a line, longest first.
     QStringList formsOf(int line) const;
     const LineChip *valueOf(int line) const;
+    bool isTypedIn(int line) const;
     ValueChip chipOf(int line) const;
     QString tipAt(const QPoint &place) const;
     bool isChanged(int line) const;

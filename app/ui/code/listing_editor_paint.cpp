@@ -72,6 +72,13 @@ QStringList ListingEditor::formsOf(int line) const
     return value ? QStringList(value->text) + value->shorter : QStringList();
 }
 
+bool ListingEditor::isTypedIn(int line) const
+{
+    int caretLine = 0, index = 0;
+    getCursorPosition(&caretLine, &index);
+    return hasFocus() && caretLine == line - 1;
+}
+
 ValueChip ListingEditor::chipOf(int line) const
 {
     QStringList forms = formsOf(line);
@@ -83,9 +90,9 @@ ValueChip ListingEditor::chipOf(int line) const
     const bool isLoop = std::any_of(m_values.loops.begin(), m_values.loops.end(),
                                     [line](const LoopNote &loop) { return loop.line == line; });
     const bool isNews = isLoop || (value && value->isChanged);
-    if (!isNews || hasFocus() || forms.contains(beside.text))
+    if (!isNews || isTypedIn(line) || forms.contains(beside.text))
         return beside;
-    // What has just changed matters more than the end of a long line, unless the learner types.
+    // What has just changed matters more than the end of a long line, unless the learner types there.
     room.endOfCode = marginsWidth();
     if (forms.size() > 1)
         forms.removeFirst();

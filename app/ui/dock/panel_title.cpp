@@ -1,5 +1,6 @@
 #include "app/ui/dock/panel_title.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
@@ -46,11 +47,12 @@ void PanelTitle::setCaption(const QString &caption)
 {
     m_captionText = caption;
     m_caption->setAccessibleName(caption);
-    fitCaption();
+    fit();
 }
 
 void PanelTitle::addTabs(QWidget *tabs)
 {
+    m_tabs = tabs;
     m_row->insertWidget(m_row->indexOf(m_caption), tabs, 0, Qt::AlignVCenter);
 }
 
@@ -69,11 +71,26 @@ void PanelTitle::fitCaption()
     m_caption->setToolTip(fitting == m_captionText ? QString() : m_captionText);
 }
 
+bool PanelTitle::event(QEvent *event)
+{
+    const bool isDone = QWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest)
+        fit(); // tabs or actions have come, gone or changed
+    return isDone;
+}
+
 void PanelTitle::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    // The actions take precedence, because the tab also shows the panel's name.
-    const int needed = m_row->minimumSize().width() +
+    fit();
+}
+
+void PanelTitle::fit()
+{
+    // The actions take precedence, because the tab also shows the panel's name. So do captions beside tabs.
+    const int caption =
+        m_tabs && !m_tabs->isHidden() ? m_caption->fontMetrics().horizontalAdvance(m_captionText) : 0;
+    const int needed = m_row->minimumSize().width() + caption +
                        (m_title->isHidden() ? m_title->minimumSizeHint().width() + m_row->spacing() : 0);
     m_title->setVisible(needed <= width());
     m_row->activate();

@@ -34,13 +34,16 @@ public:
 
 private:
     void applyTheme();
+    void fit();
     void fitCaption();
+    bool event(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
     const Theme &m_theme;
     QLabel *m_title;
     QLabel *m_caption;
     QString m_captionText;
+    QWidget *m_tabs = nullptr;
     QHBoxLayout *m_row;
 };
 
