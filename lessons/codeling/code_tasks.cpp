@@ -108,8 +108,8 @@ std::vector<CodeTask> anticipationCodeTasks()
                 Text::tr("**From the empty page:** write the whole frame of a swimmer: it backs up before a "
                          "new target, a spring pulls the lead, and the tail follows on a stick."),
             .comment = Text::tr(
-                "Write the whole frame. The names: lead, tail (each with position, velocity and held), "
-                "target,\nnew_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand."),
+                "Write the whole frame. The names: lead, tail (each with position, velocity, held),\ntarget, "
+                "new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand."),
             .hints =
                 {
                     Text::tr("First the anticipation, for each new target, if the lead is not held. Then the "

@@ -748,12 +748,6 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Schwimmers: Er holt vor einem neuen Ziel aus, eine Feder zieht die Spitze, und der Schwanz folgt an einem Stab.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: lead, tail (each with position, velocity and held), target,
-new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: lead, tail (jeweils mit position, velocity und held), target,
-new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</translation>
-    </message>
-    <message>
         <source>First the anticipation, for each new target, if the lead is not held. Then the lead: in your hand, or damped (`keep`), pulled and moved. Then the tail.</source>
         <translation>Zuerst das Ausholen, für jedes neue Ziel, wenn die Spitze nicht gehalten wird. Dann die Spitze: in deiner Hand, oder gedämpft (`keep`), gezogen und bewegt. Dann der Schwanz.</translation>
     </message>
@@ -816,6 +810,12 @@ new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.
     <message>
         <source>`correction` points from the lead to the tail, and is as long as the error.</source>
         <translation>`correction` zeigt von der Spitze zum Schwanz und ist so lang wie der Fehler.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: lead, tail (each with position, velocity, held),
+target, new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: lead, tail (jeweils mit position, velocity, held),
+target, new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</translation>
     </message>
 </context>
 <context>

@@ -108,7 +108,7 @@ std::vector<CodeTask> gravityCodeTasks()
             .text = Text::tr("**From the empty page:** write the whole frame of a body with feet in a room, "
                              "with springs, gravity, damping and three walls."),
             .comment = Text::tr(
-                "Write the whole frame. The names: body, feet[i] (each with position, velocity, radius and "
+                "Write the whole frame. The names: body, feet[i] (each with position, velocity, radius, "
                 "held),\nfeet.count, hand, k, damp, radius, gravity, bounce, left, right, floor."),
             .hints =
                 {

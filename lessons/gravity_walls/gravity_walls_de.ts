@@ -320,12 +320,6 @@ Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Gewo
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Körpers mit Füßen in einem Raum, mit Federn, Schwerkraft, Dämpfung und drei Wänden.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity, radius and held),
-feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity, radius und held),
-feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</translation>
-    </message>
-    <message>
         <source>The frame is that of lesson 3: the body follows if it is held, then each foot, then the body. New is only how a body moves.</source>
         <translation>Das Bild ist das von Lektion 3: Der Körper folgt, wenn er gehalten wird, dann jeder Fuß, dann der Körper. Neu ist nur, wie sich ein Körper bewegt.</translation>
     </message>
@@ -348,6 +342,12 @@ feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</transla
     <message>
         <source>The rest is right, but every pull points away from its target.</source>
         <translation>Der Rest stimmt, aber jeder Zug zeigt von seinem Ziel weg.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity, radius, held),
+feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity, radius, held),
+feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</translation>
     </message>
 </context>
 <context>

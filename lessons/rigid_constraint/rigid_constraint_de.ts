@@ -736,12 +736,6 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild der Figur aus Stäben. Der Zeiger trägt den ersten Punkt, deine Hand kann jeden Punkt halten, und jeder Stab bekommt seine Länge zurück.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: points[i] (with position and held), points.count, sticks[i] (with a, b,
-length and share), sticks.count, hand, pointer, pointer_known.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: points[i] (mit position und held), points.count, sticks[i] (mit a, b,
-length und share), sticks.count, hand, pointer, pointer_known.</translation>
-    </message>
-    <message>
         <source>First the points: one that is held goes to `hand`. The first point goes to `pointer` if `pointer_known` and it is not held. Then each stick, in order.</source>
         <translation>Zuerst die Punkte: Ein gehaltener geht zu `hand`. Der erste Punkt geht zu `pointer`, wenn `pointer_known` gilt und er nicht gehalten wird. Dann jeder Stab, der Reihe nach.</translation>
     </message>
@@ -836,6 +830,12 @@ length und share), sticks.count, hand, pointer, pointer_known.</translation>
     <message>
         <source>With `+=` each velocity counts twice. Set it with `=`.</source>
         <translation>Mit `+=` zählt jede Geschwindigkeit doppelt. Setze sie mit `=`.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: points[i] (with position, held), points.count,
+sticks[i] (with a, b, length, share), sticks.count, hand, pointer, pointer_known.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: points[i] (mit position, held), points.count,
+sticks[i] (mit a, b, length, share), sticks.count, hand, pointer, pointer_known.</translation>
     </message>
 </context>
 <context>

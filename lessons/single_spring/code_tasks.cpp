@@ -24,16 +24,13 @@ std::vector<CodeTask> dragCodeTasks()
             },
         .nearMisses =
             {
-                {"foot.position = pointer;\nfoot.velocity = pointer - foot.position;",
-                 Text::tr("The foot has already moved when you take the difference, so its velocity is 0 and "
-                          "it cannot be thrown. Swap the two lines.")},
-                {"foot.velocity = foot.position - pointer;\nfoot.position = pointer;",
+                {"foot.position = hand;\nfoot.velocity = hand - foot.position;",
+                 Text::tr("The foot has no velocity when you let go, so you cannot throw it. Take the "
+                          "difference before the foot moves.")},
+                {"foot.velocity = foot.position - hand;\nfoot.position = hand;",
                  Text::tr("The velocity points backwards: from the hand to where the foot was. It flies away "
                           "from your throw.")},
-                {"foot.position = pointer;",
-                 Text::tr("The foot follows the hand, but keeps the velocity from before you took it. Your "
-                          "throw has no effect.")},
-                {"foot.velocity += pointer - foot.position;\nfoot.position = pointer;",
+                {"foot.velocity += hand - foot.position;\nfoot.position = hand;",
                  Text::tr("With `+=` the velocity grows in each frame that you hold the foot. Set it with "
                           "`=`.")},
             },
@@ -166,10 +163,7 @@ std::vector<CodeTask> radialCodeTasks()
                          "body to the foot.")},
                     {"Vec2 from = foot.position - body.position;\ndouble angle = atan2(from.x, from.y);\n"
                      "Vec2 target = body.position + radius * Vec2(cos(angle), sin(angle));",
-                     Text::tr("x and y are swapped in `atan2`: y comes first.")},
-                    {"Vec2 from = foot.position - body.position;\ndouble angle = atan2(from.y, from.x);\n"
-                     "Vec2 target = body.position + radius * Vec2(sin(angle), cos(angle));",
-                     Text::tr("`cos` and `sin` are swapped: `cos` belongs to x.")},
+                     Text::tr("x and y are swapped: `atan2` takes y first, and `cos` belongs to x.")},
                     {"Vec2 from = foot.position - body.position;\ndouble angle = atan2(from.y, from.x);\n"
                      "Vec2 target = radius * Vec2(cos(angle), sin(angle));",
                      Text::tr(

@@ -596,16 +596,8 @@ Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das
         <translation>`foot.velocity = pointer - …;` und dann `foot.position = …;`</translation>
     </message>
     <message>
-        <source>The foot has already moved when you take the difference, so its velocity is 0 and it cannot be thrown. Swap the two lines.</source>
-        <translation>Der Fuß hat sich schon bewegt, wenn du den Unterschied nimmst. Darum ist seine Geschwindigkeit 0, und du kannst ihn nicht werfen. Vertausche die zwei Zeilen.</translation>
-    </message>
-    <message>
         <source>The velocity points backwards: from the hand to where the foot was. It flies away from your throw.</source>
         <translation>Die Geschwindigkeit zeigt rückwärts: von der Hand dorthin, wo der Fuß war. Er fliegt gegen deinen Wurf davon.</translation>
-    </message>
-    <message>
-        <source>The foot follows the hand, but keeps the velocity from before you took it. Your throw has no effect.</source>
-        <translation>Der Fuß folgt der Hand, behält aber die Geschwindigkeit, die er hatte, bevor du ihn genommen hast. Dein Wurf hat keine Wirkung.</translation>
     </message>
     <message>
         <source>With `+=` the velocity grows in each frame that you hold the foot. Set it with `=`.</source>
@@ -768,14 +760,6 @@ Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das
         <translation>Das Ziel ist auf der anderen Seite des Körpers. Die Richtung muss vom Körper zum Fuß führen.</translation>
     </message>
     <message>
-        <source>x and y are swapped in `atan2`: y comes first.</source>
-        <translation>x und y sind in `atan2` vertauscht: y kommt zuerst.</translation>
-    </message>
-    <message>
-        <source>`cos` and `sin` are swapped: `cos` belongs to x.</source>
-        <translation>`cos` und `sin` sind vertauscht: `cos` gehört zu x.</translation>
-    </message>
-    <message>
         <source>The ring is around the top left corner of the picture. Add the position of the body.</source>
         <translation>Der Ring liegt um die linke obere Ecke des Bildes. Addiere den Ort des Körpers.</translation>
     </message>
@@ -820,6 +804,14 @@ pointer, k, damp, radius.</translation>
     <message>
         <source>The rest is right, but the target is on the body itself. It should be `radius` px away from it.</source>
         <translation>Der Rest stimmt, aber das Ziel ist auf dem Körper selbst. Es soll `radius` px von ihm entfernt sein.</translation>
+    </message>
+    <message>
+        <source>The foot has no velocity when you let go, so you cannot throw it. Take the difference before the foot moves.</source>
+        <translation>Der Fuß hat keine Geschwindigkeit, wenn du loslässt, darum kannst du ihn nicht werfen. Nimm den Unterschied, bevor sich der Fuß bewegt.</translation>
+    </message>
+    <message>
+        <source>x and y are swapped: `atan2` takes y first, and `cos` belongs to x.</source>
+        <translation>x und y sind vertauscht: `atan2` nimmt zuerst y, und `cos` gehört zu x.</translation>
     </message>
 </context>
 <context>

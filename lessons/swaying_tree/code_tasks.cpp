@@ -10,41 +10,8 @@ std::vector<CodeTask> branchesCodeTasks()
 {
     return {
         {
-            .id = "grow",
-            .title = Text::tr("a function that calls itself"),
-            .text = Text::tr("Write how a **branch grows**: its two children turn away from it, by "
-                             "**spread** degrees to either side. Then each child does the same."),
-            .comment = Text::tr("Turn both children, and let each of them grow."),
-            .hints =
-                {
-                    Text::tr("The children are `branch.children[0]` and `branch.children[1]`. The first "
-                             "turns left, which is a smaller angle."),
-                    Text::tr("The function calls itself, once for each child. The `return` above ends this "
-                             "at the smallest branches."),
-                    Text::tr("`branch.children[0].angle = branch.angle - spread;` and then "
-                             "`grow(branch.children[0]);`"),
-                },
-            .nearMisses =
-                {
-                    {"Body left = branch.children[0];\nBody right = branch.children[1];\nleft.angle = "
-                     "branch.angle - spread;\nright.angle = branch.angle + spread;",
-                     Text::tr("Only the first two branches turn. Each of them has to grow, too: the function "
-                              "calls itself.")},
-                    {"Body left = branch.children[0];\nBody right = branch.children[1];\nleft.angle = "
-                     "branch.angle + spread;\nright.angle = branch.angle - "
-                     "spread;\ngrow(left);\ngrow(right);",
-                     Text::tr("The tree is mirrored: the first child turns left, to a smaller angle.")},
-                    {"Body left = branch.children[0];\nBody right = branch.children[1];\nleft.angle = "
-                     "branch.angle - spread;\nright.angle = branch.angle + spread;\ngrow(left);",
-                     Text::tr("Only the left side grows. Call the function for both children.")},
-                    {"Body left = branch.children[0];\nBody right = branch.children[1];\nleft.angle = "
-                     "branch.angle;\nright.angle = branch.angle;\ngrow(left);\ngrow(right);",
-                     Text::tr("All branches point the same way. The children turn by `spread`.")},
-                },
-        },
-        {
             .id = "place",
-            .title = Text::tr("where children begin"),
+            .title = Text::tr("a function that calls itself"),
             .text = Text::tr("Write where the **children begin**: where the branch ends. Each child then "
                              "places its own children in the same way."),
             .comment = Text::tr("Find the end of the branch, and place each child there."),
@@ -112,8 +79,8 @@ std::vector<CodeTask> towardsPointerCodeTasks()
                 Text::tr("**From the empty page:** write the whole frame of a tree that turns to the pointer "
                          "while its button is down. All its branches follow one function that calls itself."),
             .comment = Text::tr(
-                "Write the whole frame. The names: branches[0] (the trunk; each branch has position, angle, "
-                "scale,\nheld and children[i]), children.count, base_length, hand, pointer, pointer_down."),
+                "Write the whole frame. The names: branches[0], the trunk (each branch has position,\nangle, "
+                "scale, held, children[i], children.count), base_length, hand, pointer, pointer_down."),
             .hints =
                 {
                     Text::tr("`void move(Body branch, Vec2 origin)` places a branch and then calls itself "

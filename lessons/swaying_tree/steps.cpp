@@ -161,6 +161,7 @@ Step restStep()
         "nothing here has a velocity.");
     step.explanation = restExplanation();
     step.tries = restTries();
+    step.codeTasks = restCodeTasks();
     step.scene = rest::setUp;
     return step;
 }

@@ -932,46 +932,6 @@ Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x2
         <translation>eine Funktion, die sich selbst aufruft</translation>
     </message>
     <message>
-        <source>Write how a **branch grows**: its two children turn away from it, by **spread** degrees to either side. Then each child does the same.</source>
-        <translation>Schreibe, wie ein **Zweig wächst**: Seine zwei Kinder drehen sich von ihm weg, um **Spreizung** Grad zu beiden Seiten. Dann tut jedes Kind dasselbe.</translation>
-    </message>
-    <message>
-        <source>Turn both children, and let each of them grow.</source>
-        <translation>Drehe beide Kinder und lass jedes von ihnen wachsen.</translation>
-    </message>
-    <message>
-        <source>The children are `branch.children[0]` and `branch.children[1]`. The first turns left, which is a smaller angle.</source>
-        <translation>Die Kinder sind `branch.children[0]` und `branch.children[1]`. Das erste dreht sich nach links, zu einem kleineren Winkel.</translation>
-    </message>
-    <message>
-        <source>The function calls itself, once for each child. The `return` above ends this at the smallest branches.</source>
-        <translation>Die Funktion ruft sich selbst auf, einmal für jedes Kind. Das `return` darüber beendet das bei den kleinsten Zweigen.</translation>
-    </message>
-    <message>
-        <source>`branch.children[0].angle = branch.angle - spread;` and then `grow(branch.children[0]);`</source>
-        <translation>`branch.children[0].angle = branch.angle - spread;` und dann `grow(branch.children[0]);`</translation>
-    </message>
-    <message>
-        <source>Only the first two branches turn. Each of them has to grow, too: the function calls itself.</source>
-        <translation>Nur die ersten zwei Zweige drehen sich. Jeder von ihnen muss auch wachsen: Die Funktion ruft sich selbst auf.</translation>
-    </message>
-    <message>
-        <source>The tree is mirrored: the first child turns left, to a smaller angle.</source>
-        <translation>Der Baum ist gespiegelt: Das erste Kind dreht sich nach links, zu einem kleineren Winkel.</translation>
-    </message>
-    <message>
-        <source>Only the left side grows. Call the function for both children.</source>
-        <translation>Nur die linke Seite wächst. Rufe die Funktion für beide Kinder auf.</translation>
-    </message>
-    <message>
-        <source>All branches point the same way. The children turn by `spread`.</source>
-        <translation>Alle Zweige zeigen in dieselbe Richtung. Die Kinder drehen sich um `spread`.</translation>
-    </message>
-    <message>
-        <source>where children begin</source>
-        <translation>wo Kinder beginnen</translation>
-    </message>
-    <message>
         <source>Write where the **children begin**: where the branch ends. Each child then places its own children in the same way.</source>
         <translation>Schreibe, wo die **Kinder beginnen**: wo der Zweig endet. Jedes Kind setzt dann auf dieselbe Weise seine eigenen Kinder.</translation>
     </message>
@@ -1056,12 +1016,6 @@ Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x2
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Baums, der sich zum Zeiger dreht, solange dessen Taste gedrückt ist. Alle Zweige folgen einer Funktion, die sich selbst aufruft.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: branches[0] (the trunk; each branch has position, angle, scale,
-held and children[i]), children.count, base_length, hand, pointer, pointer_down.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: branches[0] (der Stamm; jeder Zweig hat position, angle, scale,
-held und children[i]), children.count, base_length, hand, pointer, pointer_down.</translation>
-    </message>
-    <message>
         <source>`void move(Body branch, Vec2 origin)` places a branch and then calls itself for its children. `frame` calls it for the trunk, which begins where it is.</source>
         <translation>`void move(Body branch, Vec2 origin)` setzt einen Zweig und ruft sich dann selbst für dessen Kinder auf. `frame` ruft sie für den Stamm auf, der beginnt, wo er ist.</translation>
     </message>
@@ -1120,6 +1074,12 @@ held und children[i]), children.count, base_length, hand, pointer, pointer_down.
     <message>
         <source>It also moves when less than 1° is missing, so it never stops. An `if` ends this.</source>
         <translation>Er bewegt sich auch, wenn weniger als 1° fehlt, und hält darum nie an. Ein `if` beendet das.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: branches[0], the trunk (each branch has position,
+angle, scale, held, children[i], children.count), base_length, hand, pointer, pointer_down.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: branches[0], der Stamm (jeder Zweig hat position,
+angle, scale, held, children[i], children.count), base_length, hand, pointer, pointer_down.</translation>
     </message>
 </context>
 <context>

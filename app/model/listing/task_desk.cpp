@@ -100,7 +100,7 @@ void TaskDesk::openStep()
 {
     m_job.cancel();
     m_verdict.reset();
-    if (task())
+    if (!m_sheet.task.isEmpty())
         m_handovers.insert(m_step, m_sheet);
     m_step = keyOfStep();
     m_sheet = m_handovers.take(m_step);

@@ -9,8 +9,11 @@
 #include "tests/lessons/support/support.h"
 #include "tests/suite.h"
 
+#include <QRegularExpression>
 #include <QSet>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace app;
 using namespace support;
@@ -94,8 +97,8 @@ private slots:
     void eachNearMissIsToldApart();
     void anyRightFormulationPasses_data();
     void anyRightFormulationPasses();
-    void theTrialRunsMoveEveryBody_data() { addTaskRows(); }
-    void theTrialRunsMoveEveryBody();
+    void theTrialRunsMoveBodies_data() { addTaskRows(); }
+    void theTrialRunsMoveBodies();
     void anotherMistakeIsWrongAtItsFrameAndBody();
     void aMistakeThatNeedsTheHandNamesTheHeldBody();
     void aDifferenceBelowRoundingIsRight();
@@ -119,8 +122,11 @@ void CodeJudgeTest::everyTaskIsComplete()
     QStringList texts = QStringList{task.title, task.text} + task.hints;
     for (const lessons::NearMiss &miss : task.nearMisses)
         texts << miss.sentence;
-    for (const QString &text : texts)
-        QVERIFY2(!text.isEmpty() && !text.contains('!'), qPrintable(text));
+    for (QString text : texts) {
+        QVERIFY(!text.isEmpty());
+        text.remove(QRegularExpression("`[^`]*`")); // code may have a !
+        QVERIFY2(!text.contains('!'), qPrintable(text));
+    }
     for (const QString &line : task.comment.split('\n'))
         QVERIFY2(line.size() <= 90, qPrintable(line));
 }
@@ -412,11 +418,6 @@ void frame()
         go(body);
     gait = gait + speed;
 })");
-    add("swaying_tree", "branches", "grow", R"(for (int i = 0; i < 2; i++)
-{
-    branch.children[i].angle = branch.angle + (2 * i - 1) * spread;
-    grow(branch.children[i]);
-})");
     add("swaying_tree", "branches", "place", R"(for (int i = branch.children.count - 1; i >= 0; i--)
     place(branch.children[i], reach(branch) * branch.scale + branch.position);)");
     add("swaying_tree", "towards_pointer", "turn", "branch.angle = 180 / pi * atan2(way.y, way.x);");
@@ -531,7 +532,7 @@ void CodeJudgeTest::anyRightFormulationPasses()
     QVERIFY2(verdict.kind == Verdict::Kind::right, qPrintable(described(verdict, row.task)));
 }
 
-void CodeJudgeTest::theTrialRunsMoveEveryBody()
+void CodeJudgeTest::theTrialRunsMoveBodies()
 {
     const auto [step, task] = assignmentOfRow();
     const std::vector<sim::Script> scripts = judgeScripts(step);
@@ -544,15 +545,19 @@ void CodeJudgeTest::theTrialRunsMoveEveryBody()
         QVERIFY(compiled.program);
         script.method = std::make_shared<listing::ListingMethod>(compiled.program);
         sim::Track track(script, 1 << 20);
-        track.seek({judgedFrames, 0});
-        QCOMPARE(track.cursor().frame, judgedFrames);
-        QVERIFY(largestDistance(track.state(), scene.start) > 5.0);
+        double moved = 0.0; // px
+        for (int frame = 1; frame <= judgedFrames; ++frame) {
+            track.seek({frame, 0});
+            QCOMPARE(track.cursor().frame, frame);
+            moved = std::max(moved, largestDistance(track.state(), scene.start));
+        }
+        QVERIFY(moved > 5.0);
     }
 }
 
 void CodeJudgeTest::anotherMistakeIsWrongAtItsFrameAndBody()
 {
-    // The foot rests at (420, 120), 140.9 px from the centre (270, 200)... the pull is doubled from the first frame on.
+    // The pull is doubled from the first frame on.
     const Assignment one = assignment("single_spring", "fixed_centre", "pull");
     const Verdict verdict = one.judged("foot.velocity += 2 * k * (centre - foot.position);");
     QVERIFY(verdict.kind == Verdict::Kind::wrong);

@@ -55,7 +55,7 @@ struct DeskFixture : SessionFixture
     {
         QVERIFY(QTest::qWaitFor([this] { return !desk.isJudging(); }, 30'000));
     }
-    bool isTicked() const { return session.progress().isWritten("single_spring", "fixed_centre", "pull"); }
+    bool isTicked() { return session.progress().isWritten("single_spring", "fixed_centre", "pull"); }
     const lessons::CodeTask &pull() const { return session.step().codeTasks.front(); }
 
     TaskDesk desk{session};
