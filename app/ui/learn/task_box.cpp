@@ -1,5 +1,6 @@
 #include "app/ui/learn/task_box.h"
 
+#include "app/model/text/sentences.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/why_box.h"
 
@@ -28,8 +29,8 @@ NarrationText *taskText(const QString &name, const QString &text, const Theme &t
 }
 
 TaskBox::TaskBox(TaskDesk &desk, const lessons::CodeTask &task, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_desk(desk), m_task(task), m_title(new WhyButton(task.title, theme, this)),
-      m_content(new QWidget(this))
+    : QWidget(parent), m_desk(desk), m_task(task),
+      m_title(new WhyButton(capitalised(task.title), theme, this)), m_content(new QWidget(this))
 {
     setObjectName("codeTask");
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -88,8 +89,9 @@ QToolButton *TaskBox::addButton(const QString &name, const QString &text, const 
 bool TaskBox::refresh()
 {
     const bool isDone = m_desk.isDone(m_task);
-    m_title->setText(isDone ? m_task.title + QStringLiteral(" ✓") : m_task.title);
-    m_title->setAccessibleName(isDone ? tr("%1, done").arg(m_task.title) : m_task.title);
+    const QString title = capitalised(m_task.title);
+    m_title->setText(isDone ? title + QStringLiteral(" ✓") : title);
+    m_title->setAccessibleName(isDone ? tr("%1, done").arg(title) : title);
     m_title->updateGeometry();
     const int shown = isActive() ? m_desk.hintsShown() : 0;
     const int hints = static_cast<int>(m_hints.size());
