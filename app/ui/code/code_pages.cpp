@@ -132,7 +132,6 @@ void CodePages::show(Page page)
     m_engine->titleActions()->setVisible(!isListing);
     m_listingTab->setChecked(isListing);
     m_engineTab->setChecked(!isListing);
-    setFocusProxy(m_pages->currentWidget());
     emit captionChanged(caption());
     emit stepByChanged();
 }

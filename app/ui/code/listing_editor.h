@@ -29,8 +29,8 @@ struct LineMarks
 /// An editor for the listing of a step, with values at the ends of lines. It knows nothing of the session: it tells what
 /// the learner typed, and shows what it is told.
 ///
-/// A click in the margin asks to run to a line. A parameter or a number can be dragged sideways. Tab and Shift+Tab indent;
-/// Esc leaves the editor. Undo and redo are the window's.
+/// A click in the margin asks to run to a line. A parameter or a number can be dragged sideways. Esc leaves the editor. Tab
+/// and Shift+Tab indent, but a learner who has come by Tab goes on by Tab. Undo and redo are the window's.
 class ListingEditor : public QsciScintilla
 {
     Q_OBJECT
@@ -101,7 +101,9 @@ protected:
     bool viewportEvent(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
     void focusOutEvent(QFocusEvent *event) override;
+    bool focusNextPrevChild(bool next) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
@@ -165,6 +167,7 @@ private:
     QStringList m_parameters;
     std::vector<CodeMistake> m_mistakes;
     std::optional<Drag> m_drag;
+    bool m_isPassedThrough = false; ///< whether the focus came by Tab and no other key was pressed since
     std::optional<TextRange> m_pointed;
 };
 

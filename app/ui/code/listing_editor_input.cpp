@@ -88,7 +88,8 @@ bool ListingEditor::event(QEvent *event)
 {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto &key = *static_cast<QKeyEvent *>(event);
-        const bool isOurs = editsWith(key);
+        const bool isTab = key.key() == Qt::Key_Tab || key.key() == Qt::Key_Backtab;
+        const bool isOurs = editsWith(key) && !(isTab && m_isPassedThrough);
         if (!isOurs)
             flush(); // undo and the other commands of the window act on what was typed
         event->setAccepted(isOurs);
@@ -103,6 +104,7 @@ void ListingEditor::keyPressEvent(QKeyEvent *event)
         event->ignore();
         return;
     }
+    m_isPassedThrough = false;
     const bool hasList = isListActive();
     const bool isPlain = (event->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
     switch (event->key()) {
@@ -137,6 +139,17 @@ void ListingEditor::keyPressEvent(QKeyEvent *event)
         break;
     }
     QsciScintilla::keyPressEvent(event);
+}
+
+void ListingEditor::focusInEvent(QFocusEvent *event)
+{
+    QsciScintilla::focusInEvent(event);
+    m_isPassedThrough = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+}
+
+bool ListingEditor::focusNextPrevChild(bool next)
+{
+    return m_isPassedThrough && QAbstractScrollArea::focusNextPrevChild(next);
 }
 
 void ListingEditor::focusOutEvent(QFocusEvent *event)
@@ -259,6 +272,7 @@ void ListingEditor::setPointed(std::optional<TextRange> place)
 
 void ListingEditor::mousePressEvent(QMouseEvent *event)
 {
+    m_isPassedThrough = false;
     const bool isLeft = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
     const int line = lineAt(event->pos());
     if (isLeft && line > 0 && event->pos().x() < marginsWidth()) {

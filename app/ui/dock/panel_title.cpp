@@ -104,7 +104,10 @@ QSize PanelTitle::sizeHint() const
 
 QSize PanelTitle::minimumSizeHint() const
 {
-    return {QWidget::minimumSizeHint().width(), height};
+    // Beside tabs, the title gives way in a narrow panel.
+    const int title =
+        m_tabs && !m_title->isHidden() ? m_title->minimumSizeHint().width() + m_row->spacing() : 0;
+    return {QWidget::minimumSizeHint().width() - title, height};
 }
 
 QToolButton *makeTab(const QString &text, const QString &tip, QWidget *parent)

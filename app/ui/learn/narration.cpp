@@ -28,6 +28,16 @@ constexpr int headingHeight = 20;
 constexpr int todoMilliseconds =
     300; ///< between two updates of the missing tasks: faster changes cannot be read
 
+/// Returns the line of Listing::emptied() after which the learner writes, from 1.
+int lineBefore(const lessons::Listing &listing, const lessons::CodeTask &task)
+{
+    const int commentLines = static_cast<int>(task.comment.count('\n')) + 1;
+    if (task.isWholeFrame())
+        return commentLines + 2; // the opening brace
+    const lessons::Gap *place = listing.gap(task.id);
+    return place ? place->firstLine + commentLines - 1 : 1;
+}
+
 }
 
 Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
@@ -202,7 +212,8 @@ void Narration::addTasks()
         m_tasks.push_back(box);
         m_taskColumn->addWidget(box);
         connect(box, &TaskBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
-        connect(box, &TaskBox::started, this, &Narration::listingRequested);
+        connect(box, &TaskBox::started, this,
+                [this, &task] { emit listingRequested(lineBefore(m_session.step().listing, task)); });
     }
     m_taskHeading->setVisible(!m_tasks.empty());
     m_taskColumn->setContentsMargins(0, m_tasks.empty() ? 0 : 6, 0, 0);

@@ -52,8 +52,9 @@ signals:
     void wordRequested(const QString &name, const QPoint &place);
     /// Emitted when the learner goes on from the last step of a lesson, so its summary comes next.
     void summaryRequested();
-    /// Emitted when the learner starts a task in the listing, so the listing should be shown.
-    void listingRequested();
+    /// Emitted when the learner starts a task in the listing. The listing should be shown, with the caret at the end of
+    /// `line` (from 1).
+    void listingRequested(int line);
     /// Emitted when a part is folded or unfolded, which changes the height.
     void heightChanged();
 

@@ -187,10 +187,13 @@ void MainWindow::connectListing()
     const auto followPage = [this] { m_commands.run.setStepBy(m_code->stepBy()); };
     connect(m_code, &CodePages::stepByChanged, this, followPage);
     followPage();
-    connect(&m_learn->narration(), &Narration::listingRequested, this, [this] {
+    connect(&m_learn->narration(), &Narration::listingRequested, this, [this](int line) {
         m_layout.docks.show(Panel::code, true);
         m_code->choose(CodePages::Page::listing);
-        m_code->listing().editor().setFocus(Qt::OtherFocusReason);
+        ListingEditor &editor = m_code->listing().editor();
+        editor.setFocus(Qt::OtherFocusReason);
+        const QString text = editor.text(line - 1); // with its line break
+        editor.setCursorPosition(line - 1, static_cast<int>(text.size()) - 1);
     });
 }
 

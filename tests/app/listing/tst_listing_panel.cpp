@@ -314,6 +314,22 @@ private slots:
         QVERIFY(shown.view.hasFocus());
     }
 
+    void tabPassesThroughTheEditorUntilTheLearnerTypes()
+    {
+        ListingFixture shown;
+        const QString before = shown.editor.text();
+        shown.editor.setFocus(Qt::TabFocusReason);
+        QTest::keyClick(&shown.editor, Qt::Key_Tab);
+        QVERIFY(!shown.editor.hasFocus());
+        QCOMPARE(shown.editor.text(), before);
+        shown.editor.setFocus(Qt::TabFocusReason);
+        QTest::keyClick(&shown.editor, Qt::Key_Down);
+        QTest::keyClick(&shown.editor, Qt::Key_Down);
+        QTest::keyClick(&shown.editor, Qt::Key_Tab);
+        QVERIFY(shown.editor.hasFocus());
+        QCOMPARE(shown.editor.text(2), "    " + before.split('\n')[2] + '\n');
+    }
+
     void theEditorIndentsAndSpacesDoNotPlay()
     {
         ListingFixture shown;
