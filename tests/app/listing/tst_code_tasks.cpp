@@ -343,6 +343,8 @@ void CodeTasksTest::tasksAreUnfoldedAndStartedWithTheMouse()
     QSignalSpy requests(&world.panel.narration(), &Narration::listingRequested);
     world.press("startTask");
     QCOMPARE(requests.count(), 1);
+    const QString text = world.session.code().text();
+    QVERIFY(text.split('\n')[requests[0][0].toInt() - 1].contains("// The spring pulls the foot"));
     QVERIFY(world.session.code().text() != world.session.step().listing.text);
     QVERIFY(!world.button("startTask").isVisible());
     world.press("taskHintButton");
