@@ -3,6 +3,7 @@
 #include "app/model/session/session.h"
 #include "app/model/text/sentences.h"
 #include "app/ui/code/code_panel.h"
+#include "app/ui/code/code_view.h"
 #include "app/ui/code/listing_panel.h"
 #include "app/ui/dock/panel_title.h"
 
@@ -20,8 +21,8 @@
 namespace app {
 
 CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_listing(new ListingPanel(session, theme, this)),
-      m_engine(new CodePanel(session, theme, this)), m_pages(new QStackedWidget(this)),
+    : QWidget(parent), m_session(session), m_engine(new CodePanel(session, theme, this)),
+      m_listing(new ListingPanel(session, theme, this)), m_pages(new QStackedWidget(this)),
       m_offer(new QWidget(this)), m_offerText(new QLabel(m_offer)), m_use(new QPushButton(m_offer)),
       m_tabs(new QWidget(this)), m_actions(new QWidget(this))
 {
@@ -37,6 +38,10 @@ CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
     layout->addWidget(m_offer);
     layout->addWidget(m_pages, 1);
     connect(m_engine, &CodePanel::captionChanged, this, [this] { emit captionChanged(caption()); });
+    connect(m_listing, &ListingPanel::placeChosen, this, [this](const CodePlace &place) {
+        choose(Page::engine);
+        m_engine->view().showPlace(place);
+    });
     session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &CodePages::follow);
     m_wasInUse = session.code().isInUse();
     follow();

@@ -60,8 +60,8 @@ private:
     void show(Page page);
 
     Session &m_session;
-    ListingPanel *m_listing;
     CodePanel *m_engine;
+    ListingPanel *m_listing;
     QStackedWidget *m_pages;
     QWidget *m_offer;
     QLabel *m_offerText;

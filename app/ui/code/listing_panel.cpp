@@ -5,6 +5,7 @@
 #include "app/model/listing/line_values.h"
 #include "app/model/listing/listing_names.h"
 #include "app/model/run/run_program.h"
+#include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/listing_editor.h"
 #include "app/ui/theme/theme.h"
 
@@ -36,7 +37,7 @@ QLabel *textRow(const char *name, QWidget *parent)
 ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_calls(textRow("caption", this)),
       m_editor(new ListingEditor(theme, this)), m_mistake(new QWidget(this)),
-      m_sentence(textRow("failure", m_mistake))
+      m_sentence(textRow("failure", m_mistake)), m_stops(new BreakpointList(session, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -64,6 +65,8 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
     layout->addLayout(above);
     layout->addWidget(m_editor, 1);
     layout->addWidget(m_mistake);
+    layout->addWidget(m_stops);
+    connect(m_stops, &BreakpointList::chosen, this, &ListingPanel::placeChosen);
     setFocusProxy(m_editor);
     makeActions();
     connectEditor();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/breakpoints/breakpoints.h"
 #include "app/model/listing/vector_mark.h"
 #include "app/model/session/session.h"
 
@@ -12,6 +13,7 @@ class QToolButton;
 
 namespace app {
 
+class BreakpointList;
 class ListingEditor;
 class Theme;
 
@@ -26,6 +28,7 @@ public:
     ~ListingPanel() override;
 
     ListingEditor &editor() { return *m_editor; }
+    BreakpointList &stops() { return *m_stops; }
     /// Returns the buttons for the right end of the title. The code that creates the title must place them.
     QWidget *titleActions() { return m_actions; }
     /// Returns the sentence under the editor; empty if the listing has no mistake.
@@ -40,6 +43,8 @@ signals:
     void messageRequested(const QString &sentence);
     /// Emitted when the mouse moves onto a Vec2 of the listing, or off it.
     void vectorPointedAt(const std::optional<app::VectorMark> &vector);
+    /// Emitted when the learner chooses a breakpoint on a line of the engine's code.
+    void placeChosen(const app::CodePlace &place);
     /// Emitted when the learner leaves the editor by keyboard.
     void left();
 
@@ -75,6 +80,7 @@ private:
     ListingEditor *m_editor;
     QWidget *m_mistake;
     QLabel *m_sentence;
+    BreakpointList *m_stops;
     QPointer<QWidget> m_actions;
     QToolButton *m_reset = nullptr;
     const lessons::Step *m_step = nullptr; ///< the step that is shown

@@ -111,6 +111,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
 MainWindow::~MainWindow()
 {
     qApp->disconnect(this);
+    m_code->disconnect(this); // it hides after the commands have been deleted
 }
 
 void MainWindow::makeDocks(CostFunction cost)

@@ -2,6 +2,7 @@
 
 #include "tests/app/support/window_fixture.h"
 
+#include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/code_pages.h"
 #include "app/ui/code/code_panel.h"
 #include "app/ui/code/listing_editor.h"

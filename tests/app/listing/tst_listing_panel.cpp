@@ -420,6 +420,18 @@ private slots:
         QCOMPARE(shown.editor.marks().failed, shown.line("1 / ("));
     }
 
+    void theRunStopsWhenAVariableOfTheListingMeetsACondition()
+    {
+        ListingFixture shown;
+        tests::typeInto(*shown.panel.stops().field(), "centre.x > 1");
+        QCOMPARE(shown.panel.stops().errorText(), QString());
+        shown.view.setFocus();
+        shown.key(Qt::Key_Space);
+        QTRY_VERIFY(shown.session.playback().breakHit());
+        QVERIFY(!shown.session.playback().isPlaying());
+        QVERIFY(shown.frame() <= 1);
+    }
+
     void aMistakeOfAStepStaysWithItsStep()
     {
         ListingFixture shown;
