@@ -12,6 +12,8 @@ namespace {
 const QString wholeFrame = QStringLiteral("frame");
 const QString gapBegin = QStringLiteral("//>");
 const QString gapEnd = QStringLiteral("//<");
+const QString commentSign = QStringLiteral("// ");
+constexpr qsizetype commentWidth = 48; ///< characters: fits into the code panel of a small window
 
 [[noreturn]] void rejectLine(int line, const QString &why)
 {
@@ -50,11 +52,21 @@ qsizetype sharedIndent(const QStringList &lines)
     return std::max<qsizetype>(0, shared);
 }
 
+/// Returns `text` as a comment, with further line breaks between words.
 QStringList asComment(const QString &text)
 {
-    QStringList lines = linesOf(text);
-    for (QString &line : lines)
-        line.prepend(QStringLiteral("// "));
+    QStringList lines;
+    for (const QString &paragraph : linesOf(text)) {
+        QString line;
+        for (const QString &word : paragraph.split(' ')) {
+            if (!line.isEmpty() && line.size() + 1 + word.size() > commentWidth) {
+                lines << commentSign + line;
+                line.clear();
+            }
+            line += line.isEmpty() ? word : ' ' + word;
+        }
+        lines << commentSign + line;
+    }
     return lines;
 }
 

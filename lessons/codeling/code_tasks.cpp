@@ -108,7 +108,7 @@ std::vector<CodeTask> anticipationCodeTasks()
                 Text::tr("**From the empty page:** write the whole frame of a swimmer: it backs up before a "
                          "new target, a spring pulls the lead, and the tail follows on a stick."),
             .comment = Text::tr(
-                "Write the whole frame. The names: lead, tail (each with position, velocity, held),\ntarget, "
+                "Write the whole frame. The names: lead, tail (each with position, velocity, held), target, "
                 "new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand."),
             .hints =
                 {

@@ -812,10 +812,8 @@ Nichts hier wurde Bild für Bild gezeichnet: Federn und Zwangsbedingungen tun da
         <translation>`correction` zeigt von der Spitze zum Schwanz und ist so lang wie der Fehler.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: lead, tail (each with position, velocity, held),
-target, new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: lead, tail (jeweils mit position, velocity, held),
-target, new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</translation>
+        <source>Write the whole frame. The names: lead, tail (each with position, velocity, held), target, new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: lead, tail (jeweils mit position, velocity, held), target, new_targets[i], new_targets.count, anticipation, k, keep, dt, rest_length, hand.</translation>
     </message>
 </context>
 <context>

@@ -109,7 +109,7 @@ std::vector<CodeTask> gravityCodeTasks()
                              "with springs, gravity, damping and three walls."),
             .comment = Text::tr(
                 "Write the whole frame. The names: body, feet[i] (each with position, velocity, radius, "
-                "held),\nfeet.count, hand, k, damp, radius, gravity, bounce, left, right, floor."),
+                "held), feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor."),
             .hints =
                 {
                     Text::tr("The frame is that of lesson 3: the body follows if it is held, then each foot, "

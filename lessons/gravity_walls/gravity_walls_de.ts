@@ -344,10 +344,8 @@ Doppelt so lang, viermal so tief. Zur Seite zieht nichts, darum kommt etwas Gewo
         <translation>Der Rest stimmt, aber jeder Zug zeigt von seinem Ziel weg.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity, radius, held),
-feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity, radius, held),
-feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</translation>
+        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity, radius, held), feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity, radius, held), feet.count, hand, k, damp, radius, gravity, bounce, left, right, floor.</translation>
     </message>
 </context>
 <context>

@@ -106,9 +106,9 @@ std::vector<CodeTask> grownFeetCodeTasks()
         .text = Text::tr(
             "**From the empty page:** write the whole frame of a body with any number of feet. The hand "
             "comes first, then each foot, and the body last."),
-        .comment = Text::tr(
-            "Write the whole frame. The names: body, feet[i] (each with position, velocity and held),\n"
-            "feet.count, pointer, k, damp, radius. Functions of your own stand above frame."),
+        .comment =
+            Text::tr("Write the whole frame. The names: body, feet[i] (each with position, velocity and "
+                     "held), feet.count, hand, k, damp, radius. Functions of your own stand above frame."),
         .hints =
             {
                 Text::tr("Three functions help: `pull(me, anchor)` returns the pull on `me`, `follow(me)` is "

@@ -344,10 +344,8 @@ Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und 
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild für einen Körper mit beliebig vielen Füßen. Erst kommt die Hand, dann jeder Fuß und zuletzt der Körper.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity and held),
-feet.count, pointer, k, damp, radius. Functions of your own stand above frame.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity und held),
-feet.count, pointer, k, damp, radius. Eigene Funktionen stehen über frame.</translation>
+        <source>Write the whole frame. The names: body, feet[i] (each with position, velocity and held), feet.count, hand, k, damp, radius. Functions of your own stand above frame.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, feet[i] (jeweils mit position, velocity und held), feet.count, hand, k, damp, radius. Eigene Funktionen stehen über frame.</translation>
     </message>
     <message>
         <source>Three functions help: `pull(me, anchor)` returns the pull on `me`, `follow(me)` is for a body that is held, and `move(me)` damps and moves.</source>

@@ -97,9 +97,9 @@ std::vector<CodeTask> listCodeTasks()
             .text = Text::tr(
                 "**From the empty page:** write the whole frame of the figure of sticks. The pointer carries "
                 "the first point, your hand can hold any point, and each stick gets its length back."),
-            .comment = Text::tr(
-                "Write the whole frame. The names: points[i] (with position, held), points.count,\nsticks[i] "
-                "(with a, b, length, share), sticks.count, hand, pointer, pointer_known."),
+            .comment =
+                Text::tr("Write the whole frame. The names: points[i] (with position, held), points.count, "
+                         "sticks[i] (with a, b, length, share), sticks.count, hand, pointer, pointer_known."),
             .hints =
                 {
                     Text::tr("First the points: one that is held goes to `hand`. The first point goes to "

@@ -832,10 +832,8 @@ Und hat ein Stab x inzwischen bewegt, ist x − before eine andere Zahl: Die Ges
         <translation>Mit `+=` zählt jede Geschwindigkeit doppelt. Setze sie mit `=`.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: points[i] (with position, held), points.count,
-sticks[i] (with a, b, length, share), sticks.count, hand, pointer, pointer_known.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: points[i] (mit position, held), points.count,
-sticks[i] (mit a, b, length, share), sticks.count, hand, pointer, pointer_known.</translation>
+        <source>Write the whole frame. The names: points[i] (with position, held), points.count, sticks[i] (with a, b, length, share), sticks.count, hand, pointer, pointer_known.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: points[i] (mit position, held), points.count, sticks[i] (mit a, b, length, share), sticks.count, hand, pointer, pointer_known.</translation>
     </message>
 </context>
 <context>

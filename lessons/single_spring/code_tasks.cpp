@@ -179,9 +179,8 @@ std::vector<CodeTask> radialCodeTasks()
             .text = Text::tr(
                 "**From the empty page:** write the whole frame. You can carry the body. You can carry and "
                 "throw the foot, and its spring ends on the ring around the body."),
-            .comment = Text::tr(
-                "Write the whole frame. The names: body, foot (each with position, velocity and held),\n"
-                "pointer, k, damp, radius."),
+            .comment = Text::tr("Write the whole frame. The names: body, foot (each with position, velocity "
+                                "and held), hand, k, damp, radius."),
             .hints =
                 {
                     Text::tr(

@@ -776,10 +776,8 @@ Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild. Den Körper kannst du tragen. Den Fuß kannst du tragen und werfen, und seine Feder endet auf dem Ring um den Körper.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: body, foot (each with position, velocity and held),
-pointer, k, damp, radius.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held),
-pointer, k, damp, radius.</translation>
+        <source>Write the whole frame. The names: body, foot (each with position, velocity and held), hand, k, damp, radius.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held), hand, k, damp, radius.</translation>
     </message>
     <message>
         <source>Begin with the hand: `if (body.held)` the body goes to the pointer. `if (foot.held)` the foot does too, and its velocity is how far the hand moved. What comes then happens only if the foot is not held.</source>

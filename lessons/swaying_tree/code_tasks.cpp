@@ -79,7 +79,7 @@ std::vector<CodeTask> towardsPointerCodeTasks()
                 Text::tr("**From the empty page:** write the whole frame of a tree that turns to the pointer "
                          "while its button is down. All its branches follow one function that calls itself."),
             .comment = Text::tr(
-                "Write the whole frame. The names: branches[0], the trunk (each branch has position,\nangle, "
+                "Write the whole frame. The names: branches[0], the trunk (each branch has position, angle, "
                 "scale, held, children[i], children.count), base_length, hand, pointer, pointer_down."),
             .hints =
                 {

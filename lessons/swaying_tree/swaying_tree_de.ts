@@ -1076,10 +1076,8 @@ Der Stamm beginnt in der Mitte des Bodens, 275&#x202f;px nach rechts und 400&#x2
         <translation>Er bewegt sich auch, wenn weniger als 1° fehlt, und hält darum nie an. Ein `if` beendet das.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: branches[0], the trunk (each branch has position,
-angle, scale, held, children[i], children.count), base_length, hand, pointer, pointer_down.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: branches[0], der Stamm (jeder Zweig hat position,
-angle, scale, held, children[i], children.count), base_length, hand, pointer, pointer_down.</translation>
+        <source>Write the whole frame. The names: branches[0], the trunk (each branch has position, angle, scale, held, children[i], children.count), base_length, hand, pointer, pointer_down.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: branches[0], der Stamm (jeder Zweig hat position, angle, scale, held, children[i], children.count), base_length, hand, pointer, pointer_down.</translation>
     </message>
 </context>
 <context>

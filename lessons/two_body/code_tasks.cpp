@@ -79,9 +79,9 @@ std::vector<CodeTask> legLineCodeTasks()
         .text = Text::tr(
             "**From the empty page:** write the whole frame. Hold and throw both bodies. The foot is "
             "pulled and moves first, and then the body, which sees the foot where it already is."),
-        .comment = Text::tr(
-            "Write the whole frame. The names: body, foot (each with position, velocity and held),\n"
-            "pointer, k, damp, radius. A function nearest(me, anchor) can find the place on a ring."),
+        .comment =
+            Text::tr("Write the whole frame. The names: body, foot (each with position, velocity and held), "
+                     "hand, k, damp, radius. A function nearest(me, anchor) can find the place on a ring."),
         .hints =
             {
                 Text::tr("Begin with the hand: a held body goes to the pointer, and its velocity is how far "

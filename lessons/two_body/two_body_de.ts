@@ -308,10 +308,8 @@ Aber er zeigt, wie lang die Feder ist. Wo er länger ist als **Radius**, zieht d
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild. Beide Körper kannst du halten und werfen. Der Fuß wird gezogen und bewegt sich zuerst. Dann kommt der Körper, der den Fuß dort sieht, wo er schon ist.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: body, foot (each with position, velocity and held),
-pointer, k, damp, radius. A function nearest(me, anchor) can find the place on a ring.</source>
-        <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held),
-pointer, k, damp, radius. Eine Funktion nearest(me, anchor) kann den Ort auf einem Ring finden.</translation>
+        <source>Write the whole frame. The names: body, foot (each with position, velocity and held), hand, k, damp, radius. A function nearest(me, anchor) can find the place on a ring.</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held), hand, k, damp, radius. Eine Funktion nearest(me, anchor) kann den Ort auf einem Ring finden.</translation>
     </message>
     <message>
         <source>Begin with the hand: a held body goes to the pointer, and its velocity is how far the hand moved. Do this for both bodies first.</source>

@@ -147,9 +147,9 @@ std::vector<CodeTask> groundCodeTasks()
             .title = Text::tr("the whole frame"),
             .text = Text::tr("**From the empty page:** write the whole frame of a creature that walks: two "
                              "feet, a clock, forces on both sides, gravity, and the ground."),
-            .comment = Text::tr("Write the whole frame. The names: body, feet[0], feet[1] (each with "
-                                "position, velocity and held),\nhand, gait, speed, leg, drop, k, damp, "
-                                "gravity, ground, bounce, traction (0: full)."),
+            .comment = Text::tr(
+                "Write the whole frame. The names: body, feet[0], feet[1] (each with position, velocity and "
+                "held), hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: full)."),
             .hints =
                 {
                     Text::tr("The order of a frame: what is held follows the hand. Then both feet pull. Then "

@@ -1092,12 +1092,6 @@ Trotzdem sagt sie dir etwas: wie weit der Fuß vom Körper weg ist. In Ruhe ist 
         <translation>**Von der leeren Seite:** Schreibe das ganze Bild eines Wesens, das geht: zwei Füße, eine Uhr, Kräfte auf beiden Seiten, Schwerkraft und der Boden.</translation>
     </message>
     <message>
-        <source>Write the whole frame. The names: body, feet[0], feet[1] (each with position, velocity and held),
-hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: full).</source>
-        <translation>Schreibe das ganze Bild. Die Namen: body, feet[0], feet[1] (jeweils mit position, velocity und held),
-hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: voll).</translation>
-    </message>
-    <message>
         <source>The order of a frame: what is held follows the hand. Then both feet pull. Then all three move, the feet first. In the end the clock goes on by `speed`.</source>
         <translation>Die Reihenfolge eines Bildes: Was gehalten wird, folgt der Hand. Dann ziehen beide Füße. Dann bewegen sich alle drei, die Füße zuerst. Am Ende geht die Uhr um `speed` weiter.</translation>
     </message>
@@ -1120,6 +1114,10 @@ hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: vol
     <message>
         <source>The rest is right, but the feet slide on the ground as on ice.</source>
         <translation>Der Rest stimmt, aber die Füße gleiten auf dem Boden wie auf Eis.</translation>
+    </message>
+    <message>
+        <source>Write the whole frame. The names: body, feet[0], feet[1] (each with position, velocity and held), hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: full).</source>
+        <translation>Schreibe das ganze Bild. Die Namen: body, feet[0], feet[1] (jeweils mit position, velocity und held), hand, gait, speed, leg, drop, k, damp, gravity, ground, bounce, traction (0: voll).</translation>
     </message>
 </context>
 <context>

@@ -31,11 +31,12 @@ constexpr int todoMilliseconds =
 /// Returns the line of Listing::emptied() after which the learner writes, from 1.
 int lineBefore(const lessons::Listing &listing, const lessons::CodeTask &task)
 {
-    const int commentLines = static_cast<int>(task.comment.count('\n')) + 1;
-    if (task.isWholeFrame())
-        return commentLines + 2; // the opening brace
+    const auto lines = [](const QString &text) { return static_cast<int>(text.count('\n')); };
+    const QString text = listing.emptied(task);
     const lessons::Gap *place = listing.gap(task.id);
-    return place ? place->firstLine + commentLines - 1 : 1;
+    if (!place) // the opening brace of an empty function is the last line but one
+        return lines(text) - 1;
+    return place->firstLine + place->lineCount - 1 + lines(text) - lines(listing.text);
 }
 
 }

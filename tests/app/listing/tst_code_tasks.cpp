@@ -147,6 +147,9 @@ void CodeTasksTest::aGapIsReplacedWithItsIndentation()
     QCOMPARE(listing.emptied(task),
              QString("void frame()\n{\n    // First\n    // and second\n    foot.position += "
                      "foot.velocity;\n}\n"));
+    task.comment = "A comment that is too long for a narrow panel is broken between two words.";
+    QVERIFY(listing.emptied(task).contains(
+        "    // A comment that is too long for a narrow panel is\n    // broken"));
 }
 
 void CodeTasksTest::wrongMarkersAreRejected_data()
