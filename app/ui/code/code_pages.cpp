@@ -105,6 +105,11 @@ QString CodePages::caption() const
     return page() == Page::listing ? QString() : m_engine->caption();
 }
 
+QString CodePages::shortCaption() const
+{
+    return page() == Page::listing ? QString() : bodyTitle(m_session.selected());
+}
+
 StepBy CodePages::stepBy() const
 {
     return page() == Page::listing && isVisible() && m_session.lines().isAvailable() ? StepBy::lines

@@ -41,6 +41,8 @@ public:
     /// Returns how the step commands go while this page is shown: by lines if the listing computes the run.
     StepBy stepBy() const;
     QString caption() const;
+    /// Returns the caption in a word or two, for narrow titles.
+    QString shortCaption() const;
     /// Returns the tabs for the title. The code that creates the title must place them, and the actions.
     QWidget *titleTabs() const { return m_tabs; }
     QWidget *titleActions() const { return m_actions; }

@@ -38,6 +38,12 @@ void PanelTitle::setTitle(const QString &title)
     m_title->setText(title);
 }
 
+void PanelTitle::setShortCaption(const QString &caption)
+{
+    m_shortCaption = caption;
+    fitCaption();
+}
+
 QString PanelTitle::caption() const
 {
     return m_captionText;
@@ -63,10 +69,11 @@ void PanelTitle::addAction(QWidget *widget)
 
 void PanelTitle::fitCaption()
 {
-    constexpr qsizetype leastLetters = 4; // the beginning of a word says nothing
-    QString fitting = m_caption->fontMetrics().elidedText(m_captionText, Qt::ElideRight, m_caption->width());
-    if (fitting != m_captionText && fitting.size() < leastLetters)
-        fitting.clear();
+    const QFontMetrics metrics = m_caption->fontMetrics();
+    QString fitting = metrics.elidedText(m_captionText, Qt::ElideRight, m_caption->width());
+    if (fitting != m_captionText && m_tabs && !m_tabs->isHidden())
+        fitting =
+            metrics.horizontalAdvance(m_shortCaption) <= m_caption->width() ? m_shortCaption : QString();
     m_caption->setText(fitting);
     m_caption->setToolTip(fitting == m_captionText ? QString() : m_captionText);
 }

@@ -24,6 +24,8 @@ public:
     void setTitle(const QString &title);
     QString caption() const;
     void setCaption(const QString &caption);
+    /// Sets what is shown beside tabs if there is no room for the caption. If that does not fit either, nothing is.
+    void setShortCaption(const QString &caption);
     /// Adds tabs behind the title.
     void addTabs(QWidget *tabs);
     /// Adds a widget at the right end.
@@ -43,6 +45,7 @@ private:
     QLabel *m_title;
     QLabel *m_caption;
     QString m_captionText;
+    QString m_shortCaption;
     QWidget *m_tabs = nullptr;
     QHBoxLayout *m_row;
 };

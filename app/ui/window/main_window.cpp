@@ -130,7 +130,11 @@ void MainWindow::makeDocks(CostFunction cost)
     codeTitle->setCaption(m_code->caption());
     codeTitle->addTabs(m_code->titleTabs());
     codeTitle->addAction(m_code->titleActions());
-    connect(m_code, &CodePages::captionChanged, codeTitle, &DockTitle::setCaption);
+    codeTitle->setShortCaption(m_code->shortCaption());
+    connect(m_code, &CodePages::captionChanged, codeTitle, [this, codeTitle](const QString &caption) {
+        codeTitle->setShortCaption(m_code->shortCaption());
+        codeTitle->setCaption(caption);
+    });
 
     const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea,
                below = Qt::BottomDockWidgetArea;
