@@ -3,6 +3,7 @@
 #include "app/listing/tokens.h"
 #include "app/model/code/code_listing.h"
 #include "app/model/code/source_files.h"
+#include "app/model/listing/assigned_paths.h"
 #include "app/model/run/run_program.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
@@ -38,12 +39,10 @@ std::map<QString, QString> variablesOf(const lessons::Step &step, const sim::Scr
         text = step.listing.text.toStdString();
     const listing::Tokens tokens(text);
     std::map<QString, QString> variables;
+    const auto textOf = [&](std::size_t i) { return QString::fromStdString(std::string(tokens[i].text)); };
     for (std::size_t i = 0; i + 1 < tokens.size(); ++i) {
-        const QString type =
-            QString::fromUtf8(tokens[i].text.data(), static_cast<qsizetype>(tokens[i].text.size()));
-        static const QStringList types = {"double", "int", "bool", "Vec2", "Body"};
-        if (types.contains(type) && tokens.isWord(i + 1) && !tokens.is(i + 2, "("))
-            variables[QString::fromStdString(std::string(tokens[i + 1].text))] = type;
+        if (declaresVariable(tokens, i))
+            variables[textOf(i + 1)] = textOf(i);
     }
     return variables;
 }

@@ -32,6 +32,15 @@ std::size_t endOfValue(const listing::Tokens &tokens, std::size_t i)
 
 }
 
+bool declaresVariable(const listing::Tokens &tokens, std::size_t i)
+{
+    static constexpr std::string_view types[] = {"double", "int", "bool", "Vec2", "Body"};
+    if (i >= tokens.size() || !tokens.isWord(i + 1) ||
+        std::find(std::begin(types), std::end(types), tokens[i].text) == std::end(types))
+        return false;
+    return !tokens.is(i + 2, "(") || tokens.is(tokens.closing(i + 2) + 1, ";");
+}
+
 std::size_t beginOfPath(const listing::Tokens &tokens, std::size_t last)
 {
     std::size_t at = last;
@@ -71,7 +80,10 @@ std::vector<Assignment> assignmentsIn(const listing::Tokens &tokens)
                            endOfValue(tokens, value), isPlain, !tokens.isInBlock(begin)});
     };
     for (std::size_t i = 1; i < tokens.size(); ++i) {
-        if (setsValue(tokens, i)) {
+        if (tokens.is(i, "(") && i >= 2 && declaresVariable(tokens, i - 2)) { // Vec2 centre(x, y);
+            all.push_back({tokens[i - 1].line, std::string(tokens[i - 1].text), i - 1, i + 1,
+                           tokens.closing(i), true, !tokens.isInBlock(i - 1)});
+        } else if (setsValue(tokens, i)) {
             const bool isCompound = isOperator(tokens, i - 1) && tokens[i - 1].end() == tokens[i].offset;
             const std::size_t before = isCompound ? 2 : 1;
             if (i >= before && endsPath(i - before))

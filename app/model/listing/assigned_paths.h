@@ -22,6 +22,10 @@ struct Assignment
 /// Returns the assignments of a text, in its order. The text need not compile.
 std::vector<Assignment> assignmentsIn(const listing::Tokens &tokens);
 
+/// Returns whether tokens `i` and `i + 1` are a type and the name of a variable or parameter: `double angle`, or
+/// `Vec2 centre` of `Vec2 centre(x, y);`. Functions are left out.
+bool declaresVariable(const listing::Tokens &tokens, std::size_t i);
+
 /// Returns the index of the first token of the path that ends with token `last`, such as `feet[i].position`. `last` is a
 /// word or a closing bracket.
 std::size_t beginOfPath(const listing::Tokens &tokens, std::size_t last);

@@ -235,6 +235,19 @@ private slots:
         QVERIFY(!chipAt(opened, "double angle").isChanged);
     }
 
+    void aVariableInParenthesesHasAValueToo()
+    {
+        Opened opened("single_spring", "fixed_centre"); // Vec2 centre(centre_x, centre_y);
+        Session &session = opened.session;
+        QVERIFY(session.lines().runTo(opened.lineOf("foot.velocity += k")));
+        const sim::Values &values = session.timeline().values();
+        const sim::Vec2 centre = {values["centre_x"], values["centre_y"]};
+        QCOMPARE(chipAt(opened, "Vec2 centre(").text, "centre = " + shownText(centre));
+        const std::optional<VectorMark> mark = markAt(opened, "foot.velocity += k", "centre");
+        QVERIFY(mark && mark->kind == VectorMark::Kind::place && mark->to == centre);
+        QVERIFY(conditionNames(session.step(), session.timeline()).variables.count("centre") == 1);
+    }
+
     void betweenTwoFramesTheValuesAreThoseOfTheLastOne()
     {
         Opened opened("single_spring", "radial");
