@@ -229,6 +229,12 @@ void Narration::showTasks()
         return;
     fitText();
     emit heightChanged();
+    QTimer::singleShot(0, this, [this] { // once the layout is done
+        for (TaskBox *box : m_tasks) {
+            if (m_desk.task() == &box->task())
+                m_area->ensureWidgetVisible(box, 0, 0);
+        }
+    });
 }
 
 void Narration::showUnfolded(QWidget *box, bool open)
