@@ -18,7 +18,7 @@ namespace app {
 
 namespace {
 
-constexpr int besideGone = 14;              ///< px, between the number of removed lines and its button
+constexpr int besideGone = 14;              ///< px, between a number of lines and the edges of its button
 constexpr qint64 playingMilliseconds = 100; ///< between two updates during playback, to keep numbers readable
 
 }
@@ -66,7 +66,6 @@ void CodePanel::makeActions()
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
     m_newLines = new QToolButton;
-    m_newLines->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_newLines->setToolTip(tr("Lines that are new in this step. Click to go through them."));
     m_goneLines = new QToolButton;
     m_goneLines->setToolTip(tr("Lines that this step removed. Click to show or hide them, struck through at "
@@ -89,7 +88,6 @@ void CodePanel::makeActions()
 
 void CodePanel::applyTheme()
 {
-    m_newLines->setIcon(m_theme.icon(QStringLiteral("difference")));
     m_copy->setIcon(m_theme.icon(QStringLiteral("copy")));
 }
 
@@ -240,11 +238,13 @@ void CodePanel::showNewLines()
 {
     const int count = m_listing.newLines();
     const QString text = count == 1 ? tr("1 line new") : tr("%1 lines new").arg(count);
-    m_newLines->setText(QString::number(count)); // short, like the removed lines
+    const QString more = QStringLiteral("+%1").arg(count); // short, because the title has little space
+    m_newLines->setText(more);
+    m_newLines->setFixedWidth(m_newLines->fontMetrics().horizontalAdvance(more) + besideGone);
     m_newLines->setAccessibleName(text);
     m_newLines->setVisible(count > 0);
     const int gone = m_listing.goneLines();
-    const QString less = QStringLiteral("−%1").arg(gone); // short, because the title has little space
+    const QString less = QStringLiteral("−%1").arg(gone);
     m_goneLines->setText(less);
     m_goneLines->setFixedWidth(m_goneLines->fontMetrics().horizontalAdvance(less) + besideGone);
     m_goneLines->setAccessibleName(gone == 1 ? tr("1 line removed") : tr("%1 lines removed").arg(gone));
