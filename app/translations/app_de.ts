@@ -7848,8 +7848,8 @@ Klicken, um bis dorthin zu laufen.</translation>
         <translation>In einem Bild</translation>
     </message>
     <message>
-        <source>A frame is made of phases: springs pull, damping takes its share, things move. **Shift+→** goes from one to the next.</source>
-        <translation>Ein Bild besteht aus Phasen: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich. **Umschalt+→** geht von einer zur nächsten.</translation>
+        <source>**Shift+→** runs one line of the code, and **Shift+←** takes it back. On the code's page **Engine** they go from phase to phase: springs pull, damping takes its share, things move.</source>
+        <translation>**Umschalt+→** führt eine Zeile des Codes aus, und **Umschalt+←** nimmt sie zurück. Auf der Seite **Engine** des Codes gehen sie von Phase zu Phase: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich.</translation>
     </message>
     <message>
         <source>The code that runs</source>

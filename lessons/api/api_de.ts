@@ -40,8 +40,8 @@
         <translation>geh weiter bis Bild %2. Das hier ist Bild %1.</translation>
     </message>
     <message>
-        <source>stop, and go into a frame: **Shift+→**.</source>
-        <translation>halte an und geh in ein Bild hinein: **Umschalt+→**.</translation>
+        <source>stop, show the page **Engine** of the code, and go into a frame: **Shift+→**.</source>
+        <translation>halte an, zeig beim Code die Seite **Engine** und geh in ein Bild hinein: **Umschalt+→**.</translation>
     </message>
     <message>
         <source>press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved.</source>

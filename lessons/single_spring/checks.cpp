@@ -169,11 +169,12 @@ std::vector<Try> fixedCentreTries()
         },
         {
             .text = Text::tr(
-                "Stop inside a frame (**Shift+→**) when the spring has pulled and nothing has moved yet."),
+                "Show the page **Engine** of the code, and stop inside a frame (**Shift+→**) when the spring "
+                "has pulled and nothing has moved yet."),
             .conditions = {insideFrame(), onlyPulled()},
-            .hint =
-                Text::tr("Stop first (**Space**). Then press **Shift+→** once: that is one phase. The spring "
-                         "is the first of them."),
+            .hint = Text::tr(
+                "Click **Engine** above the code, and stop (**Space**). Then press **Shift+→** once: "
+                "that is one phase. The spring is the first of them."),
         },
         {
             .text = Text::tr(

@@ -61,7 +61,8 @@ Explanation fixedCentreExplanation()
                  Text::tr("Twice as far, twice the pull: a spring pulls with k times the distance.")},
                 {Text::tr("Phase"), Text::tr("phase|phases"),
                  Text::tr("A part of a frame: first the springs pull, then damping takes its share, then "
-                          "everything moves. **Shift+→** goes from one to the next.")},
+                          "everything moves. While the code shows its page **Engine**, **Shift+→** goes from "
+                          "one to the next.")},
                 {Text::tr("Overshoot"), Text::tr("overshoots|overshoot"),
                  Text::tr("To go past the place where one wants to be. A swinging foot does so at every "
                           "swing.")},

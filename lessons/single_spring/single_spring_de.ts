@@ -96,8 +96,8 @@ Der Winkel ist in **Radiant**: 1 rad = 57,2958°, und eine halbe Drehung ist 3,1
         <translation>Zieh den Fuß mindestens 100&#x202f;px vom Kreuz weg, lass los und warte, bis er still ist.</translation>
     </message>
     <message>
-        <source>Stop inside a frame (**Shift+→**) when the spring has pulled and nothing has moved yet.</source>
-        <translation>Halte innerhalb eines Bildes an (**Umschalt+→**), wenn die Feder gezogen hat und sich noch nichts bewegt hat.</translation>
+        <source>Show the page **Engine** of the code, and stop inside a frame (**Shift+→**) when the spring has pulled and nothing has moved yet.</source>
+        <translation>Zeig beim Code die Seite **Engine** und halte innerhalb eines Bildes an (**Umschalt+→**), wenn die Feder gezogen hat und sich noch nichts bewegt hat.</translation>
     </message>
     <message>
         <source>Set **damping** to 1, pull the foot out and let go. Does it ever stop? Give it 100&#x202f;frames.</source>
@@ -216,8 +216,8 @@ Anders gesehen ist Dämpfung ein **Widerstand**: Er schiebt gegen die Bewegung, 
         <translation>Drück die **Leertaste**. Nimm den Fuß weit hinaus, lass los und warte, bis er auf dem Kreuz steht.</translation>
     </message>
     <message>
-        <source>Stop first (**Space**). Then press **Shift+→** once: that is one phase. The spring is the first of them.</source>
-        <translation>Halte zuerst an (**Leertaste**). Dann drück einmal **Umschalt+→**: Das ist eine Phase. Die Feder ist die erste.</translation>
+        <source>Click **Engine** above the code, and stop (**Space**). Then press **Shift+→** once: that is one phase. The spring is the first of them.</source>
+        <translation>Klick über dem Code auf **Engine** und halte an (**Leertaste**). Dann drück einmal **Umschalt+→**: Das ist eine Phase. Die Feder ist die erste.</translation>
     </message>
     <message>
         <source>Type 1 into the field beside **Damping**, press **Space**, pull the foot out, let go, and wait some seconds.</source>
@@ -268,8 +268,8 @@ Anders gesehen ist Dämpfung ein **Widerstand**: Er schiebt gegen die Bewegung, 
         <translation>Phase|Phasen</translation>
     </message>
     <message>
-        <source>A part of a frame: first the springs pull, then damping takes its share, then everything moves. **Shift+→** goes from one to the next.</source>
-        <translation>Ein Teil eines Bildes: Erst ziehen die Federn, dann nimmt die Dämpfung ihren Anteil, dann bewegt sich alles. **Umschalt+→** geht von einer zur nächsten.</translation>
+        <source>A part of a frame: first the springs pull, then damping takes its share, then everything moves. While the code shows its page **Engine**, **Shift+→** goes from one to the next.</source>
+        <translation>Ein Teil eines Bildes: Erst ziehen die Federn, dann nimmt die Dämpfung ihren Anteil, dann bewegt sich alles. Solange der Code seine Seite **Engine** zeigt, geht **Umschalt+→** von einer zur nächsten.</translation>
     </message>
     <message>
         <source>Overshoot</source>

@@ -32,9 +32,9 @@ std::vector<TourStop> tourStops(const QWidget &window, const SceneColumn &centre
          Tour::tr("Drag here to go back in time. Change something there, and the old run stays as a ghost."),
          upperHalf},
         {Tour::tr("Inside a frame"),
-         Tour::tr("A frame is made of phases: springs pull, damping takes its share, things move. "
-                  "**Shift+→** goes "
-                  "from one to the next."),
+         Tour::tr("**Shift+→** runs one line of the code, and **Shift+←** takes it back. On the code's page "
+                  "**Engine** they go from phase to phase: springs pull, damping takes its share, things "
+                  "move."),
          lowerHalf},
         {Tour::tr("The code that runs"),
          Tour::tr("These lines compute the scene. Beside them are the current values. Change a line, and the "

@@ -181,7 +181,7 @@ Condition stepIs(double h, const QString &todo)
 Condition insideFrame()
 {
     return {[](const sim::Timeline &run) { return run.cursor().phase > 0; },
-            Text::tr("stop, and go into a frame: **Shift+→**.")};
+            Text::tr("stop, show the page **Engine** of the code, and go into a frame: **Shift+→**.")};
 }
 
 Condition onlyPulled()
