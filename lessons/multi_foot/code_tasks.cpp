@@ -71,27 +71,27 @@ std::vector<CodeTask> anyNumberCodeTasks()
             .id = "follow",
             .title = Text::tr("a body in your hand"),
             .text = Text::tr(
-                "Write the function **follow** for a body that is held: it goes where the pointer is, and "
+                "Write the function **follow** for a body that is held: it goes where your hand is, and "
                 "can be thrown."),
             .comment = Text::tr("me is held by the hand."),
             .hints =
                 {
                     Text::tr(
                         "The velocity is how far the hand moved in this frame: from where `me` still is to "
-                        "`pointer`."),
+                        "`hand`."),
                     Text::tr("Set the velocity before the position changes."),
-                    Text::tr("`me.velocity = pointer - …;` and then `me.position = …;`"),
+                    Text::tr("`me.velocity = hand - …;` and then `me.position = …;`"),
                 },
             .nearMisses =
                 {
-                    {"me.position = pointer;\nme.velocity = pointer - me.position;",
+                    {"me.position = hand;\nme.velocity = hand - me.position;",
                      Text::tr("`me` has already moved when you take the difference, so its velocity is 0 and "
                               "it cannot "
                               "be thrown. Swap the two lines.")},
-                    {"me.position = pointer;",
+                    {"me.position = hand;",
                      Text::tr("`me` follows the hand, but keeps the velocity from before. Your throw has no "
                               "effect.")},
-                    {"me.velocity = pointer - me.position;\nme.position += me.velocity * damp;",
+                    {"me.velocity = hand - me.position;\nme.position += me.velocity * damp;",
                      Text::tr("`me` lags behind the hand. While it is held, nothing damps it.")},
                 },
         },

@@ -304,24 +304,24 @@ Ist das so viel, dass der Körper **über** seinen Ort hinaus zurückkommt, und 
         <translation>ein Körper in deiner Hand</translation>
     </message>
     <message>
-        <source>Write the function **follow** for a body that is held: it goes where the pointer is, and can be thrown.</source>
-        <translation>Schreibe die Funktion **follow** für einen Körper, der gehalten wird: Er geht dorthin, wo der Zeiger ist, und du kannst ihn werfen.</translation>
+        <source>Write the function **follow** for a body that is held: it goes where your hand is, and can be thrown.</source>
+        <translation>Schreibe die Funktion **follow** für einen Körper, der gehalten wird: Er geht dorthin, wo deine Hand ist, und du kannst ihn werfen.</translation>
     </message>
     <message>
         <source>me is held by the hand.</source>
         <translation>me ist in der Hand.</translation>
     </message>
     <message>
-        <source>The velocity is how far the hand moved in this frame: from where `me` still is to `pointer`.</source>
-        <translation>Die Geschwindigkeit ist, wie weit sich die Hand in diesem Bild bewegt hat: von dort, wo `me` noch ist, bis zu `pointer`.</translation>
+        <source>The velocity is how far the hand moved in this frame: from where `me` still is to `hand`.</source>
+        <translation>Die Geschwindigkeit ist, wie weit sich die Hand in diesem Bild bewegt hat: von dort, wo `me` noch ist, bis zu `hand`.</translation>
     </message>
     <message>
         <source>Set the velocity before the position changes.</source>
         <translation>Setze die Geschwindigkeit, bevor sich der Ort ändert.</translation>
     </message>
     <message>
-        <source>`me.velocity = pointer - …;` and then `me.position = …;`</source>
-        <translation>`me.velocity = pointer - …;` und dann `me.position = …;`</translation>
+        <source>`me.velocity = hand - …;` and then `me.position = …;`</source>
+        <translation>`me.velocity = hand - …;` und dann `me.position = …;`</translation>
     </message>
     <message>
         <source>`me` has already moved when you take the difference, so its velocity is 0 and it cannot be thrown. Swap the two lines.</source>

@@ -11,16 +11,16 @@ std::vector<CodeTask> dragCodeTasks()
     return {{
         .id = "throw",
         .title = Text::tr("the throw"),
-        .text = Text::tr("Write what the foot does **while you hold it**: it goes where the pointer is. Its "
+        .text = Text::tr("Write what the foot does **while you hold it**: it goes where your hand is. Its "
                          "velocity is how far the hand moved in this frame."),
         .comment = Text::tr("The foot is held: set its velocity and its position."),
         .hints =
             {
-                Text::tr("The foot is still where the hand was in the last frame. The hand is at `pointer` "
-                         "now. The velocity is the difference."),
+                Text::tr("The foot is still where the hand was in the last frame. Now the hand is at "
+                         "`hand`. The velocity is the difference."),
                 Text::tr("Two lines: first the velocity, then the position. After the move the difference "
                          "would be 0."),
-                Text::tr("`foot.velocity = pointer - …;` and then `foot.position = …;`"),
+                Text::tr("`foot.velocity = hand - …;` and then `foot.position = …;`"),
             },
         .nearMisses =
             {
@@ -184,7 +184,7 @@ std::vector<CodeTask> radialCodeTasks()
             .hints =
                 {
                     Text::tr(
-                        "Begin with the hand: `if (body.held)` the body goes to the pointer. `if "
+                        "Begin with the hand: `if (body.held)` the body goes to the hand. `if "
                         "(foot.held)` the foot does too, and its velocity is how far the hand moved. What "
                         "comes then happens only if the foot is not held."),
                     Text::tr("In `else`: find the target on the ring, add the pull to the velocity, damp the "
@@ -195,7 +195,7 @@ std::vector<CodeTask> radialCodeTasks()
                 },
             .nearMisses =
                 {
-                    {"foot.position = pointer;",
+                    {"foot.position = hand;",
                      Text::tr("The rest is right, but the foot cannot be thrown: while you hold it, its "
                               "velocity has to "
                               "be how far the hand moved."),

@@ -576,24 +576,24 @@ Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das
         <translation>der Wurf</translation>
     </message>
     <message>
-        <source>Write what the foot does **while you hold it**: it goes where the pointer is. Its velocity is how far the hand moved in this frame.</source>
-        <translation>Schreibe, was der Fuß tut, **während du ihn hältst**: Er geht dorthin, wo der Zeiger ist. Seine Geschwindigkeit ist, wie weit sich die Hand in diesem Bild bewegt hat.</translation>
+        <source>Write what the foot does **while you hold it**: it goes where your hand is. Its velocity is how far the hand moved in this frame.</source>
+        <translation>Schreibe, was der Fuß tut, **während du ihn hältst**: Er geht dorthin, wo deine Hand ist. Seine Geschwindigkeit ist, wie weit sich die Hand in diesem Bild bewegt hat.</translation>
     </message>
     <message>
         <source>The foot is held: set its velocity and its position.</source>
         <translation>Der Fuß ist in der Hand: Setze seine Geschwindigkeit und seinen Ort.</translation>
     </message>
     <message>
-        <source>The foot is still where the hand was in the last frame. The hand is at `pointer` now. The velocity is the difference.</source>
-        <translation>Der Fuß ist noch dort, wo die Hand im letzten Bild war. Die Hand ist jetzt bei `pointer`. Die Geschwindigkeit ist der Unterschied.</translation>
+        <source>The foot is still where the hand was in the last frame. Now the hand is at `hand`. The velocity is the difference.</source>
+        <translation>Der Fuß ist noch dort, wo die Hand im letzten Bild war. Jetzt ist die Hand bei `hand`. Die Geschwindigkeit ist der Unterschied.</translation>
     </message>
     <message>
         <source>Two lines: first the velocity, then the position. After the move the difference would be 0.</source>
         <translation>Zwei Zeilen: erst die Geschwindigkeit, dann der Ort. Nach der Bewegung wäre der Unterschied 0.</translation>
     </message>
     <message>
-        <source>`foot.velocity = pointer - …;` and then `foot.position = …;`</source>
-        <translation>`foot.velocity = pointer - …;` und dann `foot.position = …;`</translation>
+        <source>`foot.velocity = hand - …;` and then `foot.position = …;`</source>
+        <translation>`foot.velocity = hand - …;` und dann `foot.position = …;`</translation>
     </message>
     <message>
         <source>The velocity points backwards: from the hand to where the foot was. It flies away from your throw.</source>
@@ -780,8 +780,8 @@ Der Pfeil ist der Zug, den eine Feder zum Kreuz hätte. Er wirkt noch nicht: Das
         <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held), hand, k, damp, radius.</translation>
     </message>
     <message>
-        <source>Begin with the hand: `if (body.held)` the body goes to the pointer. `if (foot.held)` the foot does too, and its velocity is how far the hand moved. What comes then happens only if the foot is not held.</source>
-        <translation>Beginne mit der Hand: `if (body.held)`, dann geht der Körper zum Zeiger. `if (foot.held)`, dann geht auch der Fuß dorthin, und seine Geschwindigkeit ist, wie weit sich die Hand bewegt hat. Was danach kommt, geschieht nur, wenn der Fuß nicht gehalten wird.</translation>
+        <source>Begin with the hand: `if (body.held)` the body goes to the hand. `if (foot.held)` the foot does too, and its velocity is how far the hand moved. What comes then happens only if the foot is not held.</source>
+        <translation>Beginne mit der Hand: `if (body.held)`, dann geht der Körper zur Hand. `if (foot.held)`, dann geht auch der Fuß dorthin, und seine Geschwindigkeit ist, wie weit sich die Hand bewegt hat. Was danach kommt, geschieht nur, wenn der Fuß nicht gehalten wird.</translation>
     </message>
     <message>
         <source>In `else`: find the target on the ring, add the pull to the velocity, damp the velocity, and move the foot.</source>

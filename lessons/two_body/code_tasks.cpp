@@ -84,7 +84,7 @@ std::vector<CodeTask> legLineCodeTasks()
                      "hand, k, damp, radius. A function nearest(me, anchor) can find the place on a ring."),
         .hints =
             {
-                Text::tr("Begin with the hand: a held body goes to the pointer, and its velocity is how far "
+                Text::tr("Begin with the hand: a held body goes to the hand, and its velocity is how far "
                          "the hand "
                          "moved. Do this for both bodies first."),
                 Text::tr("Then the foot, if it is not held: pull, damping, move. Then the same for the body, "
@@ -96,7 +96,7 @@ std::vector<CodeTask> legLineCodeTasks()
             },
         .nearMisses =
             {
-                {"foot.position = pointer;",
+                {"foot.position = hand;",
                  Text::tr("The rest is right, but the foot cannot be thrown: while you hold it, its velocity "
                           "has to be "
                           "how far the hand moved."),

@@ -312,8 +312,8 @@ Aber er zeigt, wie lang die Feder ist. Wo er länger ist als **Radius**, zieht d
         <translation>Schreibe das ganze Bild. Die Namen: body, foot (jeweils mit position, velocity und held), hand, k, damp, radius. Eine Funktion nearest(me, anchor) kann den Ort auf einem Ring finden.</translation>
     </message>
     <message>
-        <source>Begin with the hand: a held body goes to the pointer, and its velocity is how far the hand moved. Do this for both bodies first.</source>
-        <translation>Beginne mit der Hand: Ein gehaltener Körper geht zum Zeiger, und seine Geschwindigkeit ist, wie weit sich die Hand bewegt hat. Tu das zuerst für beide Körper.</translation>
+        <source>Begin with the hand: a held body goes to the hand, and its velocity is how far the hand moved. Do this for both bodies first.</source>
+        <translation>Beginne mit der Hand: Ein gehaltener Körper geht zur Hand, und seine Geschwindigkeit ist, wie weit sich die Hand bewegt hat. Tu das zuerst für beide Körper.</translation>
     </message>
     <message>
         <source>Then the foot, if it is not held: pull, damping, move. Then the same for the body, if it is not held.</source>

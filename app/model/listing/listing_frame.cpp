@@ -212,8 +212,13 @@ std::optional<Value> ListingFrame::rootValue(const std::string &name, int index,
     if (const std::size_t i = at(names.parameters); i < names.parameters.size())
         return Value(m_binding.parameters[i]);
     const bool isHeld = m_start.hold.point >= 0;
+    const sim::Vec2 pointer = m_start.input.pointer.value_or(sim::Vec2{});
     if (name == "pointer")
-        return Value(isHeld ? m_start.hold.hand : m_start.input.pointer.value_or(sim::Vec2{}));
+        return Value(pointer);
+    if (name == "hand")
+        return Value(isHeld ? m_start.hold.hand : pointer);
+    if (name == "pointer_known")
+        return Value(m_start.input.pointer.has_value());
     if (name == "target")
         return Value(m_start.input.target);
     if (name == "pointer_down")

@@ -192,7 +192,7 @@ void CodeJudgeTest::anyRightFormulationPasses_data()
     const auto add = [](const char *lesson, const char *step, const char *task, const char *code) {
         QTest::addRow("%s/%s/%s", lesson, step, task) << lesson << step << task << code;
     };
-    add("single_spring", "drag", "throw", R"(Vec2 way = pointer - foot.position;
+    add("single_spring", "drag", "throw", R"(Vec2 way = hand - foot.position;
 foot.position += way;
 foot.velocity = way;)");
     add("single_spring", "fixed_centre", "pull", R"(foot.velocity.x += k * (centre_x - foot.position.x);
@@ -216,10 +216,10 @@ if (far > 0)
 void frame()
 {
     if (body.held)
-        body.position = pointer;
+        body.position = hand;
     if (foot.held)
     {
-        foot.velocity = pointer - foot.position;
+        foot.velocity = hand - foot.position;
         foot.position += foot.velocity;
         return;
     }
@@ -233,8 +233,8 @@ if (length(way) == 0)
 return anchor.position + way * (radius / length(way));)");
     add("two_body", "leg_line", "frame", R"(void hold(Body me)
 {
-    me.velocity = pointer - me.position;
-    me.position = pointer;
+    me.velocity = hand - me.position;
+    me.position = hand;
 }
 
 void go(Body me, Body other)
@@ -267,7 +267,7 @@ while (i > 0)
 }
 body.velocity += all;)");
     add("multi_foot", "any_number", "follow", R"(Vec2 before = me.position;
-me.position = pointer;
+me.position = hand;
 me.velocity = me.position - before;)");
     add("multi_foot", "grown_feet", "frame", R"(Vec2 place(Vec2 me, Vec2 anchor)
 {
@@ -279,8 +279,8 @@ bool isInHand(Body me)
 {
     if (!me.held)
         return false;
-    me.velocity = pointer - me.position;
-    me.position = pointer;
+    me.velocity = hand - me.position;
+    me.position = hand;
     return true;
 }
 
@@ -574,7 +574,7 @@ void CodeJudgeTest::anotherMistakeIsWrongAtItsFrameAndBody()
 void CodeJudgeTest::aMistakeThatNeedsTheHandNamesTheHeldBody()
 {
     const Assignment one = assignment("single_spring", "drag", "throw");
-    const Verdict verdict = one.judged("foot.velocity = pointer - foot.position;");
+    const Verdict verdict = one.judged("foot.velocity = hand - foot.position;");
     QVERIFY(verdict.kind == Verdict::Kind::wrong);
     QCOMPARE(verdict.held, std::string("foot"));
     QVERIFY(sentenceFor(verdict, one.task).contains("hand"));

@@ -314,7 +314,7 @@ private slots:
         QCOMPARE(session.lines().nextLine(), target);
         QCOMPARE(session.timeline().cursor().frame, 1);
         const int index = session.lines().index();
-        QVERIFY(!session.lines().runTo(opened.lineOf("body.position = pointer"))); // nobody holds the body
+        QVERIFY(!session.lines().runTo(opened.lineOf("body.position = hand"))); // nobody holds the body
         QCOMPARE(session.lines().index(), index);
         QCOMPARE(session.timeline().cursor().frame, 1);
     }
@@ -358,13 +358,13 @@ private slots:
         const sim::Vec2 before = session.timeline().state().positionOf(foot);
         session.lines().forward();
         session.lines().forward();
-        QCOMPARE(session.lines().nextLine(), opened.lineOf("foot.velocity = pointer"));
+        QCOMPARE(session.lines().nextLine(), opened.lineOf("foot.velocity = hand"));
         QVERIFY(session.presentation().picture().state.positionOf(foot) == before);
         session.lines().forward();
         const LineStepper::Shown shown = session.lines().shown();
         QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("foot.velocity", shown.index)) ==
                 (sim::Vec2{120, 300} - before));
-        QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("pointer", shown.index)) == (sim::Vec2{120, 300}));
+        QVERIFY(std::get<sim::Vec2>(*shown.frame->valueOf("hand", shown.index)) == (sim::Vec2{120, 300}));
         session.lines().forward();
         session.lines().forward(); // behind the brace
         QCOMPARE(session.timeline().cursor(), (sim::Cursor{4, 0}));
