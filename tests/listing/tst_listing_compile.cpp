@@ -3,10 +3,7 @@
 #include "tests/listing/listing_support.h"
 #include "tests/suite.h"
 
-#include <QElapsedTimer>
 #include <QTest>
-
-#include <algorithm>
 
 using namespace listing_support;
 
@@ -30,8 +27,7 @@ private slots:
     void branchesAndSticksAreInTheVocabulary();
     void mistakeWithBranchesOrSticksIsSaidInOneSentence_data();
     void mistakeWithBranchesOrSticksIsSaidInOneSentence();
-    void compilesInMilliseconds_data();
-    void compilesInMilliseconds();
+    void theLongestListingCompiles();
 };
 
 void ListingCompile::everyNameOfTheVocabularyCompiles()
@@ -330,34 +326,13 @@ void ListingCompile::mistakeWithBranchesOrSticksIsSaidInOneSentence()
     QCOMPARE(QString::fromStdString(errorsOf(frameOf(line.toStdString()), scene)), error);
 }
 
-void ListingCompile::compilesInMilliseconds_data()
+void ListingCompile::theLongestListingCompiles()
 {
-    QTest::addColumn<QString>("text");
-    QTest::addColumn<double>("most");
-    QTest::newRow("lesson") << QString::fromStdString(fileText("lessons/multi_foot/any_number.code")) << 5.0;
     QString longest = QStringLiteral("void frame()\n{\n");
     while (longest.size() < 19'900)
         longest += QStringLiteral("    body.velocity += k * (feet[0].position - body.position);\n");
-    // The interpreter takes 12 ms; the bound shows that the time is not quadratic.
-    QTest::newRow("largest") << longest + "}\n" << 50.0;
-}
-
-void ListingCompile::compilesInMilliseconds()
-{
-    QFETCH(QString, text);
-    QFETCH(double, most);
-    std::vector<double> times;
-    for (int i = 0; i < 21; ++i) {
-        QElapsedTimer timer;
-        timer.start();
-        const listing::Compiled compiled =
-            listing::Program::compile(text.toStdString(), listing::vocabularyOf(threeFeet()));
-        times.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
-        QVERIFY(compiled.program);
-    }
-    std::sort(times.begin(), times.end()); // the fastest: others share the machine
-    qInfo("%.2f ms, median %.2f ms", times.front(), times[10]);
-    QVERIFY2(times.front() < most, qPrintable(QString::number(times.front())));
+    QVERIFY(listing::Program::compile((longest + "}\n").toStdString(), listing::vocabularyOf(threeFeet()))
+                .program);
 }
 
 SUITE(tst_listing_compile, ListingCompile)

@@ -134,7 +134,8 @@ bool sameMotion(const sim::State &a, const sim::State &b)
 {
     const auto same = [](const auto &x, const auto &y) {
         return x.rows() == y.rows() &&
-               std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(double)) == 0;
+               (x.size() == 0 ||
+                std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(double)) == 0);
     };
     return same(a.position, b.position) && (a.angle.rows() > 0 || same(a.velocity, b.velocity)) &&
            same(a.angle, b.angle) && same(a.spin, b.spin) && same(a.gait, b.gait) &&

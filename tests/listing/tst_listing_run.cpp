@@ -10,7 +10,6 @@
 #include "tests/listing/listing_support.h"
 #include "tests/suite.h"
 
-#include <QElapsedTimer>
 #include <QTest>
 
 #include <algorithm>
@@ -677,10 +676,7 @@ void ListingRun::errorStopsTheFrameOnItsLine()
     QFETCH(int, line);
     QFETCH(QString, sentence);
     Bench bench(text.toStdString());
-    QElapsedTimer timer;
-    timer.start();
     const std::optional<RunError> error = bench.run();
-    QVERIFY(timer.elapsed() < 1000);
     QVERIFY(error.has_value());
     QCOMPARE(QString::fromStdString(error->sentence), sentence);
     QCOMPARE(error->line, line);
