@@ -53,8 +53,8 @@ InitialState initialStateOf(const sim::Script &script, std::int64_t frame)
     return {interval->scene, state};
 }
 
-/// Returns the effects that do not run: those that would change nothing in this scene, and those that the file switches
-/// off.
+/// Returns the effects that do not run, because they would change nothing in this scene or because the file switches
+/// them off.
 std::vector<UnusedEffect> unusedEffects(const sim::Script &script, const sim::Pipeline &pipeline)
 {
     std::vector<UnusedEffect> unused;

@@ -15,7 +15,7 @@ struct MarkedPlace
     std::vector<std::string> declared; ///< names that the listing declares itself
 };
 
-/// Explains a compiler message of the interpreter in one or two sentences. They say what is wrong, and which names exist.
+/// Translates an error message of the interpreter into one or two plain sentences: what is wrong, and which names exist.
 std::string plainSentence(const std::string &message, const MarkedPlace &place);
 
 /// Returns whether a message of the interpreter says that something cannot be changed. Its position is behind that.

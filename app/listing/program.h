@@ -54,7 +54,7 @@ public:
     const Vocabulary &vocabulary() const;
     /// Returns whether a frame depends on its number, because the listing uses `frame_number` or `random`.
     bool dependsOnTime() const;
-    /// Returns whether the listing has variables of its own outside of functions, which State::memory keeps.
+    /// Returns whether the listing has global variables. State::memory keeps their values.
     bool remembers() const;
 
     /// Computes one frame. Reads and writes positions, velocities, angles, spins, the gait clock and the memory of

@@ -99,8 +99,7 @@ std::vector<int> unnamedEnds(const std::vector<sim::Stick> &sticks, const Bindin
     return {unnamed.begin(), unnamed.end()};
 }
 
-/// Trees have functions of their own, which take less time in loops over many branches. A gust uses those of the C
-/// library.
+/// Trees use faster sine and cosine functions for their many branches. A gust uses those of the C library.
 AngleFunctions angleFunctionsOf(const sim::Scene &scene)
 {
     namespace portable = sim::portable;

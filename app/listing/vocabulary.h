@@ -24,7 +24,7 @@ struct Vocabulary
     };
     std::vector<std::string> bodies; ///< single ones, such as "body"
     std::vector<Array> arrays;
-    std::vector<std::string> parameters; ///< ids; not those that a body has, or the language
+    std::vector<std::string> parameters; ///< ids that are no other name of the language
     bool bodiesTurn = false;             ///< whether bodies have an angle and a spin
     bool hasCreatures = false;           ///< whether there are "creature0.body", "creature1.body"...
     /// Whether the scene remembers a gait clock; one for each creature if there are creatures.

@@ -41,7 +41,7 @@ public:
     Stage stage() const { return m_stage; }
     /// Returns the progress, from 0 to 1.
     double done() const { return m_done; }
-    /// Returns whether a study will start by itself when the scene stops changing.
+    /// Returns whether a study starts as soon as the scene stops changing.
     bool isDue() const { return m_settleTimer.isActive(); }
     /// Returns the measurements of the present scene; null if there are none.
     const sim::Accuracy *accuracy() const { return m_accuracy.get(); }

@@ -52,7 +52,7 @@ public:
     /// Advances `run` to `target`, to the end of the run, or to the next breakpoint. Returns the breakpoint if the run
     /// stopped at one.
     std::optional<BreakHit> run(sim::Timeline &run, sim::Cursor target);
-    /// Returns whether a finished run (see Timeline::isOver()) may still reach a breakpoint if time goes on.
+    /// Returns whether a finished run (see Timeline::isOver()) can still reach a breakpoint when it continues.
     bool mayStillStop(const sim::Timeline &run) const;
 
 private:

@@ -17,7 +17,7 @@ struct CodePlace
     friend bool operator==(const CodePlace &, const CodePlace &) = default;
 };
 
-/// A place or condition at which a run stops by itself.
+/// A line or a condition that stops the run.
 struct Breakpoint
 {
     int id = 0;

@@ -19,7 +19,7 @@ LessonDescription describedLesson(const QJsonObject &data);
 
 /// Loads the lesson in a plugin file. Checks its metadata before any code of the file runs. The texts are in
 /// `language`, if given, which also loads the plugin's translations.
-/// @throws UserError: one sentence on what is wrong with the file and how to fix it
+/// @throws UserError with a sentence that says what is wrong with the file and how to fix it
 LessonEntry loadLesson(const QString &file, Language *language);
 
 }

@@ -16,7 +16,7 @@ inline CodeLinePlace placeOf(const CodeLine &line)
     return {line.file, line.source.number};
 }
 
-/// Returns the text of the line without spaces. Empty for a line without meaning of its own, such as a lone brace.
+/// Returns the text of the line with single spaces. Empty for a line that holds only brackets and semicolons.
 QString comparable(const CodeLine &line);
 
 }

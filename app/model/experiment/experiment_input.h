@@ -15,7 +15,7 @@ struct ReadEvent
     int line = 0;
 };
 
-/// Returns the events of a file's "input", sorted by frame. Each is checked by itself.
+/// Returns the events of a file's "input", sorted by frame. Checks each event separately.
 std::vector<ReadEvent> readInput(const QString &file, const JsonValue &input, const lessons::Step &step);
 
 }

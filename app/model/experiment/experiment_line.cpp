@@ -49,8 +49,8 @@ QByteArray compressed(const QByteArray &text)
                                            "all of it, from “springstep:” to its end."));
 }
 
-/// Returns the text that compressed() was given. Stops when the text exceeds largestExperiment, whatever size the
-/// data claims.
+/// Reverses compressed(). Throws UserError as soon as the text exceeds largestExperiment, so that a short line cannot
+/// fill the memory.
 QByteArray expanded(const QByteArray &data)
 {
     z_stream stream = {};
