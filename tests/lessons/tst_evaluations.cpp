@@ -16,8 +16,6 @@ using namespace support;
 
 namespace {
 
-constexpr int frames = 6;
-
 /// How often a method computes each kind of effect in one step. Taken from textbooks and the tutorials, not
 /// from the implementation.
 struct Stages
@@ -94,6 +92,8 @@ int expectedEvaluations(const sim::Effect &effect, const Stages &stages, const s
 class Evaluations : public QObject
 {
     Q_OBJECT
+
+    static constexpr int frames = 6;
 
     static void addRows(const std::function<bool(const sim::Method &)> &accept)
     {

@@ -14,13 +14,13 @@ using namespace support;
 
 namespace {
 
-struct Position
+struct FigurePosition
 {
     double x = 0.0, y = 0.0;
 };
 
 /// The tutorial's function, transcribed from its text without any code of sim.
-void constraint(Position &first, Position &second, double distance, double errorOnFirst)
+void constraint(FigurePosition &first, FigurePosition &second, double distance, double errorOnFirst)
 {
     const double errorOnSecond = 1 - errorOnFirst;
     const double distX = first.x - second.x, distY = first.y - second.y;
@@ -36,7 +36,7 @@ void constraint(Position &first, Position &second, double distance, double error
 /// Points and sticks, with the position of the pointer in each frame.
 struct Figure
 {
-    std::vector<Position> positions;
+    std::vector<FigurePosition> positions;
     std::vector<sim::Stick> sticks;
     std::vector<sim::Vec2> pointer; ///< from frame 1 on
 };
@@ -48,8 +48,8 @@ Figure randomFigure(int points, int sticks, std::mt19937 &random)
     };
     Figure figure;
     for (int i = 0; i < points; ++i)
-        figure.positions.push_back(real(0, 1) < 0.1 ? Position{240, 165}
-                                                    : Position{real(0, 540), real(0, 400)});
+        figure.positions.push_back(real(0, 1) < 0.1 ? FigurePosition{240, 165}
+                                                    : FigurePosition{real(0, 540), real(0, 400)});
     std::uniform_int_distribution<int> point(0, points - 1);
     while (static_cast<int>(figure.sticks.size()) < sticks) {
         const int a = point(random), b = point(random);
@@ -65,18 +65,13 @@ Figure randomFigure(int points, int sticks, std::mt19937 &random)
     return figure;
 }
 
-std::string nameOf(std::size_t point)
-{
-    return std::string("p").append(std::to_string(point));
-}
-
-sim::Script scriptOf(const Figure &figure, const lessons::Step &step)
+sim::Script figureScript(const Figure &figure, const lessons::Step &step)
 {
     sim::Script script = step.script();
     script.values.points = static_cast<int>(figure.positions.size());
     script.values.sticks = figure.sticks;
     for (std::size_t i = 0; i < figure.positions.size(); ++i)
-        script.bodies[nameOf(i)] = {{figure.positions[i].x, figure.positions[i].y}, {}};
+        script.bodies[figurePointName(i)] = {{figure.positions[i].x, figure.positions[i].y}, {}};
     for (std::size_t i = 0; i < figure.pointer.size(); ++i)
         script.input.push_back(
             {static_cast<std::int64_t>(i) + 1, sim::Pointer{figure.pointer[i], i % 2 == 0}});
@@ -145,8 +140,8 @@ void RigidConstraint::matchesPrintedCode()
 {
     QFETCH(QString, id);
     QFETCH(Figure, figure);
-    sim::Track track(scriptOf(figure, m_lesson.step(id)), 0);
-    std::vector<Position> positions = figure.positions;
+    sim::Track track(figureScript(figure, m_lesson.step(id)), 0);
+    std::vector<FigurePosition> positions = figure.positions;
     for (std::size_t frame = 1; frame <= figure.pointer.size(); ++frame) {
         positions[0] = {figure.pointer[frame - 1].x, figure.pointer[frame - 1].y};
         for (const sim::Stick &stick : figure.sticks)

@@ -18,11 +18,6 @@ using namespace support;
 
 namespace {
 
-std::string nameOf(std::size_t point)
-{
-    return std::string("p").append(std::to_string(point));
-}
-
 double largestStickError(const std::vector<sim::Stick> &sticks, const sim::State &state)
 {
     double largest = 0.0;
@@ -42,7 +37,7 @@ void addRandomThrows(sim::Script &script, int throws, int interval)
     };
     for (int i = 0; i < throws; ++i) {
         const std::int64_t start = std::int64_t{i} * interval + 1;
-        script.input.push_back({start, sim::Grab{nameOf(random() % 12)}});
+        script.input.push_back({start, sim::Grab{figurePointName(random() % 12)}});
         sim::Vec2 pointer = {real(50, 500), real(0, 350)};
         for (int frame = 0; frame < 30; ++frame) {
             pointer = pointer + sim::Vec2{real(-60, 60), real(-60, 60)};
@@ -107,7 +102,7 @@ class RigidFigures : public QObject
         script.values.points = static_cast<int>(positions.size());
         script.values.sticks = sticks;
         for (std::size_t i = 0; i < positions.size(); ++i)
-            script.bodies[nameOf(i)] = {positions[i], sim::Vec2{}};
+            script.bodies[figurePointName(i)] = {positions[i], sim::Vec2{}};
         return script;
     }
 

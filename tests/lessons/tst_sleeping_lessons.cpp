@@ -9,18 +9,15 @@
 
 #include <QTest>
 
-using namespace sim;
-
 namespace {
 
-constexpr std::int64_t frames = 1000;
 constexpr int maxPointsOfLongRuns = 500; ///< larger scenes run for fewer frames
 
 /// Updates a 64-bit FNV-1a hash with all bits of a state.
 /// Source: RFC 9923 (draft-eastlake-fnv).
-std::uint64_t updatedHash(const State &state, std::uint64_t hash)
+std::uint64_t updatedHash(const sim::State &state, std::uint64_t hash)
 {
-    visitBytes(state, [&](const void *data, std::size_t bytes) {
+    sim::visitBytes(state, [&](const void *data, std::size_t bytes) {
         const auto *byte = static_cast<const unsigned char *>(data);
         for (std::size_t i = 0; i < bytes; ++i)
             hash = (hash ^ byte[i]) * 0x100000001b3u;
@@ -29,9 +26,9 @@ std::uint64_t updatedHash(const State &state, std::uint64_t hash)
 }
 
 /// Returns a hash of all output steps of a run. Sets `slept` if the run slept at any of them.
-std::uint64_t hashOf(const Script &script, std::int64_t length, Sleeping sleeping, bool &slept)
+std::uint64_t hashOf(const sim::Script &script, std::int64_t length, sim::Sleeping sleeping, bool &slept)
 {
-    Track track(script, 0, sleeping);
+    sim::Track track(script, 0, sleeping);
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (std::int64_t frame = 0; frame <= length; frame += track.framesPerOutput()) {
         track.seek({frame, 0});
@@ -46,6 +43,8 @@ std::uint64_t hashOf(const Script &script, std::int64_t length, Sleeping sleepin
 class SleepingLessons : public QObject
 {
     Q_OBJECT
+
+    static constexpr std::int64_t frames = 1000;
 
 private slots:
     void sleepingChangesNoBits_data()
@@ -70,21 +69,22 @@ private slots:
         QFETCH(QString, step);
         QFETCH(QString, method);
         const support::LoadedLesson loaded = support::loadLesson(lesson);
-        Script script = support::scriptOf(loaded.step(step), method.toStdString());
-        const Scene scene = sceneOf(script, script.values);
+        sim::Script script = support::scriptOf(loaded.step(step), method.toStdString());
+        const sim::Scene scene = sim::sceneOf(script, script.values);
         if (script.input.empty()) { // a drag, and a late grab that wakes the run
             const std::string &body = scene.names.back();
-            const Vec2 target = scene.start.positionOf(scene.find(body)) + Vec2{60.0, -40.0};
-            script.input = {{5, Grab{body}}, {6, Move{target}}, {25, Release{}}, {700, Grab{body}}};
+            const sim::Vec2 target = scene.start.positionOf(scene.find(body)) + sim::Vec2{60.0, -40.0};
+            script.input = {
+                {5, sim::Grab{body}}, {6, sim::Move{target}}, {25, sim::Release{}}, {700, sim::Grab{body}}};
         }
         const std::int64_t length = scene.start.pointCount() > maxPointsOfLongRuns ? frames / 20 : frames;
         try {
             bool slept = false, sleptWhenForbidden = false;
-            const std::uint64_t hashWithSleep = hashOf(script, length, Sleeping::allowed, slept);
-            QCOMPARE(hashWithSleep, hashOf(script, length, Sleeping::never, sleptWhenForbidden));
+            const std::uint64_t hashWithSleep = hashOf(script, length, sim::Sleeping::allowed, slept);
+            QCOMPARE(hashWithSleep, hashOf(script, length, sim::Sleeping::never, sleptWhenForbidden));
             QVERIFY(!sleptWhenForbidden);
             m_sleepingRuns += slept;
-        } catch (const Error &) {
+        } catch (const sim::Error &) {
             QSKIP("this method cannot compute this step");
         }
     }

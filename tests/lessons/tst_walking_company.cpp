@@ -13,15 +13,6 @@
 
 using namespace support;
 
-namespace {
-
-sim::Vec2 momentumOf(const sim::State &state)
-{
-    return {state.velocity.col(0).sum(), state.velocity.col(1).sum()};
-}
-
-}
-
 /// Steps `walls` and `company`, which follow the tutorial's last two suggestions.
 class WalkingCompany : public QObject
 {

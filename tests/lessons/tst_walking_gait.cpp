@@ -1,6 +1,7 @@
 #include "lessons/api/view/view.h"
 #include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/trajectory.h"
 #include "tests/lessons/support/walking_tutorial.h"
 
 #include "sim/methods/methods.h"
@@ -37,11 +38,6 @@ Complex driven(double k, double c, Complex centre, double radius, double phase, 
 Complex complex(sim::Vec2 a)
 {
     return {a.x, a.y};
-}
-
-sim::Vec2 momentumOf(const sim::State &state)
-{
-    return {state.velocity.col(0).sum(), state.velocity.col(1).sum()};
 }
 
 }

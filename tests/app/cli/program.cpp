@@ -1,6 +1,7 @@
 #include "tests/app/cli/program.h"
 
 #include <QFile>
+#include <QJsonDocument>
 #include <QTest>
 
 #include <csignal>
@@ -32,6 +33,11 @@ Answer runProcess(const QString &file, const QStringList &arguments, const QStri
 Answer springstep(const QStringList &arguments)
 {
     return runProcess(PROGRAM, arguments);
+}
+
+QJsonObject json(const Answer &answer)
+{
+    return QJsonDocument::fromJson(answer.out.toUtf8()).object();
 }
 
 Answer shell(const QString &command)

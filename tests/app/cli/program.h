@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QJsonObject>
 #include <QProcess>
 #include <QProcessEnvironment>
 #include <QString>
@@ -19,6 +20,8 @@ struct Answer
 QProcessEnvironment bareEnvironment();
 Answer runProcess(const QString &file, const QStringList &arguments, const QString &lessons = LESSON_DIR);
 Answer springstep(const QStringList &arguments);
+/// Returns the JSON object that a process wrote to its standard output; empty if it wrote none.
+QJsonObject json(const Answer &answer);
 /// What a shell makes of `command`, in which $P is the program.
 Answer shell(const QString &command);
 /// Writes an experiment of the step with any number of feet into `folder`; `fields` begin on line 5.

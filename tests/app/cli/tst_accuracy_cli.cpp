@@ -23,11 +23,6 @@ using namespace program;
 
 namespace {
 
-QJsonObject json(const Answer &answer)
-{
-    return QJsonDocument::fromJson(answer.out.toUtf8()).object();
-}
-
 /// The step's field of a row or reference: "h" or "tolerance", as an experiment has it.
 QString stepField(const QJsonObject &row)
 {

@@ -15,11 +15,6 @@ using namespace program;
 
 namespace {
 
-QJsonObject json(const Answer &answer)
-{
-    return QJsonDocument::fromJson(answer.out.toUtf8()).object();
-}
-
 QStringList idsOf(const QJsonObject &report)
 {
     QStringList ids;

@@ -11,9 +11,9 @@ using namespace listing_support;
 namespace {
 
 /// A run inside frame 41, before gravity: five numbers of it are set so that a reader can compute with them.
-struct Fixture
+struct ConditionFixture
 {
-    explicit Fixture(const QString &lesson = "gravity_walls", const QString &name = "gravity")
+    explicit ConditionFixture(const QString &lesson = "gravity_walls", const QString &name = "gravity")
         : step(stepOf(lesson, name)), run(runOf(step)), state(run.state())
     {
         state.place(0, {100.0, 381.5});
@@ -116,7 +116,7 @@ private slots:
     {
         QFETCH(QString, text);
         QFETCH(bool, answer);
-        Fixture fixture;
+        ConditionFixture fixture;
         QCOMPARE(fixture.error(text), QString());
         QCOMPARE(fixture.ask(text), answer);
     }
@@ -194,7 +194,7 @@ private slots:
         QFETCH(QString, text);
         QFETCH(int, place);
         QFETCH(QString, says);
-        Fixture fixture;
+        ConditionFixture fixture;
         const QString sentence = fixture.error(text);
         QVERIFY2(sentence.startsWith(QString("Character %1: ").arg(place)), qPrintable(sentence));
         QVERIFY2(sentence.contains(says), qPrintable(sentence));
@@ -204,7 +204,7 @@ private slots:
 
     void aTextWithoutEndIsRefusedAtOnce()
     {
-        Fixture fixture;
+        ConditionFixture fixture;
         for (const QString &part : {QString("("), QString("not "), QString("-"), QString("1+"), QString("a")})
             QVERIFY(!fixture.error(part.repeated(100000)).isEmpty());
         // As deep as the length allows.
@@ -215,7 +215,7 @@ private slots:
 
     void anyPieceOfAQuestionIsReadOrRefused()
     {
-        Fixture fixture;
+        ConditionFixture fixture;
         const QString whole = "not (foot0.y*-2.5e1 >= abs(k) and phase == \"gravity\" or frame != 12)";
         QVERIFY(fixture.error(whole).isEmpty());
         for (int from = 0; from < whole.size(); ++from) {
@@ -228,7 +228,7 @@ private slots:
 
     void whereBodiesTurnTheirAnglesCanBeAskedFor()
     {
-        Fixture fixture("swaying_tree", "branches");
+        ConditionFixture fixture("swaying_tree", "branches");
         QVERIFY(fixture.state.angle.size() > 0);
         const QString body = QString::fromStdString(fixture.run.track().interval().scene.names[1]);
         fixture.phase = 0;
@@ -238,7 +238,7 @@ private slots:
 
     void aChoiceIsComparedWithTheIdsOfItsValues()
     {
-        Fixture fixture("swaying_tree", "branches");
+        ConditionFixture fixture("swaying_tree", "branches");
         fixture.phase = 0;
         const lessons::Parameter *formula = fixture.step.parameter("formula");
         QVERIFY(formula && formula->choices.size() > 1);
@@ -254,7 +254,7 @@ private slots:
 
     void itIsKnownWhetherTheNumberOfTheFrameMatters()
     {
-        Fixture fixture;
+        ConditionFixture fixture;
         const ConditionNames names = conditionNames(fixture.step, fixture.run);
         QVERIFY(Condition::parse("k > 1 or frame > 2", names).readsFrame());
         QVERIFY(!Condition::parse("k > 1", names).readsFrame());

@@ -4,6 +4,7 @@
 #include "sim/pipeline/method.h"
 #include "sim/scene/scene.h"
 
+#include <QFile>
 #include <QTest>
 
 #include <limits>
@@ -17,6 +18,13 @@ inline const LessonLibrary &library()
 {
     static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
     return loaded;
+}
+
+/// Returns the bytes of a file; none if it cannot be read.
+inline QByteArray contentsOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// Fails unless the two run alike.

@@ -18,12 +18,6 @@ using namespace experiment_support;
 
 namespace {
 
-QByteArray read(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
 QStringList publishedFiles()
 {
     QStringList paths;
@@ -32,7 +26,7 @@ QStringList publishedFiles()
     return paths;
 }
 
-QString errorOf(const QString &path)
+QString readErrorOf(const QString &path)
 {
     try {
         readExperiment(path, library());
@@ -174,10 +168,10 @@ private slots:
     {
         const QTemporaryDir folder;
         const QString none = folder.filePath("none.json");
-        QCOMPARE(errorOf(none), none + ": there is no such file; check its name and folder.");
-        QCOMPARE(errorOf(folder.path()),
+        QCOMPARE(readErrorOf(none), none + ": there is no such file; check its name and folder.");
+        QCOMPARE(readErrorOf(folder.path()),
                  folder.path() + ": this is a folder; give the file of an experiment.");
-        QCOMPARE(errorOf("/dev/zero"),
+        QCOMPARE(readErrorOf("/dev/zero"),
                  "/dev/zero: the file is larger than 32 MiB, the maximum for an experiment.");
     }
 
@@ -188,7 +182,8 @@ private slots:
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly) &&
                 file.resize(qint64{1} << 30)); // takes no room: all of it a hole
-        QCOMPARE(errorOf(path), path + ": the file is larger than 32 MiB, the maximum for an experiment.");
+        QCOMPARE(readErrorOf(path),
+                 path + ": the file is larger than 32 MiB, the maximum for an experiment.");
     }
 
     void damagedFilesAreReadOrRefusedInOneLine()
@@ -200,7 +195,7 @@ private slots:
         QRandomGenerator random(seed);
         std::vector<QByteArray> texts;
         for (const QString &path : publishedFiles())
-            texts.push_back(read(path));
+            texts.push_back(contentsOf(path));
         texts.push_back(experimentText(withBranches(), library()));
         int refused = 0;
         for (int i = 0; i < 500; ++i) {

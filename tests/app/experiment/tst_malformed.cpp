@@ -13,7 +13,7 @@ using namespace tests;
 
 namespace {
 
-quint32 setting(const char *name, quint32 preset)
+quint32 spoilerSetting(const char *name, quint32 preset)
 {
     const QByteArray given = qgetenv(name);
     return given.isEmpty() ? preset : given.toUInt();
@@ -114,7 +114,7 @@ private:
 
 /// Runs with others beside them, which the learner named or keeps: one that parts on the way, one that is another from
 /// the start on.
-std::vector<QByteArray> withBranches()
+std::vector<QByteArray> textsWithBranches()
 {
     std::vector<QByteArray> texts;
     for (const char *step : {"two_feet", "any_number"}) {
@@ -155,9 +155,9 @@ private:
 
 void MalformedTest::aSpoiledFileIsRefusedWithASentenceOrOpens()
 {
-    const quint32 seed = setting("SPRINGSTEP_RANDOM_SEED", 1);
-    const quint32 count = setting("SPRINGSTEP_RANDOM_COUNT", 500);
-    const std::vector<QByteArray> made = withBranches();
+    const quint32 seed = spoilerSetting("SPRINGSTEP_RANDOM_SEED", 1);
+    const quint32 count = spoilerSetting("SPRINGSTEP_RANDOM_COUNT", 500);
+    const std::vector<QByteArray> made = textsWithBranches();
     QVERIFY(made.front().contains("\"branches\"") && made.back().contains("\"fork\""));
     Spoiler spoiler(seed, made);
     QVERIFY(spoiler.count() > 10);

@@ -4,7 +4,6 @@
 
 #include <QCryptographicHash>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QTest>
 
@@ -16,12 +15,6 @@ using namespace app;
 using namespace experiment_support;
 
 namespace {
-
-QByteArray contentsOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// Returns the SHA-256 of `springstep trace` for each file, as the program of 24 November 2026 printed it.
 QHash<QString, QByteArray> recordedTraces()

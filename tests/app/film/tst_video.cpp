@@ -16,7 +16,7 @@ using namespace tests;
 
 namespace {
 
-FilmPlan planOf(const SessionFixture &fixture, const QString &out)
+FilmPlan videoPlan(const SessionFixture &fixture, const QString &out)
 {
     FilmPlan plan;
     plan.experiment = newExperiment("multi_foot", "any_number", fixture.library);
@@ -26,7 +26,7 @@ FilmPlan planOf(const SessionFixture &fixture, const QString &out)
     return plan;
 }
 
-void make(const FilmPlan &plan, const LessonLibrary &library)
+void makeVideo(const FilmPlan &plan, const LessonLibrary &library)
 {
     Film film(plan, library);
     while (film.goOn())
@@ -55,10 +55,10 @@ private slots:
     void eachFrameIsAPictureOfTheScene()
     {
         SessionFixture fixture(LessonLibrary::load({LESSON_DIR}));
-        FilmPlan plan = planOf(fixture, m_folder.filePath("a_%d.png"));
-        make(plan, fixture.library);
+        FilmPlan plan = videoPlan(fixture, m_folder.filePath("a_%d.png"));
+        makeVideo(plan, fixture.library);
         plan.out = m_folder.filePath("a.webm");
-        make(plan, fixture.library);
+        makeVideo(plan, fixture.library);
         const webm_reader::Film film = webm_reader::read(plan.out);
         QCOMPARE(film.fault, QString());
         QCOMPARE(film.pictures.size(), std::size_t(21));
@@ -107,9 +107,9 @@ private slots:
     {
         QFETCH(double, rate);
         SessionFixture fixture(LessonLibrary::load({LESSON_DIR}));
-        FilmPlan plan = planOf(fixture, m_folder.filePath("c.webm"));
+        FilmPlan plan = videoPlan(fixture, m_folder.filePath("c.webm"));
         plan.rate = rate;
-        make(plan, fixture.library);
+        makeVideo(plan, fixture.library);
         const webm_reader::Film film = webm_reader::read(plan.out);
         QCOMPARE(film.fault, QString());
         QCOMPARE(film.times.size(), std::size_t(21));
@@ -140,7 +140,7 @@ private slots:
     void aVideoThatIsGivenUpLeavesNoFile()
     {
         SessionFixture fixture(LessonLibrary::load({LESSON_DIR}));
-        const FilmPlan plan = planOf(fixture, m_folder.filePath("e.webm"));
+        const FilmPlan plan = videoPlan(fixture, m_folder.filePath("e.webm"));
         {
             Film film(plan, fixture.library);
             while (film.done() < 5 && film.goOn())

@@ -12,9 +12,9 @@ using namespace app;
 
 namespace {
 
-struct World
+struct LegsWorld
 {
-    World() { session.openStep("legs", "tied"); }
+    LegsWorld() { session.openStep("legs", "tied"); }
 
     LessonLibrary library = effects_support::legLibrary();
     Session session{library};
@@ -29,7 +29,7 @@ class UndoTest : public QObject
 private slots:
     void whatChangedNothingIsNoEntry()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.editor().setParameter("k", session.editor().parameter("k"));
         session.editor().setEffect("body_spring", true);
@@ -44,7 +44,7 @@ private slots:
 
     void startingAfreshCanBeUndone()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.editor().setParameter("k", 0.5);
         session.playback().goTo({20, 0});
@@ -59,7 +59,7 @@ private slots:
 
     void restartingIsFreshWithTheParametersAsTheyAre()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.playback().goTo({10, 0});
         session.editor().setParameter("k", 0.5);
@@ -90,7 +90,7 @@ private slots:
 
     void restartingWhatNobodyTouchedIsGoingToTheStart()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.playback().goTo({20, 0});
         session.editor().restart();
@@ -102,7 +102,7 @@ private slots:
 
     void repeatingDoesAgainWhatWasDone()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.playback().goTo({4, 0});
         session.input().grab("foot");
@@ -128,7 +128,7 @@ private slots:
 
     void aBodyInTheHandIsLetGoBeforeItIsUndone()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.playback().goTo({5, 0});
         const sim::State before = session.timeline().state();
@@ -143,7 +143,7 @@ private slots:
 
     void whatWasUndoneStaysBesideItAsAGhost()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.playback().goTo({20, 0});
         session.editor().setEffect("body_spring", false);
@@ -156,7 +156,7 @@ private slots:
 
     void aGestureIsOneEntry()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         session.playback().goTo({10, 0});
         for (const double k : {0.21, 0.22, 0.23})
@@ -184,7 +184,7 @@ private slots:
 
     void undoingAllAndRedoingAllGivesTheSameBits()
     {
-        World world;
+        LegsWorld world;
         Session &session = world.session;
         std::mt19937 dice(7);
         const auto pick = [&](int below) { return static_cast<int>(dice() % static_cast<unsigned>(below)); };

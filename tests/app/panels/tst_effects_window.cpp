@@ -21,9 +21,9 @@ using namespace tests;
 
 namespace {
 
-struct EffectsFixture : WindowFixture
+struct EffectsWindowFixture : WindowFixture
 {
-    explicit EffectsFixture(QSize size = {1280, 800})
+    explicit EffectsWindowFixture(QSize size = {1280, 800})
         : WindowFixture(
               {.lesson = "legs", .step = "tied", .size = size, .library = effects_support::legLibrary()})
     {
@@ -42,7 +42,7 @@ class EffectsWindowTest : public QObject
 private slots:
     void itIsShownByItsKey()
     {
-        EffectsFixture fixture;
+        EffectsWindowFixture fixture;
         QVERIFY(!fixture.panel().isVisible());
         QAction *effects = &fixture.action("showEffects");
         QCOMPARE(effects->shortcut(), QKeySequence("Ctrl+4"));
@@ -94,7 +94,7 @@ private slots:
     /// Where there is no room for both below the picture, they are tabs.
     void besideEnergyItIsATab()
     {
-        EffectsFixture fixture;
+        EffectsWindowFixture fixture;
         fixture.window.showEnergy(true);
         fixture.window.showEffects(true);
         QTRY_VERIFY(fixture.isSeen());
@@ -121,7 +121,7 @@ private slots:
     {
         QFETCH(QSize, size);
         QFETCH(bool, seen);
-        EffectsFixture fixture(size);
+        EffectsWindowFixture fixture(size);
         fixture.window.setMode(MainWindow::Mode::measure);
         QTRY_COMPARE(fixture.isSeen(), seen);
         QVERIFY(fixture.window.width() <= size.width());
@@ -136,7 +136,7 @@ private slots:
 
     void whatWasSwitchedComesBackByKey()
     {
-        EffectsFixture fixture;
+        EffectsWindowFixture fixture;
         QVERIFY(!fixture.action("undo").isEnabled());
         QVERIFY(!fixture.button("Undo")->isEnabled());
         QVERIFY(!fixture.button("Undo")->toolTip().isEmpty());
@@ -156,7 +156,7 @@ private slots:
 
     void aSlidersDragIsOneEntry()
     {
-        EffectsFixture fixture;
+        EffectsWindowFixture fixture;
         ParameterRow *row = nullptr;
         for (ParameterRow *one : fixture.window.findChildren<ParameterRow *>()) {
             if (one->parameter().id == "k")

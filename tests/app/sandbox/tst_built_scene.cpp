@@ -3,6 +3,7 @@
 #include "app/model/experiment/experiment.h"
 #include "app/model/sandbox/blueprint_limits.h"
 #include "sim/effects/all_effects.h"
+#include "tests/app/experiment/experiment_support.h"
 #include "tests/app/experiment/user_errors.h"
 #include "tests/suite.h"
 
@@ -11,12 +12,6 @@
 using namespace app;
 
 namespace {
-
-const LessonLibrary &library()
-{
-    static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
-    return loaded;
-}
 
 /// An experiment of the sandbox; `fields` begin on line 5.
 QByteArray with(const QByteArray &fields)
@@ -44,14 +39,15 @@ QByteArray manyPoints(std::size_t count)
 QByteArray offered()
 {
     QByteArrayList ids;
-    for (const sim::EffectDescription *one : library().sandboxes.front().steps.front().availableEffects)
+    for (const sim::EffectDescription *one :
+         experiment_support::library().sandboxes.front().steps.front().availableEffects)
         ids << '"' + QByteArray(one->id) + '"';
     return ids.join(", ");
 }
 
 sim::Blueprint readPlan(const QByteArray &text)
 {
-    return *parseExperiment(text, "x.json", library()).script.values.blueprint;
+    return *parseExperiment(text, "x.json", experiment_support::library()).script.values.blueprint;
 }
 
 /// One of everything, with numbers that are hard to write.
@@ -78,18 +74,18 @@ class BuiltScene : public QObject
 private slots:
     void everythingComesBackExactly()
     {
-        Experiment experiment = newExperiment("sandbox", "build", library());
+        Experiment experiment = newExperiment("sandbox", "build", experiment_support::library());
         experiment.script.values.blueprint = std::make_shared<const sim::Blueprint>(everything());
         experiment.script.values.set("wind", -0.3);
         experiment.script.effectsOff = {"springs"};
         experiment.script.input = {{4, sim::Grab{"Head.of_9"}}, {9, sim::Release{}}};
-        const QByteArray text = experimentText(experiment, library());
-        const Experiment back = parseExperiment(text, "x.json", library());
+        const QByteArray text = experimentText(experiment, experiment_support::library());
+        const Experiment back = parseExperiment(text, "x.json", experiment_support::library());
         QVERIFY(*back.script.values.blueprint == everything());
         QVERIFY(back.script.values == experiment.script.values);
         QVERIFY(back.script.input == experiment.script.input);
         QVERIFY(back.script.effectsOff == experiment.script.effectsOff);
-        QCOMPARE(experimentText(back, library()), text);
+        QCOMPARE(experimentText(back, experiment_support::library()), text);
     }
 
     void whatIsLeftOutIsAsUsual()
@@ -115,7 +111,7 @@ private slots:
     {
         const Experiment experiment = parseExperiment(
             withPair("\"effects\": [] }, \"bodies\": { \"b\": { \"x\": 9, \"y\": 8, \"vx\": 7 }"), "x.json",
-            library());
+            experiment_support::library());
         QVERIFY(experiment.script.bodies.empty());
         QVERIFY((experiment.script.values.blueprint->points[1].x == sim::Vec2{9, 8}));
         QVERIFY((experiment.script.values.blueprint->points[1].v == sim::Vec2{7, 0}));

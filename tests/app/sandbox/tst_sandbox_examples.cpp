@@ -5,6 +5,7 @@
 #include "sim/analysis/energy/stored_energy.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/track.h"
+#include "tests/app/experiment/experiment_support.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -19,20 +20,15 @@ namespace {
 
 constexpr std::int64_t longRun = 10'000; ///< frames
 
-const LessonLibrary &library()
-{
-    static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
-    return loaded;
-}
-
 const lessons::Step &sandbox()
 {
-    return library().sandboxes.front().steps.front();
+    return experiment_support::library().sandboxes.front().steps.front();
 }
 
 Experiment example(const QString &name)
 {
-    return readExperiment(QStringLiteral(":/examples/sandbox/%1.json").arg(name), library());
+    return readExperiment(QStringLiteral(":/examples/sandbox/%1.json").arg(name),
+                          experiment_support::library());
 }
 
 /// A run of an example, and its points by name.
@@ -105,7 +101,7 @@ private slots:
         plan.points = {{"nail", {200, 100}, {}, 1.0, 5.0, true}, {"ball", {200, 160}, {}, 1.0, 10.0, false}};
         plan.springs = {{0, 1, 0.2, 50.0}};
         plan.effects = {"gravity", "breeze", "damping"};
-        sim::Script script = newExperiment("sandbox", "build", library()).script;
+        sim::Script script = newExperiment("sandbox", "build", experiment_support::library()).script;
         script.values.blueprint = std::make_shared<const sim::Blueprint>(plan);
         script.values.set("wind", 0.3);
         script.values.set("gusts", gusts);
@@ -118,7 +114,7 @@ private slots:
 
     void everyExampleIsInTheList()
     {
-        QCOMPARE(library().sandboxes.size(), std::size_t(1));
+        QCOMPARE(experiment_support::library().sandboxes.size(), std::size_t(1));
         QCOMPARE(sandbox().examples.size(),
                  std::size_t(QDir(":/examples/sandbox").entryList(QDir::Files).size()));
         for (const lessons::Example &one : sandbox().examples)
@@ -134,7 +130,7 @@ private slots:
     void eachStaysFiniteAndInBounds()
     {
         QFETCH(QString, file);
-        const Experiment experiment = readExperiment(file, library());
+        const Experiment experiment = readExperiment(file, experiment_support::library());
         sim::Track track(experiment.script, std::size_t{1} << 20);
         for (std::int64_t frame = 0; frame <= longRun; frame += 250) {
             track.seek({frame, 0});

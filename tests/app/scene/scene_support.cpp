@@ -37,7 +37,7 @@ sim::Scene creatureInARoom(const sim::Values &values)
     return scene;
 }
 
-sim::Scene footOnASpring(const sim::Values &values)
+sim::Scene loneFoot(const sim::Values &values)
 {
     sim::Scene scene = scenes::singleFoot();
     scene.start.place(0, {300, 210});
@@ -68,7 +68,7 @@ LessonLibrary sceneLibrary()
         view.room = room;
         return view;
     };
-    lessons::Step lone = stepCalled("lone", footOnASpring);
+    lessons::Step lone = stepCalled("lone", loneFoot);
     lone.view = [](const sim::Scene &scene, const sim::Values &) { return lessons::creatureView(scene); };
     lone.overlays = [](const sim::Scene &, const sim::State &state, const sim::Values &) {
         using Shape = lessons::Overlay::Shape;
@@ -86,7 +86,7 @@ LessonLibrary sceneLibrary()
 
 namespace {
 
-LessonLibrary libraryOf(std::vector<lessons::Step> steps)
+LessonLibrary sceneLibraryOf(std::vector<lessons::Step> steps)
 {
     LessonEntry entry;
     entry.id = "scene";
@@ -105,7 +105,7 @@ SceneFixture::SceneFixture(const char *step) : SceneFixture(sceneLibrary().lesso
 }
 
 SceneFixture::SceneFixture(std::vector<lessons::Step> steps)
-    : library(libraryOf(std::move(steps))), session(library), theme(Scheme::light), view(session, theme)
+    : library(sceneLibraryOf(std::move(steps))), session(library), theme(Scheme::light), view(session, theme)
 {
     QObject::connect(&fit, &QAction::triggered, &view, &SceneView::fit);
     view.resize(600, 470);

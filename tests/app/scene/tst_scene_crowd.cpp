@@ -62,7 +62,7 @@ struct Fixture : SceneFixture
 };
 
 /// How dark a picture is at a place, from 0 to 255.
-int ink(const QImage &image, QPoint at)
+int darkness(const QImage &image, QPoint at)
 {
     return 255 - qGray(image.pixel(at));
 }
@@ -111,7 +111,7 @@ void SceneCrowdTest::everyBodyIsInThePicture()
     const QImage image = fixture.image();
     for (int i = 120; i < 800; ++i) { // before, the name of the selected one lies over some
         const QPoint at = fixture.onScreen(("creature" + std::to_string(i) + ".body").c_str());
-        QVERIFY2(ink(image, at) > 100, qPrintable(QString::number(i)));
+        QVERIFY2(darkness(image, at) > 100, qPrintable(QString::number(i)));
     }
 }
 
@@ -127,11 +127,11 @@ void SceneCrowdTest::legsLeadFromBodiesToFeet()
     const QImage image = fixture.image();
     for (const char *foot : {"creature410.foot0", "creature410.foot1"}) {
         const QPoint middle = 0.25 * fixture.onScreen("creature410.body") + 0.75 * fixture.onScreen(foot);
-        QVERIFY(ink(image, middle) > 80);
+        QVERIFY(darkness(image, middle) > 80);
     }
     const QPoint between =
         0.5 * (fixture.onScreen("creature410.foot0") + fixture.onScreen("creature410.foot1"));
-    QVERIFY(ink(image, between) < 40);
+    QVERIFY(darkness(image, between) < 40);
 }
 
 void SceneCrowdTest::onlyTheSelectedBodyHasArrows()

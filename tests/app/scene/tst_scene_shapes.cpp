@@ -16,7 +16,7 @@ using Shape = lessons::BodyView::Shape;
 
 namespace {
 
-QPoint onScreen(const SceneFixture &fixture, sim::Vec2 place)
+QPoint pixelAt(const SceneFixture &fixture, sim::Vec2 place)
 {
     return fixture.view.viewportTransform().map(QPointF(place.x, place.y)).toPoint();
 }
@@ -133,8 +133,8 @@ void SceneShapesTest::aLegBendsAsItsControlPointSays()
     // B(1/2) = (body + 2 control + foot) / 4
     const sim::Vec2 middle = 0.25 * (body + 2.0 * (foot - sim::Vec2{0, curve}) + foot);
     const sim::Vec2 straight = 0.5 * (body + foot);
-    QVERIFY(!isPaper(fixture, image, onScreen(fixture, curve > 0.0 ? middle : straight)));
-    QCOMPARE(isPaper(fixture, image, onScreen(fixture, straight)), curve > 0.0);
+    QVERIFY(!isPaper(fixture, image, pixelAt(fixture, curve > 0.0 ? middle : straight)));
+    QCOMPARE(isPaper(fixture, image, pixelAt(fixture, straight)), curve > 0.0);
 }
 
 void SceneShapesTest::aGhostsLegBendsToo()
@@ -156,7 +156,7 @@ void SceneShapesTest::aGhostsLegBendsToo()
     QVERIFY(fixture.session.presentation().comparison().has_value());
     const QImage image = fixture.image();
     const sim::Vec2 middle{0.25 * (210 + 3 * 330), 10 + 0.25 * (220 + 2 * 180 + 260)};
-    const QPoint at = onScreen(fixture, middle);
+    const QPoint at = pixelAt(fixture, middle);
     int inked = 0; // dashes: some of the px near by are, some are not
     for (int x = -6; x <= 6; ++x) {
         for (int y = -6; y <= 6; ++y)
@@ -190,7 +190,7 @@ void SceneShapesTest::aStickHasTheColourOfItsError()
         fixture.theme.setScheme(scheme);
         const Tokens &t = fixture.theme.tokens();
         const QColor color = expected == "stick" ? t.stick : expected == "near" ? t.near : t.past;
-        QCOMPARE(fixture.image().pixelColor(onScreen(fixture, {270, 200})), color);
+        QCOMPARE(fixture.image().pixelColor(pixelAt(fixture, {270, 200})), color);
     }
 }
 
@@ -202,7 +202,7 @@ void SceneShapesTest::whatIsPulledLongGetsThinner()
         view.sticks.push_back({0, 1, 160.0 / (1.0 + error), 6.0});
         SceneFixture fixture({drawn_scenes::step("stick", scene, view)});
         hideTheGrid(fixture);
-        return thickness(fixture, fixture.image(), onScreen(fixture, {270, 200}), {0, 1});
+        return thickness(fixture, fixture.image(), pixelAt(fixture, {270, 200}), {0, 1});
     };
     const int wanted = width(0.0);
     QVERIFY(wanted >= 10);
@@ -228,8 +228,8 @@ DrawnSpring drawnSpring(double length, double rest)
     hideTheGrid(fixture);
     const QImage image = fixture.image();
     // Without the straight ends.
-    const QPoint from = onScreen(fixture, {150 + 0.15 * length, 200});
-    const QPoint to = onScreen(fixture, {150 + 0.85 * length, 200});
+    const QPoint from = pixelAt(fixture, {150 + 0.15 * length, 200});
+    const QPoint to = pixelAt(fixture, {150 + 0.85 * length, 200});
     DrawnSpring drawn;
     bool wasInked = true;
     int top = from.y(), bottom = from.y();
@@ -272,7 +272,7 @@ void SceneShapesTest::aSpringToAPlaceEndsThere()
     hideTheGrid(fixture);
     const auto isSpring = [&](sim::Vec2 place) {
         const QImage image = fixture.image();
-        const QPoint at = onScreen(fixture, place);
+        const QPoint at = pixelAt(fixture, place);
         for (int x = -2; x <= 2; ++x) {
             for (int y = -2; y <= 2; ++y) {
                 if (isInk(image.pixelColor(at + QPoint(x, y)), fixture.theme.tokens().spring))
@@ -311,7 +311,7 @@ void SceneShapesTest::aGhostsSpringToAPlaceIsDrawn()
     int inked = 0; // along the way from where it was to the place
     for (int i = 20; i <= 80; ++i) {
         const double t = i / 100.0;
-        inked += isPaper(fixture, image, onScreen(fixture, {210 + 80 * t, 240 - 40 * t})) ? 0 : 1;
+        inked += isPaper(fixture, image, pixelAt(fixture, {210 + 80 * t, 240 - 40 * t})) ? 0 : 1;
     }
     QVERIFY(inked > 15 && inked < 60); // dashes
 }
@@ -326,13 +326,13 @@ void SceneShapesTest::softMatterIsFilledAndFine()
     SceneFixture fixture({drawn_scenes::step("sheet", scene, view)});
     hideTheGrid(fixture);
     QImage image = fixture.image();
-    QVERIFY(!isPaper(fixture, image, onScreen(fixture, {270, 200})));
-    QVERIFY(isPaper(fixture, image, onScreen(fixture, {190, 200})));
-    QVERIFY(isInk(image.pixelColor(onScreen(fixture, {270, 150})), fixture.theme.tokens().spring));
-    QVERIFY(isPaper(fixture, image, onScreen(fixture, {270, 150}) - QPoint(0, 4))); // a line, no zigzag
+    QVERIFY(!isPaper(fixture, image, pixelAt(fixture, {270, 200})));
+    QVERIFY(isPaper(fixture, image, pixelAt(fixture, {190, 200})));
+    QVERIFY(isInk(image.pixelColor(pixelAt(fixture, {270, 150})), fixture.theme.tokens().spring));
+    QVERIFY(isPaper(fixture, image, pixelAt(fixture, {270, 150}) - QPoint(0, 4))); // a line, no zigzag
     fixture.theme.setScheme(Scheme::highContrast);
     QVERIFY(isPaper(fixture, fixture.image(),
-                    onScreen(fixture, {270, 200}))); // nothing but black, white and kinds
+                    pixelAt(fixture, {270, 200}))); // nothing but black, white and kinds
 }
 
 void SceneShapesTest::aLegIsThickAtTheBodyAndThinAtTheFoot()
@@ -344,8 +344,8 @@ void SceneShapesTest::aLegIsThickAtTheBodyAndThinAtTheFoot()
         SceneFixture fixture({drawn_scenes::step("leg", scene, view)});
         hideTheGrid(fixture);
         const QImage image = fixture.image();
-        const int atBody = thickness(fixture, image, onScreen(fixture, {200, 200}), {0, 1});
-        const int atFoot = thickness(fixture, image, onScreen(fixture, {340, 200}), {0, 1});
+        const int atBody = thickness(fixture, image, pixelAt(fixture, {200, 200}), {0, 1});
+        const int atFoot = thickness(fixture, image, pixelAt(fixture, {340, 200}), {0, 1});
         QVERIFY(atFoot >= 1 && atBody > atFoot);
     }
 }
@@ -359,12 +359,12 @@ void SceneShapesTest::aLimbIsAsWideAsItSays()
     hideTheGrid(fixture);
     const QImage image = fixture.image();
     const double zoom = fixture.view.zoom() / 100.0;
-    QVERIFY(std::abs(thickness(fixture, image, onScreen(fixture, {270, 200}), {0, 1}) - 20.0 * zoom) < 3.0);
-    QCOMPARE(image.pixelColor(onScreen(fixture, {270, 200})), fixture.theme.tokens().body);
+    QVERIFY(std::abs(thickness(fixture, image, pixelAt(fixture, {270, 200}), {0, 1}) - 20.0 * zoom) < 3.0);
+    QCOMPARE(image.pixelColor(pixelAt(fixture, {270, 200})), fixture.theme.tokens().body);
     // Round ends: it goes on for nearly half its width.
-    QVERIFY(!isPaper(fixture, image, onScreen(fixture, {350 + 9, 200})));
-    QVERIFY(isPaper(fixture, image, onScreen(fixture, {350 + 11.5, 200})));
-    QVERIFY(isPaper(fixture, image, onScreen(fixture, {350 + 9, 200 + 9})));
+    QVERIFY(!isPaper(fixture, image, pixelAt(fixture, {350 + 9, 200})));
+    QVERIFY(isPaper(fixture, image, pixelAt(fixture, {350 + 11.5, 200})));
+    QVERIFY(isPaper(fixture, image, pixelAt(fixture, {350 + 9, 200 + 9})));
 }
 
 void SceneShapesTest::aJointIsAHollowDisc()
@@ -376,9 +376,9 @@ void SceneShapesTest::aJointIsAHollowDisc()
     hideTheGrid(fixture);
     fixture.session.select("p1");
     const QImage image = fixture.image();
-    QVERIFY(isPaper(fixture, image, onScreen(fixture, {270, 200})));
-    QCOMPARE(image.pixelColor(onScreen(fixture, {275.2, 200})), fixture.theme.tokens().stick);
-    fixture.press(onScreen(fixture, {270, 200}));
+    QVERIFY(isPaper(fixture, image, pixelAt(fixture, {270, 200})));
+    QCOMPARE(image.pixelColor(pixelAt(fixture, {275.2, 200})), fixture.theme.tokens().stick);
+    fixture.press(pixelAt(fixture, {270, 200}));
     QCOMPARE(fixture.session.selected(), "p0");
 }
 
@@ -389,7 +389,7 @@ void SceneShapesTest::whatIsHiddenIsNeitherDrawnNorTaken()
     view.bodies[1].shape = Shape::foot;
     SceneFixture fixture({drawn_scenes::step("hidden", scene, view)});
     hideTheGrid(fixture);
-    const QPoint hidden = onScreen(fixture, {270, 200});
+    const QPoint hidden = pixelAt(fixture, {270, 200});
     QCOMPARE(fixture.session.selected(), "p0"); // no ring, no name
     QVERIFY(fixture.pixels(fixture.theme.tokens().ink) == 0);
     QVERIFY(isPaper(fixture, fixture.image(), hidden));
@@ -402,8 +402,8 @@ void SceneShapesTest::whatIsHiddenIsNeitherDrawnNorTaken()
     // Where both are out of the picture, only the one that shows has a sign at the edge.
     while (fixture.view.zoom() < 1500.0)
         fixture.wheel({20, 450}, {0, 120});
-    QVERIFY(!fixture.view.viewport()->rect().contains(onScreen(fixture, {270, 200})));
-    QVERIFY(!fixture.view.viewport()->rect().contains(onScreen(fixture, {320, 240})));
+    QVERIFY(!fixture.view.viewport()->rect().contains(pixelAt(fixture, {270, 200})));
+    QVERIFY(!fixture.view.viewport()->rect().contains(pixelAt(fixture, {320, 240})));
     Hud hud(fixture.view.shown(), fixture.view.companion(), fixture.theme);
     const auto markers = hud.markers(Camera(fixture.view.viewportTransform()), QRectF(0, 0, 600, 470));
     QCOMPARE(markers.size(), 1U);
@@ -421,12 +421,12 @@ void SceneShapesTest::aSkinGoesThroughItsPoints()
     hideTheGrid(fixture);
     const QImage image = fixture.image();
     const sim::Vec2 middle{280, 198};
-    QCOMPARE(image.pixelColor(onScreen(fixture, middle)), fixture.theme.tokens().body);
+    QCOMPARE(image.pixelColor(pixelAt(fixture, middle)), fixture.theme.tokens().body);
     for (const sim::Vec2 corner : corners) {
         const sim::Vec2 out = corner - middle;
         const double length = sim::length(out);
-        QVERIFY(!isPaper(fixture, image, onScreen(fixture, corner - (2.0 / length) * out)));
-        QVERIFY(isPaper(fixture, image, onScreen(fixture, corner + (2.0 / length) * out)));
+        QVERIFY(!isPaper(fixture, image, pixelAt(fixture, corner - (2.0 / length) * out)));
+        QVERIFY(isPaper(fixture, image, pixelAt(fixture, corner + (2.0 / length) * out)));
     }
 }
 
@@ -470,11 +470,11 @@ void SceneShapesTest::aTentacleGetsThinner()
     const double zoom = fixture.view.zoom() / 100.0;
     int before = static_cast<int>(16.0 * zoom) + 3;
     for (const double x : {192.0, 230.0, 270.0, 310.0, 345.0}) {
-        const int here = thickness(fixture, image, onScreen(fixture, {x, 200}), {0, 1});
+        const int here = thickness(fixture, image, pixelAt(fixture, {x, 200}), {0, 1});
         QVERIFY(here > 0 && here < before);
         before = here;
     }
-    QVERIFY(thickness(fixture, image, onScreen(fixture, {192, 200}), {0, 1}) > 14.0 * zoom);
+    QVERIFY(thickness(fixture, image, pixelAt(fixture, {192, 200}), {0, 1}) > 14.0 * zoom);
     QVERIFY(before < 5.0 * zoom);
 }
 
@@ -494,7 +494,7 @@ void SceneShapesTest::windStandsStillWithTime()
     const QImage later = streaks(8);
     QVERIFY(first != later);
     QVERIFY(streaks(7) == first);
-    const QPoint middle = onScreen(fixture, {270, 200});
+    const QPoint middle = pixelAt(fixture, {270, 200});
     const QColor ring = first.pixelColor(middle + QPoint(26, 0));
     QVERIFY(ring != fixture.theme.tokens().scene);
     QCOMPARE(first.pixelColor(middle + QPoint(20, 0)), fixture.theme.tokens().scene);

@@ -88,10 +88,10 @@ struct FitterFixture : WindowFixture
 };
 
 /// Logical px of windows: screens of 1024 x 768 to 2560 x 1440 px at 100, 150 and 200 %.
-constexpr QSize sizes[] = {{1280, 800},  {1024, 768}, {1280, 720}, {1600, 900}, {1920, 1080},
-                           {2560, 1440}, {1707, 960}, {1067, 600}, {960, 540},  {800, 600}};
+constexpr QSize screenSizes[] = {{1280, 800},  {1024, 768}, {1280, 720}, {1600, 900}, {1920, 1080},
+                                 {2560, 1440}, {1707, 960}, {1067, 600}, {960, 540},  {800, 600}};
 
-QString nameOf(QSize size)
+QString sizeName(QSize size)
 {
     return QString("%1 x %2").arg(size.width()).arg(size.height());
 }
@@ -217,8 +217,9 @@ private slots:
     {
         QTest::addColumn<QSize>("size");
         // Of each of them to all others and back: the usual ones, and the smallest.
-        for (const QSize size : {sizes[0], sizes[1], sizes[4], sizes[8], sizes[9]})
-            QTest::newRow(qPrintable(nameOf(size))) << size;
+        for (const QSize size :
+             {screenSizes[0], screenSizes[1], screenSizes[4], screenSizes[8], screenSizes[9]})
+            QTest::newRow(qPrintable(sizeName(size))) << size;
     }
 
     void aWindowThatComesBackToItsSizeIsAsItWas()
@@ -228,10 +229,10 @@ private slots:
         settle();
         const QString before = fixture.places();
         QCOMPARE(fixture.gapUnderTitle(), 5);
-        for (const QSize other : sizes) {
+        for (const QSize other : screenSizes) {
             fixture.force(other);
             QCOMPARE(overlaps(fixture.window), QString());
-            QTRY_VERIFY2(fixture.isRail() || fixture.gapUnderTitle() == 5, qPrintable(nameOf(other)));
+            QTRY_VERIFY2(fixture.isRail() || fixture.gapUnderTitle() == 5, qPrintable(sizeName(other)));
             fixture.force(size);
             QTRY_COMPARE(fixture.places(), before);
         }

@@ -19,7 +19,7 @@ using namespace tests;
 
 namespace {
 
-constexpr int soon = 50; ///< ms
+constexpr int autosaveDelay = 50; ///< ms
 
 /// Returns the entry of View > Size of text and controls for so many percent.
 QAction *sizeOf(MainWindow &window, int percent)
@@ -125,7 +125,7 @@ private slots:
         session.openStep(lesson, step);
         restart.open();
         restart.window->setMode(MainWindow::Mode(mode));
-        restart.window->autosaveIn(folder.path(), soon);
+        restart.window->autosaveIn(folder.path(), autosaveDelay);
         session.playback().goTo({30, 0});
         session.editor().setParameter("damp", 0.7);
         session.playback().goTo({70, 0});
@@ -140,7 +140,7 @@ private slots:
         QVERIFY(left);
         restart.open();
         restart.window->goOn(*left);
-        restart.window->autosaveIn(folder.path(), soon);
+        restart.window->autosaveIn(folder.path(), autosaveDelay);
         QCOMPARE(session.lesson().id, lesson);
         QCOMPARE(session.step().id, step);
         QCOMPARE(int(restart.window->mode()), mode);

@@ -97,6 +97,11 @@ std::vector<sim::MethodPtr> walkingMethods()
     return methods;
 }
 
+std::string figurePointName(std::size_t point)
+{
+    return std::string("p").append(std::to_string(point));
+}
+
 sim::Script scriptOf(const lessons::Step &step, const std::string &method, double h, const Changes &changes)
 {
     sim::Script script = step.script();

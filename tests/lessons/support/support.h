@@ -43,6 +43,9 @@ std::optional<QString> regionText(const sim::Region &region);
 /// orders are measured.
 std::vector<sim::MethodPtr> walkingMethods();
 
+/// Returns the name of a point of a figure in the lesson on rigid constraints: "p0", "p1" and so on.
+std::string figurePointName(std::size_t point);
+
 /// Values of parameters by id.
 using Changes = std::vector<std::pair<std::string, double>>;
 /// Returns the script of `step` with another method, step `h` in frames and changed parameters. Adaptive

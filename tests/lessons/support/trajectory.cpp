@@ -26,4 +26,9 @@ MotionSummary motionOf(const sim::Script &script, const std::string &body, int f
     return motion;
 }
 
+sim::Vec2 momentumOf(const sim::State &state)
+{
+    return {state.velocity.col(0).sum(), state.velocity.col(1).sum()};
+}
+
 }

@@ -20,4 +20,7 @@ struct MotionSummary
 /// Returns the motion of the point `body` from frame `from` to frame `to`.
 MotionSummary motionOf(const sim::Script &script, const std::string &body, int from, int to);
 
+/// Returns the momentum of points of mass 1, px/frame.
+sim::Vec2 momentumOf(const sim::State &state);
+
 }

@@ -45,15 +45,6 @@ struct Request
 
 const DampRange damping = {"damp", 0.0, 0.01};
 
-const Remedy *find(const std::vector<Remedy> &all, Remedy::Kind kind)
-{
-    for (const Remedy &remedy : all) {
-        if (remedy.kind == kind)
-            return &remedy;
-    }
-    return nullptr;
-}
-
 }
 
 class TestRemedies : public QObject
@@ -94,8 +85,8 @@ void TestRemedies::remediesStabiliseAGrowingRun()
     const Request request(creatureScript(feet, qPrintable(method), k, damp, 1.0));
     QVERIFY(grows(creature(feet, k, damp), method.toStdString(), 1.0));
     const std::vector<Remedy> remedies = request.remedies(&damping);
-    QVERIFY(find(remedies, Remedy::Kind::smallerStep));
-    QVERIFY(find(remedies, Remedy::Kind::unlimitedMethod));
+    QVERIFY(findRemedy(remedies, Remedy::Kind::smallerStep));
+    QVERIFY(findRemedy(remedies, Remedy::Kind::unlimitedMethod));
     for (const Remedy &remedy : remedies) {
         const bool isDamping = remedy.kind == Remedy::Kind::moreDamping;
         const OscillatingScene changed = creature(feet, k, isDamping ? remedy.value : damp);
@@ -109,7 +100,7 @@ void TestRemedies::suggestedStepIsTheLargestSafeOne()
 {
     const Request request(creatureScript(5, "explicit_euler", 0.2, 0.85, 1.0));
     const std::vector<Remedy> remedies = request.remedies(&damping);
-    const Remedy *step = find(remedies, Remedy::Kind::smallerStep);
+    const Remedy *step = findRemedy(remedies, Remedy::Kind::smallerStep);
     QVERIFY(step);
     QVERIFY(step->step.h <= safeShare * request.now.limit);
     QVERIFY(2.0 * step->step.h > safeShare * request.now.limit);
@@ -119,7 +110,7 @@ void TestRemedies::suggestedDampingIsTheWeakestStableOne()
 {
     const Request request(creatureScript(3, "published", 0.3, 0.9, 1.0));
     const std::vector<Remedy> remedies = request.remedies(&damping);
-    const Remedy *damp = find(remedies, Remedy::Kind::moreDamping);
+    const Remedy *damp = findRemedy(remedies, Remedy::Kind::moreDamping);
     QVERIFY(damp);
     const auto shareAt = [&](double value) {
         return predicted(creature(3, 0.3, value).scene, "published").share();
@@ -140,8 +131,8 @@ void TestRemedies::noStepIsSuggestedIfNoneIsStable()
 {
     const Request request(creatureScript(3, "explicit_euler", 0.2, 1.0, 1.0));
     const std::vector<Remedy> remedies = request.remedies(&damping);
-    QVERIFY(!find(remedies, Remedy::Kind::smallerStep));
-    const Remedy *other = find(remedies, Remedy::Kind::stableMethod);
+    QVERIFY(!findRemedy(remedies, Remedy::Kind::smallerStep));
+    const Remedy *other = findRemedy(remedies, Remedy::Kind::stableMethod);
     QVERIFY(other);
     QCOMPARE(other->method->evaluationsPerStep(), 1);
     QVERIFY(other->method->requirements().empty());
@@ -150,8 +141,8 @@ void TestRemedies::noStepIsSuggestedIfNoneIsStable()
 void TestRemedies::noDampingIsSuggestedWithoutAParameter()
 {
     const Request request(creatureScript(3, "published", 0.3, 0.9, 1.0));
-    QVERIFY(find(request.remedies(&damping), Remedy::Kind::moreDamping));
-    QVERIFY(!find(request.remedies(nullptr), Remedy::Kind::moreDamping));
+    QVERIFY(findRemedy(request.remedies(&damping), Remedy::Kind::moreDamping));
+    QVERIFY(!findRemedy(request.remedies(nullptr), Remedy::Kind::moreDamping));
 }
 
 void TestRemedies::growthMapAgreesWithRuns_data()

@@ -1,6 +1,7 @@
 // Remedies for a stopped run. The smallest sufficient change of each kind follows from the eigenvalues of the
 // scenes.
 
+#include "tests/sim/support/stability_scenes.h"
 #include "tests/sim/support/support.h"
 
 #include "sim/analysis/stability/remedies/trial_runs.h"
@@ -12,6 +13,7 @@
 #include <QTest>
 
 using namespace sim;
+using stability_scenes::findRemedy;
 
 namespace {
 
@@ -36,9 +38,9 @@ Script linearStar(int feet, const char *method = "semi_implicit_euler")
 
 /// Returns whether semi-implicit Euler is stable: v' = d (v - h w^2 x), x' = x + h v' has |eigenvalues| < 1
 /// if and only if h^2 w^2 < 2 (1 + 1/d), with d = damp^h.
-bool isStable(double squaredFrequency, double h, double damping)
+bool isStable(double squaredFrequency, double h, double damp)
 {
-    return h * h * squaredFrequency < 2.0 * (1.0 + std::pow(damping, -h));
+    return h * h * squaredFrequency < 2.0 * (1.0 + std::pow(damp, -h));
 }
 
 Stop stopOf(const Script &script)
@@ -46,15 +48,6 @@ Stop stopOf(const Script &script)
     Track track(script, 1 << 20);
     track.seek({100'000, 0});
     return track.stop().value();
-}
-
-const Remedy *find(const std::vector<Remedy> &all, Remedy::Kind kind)
-{
-    for (const Remedy &remedy : all) {
-        if (remedy.kind == kind)
-            return &remedy;
-    }
-    return nullptr;
 }
 
 }
@@ -80,14 +73,14 @@ private slots:
         double h = 0.5;
         while (!isStable(squaredFrequency, h, 0.85))
             h /= 2.0;
-        const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
+        const Remedy *smaller = findRemedy(found, Remedy::Kind::smallerStep);
         QVERIFY(smaller && smaller->stableFrames > 0);
         QCOMPARE(smaller->step.h, h);
         double newDamp = 0.85;
         do {
             newDamp = std::max(0.01, std::floor(100.0 * newDamp * newDamp) / 100.0);
         } while (!isStable(squaredFrequency, 1.0, newDamp) && newDamp > 0.01);
-        const Remedy *moreDamping = find(found, Remedy::Kind::moreDamping);
+        const Remedy *moreDamping = findRemedy(found, Remedy::Kind::moreDamping);
         QCOMPARE(moreDamping != nullptr, isStable(squaredFrequency, 1.0, newDamp));
         if (moreDamping)
             QCOMPARE(moreDamping->value, newDamp);
@@ -104,8 +97,8 @@ private slots:
         QFETCH(QString, method);
         const Script script = linearStar(60, method.toUtf8());
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &dampRange, neverCancel);
-        QVERIFY(find(found, Remedy::Kind::smallerStep));
-        const Remedy *other = find(found, Remedy::Kind::unlimitedMethod);
+        QVERIFY(findRemedy(found, Remedy::Kind::smallerStep));
+        const Remedy *other = findRemedy(found, Remedy::Kind::unlimitedMethod);
         QVERIFY(other && other->method->stepLimit() == StepLimit::none);
         for (const Remedy &remedy : found) {
             Track track(withRemedy(script, remedy), 0);
@@ -129,7 +122,7 @@ private slots:
             return scene;
         };
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &dampRange, neverCancel);
-        QVERIFY(find(found, Remedy::Kind::smallerStep));
+        QVERIFY(findRemedy(found, Remedy::Kind::smallerStep));
         for (const Remedy &remedy : found) {
             Track track(withRemedy(script, remedy), 0);
             track.seek({2000, 0});
@@ -146,10 +139,10 @@ private slots:
         };
         script.values.set("k", 20.0);
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &dampRange, neverCancel);
-        const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
+        const Remedy *smaller = findRemedy(found, Remedy::Kind::smallerStep);
         QVERIFY(smaller && smaller->stableFrames > 0);
         QCOMPARE(smaller->step.h, 0.25); // k h^2 = 20 / 4 is beyond the limit, 20 / 16 is not
-        QVERIFY(find(found, Remedy::Kind::unlimitedMethod));
+        QVERIFY(findRemedy(found, Remedy::Kind::unlimitedMethod));
     }
 
     void remedyChangesNothingElse()
@@ -187,9 +180,10 @@ private slots:
         const Stop stop = stopOf(script);
         QVERIFY(stop.reason == StopReason::tooManySteps);
         const std::vector<Remedy> found = remediesAfter(script, stop, nullptr, neverCancel);
-        const Remedy *larger = find(found, Remedy::Kind::largerTolerance);
-        QVERIFY(larger && !find(found, Remedy::Kind::smallerStep) && !find(found, Remedy::Kind::moreDamping));
-        QVERIFY(find(found, Remedy::Kind::unlimitedMethod));
+        const Remedy *larger = findRemedy(found, Remedy::Kind::largerTolerance);
+        QVERIFY(larger && !findRemedy(found, Remedy::Kind::smallerStep) &&
+                !findRemedy(found, Remedy::Kind::moreDamping));
+        QVERIFY(findRemedy(found, Remedy::Kind::unlimitedMethod));
         // A tenth of the tolerance is not enough.
         const Script original = script;
         script.step = StepSize::withTolerance(larger->step.tolerance / 10.0);
@@ -209,8 +203,8 @@ private slots:
             return scene;
         };
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &dampRange, neverCancel);
-        QVERIFY(find(found, Remedy::Kind::smallerStep));
-        QVERIFY(!find(found, Remedy::Kind::unlimitedMethod));
+        QVERIFY(findRemedy(found, Remedy::Kind::smallerStep));
+        QVERIFY(!findRemedy(found, Remedy::Kind::unlimitedMethod));
     }
 
     void nothingIsSuggestedIfNothingIsStable()
@@ -219,7 +213,8 @@ private slots:
         // Neither a step of 1/64 nor full damping is enough.
         script.values.set("k", 1e9);
         const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &dampRange, neverCancel);
-        QVERIFY(!find(found, Remedy::Kind::smallerStep) && !find(found, Remedy::Kind::moreDamping));
+        QVERIFY(!findRemedy(found, Remedy::Kind::smallerStep) &&
+                !findRemedy(found, Remedy::Kind::moreDamping));
     }
 
     void longTrialRunIsSkipped()
@@ -229,7 +224,7 @@ private slots:
         Stop stop = stopOf(script);
         stop.frame = 1'000'000'000;
         const std::vector<Remedy> found = remediesAfter(script, stop, &dampRange, neverCancel);
-        const Remedy *smaller = find(found, Remedy::Kind::smallerStep);
+        const Remedy *smaller = findRemedy(found, Remedy::Kind::smallerStep);
         QVERIFY(smaller);
         QCOMPARE(smaller->stableFrames, std::int64_t(0));
     }

@@ -64,9 +64,6 @@ double angleAt(const State &state, const AngleLimit &limit)
 
 }
 
-Q_DECLARE_METATYPE(Scene)
-Q_DECLARE_METATYPE(DirectionRule)
-
 class TestConstraints : public QObject
 {
     Q_OBJECT

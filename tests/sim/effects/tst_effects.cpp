@@ -25,15 +25,14 @@ using support::Dice;
 
 namespace {
 
-constexpr int feet = 3; // with the body: four points
-constexpr double k = 0.23;
+constexpr int footCount = 3; // with the body: four points
 
 using ForcePtr = std::shared_ptr<const Force>;
 
-State randomState(Dice &dice)
+State randomMovingState(Dice &dice)
 {
-    State state = State::ofPoints(feet + 1);
-    for (int i = 0; i <= feet; ++i) {
+    State state = State::ofPoints(footCount + 1);
+    for (int i = 0; i <= footCount; ++i) {
         state.place(i, {dice.real(-1000, 1000), dice.real(-1000, 1000)});
         state.setVelocity(i, {dice.real(-20, 20), dice.real(-20, 20)});
         state.inverseMass[i] = dice.chance(0.3) ? 0.0 : dice.chance(0.5) ? 1.0 : dice.real(0.1, 3.0);
@@ -41,8 +40,8 @@ State randomState(Dice &dice)
     return state;
 }
 
-Eigen::ArrayX2d accelerationsOf(const Force &force, const State &state, double scale,
-                                DirectionRule directionRule)
+Eigen::ArrayX2d accelerationsOfAll(const Force &force, const State &state, double scale,
+                                   DirectionRule directionRule)
 {
     Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
     force.add(state, {0, state.pointCount()}, scale, directionRule, accelerations);
@@ -56,28 +55,28 @@ bool near(Vec2 a, Vec2 b, double tolerance)
 
 }
 
-Q_DECLARE_METATYPE(ForcePtr)
-Q_DECLARE_METATYPE(DirectionRule)
-
 class TestEffects : public QObject
 {
     Q_OBJECT
 
 private:
+    static constexpr double k = 0.23;
+
     static void addForceRows()
     {
         QTest::addColumn<ForcePtr>("force");
         QTest::addColumn<DirectionRule>("directionRule");
         const std::vector<std::pair<const char *, ForcePtr>> forces = {
             {"spring to a point", std::make_shared<PointSpring>(1, Vec2{270, 200}, k)},
-            {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, feet}}, k)},
-            {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(feet), k)},
-            {"spring with an offset", std::make_shared<OffsetSpring>(scenes::legs(feet), k, 50)},
-            {"radial springs", std::make_shared<RadialSpring>(scenes::legs(feet), k, 50)},
+            {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, footCount}}, k)},
+            {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(footCount), k)},
+            {"spring with an offset", std::make_shared<OffsetSpring>(scenes::legs(footCount), k, 50)},
+            {"radial springs", std::make_shared<RadialSpring>(scenes::legs(footCount), k, 50)},
             {"radial spring of length 0", std::make_shared<RadialSpring>(std::vector<Link>{{2, 1}}, k, 0)},
             {"gravity", std::make_shared<Gravity>(0.5)},
             {"springs with individual stiffness",
-             std::make_shared<Springs>(std::vector<Spring>{{0, 1, k, 50}, {2, 1, 0.4 * k, 20}}, feet + 1)},
+             std::make_shared<Springs>(std::vector<Spring>{{0, 1, k, 50}, {2, 1, 0.4 * k, 20}},
+                                       footCount + 1)},
         };
         for (const auto &[name, force] : forces) {
             QTest::addRow("%s, regularised", name) << force << DirectionRule::regularised;
@@ -109,9 +108,9 @@ private slots:
         QFETCH(std::function<Vec2(const State &)>, target);
         Dice dice(1);
         for (int run = 0; run < 2000; ++run) {
-            const State state = randomState(dice);
+            const State state = randomMovingState(dice);
             const Eigen::ArrayX2d accelerations =
-                accelerationsOf(*force, state, 1.0, DirectionRule::regularised);
+                accelerationsOfAll(*force, state, 1.0, DirectionRule::regularised);
             const std::complex<double> from(state.positionOf(1).x, state.positionOf(1).y);
             const std::complex<double> to(target(state).x, target(state).y);
             const std::complex<double> expected = (to - from) * (k * state.inverseMass[1]);
@@ -135,9 +134,9 @@ private slots:
         for (int run = 0; run < 5000; ++run) {
             const double radius = dice.real(0, 200);
             const RadialSpring force({{0, 1}}, k, radius);
-            State state = randomState(dice);
+            State state = randomMovingState(dice);
             state.inverseMass[0] = 1.0;
-            const Eigen::ArrayX2d accelerations = accelerationsOf(force, state, 1.0, directionRule);
+            const Eigen::ArrayX2d accelerations = accelerationsOfAll(force, state, 1.0, directionRule);
             const Vec2 d = state.positionOf(1) - state.positionOf(0);
             const double pull = k * (1.0 - radius / std::hypot(d.x, d.y));
             QVERIFY(near({accelerations(0, 0), accelerations(0, 1)}, pull * d, 1e-10));
@@ -146,11 +145,11 @@ private slots:
     void radialForceIsTheSameForBothDirectionRules()
     {
         Dice dice(3);
-        const RadialSpring force(scenes::legs(feet), k, 50);
+        const RadialSpring force(scenes::legs(footCount), k, 50);
         for (int run = 0; run < 5000; ++run) {
-            const State state = randomState(dice);
-            const Eigen::ArrayX2d a = accelerationsOf(force, state, 1.0, DirectionRule::regularised);
-            const Eigen::ArrayX2d b = accelerationsOf(force, state, 1.0, DirectionRule::published);
+            const State state = randomMovingState(dice);
+            const Eigen::ArrayX2d a = accelerationsOfAll(force, state, 1.0, DirectionRule::regularised);
+            const Eigen::ArrayX2d b = accelerationsOfAll(force, state, 1.0, DirectionRule::published);
             QVERIFY(((a - b).abs() < 1e-10).all());
         }
     }
@@ -160,14 +159,15 @@ private slots:
         Dice dice(31);
         for (int run = 0; run < 2000; ++run) {
             const double lengthA = dice.real(0, 200), lengthB = dice.real(0, 200);
-            const Springs springs({{0, 1, k, lengthA}, {1, 2, 0.4 * k, lengthB}}, feet + 1);
+            const Springs springs({{0, 1, k, lengthA}, {1, 2, 0.4 * k, lengthB}}, footCount + 1);
             const RadialSpring first({{0, 1}, {1, 0}}, k, lengthA);
             const RadialSpring second({{1, 2}, {2, 1}}, 0.4 * k, lengthB);
-            const State state = randomState(dice);
-            const Eigen::ArrayX2d sum = accelerationsOf(first, state, 1.0, DirectionRule::regularised) +
-                                        accelerationsOf(second, state, 1.0, DirectionRule::regularised);
-            QVERIFY(((accelerationsOf(springs, state, 1.0, DirectionRule::regularised) - sum).abs() < 1e-10)
-                        .all());
+            const State state = randomMovingState(dice);
+            const Eigen::ArrayX2d sum = accelerationsOfAll(first, state, 1.0, DirectionRule::regularised) +
+                                        accelerationsOfAll(second, state, 1.0, DirectionRule::regularised);
+            QVERIFY(
+                ((accelerationsOfAll(springs, state, 1.0, DirectionRule::regularised) - sum).abs() < 1e-10)
+                    .all());
             QCOMPARE(*springs.potentialEnergy(state) > 0.0,
                      state.isDynamic(0) || state.isDynamic(1) || state.isDynamic(2));
         }
@@ -183,22 +183,22 @@ private slots:
     {
         Dice dice(32);
         constexpr double wind = 0.3, gusts = 0.8, wave = 2.0 * std::numbers::pi * 100.0;
-        const Eigen::ArrayXd width = Eigen::ArrayXd::LinSpaced(feet + 1, 5, 40);
+        const Eigen::ArrayXd width = Eigen::ArrayXd::LinSpaced(footCount + 1, 5, 40);
         const Breeze breeze({wind, gusts}, width, 0);
         for (int run = 0; run < 200; ++run) {
-            State state = randomState(dice);
+            State state = randomMovingState(dice);
             state.gait.setConstant(1, dice.real(0, 7));
             const Eigen::ArrayX2d accelerationHere =
-                accelerationsOf(breeze, state, 1.0, DirectionRule::regularised);
+                accelerationsOfAll(breeze, state, 1.0, DirectionRule::regularised);
             const Eigen::ArrayXd steady = wind * width / 10.0 * state.inverseMass;
             // The crest travels a quarter of a wave while the phase turns by a quarter.
             State later = state;
             later.position.col(0) += wave / 4.0;
             later.gait[0] += std::numbers::pi / 2.0;
-            const Eigen::ArrayX2d crest = accelerationsOf(breeze, later, 1.0, DirectionRule::regularised);
+            const Eigen::ArrayX2d crest = accelerationsOfAll(breeze, later, 1.0, DirectionRule::regularised);
             QVERIFY(((accelerationHere - crest).abs() < 1e-12).all());
             later.position.col(0) -= wave / 2.0; // half a wave away is the trough
-            const Eigen::ArrayX2d trough = accelerationsOf(breeze, later, 1.0, DirectionRule::regularised);
+            const Eigen::ArrayX2d trough = accelerationsOfAll(breeze, later, 1.0, DirectionRule::regularised);
             QVERIFY(((0.5 * (crest + trough).col(0) - steady).abs() < 1e-12).all());
             QVERIFY((accelerationHere.col(1) == 0.0).all());
             QVERIFY(((accelerationHere.col(0) - steady).abs() <= gusts * steady + 1e-12).all());
@@ -212,7 +212,7 @@ private slots:
         state.inverseMass << 1.0, 0.5;
         const Eigen::ArrayXd width = Eigen::ArrayXd::LinSpaced(2, 10.0, 40.0);
         const Eigen::ArrayX2d pull =
-            accelerationsOf(Breeze({0.2, 0.0}, width, 0), state, 1.0, DirectionRule::regularised);
+            accelerationsOfAll(Breeze({0.2, 0.0}, width, 0), state, 1.0, DirectionRule::regularised);
         QCOMPARE(pull(0, 0), 0.2);
         QCOMPARE(pull(1, 0), 0.4); // four times the width, twice the mass
     }
@@ -220,9 +220,9 @@ private slots:
     void gravityIsTheSameForEveryMass()
     {
         Dice dice(4);
-        const State state = randomState(dice);
+        const State state = randomMovingState(dice);
         const Eigen::ArrayX2d accelerations =
-            accelerationsOf(Gravity(0.7), state, 2.0, DirectionRule::regularised);
+            accelerationsOfAll(Gravity(0.7), state, 2.0, DirectionRule::regularised);
         for (int i = 0; i < state.pointCount(); ++i) {
             QCOMPARE(accelerations(i, 0), 0.0);
             QCOMPARE(accelerations(i, 1), state.isDynamic(i) ? 2.0 * 0.7 : 0.0);
@@ -255,8 +255,8 @@ private slots:
         QFETCH(DirectionRule, directionRule);
         Dice dice(5);
         for (int run = 0; run < 500; ++run) {
-            const State state = randomState(dice);
-            const Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, 1.0, directionRule);
+            const State state = randomMovingState(dice);
+            const Eigen::ArrayX2d accelerations = accelerationsOfAll(*force, state, 1.0, directionRule);
             for (int i = 0; i < state.pointCount(); ++i) {
                 const std::vector<LiveValue> live = force->explain(state, i, directionRule);
                 if (live.empty()) {
@@ -277,9 +277,9 @@ private slots:
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
         Dice dice(6);
-        State state = randomState(dice);
+        State state = randomMovingState(dice);
         state.inverseMass.setZero();
-        QVERIFY((accelerationsOf(*force, state, 1.0, directionRule) == 0.0).all());
+        QVERIFY((accelerationsOfAll(*force, state, 1.0, directionRule) == 0.0).all());
         QCOMPARE(force->count(state, {0, state.pointCount()}), 0);
         for (int i = 0; i < state.pointCount(); ++i)
             QVERIFY(force->explain(state, i, directionRule).empty());
@@ -291,13 +291,13 @@ private slots:
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
         Dice dice(7);
-        const State state = randomState(dice);
+        const State state = randomMovingState(dice);
         Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
         force->add(state, {1, 2}, 0.5, directionRule, accelerations);
-        const Eigen::ArrayX2d all = accelerationsOf(*force, state, 0.5, directionRule);
+        const Eigen::ArrayX2d all = accelerationsOfAll(*force, state, 0.5, directionRule);
         QVERIFY((accelerations.row(0) == 0.0).all() && (accelerations.row(3) == 0.0).all());
         QVERIFY((accelerations.middleRows(1, 2) == all.middleRows(1, 2)).all());
-        const Eigen::ArrayX2d unscaled = accelerationsOf(*force, state, 1.0, directionRule);
+        const Eigen::ArrayX2d unscaled = accelerationsOfAll(*force, state, 1.0, directionRule);
         QVERIFY((0.5 * unscaled - all).abs().maxCoeff() <=
                 1e-12); // halving is exact, but sums of forces are rounded
     }
@@ -307,11 +307,11 @@ private slots:
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
-        State state = State::ofPoints(feet + 1);
+        State state = State::ofPoints(footCount + 1);
         int sum = 0;
-        for (int i = 0; i <= feet; ++i)
+        for (int i = 0; i <= footCount; ++i)
             sum += force->count(state, {i, 1});
-        QCOMPARE(sum, force->count(state, {0, feet + 1}));
+        QCOMPARE(sum, force->count(state, {0, footCount + 1}));
         QVERIFY(sum > 0);
         QVERIFY(!force->regions(directionRule).empty());
     }

@@ -27,21 +27,20 @@ using support::Dice;
 
 namespace {
 
-constexpr int feet = 3; // with the body: four points
-constexpr double k = 0.23;
-constexpr double reach = 60.0; // px, distance below which points push each other
+constexpr int jacobianFeet = 3;    // with the body: four points
+constexpr double pushReach = 60.0; // px, distance below which points push each other
 
 using ForcePtr = std::shared_ptr<const Force>;
 using TorquePtr = std::shared_ptr<const Torque>;
 
 /// Returns random points, some of them fixed, with different masses.
-State randomState(Dice &dice)
+State randomPlaces(Dice &dice)
 {
-    State state = State::ofPoints(feet + 1);
+    State state = State::ofPoints(jacobianFeet + 1);
     state.gait.setConstant(1, dice.real(0, 6));
     state.gaitSpeed.setZero(1);
     state.input.target = {dice.real(-100, 100), dice.real(-100, 100)};
-    for (int i = 0; i <= feet; ++i) {
+    for (int i = 0; i <= jacobianFeet; ++i) {
         state.place(i, {dice.real(-60, 60), dice.real(-60, 60)});
         state.inverseMass[i] = dice.chance(0.2) ? 0.0 : dice.chance(0.5) ? 1.0 : dice.real(0.1, 3.0);
     }
@@ -55,7 +54,7 @@ bool isSmooth(const State &state)
     for (int i = 0; i < state.pointCount(); ++i) {
         for (int j = 0; j < i; ++j) {
             const double far = length(state.positionOf(i) - state.positionOf(j));
-            if (far < 5.0 || std::abs(far - reach) < 0.1)
+            if (far < 5.0 || std::abs(far - pushReach) < 0.1)
                 return false;
         }
     }
@@ -143,41 +142,40 @@ public:
 
 }
 
-Q_DECLARE_METATYPE(ForcePtr)
-Q_DECLARE_METATYPE(TorquePtr)
-Q_DECLARE_METATYPE(DirectionRule)
-
 class TestJacobians : public QObject
 {
     Q_OBJECT
 
 private:
+    static constexpr double k = 0.23;
+
     static void addForceRows()
     {
         QTest::addColumn<ForcePtr>("force");
         QTest::addColumn<DirectionRule>("directionRule");
-        const std::vector<Leg> legs = {{0, feet, 0.3, 0}, {1, feet, 2.5, 0}, {2, 1, 4.0, 0}};
+        const std::vector<Leg> legs = {{0, jacobianFeet, 0.3, 0}, {1, jacobianFeet, 2.5, 0}, {2, 1, 4.0, 0}};
         const auto legSpring = [&](Aim aim, Reaction reaction) {
             return std::make_shared<LegSpring>(legs, LegRule{k, 50.0, 30.0, aim, reaction});
         };
         const std::vector<std::pair<const char *, ForcePtr>> forces = {
             {"spring to a point", std::make_shared<PointSpring>(1, Vec2{27, 20}, k)},
-            {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, feet}}, k)},
-            {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(feet), k)},
-            {"springs with an offset", std::make_shared<OffsetSpring>(scenes::legs(feet), k, 50)},
-            {"radial springs", std::make_shared<RadialSpring>(scenes::legs(feet), k, 50)},
+            {"spring to a body", std::make_shared<BodySpring>(std::vector<Link>{{0, jacobianFeet}}, k)},
+            {"springs to every foot", std::make_shared<BodySpring>(scenes::legs(jacobianFeet), k)},
+            {"springs with an offset", std::make_shared<OffsetSpring>(scenes::legs(jacobianFeet), k, 50)},
+            {"radial springs", std::make_shared<RadialSpring>(scenes::legs(jacobianFeet), k, 50)},
             {"radial spring of length 0", std::make_shared<RadialSpring>(scenes::legs(1), k, 0)},
             {"gravity", std::make_shared<Gravity>(0.5)},
             {"legs", legSpring(Aim::bone, Reaction::none)},
             {"swinging legs that the body feels", legSpring(Aim::swing, Reaction::equal)},
-            {"push", std::make_shared<Push>(std::vector<int>{0, 1, 2, 3}, k, reach, Reaction::none)},
+            {"push", std::make_shared<Push>(std::vector<int>{0, 1, 2, 3}, k, pushReach, Reaction::none)},
             {"push and reaction",
-             std::make_shared<Push>(std::vector<int>{0, 1, 3}, k, reach, Reaction::equal)},
+             std::make_shared<Push>(std::vector<int>{0, 1, 3}, k, pushReach, Reaction::equal)},
             {"motor", std::make_shared<Motor>(2, k, 0.25)},
             {"springs with individual stiffness",
-             std::make_shared<Springs>(std::vector<Spring>{{0, feet, k, 50}, {1, 2, 0.4 * k, 20}}, feet + 1)},
+             std::make_shared<Springs>(std::vector<Spring>{{0, jacobianFeet, k, 50}, {1, 2, 0.4 * k, 20}},
+                                       jacobianFeet + 1)},
             {"wind", std::make_shared<Breeze>(BreezeStrength{0.4, 0.7},
-                                              Eigen::ArrayXd::LinSpaced(feet + 1, 5, 30), 0)},
+                                              Eigen::ArrayXd::LinSpaced(jacobianFeet + 1, 5, 30), 0)},
         };
         for (const auto &[name, force] : forces) {
             QTest::addRow("%s, regularised", name) << force << DirectionRule::regularised;
@@ -194,7 +192,7 @@ private slots:
         Dice dice(5);
         int compared = 0;
         while (compared < 300) {
-            const State state = randomState(dice);
+            const State state = randomPlaces(dice);
             if (!isSmooth(state))
                 continue;
             ++compared;
@@ -216,7 +214,7 @@ private slots:
     {
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
-        State state = State::ofPoints(feet + 1);
+        State state = State::ofPoints(jacobianFeet + 1);
         state.gait.setZero(1);
         Jacobian jacobian(state.pointCount());
         QVERIFY(force->addJacobian(state, {0, state.pointCount()}, 1.0, directionRule, jacobian));
@@ -230,7 +228,7 @@ private slots:
         QFETCH(ForcePtr, force);
         QFETCH(DirectionRule, directionRule);
         Dice dice(8);
-        State state = randomState(dice);
+        State state = randomPlaces(dice);
         state.inverseMass.setZero();
         Jacobian jacobian(state.pointCount());
         QVERIFY(force->addJacobian(state, {0, state.pointCount()}, 1.0, directionRule, jacobian));
@@ -305,7 +303,7 @@ private slots:
 
     void implicitMethodsRefuseAForceWithoutJacobian()
     {
-        Scene scene = scenes::creature(feet);
+        Scene scene = scenes::creature(jacobianFeet);
         scene.effects = {std::make_shared<Gravity>(0.5), std::make_shared<ForceWithoutJacobian>()};
         int refused = 0;
         for (const MethodPtr &method : allMethods()) {

@@ -18,7 +18,7 @@ using support::Dice;
 
 namespace {
 
-constexpr double k = 0.3, rest = 40.0;
+constexpr double pairStiffness = 0.3, pairLength = 40.0;
 
 struct Layout
 {
@@ -85,20 +85,20 @@ Vec2 radialForce(Vec2 mover, Vec2 anchor, Link link)
     const double length = std::sqrt(from.x * from.x + from.y * from.y);
     if (length < 1e-150) {
         const Vec2 out = fallbackDirection(link.anchor, link.mover);
-        return {k * rest * out.x, k * rest * out.y};
+        return {pairStiffness * pairLength * out.x, pairStiffness * pairLength * out.y};
     }
-    const double share = k * (rest / length - 1.0);
+    const double share = pairStiffness * (pairLength / length - 1.0);
     return {share * from.x, share * from.y};
 }
 
 Vec2 offsetForce(Vec2 mover, Vec2 anchor, Link)
 {
-    return {k * (anchor.x + rest - mover.x), k * (anchor.y - mover.y)};
+    return {pairStiffness * (anchor.x + pairLength - mover.x), pairStiffness * (anchor.y - mover.y)};
 }
 
 Vec2 plainForce(Vec2 mover, Vec2 anchor, Link)
 {
-    return {k * (anchor.x - mover.x), k * (anchor.y - mover.y)};
+    return {pairStiffness * (anchor.x - mover.x), pairStiffness * (anchor.y - mover.y)};
 }
 
 using ForceOf = Vec2 (*)(Vec2, Vec2, Link);
@@ -146,7 +146,7 @@ Eigen::ArrayX2d sumPairByPair(const std::vector<ExpectedPair> &pairs, const Stat
     return sum;
 }
 
-bool sameBits(const Eigen::ArrayX2d &a, const Eigen::ArrayX2d &b)
+bool sameAccelerations(const Eigen::ArrayX2d &a, const Eigen::ArrayX2d &b)
 {
     return std::memcmp(a.data(), b.data(), static_cast<std::size_t>(a.size()) * sizeof(double)) == 0;
 }
@@ -208,9 +208,9 @@ private slots:
     {
         QFETCH(int, index);
         const Layout given = layout(index);
-        const RadialSpring radial(given.links, k, rest);
-        const OffsetSpring offset(given.links, k, rest);
-        const BodySpring plain(given.links, k);
+        const RadialSpring radial(given.links, pairStiffness, pairLength);
+        const OffsetSpring offset(given.links, pairStiffness, pairLength);
+        const BodySpring plain(given.links, pairStiffness);
         struct Case
         {
             const Force *force;
@@ -229,8 +229,8 @@ private slots:
                     for (const Case &testCase : cases) {
                         Eigen::ArrayX2d sum = state.acceleration;
                         testCase.force->add(state, range, scale, DirectionRule::regularised, sum);
-                        QVERIFY2(sameBits(sum, sumPairByPair(testCase.pairs, state, range, scale,
-                                                             testCase.forceOf)),
+                        QVERIFY2(sameAccelerations(sum, sumPairByPair(testCase.pairs, state, range, scale,
+                                                                      testCase.forceOf)),
                                  testCase.force->id().c_str());
                     }
                 }
@@ -242,7 +242,7 @@ private slots:
     {
         const int creatures = 40;
         const std::vector<Link> links = scenes::legsByParts(creatures, 5);
-        const RadialSpring radial(links, k, rest);
+        const RadialSpring radial(links, pairStiffness, pairLength);
         const State state = stateOf(6 * creatures, 3);
         Eigen::ArrayX2d allAtOnce = state.acceleration, blockByBlock = state.acceleration;
         radial.adderFor({{0, 6 * creatures}})(state, allAtOnce);
@@ -252,7 +252,7 @@ private slots:
                 ranges.push_back({foot * creatures + first, 8});
             radial.adderFor(ranges)(state, blockByBlock);
         }
-        QVERIFY(sameBits(allAtOnce, blockByBlock));
+        QVERIFY(sameAccelerations(allAtOnce, blockByBlock));
     }
 
     void bothEndsFeelExactlyOppositeForces()

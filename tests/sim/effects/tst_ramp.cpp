@@ -13,18 +13,16 @@
 
 using namespace sim;
 
-Q_DECLARE_METATYPE(sim::PointMotion)
-
 namespace {
 
-constexpr double gravity = 0.5; ///< px/frame^2
+constexpr double rampGravity = 0.5; ///< px/frame^2
 
 /// Returns a ball of width 10 px, `height` px above a ramp through (0, 0), with gravity.
 Scene ballOn(double angle, double bounce, double height, Vec2 v)
 {
     const Incline edge = inclineOf({0.0, 0.0}, angle, bounce);
     Scene scene = scenes::onePoint("ball", (5.0 + height) * edge.normal, v);
-    scene.effects = {std::make_shared<Gravity>(gravity),
+    scene.effects = {std::make_shared<Gravity>(rampGravity),
                      std::make_shared<Ramp>(edge, Eigen::ArrayXd::Constant(1, 5.0))};
     return scene;
 }
@@ -97,7 +95,7 @@ private slots:
         constexpr int frames = 60;
         const Scene scene = ballOn(angle, 0.0, 0.0, {0, 0});
         const double rad = angle / 180.0 * std::numbers::pi;
-        const double pull = gravity * std::sin(rad);
+        const double pull = rampGravity * std::sin(rad);
         const Vec2 down{-std::cos(rad), std::sin(rad)};
         int methods = 0;
         for (const MethodPtr &method : allMethods()) {
@@ -130,7 +128,7 @@ private slots:
         const Scene scene = ballOn(angle, 1.0, 40.0, {0.7, -1.0});
         const auto energy = [](const State &state) {
             const Vec2 v = state.velocityOf(0);
-            return 0.5 * (v.x * v.x + v.y * v.y) - gravity * state.positionOf(0).y;
+            return 0.5 * (v.x * v.x + v.y * v.y) - rampGravity * state.positionOf(0).y;
         };
         for (const char *id : {"dormand_prince", "dop853"}) {
             const MethodPtr method = findMethod(id);

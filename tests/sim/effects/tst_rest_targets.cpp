@@ -17,13 +17,12 @@ using support::Dice;
 
 namespace {
 
-constexpr int points = 4;
-constexpr double k = 0.3;
+constexpr int scatteredPoints = 4;
 
 State scattered(Dice &dice)
 {
-    State state = State::ofPoints(points);
-    for (int i = 0; i < points; ++i)
+    State state = State::ofPoints(scatteredPoints);
+    for (int i = 0; i < scatteredPoints; ++i)
         state.place(i, {dice.real(-300, 300), dice.real(-300, 300)});
     state.gait = Eigen::ArrayXd::Constant(1, dice.real(-3, 3));
     return state;
@@ -33,11 +32,11 @@ using EffectOf = std::function<EffectPtr(Dice &)>;
 
 }
 
-Q_DECLARE_METATYPE(EffectOf)
-
 class TestRestTargets : public QObject
 {
     Q_OBJECT
+
+    static constexpr double k = 0.3;
 
 private slots:
     void pointAtItsRestTargetStaysThere_data()
@@ -50,7 +49,8 @@ private slots:
             return std::make_shared<OffsetSpring>(std::vector<Link>{{1, 3}}, k, dice.real(1, 90));
         });
         QTest::newRow("spring with individual stiffness") << EffectOf([](Dice &dice) {
-            return std::make_shared<Springs>(std::vector<Spring>{{0, 2, k, dice.real(1, 90)}}, points);
+            return std::make_shared<Springs>(std::vector<Spring>{{0, 2, k, dice.real(1, 90)}},
+                                             scatteredPoints);
         });
         for (const Aim aim : {Aim::bone, Aim::below, Aim::swing})
             QTest::addRow("leg %d", int(aim)) << EffectOf([aim](Dice &dice) {
@@ -66,7 +66,7 @@ private slots:
             stick.a = 1;
             stick.b = 2;
             stick.length = dice.real(1, 90);
-            return std::make_shared<Sticks>(std::vector<Stick>{stick}, points);
+            return std::make_shared<Sticks>(std::vector<Stick>{stick}, scatteredPoints);
         });
         QTest::newRow("soft stick") << EffectOf([](Dice &dice) {
             const double rest = dice.real(30, 60);
@@ -100,12 +100,13 @@ private:
     static double changeOf(const Effect &effect, State state, int point)
     {
         if (const auto *force = dynamic_cast<const Force *>(&effect)) {
-            Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(points, 2);
-            force->add(state, {0, points}, 1.0, DirectionRule::regularised, accelerations);
+            Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(scatteredPoints, 2);
+            force->add(state, {0, scatteredPoints}, 1.0, DirectionRule::regularised, accelerations);
             return length(Vec2{accelerations(point, 0), accelerations(point, 1)});
         }
         const Vec2 before = state.positionOf(point);
-        dynamic_cast<const Constraint &>(effect).enforce(state, {0, points}, DirectionRule::regularised, 1.0);
+        dynamic_cast<const Constraint &>(effect).enforce(state, {0, scatteredPoints},
+                                                         DirectionRule::regularised, 1.0);
         return length(state.positionOf(point) - before);
     }
 };

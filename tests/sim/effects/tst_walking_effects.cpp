@@ -18,15 +18,16 @@
 using namespace sim;
 using support::Dice;
 using Complex = std::complex<double>;
-using ForcePtr = std::shared_ptr<const Force>;
 
 namespace {
 
-constexpr double k = 0.17;
+using ForcePtr = std::shared_ptr<const Force>;
+
+constexpr double legStiffness = 0.17;
 const std::vector<Leg> twoCreatures = {{0, 2, 0.3, 0}, {1, 2, 2.0, 0}, {3, 5, -1.0, 1}, {4, 5, 4.0, 1}};
 
 /// Returns two creatures with two feet and a body each. Some points are fixed.
-State randomState(Dice &dice)
+State randomCreatures(Dice &dice)
 {
     State state = State::ofPoints(6);
     for (int i = 0; i < 6; ++i) {
@@ -43,10 +44,11 @@ State randomState(Dice &dice)
 
 LegRule rule(Aim aim, Reaction reaction)
 {
-    return {k, 40.0, 30.0, aim, reaction};
+    return {legStiffness, 40.0, 30.0, aim, reaction};
 }
 
-Eigen::ArrayX2d accelerationsOf(const Force &force, const State &state, PointRange movers, double scale = 1.0)
+Eigen::ArrayX2d accelerationsOfMovers(const Force &force, const State &state, PointRange movers,
+                                      double scale = 1.0)
 {
     Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(state.pointCount(), 2);
     force.add(state, movers, scale, DirectionRule::regularised, accelerations);
@@ -65,9 +67,6 @@ Complex at(const State &state, int i)
 
 }
 
-Q_DECLARE_METATYPE(ForcePtr)
-Q_DECLARE_METATYPE(Aim)
-
 class TestWalkingEffects : public QObject
 {
     Q_OBJECT
@@ -83,9 +82,10 @@ class TestWalkingEffects : public QObject
         QTest::newRow("bones") << legs(Aim::bone, Reaction::none) << false;
         QTest::newRow("swinging legs") << legs(Aim::swing, Reaction::none) << false;
         QTest::newRow("swinging legs, felt by the body") << legs(Aim::swing, Reaction::equal) << true;
-        QTest::newRow("push") << ForcePtr(std::make_shared<Push>(all, k, 90.0, Reaction::equal)) << true;
+        QTest::newRow("push") << ForcePtr(std::make_shared<Push>(all, legStiffness, 90.0, Reaction::equal))
+                              << true;
         QTest::newRow("push, felt by one")
-            << ForcePtr(std::make_shared<Push>(all, k, 90.0, Reaction::none)) << false;
+            << ForcePtr(std::make_shared<Push>(all, legStiffness, 90.0, Reaction::none)) << false;
     }
 
 private slots:
@@ -102,13 +102,14 @@ private slots:
         Dice dice(1);
         const LegSpring springs(twoCreatures, rule(aim, Reaction::none));
         for (int run = 0; run < 1000; ++run) {
-            const State state = randomState(dice);
-            const Eigen::ArrayX2d accelerations = accelerationsOf(springs, state, {0, 6});
+            const State state = randomCreatures(dice);
+            const Eigen::ArrayX2d accelerations = accelerationsOfMovers(springs, state, {0, 6});
             for (const Leg &leg : twoCreatures) {
                 const double angle = leg.angle + (aim == Aim::swing ? state.gait[leg.clock] : 0.0);
                 const Complex drop(0.0, aim == Aim::bone ? 0.0 : 30.0);
                 const Complex place = at(state, leg.body) + drop - std::polar(40.0, angle);
-                const Complex pull = state.inverseMass[leg.foot] * k * (place - at(state, leg.foot));
+                const Complex pull =
+                    state.inverseMass[leg.foot] * legStiffness * (place - at(state, leg.foot));
                 QVERIFY(std::abs(complexRow(accelerations, leg.foot) - pull) < 1e-12);
             }
             QVERIFY((accelerations.row(2) == 0.0).all() && (accelerations.row(5) == 0.0).all());
@@ -123,10 +124,10 @@ private slots:
         Dice dice(2);
         double largest = 0.0;
         for (int run = 0; run < 200; ++run) {
-            State state = randomState(dice);
+            State state = randomCreatures(dice);
             for (int i = 0; i < 6; ++i)
                 state.inverseMass[i] = dice.real(0.1, 3.0);
-            Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, {0, 6});
+            Eigen::ArrayX2d accelerations = accelerationsOfMovers(*force, state, {0, 6});
             accelerations.colwise() /= state.inverseMass;
             largest = std::max(largest, accelerations.colwise().sum().abs().maxCoeff());
         }
@@ -139,13 +140,14 @@ private slots:
         QFETCH(ForcePtr, force);
         Dice dice(3);
         for (int run = 0; run < 200; ++run) {
-            const State state = randomState(dice);
+            const State state = randomCreatures(dice);
             const Eigen::ArrayX2d groupByGroup =
-                accelerationsOf(*force, state, {0, 2}) + accelerationsOf(*force, state, {2, 1}) +
-                accelerationsOf(*force, state, {3, 2}) + accelerationsOf(*force, state, {5, 1});
-            const Eigen::ArrayX2d allAtOnce = accelerationsOf(*force, state, {0, 6});
+                accelerationsOfMovers(*force, state, {0, 2}) + accelerationsOfMovers(*force, state, {2, 1}) +
+                accelerationsOfMovers(*force, state, {3, 2}) + accelerationsOfMovers(*force, state, {5, 1});
+            const Eigen::ArrayX2d allAtOnce = accelerationsOfMovers(*force, state, {0, 6});
             QVERIFY(((groupByGroup - allAtOnce).abs() < 1e-12).all());
-            QVERIFY(((accelerationsOf(*force, state, {0, 6}, 0.5) - 0.5 * allAtOnce).abs() < 1e-12).all());
+            QVERIFY(
+                ((accelerationsOfMovers(*force, state, {0, 6}, 0.5) - 0.5 * allAtOnce).abs() < 1e-12).all());
             QCOMPARE(force->count(state, {0, 2}) + force->count(state, {2, 1}) + force->count(state, {3, 3}),
                      force->count(state, {0, 6}));
         }
@@ -157,8 +159,8 @@ private slots:
         QFETCH(ForcePtr, force);
         Dice dice(4);
         for (int run = 0; run < 300; ++run) {
-            const State state = randomState(dice);
-            const Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, {0, 6});
+            const State state = randomCreatures(dice);
+            const Eigen::ArrayX2d accelerations = accelerationsOfMovers(*force, state, {0, 6});
             for (int i = 0; i < 6; ++i) {
                 const std::vector<LiveValue> live = force->explain(state, i, DirectionRule::regularised);
                 const Vec2 pull = live.empty() ? Vec2{} : std::get<Vec2>(live.back().value);
@@ -174,8 +176,8 @@ private slots:
         QFETCH(ForcePtr, force);
         Dice dice(5);
         for (int run = 0; run < 200; ++run) {
-            State state = randomState(dice);
-            const Eigen::ArrayX2d accelerations = accelerationsOf(*force, state, {0, 6});
+            State state = randomCreatures(dice);
+            const Eigen::ArrayX2d accelerations = accelerationsOfMovers(*force, state, {0, 6});
             for (int i = 0; i < 6; ++i)
                 QVERIFY(state.isDynamic(i) || (accelerations.row(i) == 0.0).all());
             state.inverseMass.setZero();
@@ -185,13 +187,13 @@ private slots:
 
     void pushIsProportionalToTheOverlap()
     {
-        const Push push({0, 1}, k, 60.0, Reaction::equal);
+        const Push push({0, 1}, legStiffness, 60.0, Reaction::equal);
         for (const double distance : {0.5, 20.0, 59.9, 60.0, 61.0, 1000.0}) {
             State state = State::ofPoints(2);
             state.place(1, {0.6 * distance, 0.8 * distance});
-            const Eigen::ArrayX2d accelerations = accelerationsOf(push, state, {0, 2});
-            const double strength = k * std::max(0.0, 60.0 - distance);
-            QVERIFY(std::abs(complexRow(accelerations, 1) - strength * Complex(0.6, 0.8)) < 1e-12);
+            const Eigen::ArrayX2d accelerations = accelerationsOfMovers(push, state, {0, 2});
+            const double expected = legStiffness * std::max(0.0, 60.0 - distance);
+            QVERIFY(std::abs(complexRow(accelerations, 1) - expected * Complex(0.6, 0.8)) < 1e-12);
             QVERIFY(std::abs(complexRow(accelerations, 0) + complexRow(accelerations, 1)) < 1e-12);
         }
     }
@@ -199,11 +201,11 @@ private slots:
     void coincidentPointsArePushedApart()
     {
         const State state = State::ofPoints(2);
-        const Push push({0, 1}, k, 60.0, Reaction::equal);
+        const Push push({0, 1}, legStiffness, 60.0, Reaction::equal);
         for (const DirectionRule directionRule : {DirectionRule::regularised, DirectionRule::published}) {
             Eigen::ArrayX2d accelerations = Eigen::ArrayX2d::Zero(2, 2);
             push.add(state, {0, 2}, 1.0, directionRule, accelerations);
-            QVERIFY(std::abs(std::abs(complexRow(accelerations, 0)) - k * 60.0) < 1e-12);
+            QVERIFY(std::abs(std::abs(complexRow(accelerations, 0)) - legStiffness * 60.0) < 1e-12);
             QVERIFY(std::abs(complexRow(accelerations, 0) + complexRow(accelerations, 1)) < 1e-12);
         }
     }
@@ -211,7 +213,7 @@ private slots:
     void clocksRunAtTheirSpeedAtAnyStep()
     {
         Dice dice(6);
-        const State start = randomState(dice);
+        const State start = randomCreatures(dice);
         for (const int parts : {1, 4, 10}) {
             State state = start;
             for (int i = 0; i < 7 * parts; ++i)
@@ -224,7 +226,7 @@ private slots:
     void steeringWithoutInputKeepsTheSpeed()
     {
         Dice dice(7);
-        State state = randomState(dice);
+        State state = randomCreatures(dice);
         state.gaitSpeed << 3.0, -4.0; // beyond the top speed
         const Steering steering(0, 2, {0.15, 0.004, 200.0});
         steering.drive(state, 1.0);
@@ -278,7 +280,7 @@ private slots:
         Dice dice(8);
         const Ground ground({4, 1}, {10.0, 0.4, Traction::none});
         for (int run = 0; run < 500; ++run) {
-            const State before = randomState(dice);
+            const State before = randomCreatures(dice);
             State state = before;
             ground.resolve(state, {0, 5});
             for (int i = 0; i < 6; ++i) {

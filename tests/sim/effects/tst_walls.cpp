@@ -9,9 +9,6 @@
 
 using namespace sim;
 
-Q_DECLARE_METATYPE(sim::Room)
-Q_DECLARE_METATYPE(sim::PointMotion)
-
 class TestWalls : public QObject
 {
     Q_OBJECT

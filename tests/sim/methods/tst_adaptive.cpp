@@ -19,8 +19,6 @@
 
 #include <QTest>
 
-#include <complex>
-
 using namespace sim;
 
 namespace {
@@ -30,17 +28,6 @@ Scene onePoint(Vec2 x, Vec2 v, std::vector<EffectPtr> effects)
     Scene scene = scenes::onePoint("ball", x, v);
     scene.effects = std::move(effects);
     return scene;
-}
-
-/// Returns the solution of x'' = -k x - c x' with c = -ln(damp) from its two roots, which may be complex.
-double closedForm(double x0, double v0, double k, double damp, double t)
-{
-    using Complex = std::complex<double>;
-    const double c = -std::log(damp);
-    const Complex root = std::sqrt(Complex(c * c / 4 - k, 0.0));
-    const Complex r1 = -c / 2 + root, r2 = -c / 2 - root;
-    const Complex a = (v0 - r2 * x0) / (r1 - r2);
-    return (a * std::exp(r1 * t) + (x0 - a) * std::exp(r2 * t)).real();
 }
 
 const QStringList ids = {"dormand_prince", "rkn86", "dop853"};
@@ -125,8 +112,10 @@ private slots:
             const double t = double(frame);
             // At worst the errors of some hundred steps add up. Rounding adds a little.
             const double bound = 300 * tolerance + 1e-10;
-            QVERIFY(std::abs(all[frame].positionOf(0).x - closedForm(100, 3, 0.2, damp, t)) < bound);
-            QVERIFY(std::abs(all[frame].positionOf(0).y - closedForm(-40, 8, 0.2, damp, t)) < bound);
+            QVERIFY(std::abs(all[frame].positionOf(0).x - support::dampedOscillation(100, 3, 0.2, damp, t)) <
+                    bound);
+            QVERIFY(std::abs(all[frame].positionOf(0).y - support::dampedOscillation(-40, 8, 0.2, damp, t)) <
+                    bound);
         }
         QVERIFY(all.back().pointEvaluations > 0);
     }
@@ -152,8 +141,8 @@ private slots:
             double error = 0.0, length = 0.0;
             for (int frame = frames - 40; frame <= frames; ++frame) {
                 const State &state = all[std::size_t(frame)];
-                error =
-                    std::max(error, std::abs(state.positionOf(0).x - closedForm(100, 3, 0.2, 1.0, frame)));
+                error = std::max(error, std::abs(state.positionOf(0).x -
+                                                 support::dampedOscillation(100, 3, 0.2, 1.0, frame)));
                 length += state.adaptiveSteps.front().length / 41;
             }
             return std::pair(error, length);
@@ -318,7 +307,8 @@ private slots:
         track.seek({11, 0});
         QVERIFY(track.state().positionOf(0) == (Vec2{50, 60}));
         track.seek({30, 0}); // released at rest after frame 11
-        QVERIFY(std::abs(track.state().positionOf(0).x - closedForm(50, 0, 0.2, 1.0, 19)) < 1e-6);
+        QVERIFY(std::abs(track.state().positionOf(0).x - support::dampedOscillation(50, 0, 0.2, 1.0, 19)) <
+                1e-6);
     }
 
     void frameWithTooManyStepsEndsTheRun_data() { addAdaptiveRows(); }

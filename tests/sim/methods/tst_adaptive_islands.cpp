@@ -28,7 +28,7 @@ using std::make_shared;
 namespace {
 
 constexpr int pointsPerCreature = 3;
-constexpr int frames = 150; ///< enough to fall, bounce and come to rest
+constexpr int crowdFrames = 150; ///< enough to fall, bounce and come to rest
 
 /// A creature with two feet and its number in the crowd.
 struct Creature
@@ -135,7 +135,7 @@ private slots:
             alone.emplace_back(scriptOf(creaturesInRoom({creature}, bounce), method), 0);
         std::int64_t evaluations = 0;
         int rests = 0;
-        for (int frame = 1; frame <= frames; ++frame) {
+        for (int frame = 1; frame <= crowdFrames; ++frame) {
             together.seek({frame, 0});
             QVERIFY(!together.stop());
             evaluations = 0;

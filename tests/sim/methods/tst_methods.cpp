@@ -11,7 +11,6 @@
 
 #include <QTest>
 
-#include <complex>
 #include <set>
 
 using namespace sim;
@@ -24,7 +23,7 @@ double measuredOrder(const std::vector<double> &errors)
     return std::log2(errors[errors.size() - 2] / errors.back());
 }
 
-double distance(const State &a, const State &b)
+double stateDistance(const State &a, const State &b)
 {
     return std::max((a.position - b.position).abs().maxCoeff(), (a.velocity - b.velocity).abs().maxCoeff());
 }
@@ -39,22 +38,11 @@ Scene smoothScene()
     return scene;
 }
 
-Scene oscillator(double k, double damp)
+Scene movingOscillator(double k, double damp)
 {
     Scene scene = scenes::oscillator({100.0, -40.0}, {}, k, damp);
     scene.start.setVelocity(0, {3.0, 8.0});
     return scene;
-}
-
-/// Returns the solution of x'' = -k x - c x' with c = -ln(damp) from its two roots, which may be complex.
-double closedForm(double x0, double v0, double k, double damp, double t)
-{
-    using Complex = std::complex<double>;
-    const double c = -std::log(damp);
-    const Complex root = std::sqrt(Complex(c * c / 4 - k, 0.0));
-    const Complex r1 = -c / 2 + root, r2 = -c / 2 - root;
-    const Complex a = (v0 - r2 * x0) / (r1 - r2);
-    return (a * std::exp(r1 * t) + (x0 - a) * std::exp(r2 * t)).real();
 }
 
 }
@@ -78,8 +66,8 @@ private slots:
         std::vector<double> errors;
         for (int n = 4; n <= 10; ++n) {
             const double h = std::ldexp(1.0, -n);
-            errors.push_back(distance(support::plainRun(scene, "published", h, 20),
-                                      support::plainRun(scene, "semi_implicit_euler", h, 20)));
+            errors.push_back(stateDistance(support::plainRun(scene, "published", h, 20),
+                                           support::plainRun(scene, "semi_implicit_euler", h, 20)));
         }
         QVERIFY2(errors.back() > 1e-9, "the two methods compute the same: nothing is measured");
         QVERIFY2(std::abs(measuredOrder(errors) - 1.0) < 0.1,
@@ -104,8 +92,8 @@ private slots:
         QFETCH(QString, method);
         QFETCH(double, k);
         QFETCH(double, damp);
-        const Scene scene = oscillator(k, damp);
-        const double exact = closedForm(100.0, 3.0, k, damp, 10.0);
+        const Scene scene = movingOscillator(k, damp);
+        const double exact = support::dampedOscillation(100.0, 3.0, k, damp, 10.0);
         // Small enough for the order to show, large enough for rounding not to.
         const int order = findMethod(method.toStdString())->order();
         const int finest = order == 1 ? 10 : order == 2 ? 7 : 4;
@@ -123,7 +111,7 @@ private slots:
     void dampingWithoutForceIsExactAtAnyStep()
     {
         QFETCH(QString, method);
-        Scene scene = oscillator(0.2, 0.9);
+        Scene scene = movingOscillator(0.2, 0.9);
         scene.effects.erase(scene.effects.begin());
         for (const double h : {0.001, 0.125, 1.0 / 3, 1.0, 2.0, 10.0}) {
             const State end = support::plainRun(scene, method.toStdString(), h, 30);
@@ -147,7 +135,7 @@ private slots:
     void semiImplicitBoundsTheEnergyOfASpring()
     {
         QFETCH(double, k);
-        Scene scene = oscillator(k, 1.0);
+        Scene scene = movingOscillator(k, 1.0);
         scene.effects.pop_back();
         const Pipeline frame = compose(scene, *findMethod("semi_implicit_euler"), StepSize::ofLength(1.0));
         State state = scene.start;
@@ -189,7 +177,7 @@ private slots:
     {
         QFETCH(QString, method);
         QFETCH(double, expected);
-        Scene scene = oscillator(0.2, 1.0);
+        Scene scene = movingOscillator(0.2, 1.0);
         scene.effects.pop_back();
         const MethodPtr rule = findMethod(method.toStdString());
         QVERIFY(rule->symplectic() == Symplectic::yes);
@@ -228,7 +216,7 @@ private slots:
 
     void explicitEulerGainsEnergyAtEveryStep()
     {
-        Scene scene = oscillator(0.2, 1.0);
+        Scene scene = movingOscillator(0.2, 1.0);
         scene.effects.pop_back();
         for (const double h : {1.0, 0.25}) {
             const State end = support::plainRun(scene, "explicit_euler", h, 50);
@@ -303,10 +291,10 @@ private slots:
 
     void methodsHaveUniqueIdsAndValidProperties()
     {
-        std::set<std::string> ids, titles;
+        std::set<std::string> knownIds, titles;
         for (const MethodPtr &method : allMethods()) {
             QCOMPARE(findMethod(method->id())->title(), method->title());
-            QVERIFY(ids.insert(method->id()).second && titles.insert(method->title()).second);
+            QVERIFY(knownIds.insert(method->id()).second && titles.insert(method->title()).second);
             QVERIFY(method->order() >= 1 && !method->region().file.empty());
         }
         QVERIFY(!findMethod("no such method"));

@@ -17,8 +17,6 @@ using support::CountingForce;
 
 namespace {
 
-constexpr std::size_t budget = std::size_t{1} << 24;
-
 /// Returns many separate pairs of points, "pair0" and "end0", "pair1" and "end1", and so on.
 Scene pairs(const std::shared_ptr<std::int64_t> &count)
 {
@@ -43,6 +41,8 @@ Scene pairs(const std::shared_ptr<std::int64_t> &count)
 class TestBlockSleep : public QObject
 {
     Q_OBJECT
+
+    static constexpr std::size_t budget = std::size_t{1} << 24;
 
 private slots:
     void restingBlocksSleepWhileOneIsDragged_data()

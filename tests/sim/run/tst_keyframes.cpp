@@ -9,7 +9,7 @@ using namespace sim;
 
 namespace {
 
-Script creature(double h = 1.0)
+Script stableCreature(double h = 1.0)
 {
     support::Sample sample = support::sample("creature in a room");
     sample.values.set("k", 0.02); // stable at every step used here
@@ -18,7 +18,7 @@ Script creature(double h = 1.0)
 
 std::size_t startBytes()
 {
-    return Track(creature(), 0).keyframeBytes();
+    return Track(stableCreature(), 0).keyframeBytes();
 }
 
 }
@@ -42,7 +42,7 @@ private slots:
         QFETCH(int, budget);
         QFETCH(double, h);
         const auto limit = std::size_t(budget);
-        Track track(creature(h), limit);
+        Track track(stableCreature(h), limit);
         for (int step = 0; step < 2000; ++step) {
             track.seek({track.cursor().frame + track.framesPerOutput(), 0});
             QVERIFY(track.keyframeBytes() <= limit);
@@ -58,7 +58,7 @@ private slots:
     {
         // The budget fits 8 states. The spacing is the smallest power of two with which the keyframes fit.
         const std::size_t stateBytes = startBytes();
-        Track track(creature(), 8 * stateBytes);
+        Track track(stableCreature(), 8 * stateBytes);
         for (int steps = 1; steps <= 300; ++steps) {
             track.seek({steps, 0});
             int spacing = 1;
@@ -72,7 +72,7 @@ private slots:
     void everyFrameOfTenMinutesFitsTheDefaultBudget()
     {
         // Without sleeping, because a run at rest keeps fewer states.
-        Track track(creature(), Timeline::defaultBudget / 2, Sleeping::never);
+        Track track(stableCreature(), Timeline::defaultBudget / 2, Sleeping::never);
         track.seek({18'000, 0});
         QCOMPARE(track.keyframeCount(), std::size_t(18'001));
         QVERIFY(track.keyframeBytes() < Timeline::defaultBudget / 8);
@@ -80,7 +80,7 @@ private slots:
 
     void onlyTheStartIsKeptWithoutABudget()
     {
-        Track track(creature(), 0);
+        Track track(stableCreature(), 0);
         track.seek({500, 0});
         track.seek({20, 3});
         QCOMPARE(track.keyframeCount(), std::size_t(1));
@@ -88,7 +88,7 @@ private slots:
 
     void smallerBudgetDropsKeyframes()
     {
-        Track track(creature(), 1'000'000);
+        Track track(stableCreature(), 1'000'000);
         track.seek({1000, 0});
         track.setBudget(10'000);
         QVERIFY(track.keyframeBytes() <= 10'000);
@@ -100,7 +100,7 @@ private slots:
     void runAndComparisonRunShareTheBudget()
     {
         constexpr std::size_t budget = 60'000;
-        Timeline timeline(creature(), budget);
+        Timeline timeline(stableCreature(), budget);
         support::Dice dice(2);
         for (int round = 0; round < 20; ++round) {
             timeline.seek({timeline.cursor().frame + dice.whole(1, 300), 0});
@@ -115,7 +115,7 @@ private slots:
 
     void editDropsLaterKeyframes()
     {
-        Timeline timeline(creature());
+        Timeline timeline(stableCreature());
         timeline.seek({100, 0});
         timeline.dropComparison();
         timeline.seek({40, 0});

@@ -61,13 +61,13 @@ Script countingScript(std::int64_t failingFrame)
     return script;
 }
 
-constexpr std::size_t budget = 1 << 20;
-
 }
 
 class MethodMemory : public QObject
 {
     Q_OBJECT
+
+    static constexpr std::size_t budget = 1 << 20;
 
 private slots:
     void memoryGoesBackWithTheCursor();

@@ -14,11 +14,6 @@ using support::Dice;
 
 namespace {
 
-Script creature(double h = 1.0)
-{
-    return support::script(support::sample("creature in a room"), "published", h);
-}
-
 /// Returns undamped points on springs whose k and positions are whole numbers. With semi-implicit Euler, v' =
 /// v - k x, x' = x + v', the states repeat exactly: after 6 output steps for k = 1, 4 for k = 2, 3 for k = 3.
 /// So the run sleeps.
@@ -99,7 +94,7 @@ void replaceRandomSetting(Timeline &timeline, Dice &dice)
     timeline.replaceScript(std::move(script));
 }
 
-/// Applies a random edit to a run of creature().
+/// Applies a random edit to a run of a creature.
 void editCreature(Timeline &timeline, Dice &dice)
 {
     const double choice = dice.real(0, 1);
@@ -174,7 +169,8 @@ private slots:
     void anySequenceOfEditsGivesTheStateOfAFreshRun()
     {
         QFETCH(int, budget);
-        trySequences(creature(), budget, editCreature);
+        trySequences(support::script(support::sample("creature in a room"), "published"), budget,
+                     editCreature);
     }
 
     void anySequenceOfEditsOnAPeriodicRunGivesTheStateOfAFreshRun_data()

@@ -13,7 +13,7 @@ using namespace sim;
 namespace {
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double positiveInfinity = std::numeric_limits<double>::infinity();
 
 State threePoints()
 {
@@ -82,8 +82,8 @@ private slots:
     {
         QTest::addColumn<double>("number");
         QTest::newRow("not a number") << notANumber;
-        QTest::newRow("infinity") << infinity;
-        QTest::newRow("negative infinity") << -infinity;
+        QTest::newRow("infinity") << positiveInfinity;
+        QTest::newRow("negative infinity") << -positiveInfinity;
     }
     void firstNonFinitePointIsFound()
     {

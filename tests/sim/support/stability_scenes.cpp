@@ -180,4 +180,13 @@ double onset(const OscillatingScene &oscillating, const std::string &method, dou
     return 0.5 * (stable + unstable);
 }
 
+const Remedy *findRemedy(const std::vector<Remedy> &all, Remedy::Kind kind)
+{
+    for (const Remedy &remedy : all) {
+        if (remedy.kind == kind)
+            return &remedy;
+    }
+    return nullptr;
+}
+
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/analysis/stability/remedies/remedies.h"
 #include "sim/analysis/stability/stability.h"
 #include "sim/pipeline/pipeline.h"
 
@@ -46,5 +47,8 @@ bool grows(const OscillatingScene &oscillating, const std::string &method, doubl
 /// Returns the smallest step at which energy grows. Searches upwards from `from` in steps of 4 %, then
 /// bisects.
 double onset(const OscillatingScene &oscillating, const std::string &method, double from);
+
+/// Returns the first remedy of a kind, or null.
+const sim::Remedy *findRemedy(const std::vector<sim::Remedy> &all, sim::Remedy::Kind kind);
 
 }

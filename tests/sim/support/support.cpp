@@ -17,6 +17,7 @@
 #include "sim/run/script/script.h"
 #include "sim/simd/flush_denormals.h"
 
+#include <complex>
 #include <stdexcept>
 
 namespace support {
@@ -204,6 +205,16 @@ sim::State plainRun(const sim::Scene &scene, const std::string &method, double h
             pipeline.phaseAt(i).run(state);
     }
     return state;
+}
+
+double dampedOscillation(double x0, double v0, double k, double damp, double t)
+{
+    using Complex = std::complex<double>;
+    const double c = -std::log(damp);
+    const Complex root = std::sqrt(Complex(c * c / 4 - k, 0.0));
+    const Complex r1 = -c / 2 + root, r2 = -c / 2 - root;
+    const Complex a = (v0 - r2 * x0) / (r1 - r2);
+    return (a * std::exp(r1 * t) + (x0 - a) * std::exp(r2 * t)).real();
 }
 
 double Dice::real(double low, double high)

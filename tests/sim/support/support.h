@@ -41,6 +41,9 @@ void scatter(sim::State &state, std::uint64_t seed, double side);
 /// Returns the state after `frames` frames. Runs the phases one after the other, without a Track.
 sim::State plainRun(const sim::Scene &scene, const std::string &method, double h, int frames);
 
+/// Returns the solution of x'' = -k x - c x' with c = -ln(damp) from its two roots, which may be complex.
+double dampedOscillation(double x0, double v0, double k, double damp, double t);
+
 /// A generator of random numbers that are the same on every machine.
 class Dice
 {
