@@ -1,12 +1,9 @@
 #include "checks.h"
 
-#include "lessons/accuracy/text.h"
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -72,43 +69,38 @@ double averageForceEvaluations(const Timeline &run)
 
 Condition oneFrameSteps()
 {
-    return stepIs(1.0, Text::tr("choose **1 frame** as step."));
+    return stepIs(1.0, "step");
 }
 
-Condition adaptive(const QString &todo = {})
+Condition adaptive(const QString &sentence = {})
 {
-    return {isAdaptive, todo};
+    return {isAdaptive, sentence};
 }
 
 /// The cursor is exactly at `frame`.
 Condition exactlyAt(std::int64_t frame)
 {
-    return {
-        [frame](const Timeline &run) {
-            return run.cursor() == sim::Cursor{frame, 0};
-        },
-        Text::tr("go to frame %2. This is frame %1.").replace(QStringLiteral("%2"), QString::number(frame)),
-        [](const Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
+    return {[frame](const Timeline &run) {
+                return run.cursor() == sim::Cursor{frame, 0};
+            },
+            "frame", [](const Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
 }
 
 Condition unchanged(const Values &defaultValues)
 {
-    return {[defaultValues](const Timeline &run) { return isUnchanged(run, defaultValues); },
-            Text::tr("start the step afresh (**Ctrl+R**), and choose nothing but method and step.")};
+    return {[defaultValues](const Timeline &run) { return isUnchanged(run, defaultValues); }, "unchanged"};
 }
 
 Condition errorBelow(const Exact &exact, double max, int decimals)
 {
-    return {[exact, max](const Timeline &run) { return errorOf(exact, run) < max; },
-            Text::tr("try another method or step. This one is %1 px off."),
+    return {[exact, max](const Timeline &run) { return errorOf(exact, run) < max; }, "error",
             [exact](const Timeline &run) { return errorOf(exact, run); }, decimals};
 }
 
 Condition driftAtLeast(const Exact &exact, double percent)
 {
     return atLeast(
-        percent, [exact](const Timeline &run) { return driftOf(exact, run); },
-        Text::tr("play on. The drift is %1 %."));
+        percent, [exact](const Timeline &run) { return driftOf(exact, run); }, "drift");
 }
 
 /// The run uses the method `id` with steps of 1/16 frame, and the cursor is at frame 60.
@@ -125,136 +117,87 @@ double footFromCentre(const Timeline &run)
 
 }
 
-std::vector<Try> bigStepTries(const Exact &exact)
+std::vector<Check> bigStepChecks(const Exact &exact)
 {
     return {
         {
-            .text = Text::tr("Choose **1/8 frame** as step, and play to frame 100. How far is it off now?"),
+            .id = "eighth_frame",
             .conditions = {stepIs(0.125), exactlyAt(100)},
-            .hint = Text::tr(
-                "Above the picture, press **Step** and choose **1/8 frame**. Click the number beside "
-                "**Frame**, type 100, and press **Enter**. How far off it is stands above the parameters."),
-            .answer = Text::tr("3 px, instead of 66 px."),
         },
         {
-            .text = Text::tr("Choose **2 frames**. Wait until the foot is more than 100 px off."),
+            .id = "two_frames",
             .conditions =
                 {
                     stepIs(2.0),
                     atLeast(
-                        100.0, [exact](const Timeline &run) { return errorOf(exact, run); },
-                        Text::tr("play on. The foot is %1 px off."), 0),
+                        100.0, [exact](const Timeline &run) { return errorOf(exact, run); }, "error", 0),
                 },
-            .hint = Text::tr("Choose **2 frames** as step above the picture, press **Space**, and wait."),
         },
         {
-            .text = Text::tr(
-                "Type **5 frames** as step. Now k h² is 5, more than 4: each swing throws it farther out. "
-                "Wait until it is 1000 px away."),
+            .id = "five_frames",
             .conditions =
                 {
                     stepIs(5.0),
-                    parameterSetTo("k", 0.2, Text::tr("set **k** back to 0.2.")),
+                    parameterSetTo("k", 0.2, "k"),
                     {[](const Timeline &run) {
                          return isBetweenFrames(run) && !(footFromCentre(run) < 1000.0);
                      },
-                     Text::tr("play on. The foot is %1 px away."), footFromCentre, 0},
+                     "away", footFromCentre, 0},
                 },
-            .hint = Text::tr("Above the picture, press **Step**, type 5 into the field **Other**, and press "
-                             "**Enter**. Then press **Space**."),
         },
         {
-            .text = Text::tr(
-                "With steps of 1 frame, go to frame 0, set **k** to 0.02 and play to frame 100. A slow swing "
-                "forgives a big step."),
+            .id = "slow_swing",
             .conditions =
                 {
                     parameterSetTo("k", 0.02),
-                    {[](const Timeline &run) { return run.script().values["k"] <= 0.025; },
-                     Text::tr("set **k** at frame 0: press **Home**.")},
+                    {[](const Timeline &run) { return run.script().values["k"] <= 0.025; }, "from_start"},
                     oneFrameSteps(),
                     playedTo(100),
                 },
-            .hint = Text::tr(
-                "Choose **1 frame** as step. Press **Home**, type 0.02 beside **k**, press **Space**, "
-                "and wait four seconds."),
         },
     };
 }
 
-std::vector<Try> energyTries(const Exact &exact)
+std::vector<Check> energyChecks(const Exact &exact)
 {
     return {
         {
-            .text = Text::tr(
-                "Choose **Explicit Euler** as method, and play until there is twice the energy: a drift of "
-                "100 %."),
+            .id = "explicit_euler",
             .conditions = {runsMethod("explicit_euler"), driftAtLeast(exact, 100.0)},
-            .hint =
-                Text::tr("Above the picture, press **Method** and choose **Explicit Euler**. Press **Space** "
-                         "and watch the drift above the parameters."),
         },
         {
-            .text = Text::tr(
-                "Give it steps of **1/8 frame**. Does a small step save it? Wait for a drift of 10 %."),
+            .id = "small_step",
             .conditions =
                 {
                     stepIs(0.125),
-                    runsMethod("explicit_euler", Text::tr("choose **Explicit Euler** as method.")),
+                    runsMethod("explicit_euler", "method"),
                     driftAtLeast(exact, 10.0),
                 },
-            .hint =
-                Text::tr("Choose **Explicit Euler** as method and **1/8 frame** as step. Press **Space** and "
-                         "wait."),
-            .answer =
-                Text::tr("No. The energy grows more slowly, but it still grows, and never stops growing."),
         },
         {
-            .text = Text::tr(
-                "Choose **Velocity Verlet** with steps of 1 frame. Play 200 frames: the drift stays within "
-                "half a percent."),
+            .id = "verlet",
             .conditions = {runsMethod("velocity_verlet"), oneFrameSteps(), playedTo(200)},
-            .hint =
-                Text::tr("Choose **Velocity Verlet** as method and **1 frame** as step. Press **Space**, and "
-                         "stop after frame 200."),
         },
     };
 }
 
-std::vector<Try> halveTries(const Exact &exact, const Values &defaultValues)
+std::vector<Check> halveChecks(const Exact &exact, const Values &defaultValues)
 {
     return {
         {
-            .text = Text::tr(
-                "**Semi-implicit Euler**: go to frame 60 with steps of 1/16 frame. Is it half as far "
-                "off as with 1/8?"),
-            .conditions =
-                toFrame60By("semi_implicit_euler", Text::tr("choose **Semi-implicit Euler** as method.")),
-            .hint = Text::tr(
-                "Choose **1/8 frame** as step, type 60 into the frame counter, and read how far off it "
-                "is. Do the same with **1/16 frame**."),
-            .answer = Text::tr("Nearly: 0.21 px instead of 0.44 px. Its order is 1."),
+            .id = "euler",
+            .conditions = toFrame60By("semi_implicit_euler", "method"),
         },
         {
-            .text = Text::tr("**Midpoint**, the same two steps: a quarter?"),
-            .conditions = toFrame60By("midpoint", Text::tr("choose **Midpoint** as method.")),
-            .hint =
-                Text::tr("Choose **Midpoint** as method, then **1/8** and **1/16 frame** as step, and go to "
-                         "frame 60 each time."),
-            .answer = Text::tr("Yes: 0.21 px instead of 0.84 px. Its order is 2."),
+            .id = "midpoint",
+            .conditions = toFrame60By("midpoint", "method"),
         },
         {
-            .text = Text::tr("**Runge–Kutta 4**, the same two steps: a sixteenth?"),
-            .conditions = toFrame60By("rk4", Text::tr("choose **Runge–Kutta 4** as method.")),
-            .hint = Text::tr(
-                "Choose **Runge–Kutta 4** as method, then **1/8** and **1/16 frame** as step, and go to "
-                "frame 60 each time."),
-            .answer = Text::tr("Yes: 0.00003 px instead of 0.0005 px. Its order is 4."),
+            .id = "runge_kutta",
+            .conditions = toFrame60By("rk4", "method"),
         },
         {
-            .text = Text::tr(
-                "Be less than 0.01 px off at frame 60, with at most 16 computations a frame. (Any method; "
-                "change nothing else.)"),
+            .id = "cheap",
             .conditions =
                 {
                     {[](const Timeline &run) {
@@ -262,23 +205,18 @@ std::vector<Try> halveTries(const Exact &exact, const Values &defaultValues)
                     }},
                     unchanged(defaultValues),
                     exactlyAt(60),
-                    atMost(16.0, averageForceEvaluations,
-                           Text::tr("choose something cheaper. This needs %1 computations a frame."), 0),
+                    atMost(16.0, averageForceEvaluations, "price", 0),
                     errorBelow(exact, 0.01, 3),
                 },
-            .hint =
-                Text::tr("Runge–Kutta 4 computes four times in a step. In steps of 1/4 frame that is 16 in a "
-                         "frame. Go to frame 60."),
         },
     };
 }
 
-std::vector<Try> adaptTries(const Exact &exact, const Values &defaultValues)
+std::vector<Check> adaptChecks(const Exact &exact, const Values &defaultValues)
 {
     return {
         {
-            .text = Text::tr(
-                "Choose a **tolerance** of 0.1 px or more, and play to frame 150. Less work; how far off?"),
+            .id = "tolerance",
             .conditions =
                 {
                     {[](const Timeline &run) {
@@ -286,36 +224,21 @@ std::vector<Try> adaptTries(const Exact &exact, const Values &defaultValues)
                     }},
                     exactlyAt(150),
                 },
-            .hint = Text::tr(
-                "Above the picture, press **Tolerance** and choose **0.1 px**. Then type 150 into the frame "
-                "counter."),
-            .answer =
-                Text::tr("About 23 px. The tolerance is for one step, and the errors of all steps add up."),
         },
         {
-            .text = Text::tr(
-                "Throw the foot, at 5 px per frame or more, past the middle, within 10 px of it. Watch its "
-                "steps get shorter than 1 frame."),
+            .id = "throw",
             .conditions =
                 {
                     released("foot"),
                     thrownAtLeast(),
-                    adaptive(Text::tr("choose **Dormand–Prince 5(4)** as method.")),
-                    {[](const Timeline &run) { return distance(run, "foot", "body") <= 10.0; },
-                     Text::tr("it has to pass the middle within 10 px. Throw it closer by.")},
-                    {[](const Timeline &run) { return lastStep(run.state()) < 1.0; },
-                     Text::tr("its step there is %1 frames long: choose a **tolerance** of 0.001 px."),
+                    adaptive("method"),
+                    {[](const Timeline &run) { return distance(run, "foot", "body") <= 10.0; }, "close"},
+                    {[](const Timeline &run) { return lastStep(run.state()) < 1.0; }, "short_step",
                      [](const Timeline &run) { return lastStep(run.state()); }},
                 },
-            .hint = Text::tr(
-                "Press **Tolerance** and choose **0.001 px**, then press **Home**. Take the foot and "
-                "throw it "
-                "so that it just passes the dot in the middle."),
         },
         {
-            .text = Text::tr(
-                "**Runge–Kutta 4**: find a step with which it is less than 0.2 px off at frame 150. What "
-                "does it pay for a frame?"),
+            .id = "fixed_step",
             .conditions =
                 {
                     runsMethod("rk4"),
@@ -323,62 +246,42 @@ std::vector<Try> adaptTries(const Exact &exact, const Values &defaultValues)
                     exactlyAt(150),
                     errorBelow(exact, 0.2, 2),
                 },
-            .hint = Text::tr(
-                "Choose **Runge–Kutta 4** as method and **1/4 frame** as step, type 150 into the frame "
-                "counter, and read how far off it is."),
-            .answer = Text::tr("16 computations of all forces: four for each step of 1/4 frame. Far out it "
-                               "would not need them."),
         },
     };
 }
 
-std::vector<Try> bounceTries(const Exact &exact, const Values &defaultValues)
+std::vector<Check> bounceChecks(const Exact &exact, const Values &defaultValues)
 {
     return {
         {
-            .text =
-                Text::tr("Halve the step of **Runge–Kutta 4** until it is 1/8 frame, and play to frame 200. "
-                         "Order 4, or 1?"),
+            .id = "halve",
             .conditions =
                 {
                     stepIs(0.125),
-                    runsMethod("rk4", Text::tr("choose **Runge–Kutta 4** as method.")),
+                    runsMethod("rk4", "method"),
                     playedTo(200),
                 },
-            .hint = Text::tr(
-                "Choose **1/8 frame** as step, type 200 into the frame counter, and read how far off it "
-                "is."),
-            .answer = Text::tr("Order 1: from 1/4 frame to 1/8 frame, the error falls from 24 to 15 px, not "
-                               "to a sixteenth."),
         },
         {
-            .text = Text::tr("Choose **Dormand–Prince 5(4)**, and play to frame 200. How far off now?"),
+            .id = "dormand_prince",
             .conditions = {adaptive(), unchanged(defaultValues), exactlyAt(200), errorBelow(exact, 1e-6, 7)},
-            .hint =
-                Text::tr("Choose **Dormand–Prince 5(4)** as method, and type 200 into the frame counter."),
-            .answer = Text::tr(
-                "By less than a millionth of a pixel: it ends a step at the very moment of each touch."),
         },
         {
-            .text = Text::tr("Keep it, go to frame 0 and set **bounce** to 0.5. Wait until the ball has "
-                             "stopped bouncing."),
+            .id = "rest",
             .conditions =
                 {
                     parameterSetTo("bounce", 0.5),
-                    adaptive(Text::tr("choose **Dormand–Prince 5(4)** as method.")),
+                    adaptive("method"),
                     {[](const Timeline &run) {
                          return isBetweenFrames(run) && run.state().restingContacts.any();
                      },
-                     Text::tr("play on until the ball lies on the floor.")},
+                     "lies"},
                 },
-            .hint = Text::tr(
-                "Keep Dormand–Prince. Press **Home**, type 0.5 beside **Bounce**, press **Space**, and "
-                "wait."),
         },
     };
 }
 
-std::vector<Try> budgetTries(const Values &defaultValues)
+std::vector<Check> budgetChecks(const Values &defaultValues)
 {
     const Conditions reachedFrame200 = {{[](const Timeline &run) {
                                             return !usesMethod(run, "semi_implicit_euler") ||
@@ -389,53 +292,37 @@ std::vector<Try> budgetTries(const Values &defaultValues)
     constexpr double noTimeLimit = std::numeric_limits<double>::infinity();
     return {
         {
-            .text = Text::tr("Be less than 1 px off all the way to frame 200, at any price."),
+            .id = "one_pixel",
             .conditions = reachedFrame200,
             .budget = Budget{.error = 1.0, .nsPerFrame = noTimeLimit, .frames = 200},
-            .hint = Text::tr("Choose **1/16 frame** as step, and play to frame 200."),
         },
         {
-            .text = Text::tr(
-                "Less than **1 px** off, within **0.5 µs** a frame. The machine checks both at frame 200."),
+            .id = "half_microsecond",
             .conditions = reachedFrame200,
             .budget = Budget{.error = 1.0, .nsPerFrame = 500.0, .frames = 200},
-            .hint = Text::tr(
-                "Try **Velocity Verlet** with steps of 1/2 frame, or **Runge–Kutta 4** with steps of "
-                "1 frame. Play past frame 200 and let it play on for a moment."),
         },
         {
-            .text = Text::tr("Less than **0.1 px** off, within **1 µs** a frame."),
+            .id = "tenth_pixel",
             .conditions = reachedFrame200,
             .budget = Budget{.error = 0.1, .nsPerFrame = 1000.0, .frames = 200},
-            .hint = Text::tr(
-                "Try **Runge–Kutta 4** with steps of 1/2 frame. Play past frame 200 and let it play on "
-                "for a moment."),
         },
     };
 }
 
-std::vector<Try> crowdTries()
+std::vector<Check> crowdChecks()
 {
     constexpr std::int64_t frames = 60; ///< frames
     return {
         {
-            .text = Text::tr(
-                "Set **Creatures** to 20 000 and play on for 60 frames. Does a frame take twice as long as "
-                "with 10 000?"),
+            .id = "twice_as_many",
             .conditions =
                 {
                     {[](const Timeline &run) { return run.values()["creatures"] >= 20'000.0; }},
                     unchangedFor("creatures", frames),
                 },
-            .hint = Text::tr(
-                "Type 10000 into the field beside **Creatures**, press **Space**, and wait a moment. "
-                "Then type 20000, and wait again. The panel Effects (**Ctrl+4**) tells how long a frame "
-                "takes."),
-            .answer = Text::tr("About twice: each creature costs the same. It is more where the machine’s "
-                               "cache no longer holds all of them."),
         },
         {
-            .text = Text::tr("Set **Bounce** to 0 and wait until all lie still."),
+            .id = "no_bounce",
             .conditions =
                 {
                     parameterSetTo("bounce", 0.0),
@@ -443,19 +330,12 @@ std::vector<Try> crowdTries()
                          return isBetweenFrames(run) && (run.state().velocity.abs() <= stillness).all() &&
                                 isStill(run);
                      },
-                     Text::tr("let time run (**Space**) until nothing moves.")},
+                     "still"},
                 },
-            .hint = Text::tr(
-                "Type 0 into the field beside **Bounce**, press **Space**, and wait. Fewer creatures "
-                "are sooner done."),
         },
         {
-            .text = Text::tr(
-                "Set **Gravity** to 0 and play on for 60 frames. It is left out now: its phase is gone "
-                "from the strip below."),
+            .id = "no_gravity",
             .conditions = {parameterSetTo("gravity", 0.0), unchangedFor("gravity", frames)},
-            .hint =
-                Text::tr("Type 0 into the field beside **Gravity**, press **Space**, and wait two seconds."),
         },
     };
 }

@@ -5,16 +5,16 @@
 
 #include <vector>
 
-/// The things to try in each step. `defaultValues` are the step's values, `exact` is the reference run that
+/// The checks of the things to try in each step. Their texts are in the documents. `defaultValues` are the step's values, `exact` is the reference run that
 /// the step shares.
 namespace accuracy {
 
-std::vector<lessons::Try> bigStepTries(const Exact &exact);
-std::vector<lessons::Try> energyTries(const Exact &exact);
-std::vector<lessons::Try> halveTries(const Exact &exact, const sim::Values &defaultValues);
-std::vector<lessons::Try> adaptTries(const Exact &exact, const sim::Values &defaultValues);
-std::vector<lessons::Try> bounceTries(const Exact &exact, const sim::Values &defaultValues);
-std::vector<lessons::Try> budgetTries(const sim::Values &defaultValues);
-std::vector<lessons::Try> crowdTries();
+std::vector<lessons::Check> bigStepChecks(const Exact &exact);
+std::vector<lessons::Check> energyChecks(const Exact &exact);
+std::vector<lessons::Check> halveChecks(const Exact &exact, const sim::Values &defaultValues);
+std::vector<lessons::Check> adaptChecks(const Exact &exact, const sim::Values &defaultValues);
+std::vector<lessons::Check> bounceChecks(const Exact &exact, const sim::Values &defaultValues);
+std::vector<lessons::Check> budgetChecks(const sim::Values &defaultValues);
+std::vector<lessons::Check> crowdChecks();
 
 }

@@ -53,6 +53,140 @@
     </message>
 </context>
 <context>
+    <name>Document</name>
+    <message>
+        <source>the story is missing. Write it below the title.</source>
+        <translation>Die Erzählung fehlt. Schreib sie unter den Titel.</translation>
+    </message>
+    <message>
+        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Task: title {#id}”, “## Word: name”, “## Why: question” or “## Learnt”.</source>
+        <translation>%1 ist keine Überschrift einer Lektion. Schreib „## Try {#id}“, „## Task: Titel {#id}“, „## Word: Name“, „## Why: Frage“ oder „## Learnt“.</translation>
+    </message>
+    <message>
+        <source>there is no text below %1. Write it there, or remove the heading.</source>
+        <translation>Unter %1 steht kein Text. Schreib ihn dorthin oder entferne die Überschrift.</translation>
+    </message>
+    <message>
+        <source>%1 has no id. End the heading with “{#id}”, where id is made of a to z, 0 to 9 and _.</source>
+        <translation>%1 hat keine Kennung. Beende die Überschrift mit „{#id}“; eine Kennung besteht aus a bis z, 0 bis 9 und _.</translation>
+    </message>
+    <message>
+        <source>the id “%1” was used above. Choose another one.</source>
+        <translation>Die Kennung „%1“ steht weiter oben schon. Wähle eine andere.</translation>
+    </message>
+    <message>
+        <source>%1 is incomplete. Write “## %2: ” and a text after it.</source>
+        <translation>%1 ist unvollständig. Schreib „## %2: “ und einen Text dahinter.</translation>
+    </message>
+    <message>
+        <source>%1 does not belong here. Here you can write %2.</source>
+        <translation>%1 gehört nicht hierher. Hier kannst du %2 schreiben.</translation>
+    </message>
+    <message>
+        <source>%1 does not belong here. Remove it, or write it below a “## Try”.</source>
+        <translation>%1 gehört nicht hierher. Entferne die Überschrift oder schreib sie unter ein „## Try“.</translation>
+    </message>
+    <message>
+        <source>%1 is there twice. Remove one of them.</source>
+        <translation>%1 steht zweimal da. Entferne eins davon.</translation>
+    </message>
+    <message>
+        <source>the thing to try “%1” has no hint. Write it below a “### Hint”.</source>
+        <translation>Der Versuch „%1“ hat keinen Tipp. Schreib ihn unter ein „### Hint“.</translation>
+    </message>
+    <message>
+        <source>“%1” has no name. Write “- name: sentence”, where the name is made of a to z, 0 to 9 and _.</source>
+        <translation>„%1“ hat keinen Namen. Schreib „- name: Satz“; ein Name besteht aus a bis z, 0 bis 9 und _.</translation>
+    </message>
+    <message>
+        <source>the name “%1” is there twice. Remove one of the sentences.</source>
+        <translation>Der Name „%1“ steht zweimal da. Entferne einen der Sätze.</translation>
+    </message>
+    <message>
+        <source>the task “%1” has no title. Write “## Task: title {#%1}”.</source>
+        <translation>Die Aufgabe „%1“ hat keinen Titel. Schreib „## Task: Titel {#%1}“.</translation>
+    </message>
+    <message>
+        <source>the task “%1” has no comment for the empty place. Write it below a “### Comment”.</source>
+        <translation>Die Aufgabe „%1“ hat keinen Kommentar für die leere Stelle. Schreib ihn unter ein „### Comment“.</translation>
+    </message>
+    <message>
+        <source>the number of hints of the task “%1” is %2, not 3. Write each below a “### Hint”.</source>
+        <translation>Die Aufgabe „%1“ hat nicht 3 Tipps, sondern %2. Schreib jeden unter ein eigenes „### Hint“.</translation>
+    </message>
+    <message>
+        <source>this near miss is incomplete. Write its code between two lines ```, and below it a sentence about what the code does.</source>
+        <translation>Dieser Beinahe-Treffer ist unvollständig. Schreib seinen Code zwischen zwei Zeilen ``` und darunter einen Satz darüber, was der Code tut.</translation>
+    </message>
+    <message>
+        <source>the word “%1” is there twice. Remove one of them.</source>
+        <translation>Das Wort „%1“ steht zweimal da. Entferne eins davon.</translation>
+    </message>
+    <message>
+        <source>the word “%1” is not explained. Write one to three sentences, after a blank line.</source>
+        <translation>Das Wort „%1“ ist nicht erklärt. Schreib nach einer Leerzeile einen bis drei Sätze.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: %3</source>
+        <translation>%1, Zeile %2: %3</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <extracomment>The code of the language of this file, for the lessons&apos; documents: de, fr</extracomment>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>the file is missing. Write it, and configure the build again.</source>
+        <translation>Die Datei fehlt. Schreib sie und konfiguriere den Build neu.</translation>
+    </message>
+</context>
+<context>
+    <name>DocumentScan</name>
+    <message>
+        <source>this is not UTF-8. Save the file with the encoding UTF-8.</source>
+        <translation>Das ist kein UTF-8. Speichere die Datei mit der Kodierung UTF-8.</translation>
+    </message>
+    <message>
+        <source>the title is missing. Begin the file with “# ” and the title of the step.</source>
+        <translation>Der Titel fehlt. Beginne die Datei mit „# “ und dem Titel des Schritts.</translation>
+    </message>
+    <message>
+        <source>this is a second title. Write “## ” instead.</source>
+        <translation>Das ist ein zweiter Titel. Schreib stattdessen „## “.</translation>
+    </message>
+    <message>
+        <source>the code has no end. Write ``` on a line of its own after it.</source>
+        <translation>Der Code hat kein Ende. Schreib dahinter ``` auf eine eigene Zeile.</translation>
+    </message>
+</context>
+<context>
+    <name>Join</name>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>the thing to try “%1” says nothing about what is missing for “%2”. Write “- %2: sentence” below its “### Missing”.</source>
+        <translation>Der Versuch „%1“ sagt nicht, was für „%2“ noch fehlt. Schreib „- %2: Satz“ unter sein „### Missing“.</translation>
+    </message>
+    <message>
+        <source>the thing to try “%1” has no condition “%2”. Remove the sentence, or give it one of the names: %3.</source>
+        <translation>Der Versuch „%1“ hat keine Bedingung „%2“. Entferne den Satz oder gib ihm einen dieser Namen: %3.</translation>
+    </message>
+    <message>
+        <source>the thing to try “%1” is unknown. Use one of the ids of this step: %2.</source>
+        <translation>Den Versuch „%1“ gibt es nicht. Verwende eine der Kennungen dieses Schritts: %2.</translation>
+    </message>
+    <message>
+        <source>the thing to try “%1” is missing. Write “## Try {#%1}” and its text.</source>
+        <translation>Der Versuch „%1“ fehlt. Schreib „## Try {#%1}“ und seinen Text.</translation>
+    </message>
+    <message>
+        <source>the listing has no gap “%1”. Use one of: %2.</source>
+        <translation>Das Listing hat keine Lücke „%1“. Verwende eine von: %2.</translation>
+    </message>
+</context>
+<context>
     <name>Parameters</name>
     <message>
         <source>px</source>

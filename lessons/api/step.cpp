@@ -1,5 +1,6 @@
 #include "lessons/api/step.h"
 
+#include "lessons/api/text/join.h"
 #include "lessons/api/view/view.h"
 #include "sim/methods/methods.h"
 #include "sim/run/script/script.h"
@@ -17,6 +18,22 @@ bool Step::accepts(Interaction interaction) const
 void Step::addParameters(const std::vector<Parameter> &more)
 {
     parameters.insert(parameters.end(), more.begin(), more.end());
+}
+
+void Step::readTexts(const std::vector<Check> &tests)
+{
+    checks = tests;
+    setTexts(readDocument(lesson, id));
+}
+
+void Step::setTexts(const Document &document)
+{
+    checkGaps(document, listing);
+    tries = joinedTries(document, checks);
+    title = document.title;
+    narration = document.story;
+    explanation = document.explanation;
+    codeTasks = document.tasks;
 }
 
 const Parameter *Step::parameter(const QString &parameterId) const
@@ -62,11 +79,11 @@ sim::Script Step::scriptWith(const sim::Values &values, const sim::MethodPtr &ch
     return script;
 }
 
-Step makeStep(const QString &lesson, const QString &id, const QString &title)
+Step makeStep(const QString &lesson, const QString &id)
 {
     Step step;
+    step.lesson = lesson;
     step.id = id;
-    step.title = title;
     step.sceneSource = {QStringLiteral("lessons/%1/scenes.cpp").arg(lesson).toStdString(), id.toStdString()};
     step.listing = readListing(lesson, id);
     return step;

@@ -3,6 +3,7 @@
 #include "lessons/api/explanation.h"
 #include "lessons/api/listing.h"
 #include "lessons/api/parameter.h"
+#include "lessons/api/text/document.h"
 #include "lessons/api/try.h"
 #include "sim/base/vec2.h"
 #include "sim/forward.h"
@@ -88,12 +89,14 @@ struct Companion
 /// One step of a lesson.
 struct Step
 {
+    QString lesson; ///< the folder of the lesson; empty if the step has no document
     QString id;
     QString title;
     QString narration; ///< Markdown
     Explanation explanation;
     std::vector<Parameter> parameters;
     std::vector<Try> tries;
+    std::vector<Check> checks = {}; ///< tests of `tries`, which setTexts() joins with their texts
     /// The program of a frame, which learners read and change. Empty if the step has none.
     Listing listing = {};
     std::vector<CodeTask> codeTasks = {}; ///< tasks to write a part of the listing
@@ -135,6 +138,15 @@ struct Step
     /// Appends parameters.
     void addParameters(const std::vector<Parameter> &more);
 
+    /// Reads the texts of the step from its document, in the language of documentLanguage(), and joins its things to
+    /// try with `tests`.
+    /// @throws DocumentError as readDocument() and setTexts()
+    void readTexts(const std::vector<Check> &tests);
+    /// Takes all texts from `document`.
+    /// @throws DocumentError if the document lacks a thing to try or a sentence of `checks`, or has another one, or
+    /// if a task is about a gap that the listing lacks. The step is then unchanged.
+    void setTexts(const Document &document);
+
     /// Returns a parameter by its id. Null if there is none.
     const Parameter *parameter(const QString &parameterId) const;
     /// Returns the first parameter with this role. Null if there is none.
@@ -146,9 +158,9 @@ struct Step
     sim::Script scriptWith(const sim::Values &values, const sim::MethodPtr &chosenMethod) const;
 };
 
-/// Returns a step of the lesson in folder `lesson`. The region `id` of its scenes.cpp is the source of the
-/// scene, and the resource `id`.code is its listing.
+/// Returns a step of the lesson in folder `lesson`, without texts: see Step::readTexts(). The region `id` of its
+/// scenes.cpp is the source of the scene, and the resource `id`.code is its listing.
 /// @throws std::runtime_error if the gaps of the listing are wrong
-Step makeStep(const QString &lesson, const QString &id, const QString &title);
+Step makeStep(const QString &lesson, const QString &id);
 
 }

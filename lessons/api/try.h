@@ -9,6 +9,16 @@
 
 namespace lessons {
 
+/// The test that shows whether a thing to try is done. `id` is that of its text in the step's document; the other
+/// members are those of Try.
+struct Check
+{
+    QString id = {};
+    Conditions conditions = {};
+    std::optional<Budget> budget = {};
+    bool onlyWhilePaused = false;
+};
+
 /// A thing to try, and the test that shows whether it is done.
 struct Try
 {
@@ -27,6 +37,8 @@ struct Try
     /// Markdown, one or two sentences: the answer to its question. Shown when the thing is done. Required if the
     /// text asks a question.
     QString answer = {};
+    /// Made of a to z, 0 to 9 and _. No other thing to try of the step has it.
+    QString id = {};
 
     /// Returns whether all conditions hold at the cursor.
     bool isDone(const sim::Timeline &run) const { return conditions.hold(run); }

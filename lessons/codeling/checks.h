@@ -4,14 +4,14 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace codeling {
 
-std::vector<lessons::Try> motorTries();
-std::vector<lessons::Try> orientationTries();
-std::vector<lessons::Try> anticipationTries();
-std::vector<lessons::Try> squashStretchTries();
-std::vector<lessons::Try> volumeTries();
-std::vector<lessons::Try> tentaclesTries();
+std::vector<lessons::Check> motorChecks();
+std::vector<lessons::Check> orientationChecks();
+std::vector<lessons::Check> anticipationChecks();
+std::vector<lessons::Check> squashStretchChecks();
+std::vector<lessons::Check> volumeChecks();
+std::vector<lessons::Check> tentaclesChecks();
 
 }

@@ -2,11 +2,8 @@
 
 #include "lessons/api/checks/run_queries.h"
 #include "lessons/api/creature.h"
-#include "lessons/gravity_walls/text.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
-
-#include <QCoreApplication>
 
 #include <cmath>
 
@@ -68,21 +65,20 @@ bool areFeetHanging(const Timeline &run)
 
 Condition pastAWall()
 {
-    return {isPastAWall,
-            Text::tr("press **Shift+→** until something has moved into a wall: throw it at one first.")};
+    return {isPastAWall, "past_wall"};
 }
 
 Condition hanging()
 {
-    return {areFeetHanging, Text::tr("hold it still, high over the floor, until the feet hang still.")};
+    return {areFeetHanging, "hanging"};
 }
 
-Condition touching(const QString &todo, bool atRest)
+Condition touching(const QString &sentence, bool atRest)
 {
     return {[atRest](const Timeline &run) {
                 return touchesSide(run, true, atRest) || (atRest && touchesSide(run, false, atRest));
             },
-            todo};
+            sentence};
 }
 
 double wallDistance(const Timeline &run)
@@ -97,88 +93,61 @@ double heightAboveFloor(const Timeline &run)
 
 }
 
-std::vector<Try> wallsTries()
+std::vector<Check> wallsChecks()
 {
     return {
         {
-            .text = Text::tr(
-                "Throw the creature, at 5 px per frame or more, so that some part of it hits the left "
-                "wall."),
+            .id = "left_wall",
             .conditions =
                 {
                     released(),
                     thrownAtLeast(),
-                    touching(Text::tr("throw it so that it hits the left wall."), false),
+                    touching("wall", false),
                 },
-            .hint =
-                Text::tr("Press **Space**, take the large disc, swing it quickly to the left, and let go on "
-                         "the way."),
         },
         {
-            .text = Text::tr(
-                "Stop inside a frame (**Shift+→**) when something has moved into a wall, before it is put "
-                "back."),
+            .id = "past_wall",
             .conditions =
                 {
                     insideFrame(),
                     pastAWall(),
                 },
-            .hint =
-                Text::tr("Throw the creature at a wall and stop just before it is there. Then press "
-                         "**Shift+→** again and again: after a move, look whether an edge is past the wall."),
         },
         {
-            .text =
-                Text::tr("Set **bounce** to 0 and throw it at a side wall. What hits it loses its speed."),
+            .id = "no_bounce",
             .conditions =
                 {
                     parameterSetTo("bounce", 0.0),
                     releasedSinceSet("bounce"),
                     thrownAtLeast(),
-                    touching(Text::tr("throw it so that it hits a side wall."), true),
+                    touching("wall", true),
                 },
-            .hint = Text::tr(
-                "Type 0 into the field beside **Bounce**, press **Space**, and throw the creature at "
-                "the left or the right wall."),
         },
         {
-            .text = Text::tr("There is no ceiling. Throw the body out over the top."),
+            .id = "no_ceiling",
             .conditions =
                 {
                     released("body"),
                     thrownAtLeast(),
-                    {isAboveThePicture,
-                     Text::tr("throw it upwards, and harder: the body has to get above y = 0.")},
+                    {isAboveThePicture, "above"},
                 },
-            .hint =
-                Text::tr("Press **Space**, take the large disc, swing it quickly up past the upper edge, and "
-                         "let go on the way."),
         },
     };
 }
 
-std::vector<Try> gravityTries()
+std::vector<Check> gravityChecks()
 {
     return {
         {
-            .text = Text::tr("Hold the body high up until the feet hang still. They hang radius + g / k "
-                             "below it: 52.5 px."),
+            .id = "hang",
             .conditions = {holding("body"), hanging()},
-            .hint =
-                Text::tr("Press **Space**, take the large disc, lift it to the upper edge, and hold it there "
-                         "until the feet have stopped swinging."),
         },
         {
-            .text = Text::tr("Do the same with **damping** at 0.6. Do the feet hang any lower?"),
+            .id = "damping",
             .conditions = {parameterSetTo("damp", 0.6), holding("body"), hanging()},
-            .hint = Text::tr(
-                "Type 0.6 into the field beside **Damping**. Then lift the large disc and hold it, as "
-                "before."),
-            .answer = Text::tr("No, 52.5 px again: there the spring pulls up as much as gravity pulls down, "
-                               "and damping has nothing to take."),
         },
         {
-            .text = Text::tr("Stop inside a frame right after gravity has pulled."),
+            .id = "after_gravity",
             .conditions =
                 {
                     insideFrame(),
@@ -186,14 +155,11 @@ std::vector<Try> gravityTries()
                          const sim::Phase *last = lastPhase(run);
                          return last && last->kind == sim::EffectKind::gravity;
                      },
-                     Text::tr("press **Shift+→** until gravity is the last phase that was done.")},
+                     "phase"},
                 },
-            .hint = Text::tr("Stop, and press **Shift+→** until the strip under the timeline marks gravity."),
         },
         {
-            .text = Text::tr(
-                "Put the walls 60 px apart (**left** 240, **right** 300), lift the body, and let it down "
-                "on its feet."),
+            .id = "narrow_room",
             .conditions =
                 {
                     {[](const Timeline &run) { return wallDistance(run) <= 60.0; }},
@@ -204,14 +170,8 @@ std::vector<Try> gravityTries()
                          return heightAboveFloor(run) >= 30.0 &&
                                 heightAboveFloor(run) <= run.values()["radius"] + bodyWidth;
                      },
-                     Text::tr("lift it again, and let it down with all feet under it. It stands %1 px over "
-                              "the floor."),
-                     heightAboveFloor, 0},
+                     "height", heightAboveFloor, 0},
                 },
-            .hint = Text::tr(
-                "Type 240 beside **Left wall** and 300 beside **Right wall**. Press **Space**, lift the "
-                "large disc until its feet hang under it, let it down slowly until they stand, and let "
-                "go."),
         },
     };
 }

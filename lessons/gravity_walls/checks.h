@@ -4,10 +4,10 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace gravity_walls {
 
-std::vector<lessons::Try> wallsTries();
-std::vector<lessons::Try> gravityTries();
+std::vector<lessons::Check> wallsChecks();
+std::vector<lessons::Check> gravityChecks();
 
 }

@@ -4,16 +4,16 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace hard_cases {
 
-std::vector<lessons::Try> limitTries();
-std::vector<lessons::Try> runawayTries();
-std::vector<lessons::Try> manyFeetTries();
-std::vector<lessons::Try> onePlaceTries();
-std::vector<lessons::Try> stiffTries();
-std::vector<lessons::Try> contradictionTries();
-std::vector<lessons::Try> longRunTries();
-std::vector<lessons::Try> tortureTries();
+std::vector<lessons::Check> limitChecks();
+std::vector<lessons::Check> runawayChecks();
+std::vector<lessons::Check> manyFeetChecks();
+std::vector<lessons::Check> onePlaceChecks();
+std::vector<lessons::Check> stiffChecks();
+std::vector<lessons::Check> contradictionChecks();
+std::vector<lessons::Check> longRunChecks();
+std::vector<lessons::Check> tortureChecks();
 
 }

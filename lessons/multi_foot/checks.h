@@ -4,11 +4,11 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace multi_foot {
 
-std::vector<lessons::Try> twoFeetTries();
-std::vector<lessons::Try> anyNumberTries();
-std::vector<lessons::Try> grownFeetTries();
+std::vector<lessons::Check> twoFeetChecks();
+std::vector<lessons::Check> anyNumberChecks();
+std::vector<lessons::Check> grownFeetChecks();
 
 }

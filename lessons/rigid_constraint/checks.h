@@ -4,14 +4,14 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace rigid_constraint {
 
-std::vector<lessons::Try> pairTries();
-std::vector<lessons::Try> sharedErrorTries();
-std::vector<lessons::Try> triangleTries();
-std::vector<lessons::Try> listTries();
-std::vector<lessons::Try> verletTries();
-std::vector<lessons::Try> ragdollTries();
+std::vector<lessons::Check> pairChecks();
+std::vector<lessons::Check> sharedErrorChecks();
+std::vector<lessons::Check> triangleChecks();
+std::vector<lessons::Check> listChecks();
+std::vector<lessons::Check> verletChecks();
+std::vector<lessons::Check> ragdollChecks();
 
 }

@@ -84,18 +84,6 @@
         <translation>Ein schwerer Ball auf einem Netz aus Federn, und Körper, die einander wegschieben.</translation>
     </message>
     <message>
-        <source>Build your own</source>
-        <translation>Selbst bauen</translation>
-    </message>
-    <message>
-        <source>Here you build your own scene. Choose a tool, then click in the picture. **Points** are bodies with a mass and a size. A **nail** fixes a point in place. **Springs** and **sticks** connect two points. A **foot** belongs to a body, at an angle that you set. Feet in one gait group share one clock.
-
-Below, you switch on effects that act on the whole scene, such as gravity or wind. You can only build at the start of the run. Press **Space** to see what your scene does, and **Home** to go back and continue building.</source>
-        <translation>Hier baust du deine eigene Szene. Wähle ein Werkzeug, dann klick in die Szene. **Punkte** sind Körper mit einer Masse und einer Größe. Ein **Nagel** befestigt einen Punkt an seinem Ort. **Federn** und **Stäbe** verbinden zwei Punkte. Ein **Fuß** gehört zu einem Körper, in einem Winkel, den du einstellst. Die Füße einer Ganggruppe teilen sich eine Uhr.
-
-Unten schaltest du Effekte ein, die auf die ganze Szene wirken, wie Schwerkraft oder Wind. Bauen kannst du nur am Anfang des Laufs. Drück die **Leertaste**, um zu sehen, was deine Szene tut, und **Pos1**, um zurückzugehen und weiterzubauen.</translation>
-    </message>
-    <message>
         <source>Crystal</source>
         <translation>Kristall</translation>
     </message>

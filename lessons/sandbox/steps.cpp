@@ -58,14 +58,8 @@ std::vector<Example> examples()
 
 Step buildStep()
 {
-    Step step = lessons::makeStep("sandbox", "build", Text::tr("Build your own"));
-    step.narration = Text::tr("Here you build your own scene. Choose a tool, then click in the picture. "
-                              "**Points** are bodies with a mass and a size. A **nail** fixes a point in "
-                              "place. **Springs** and **sticks** connect two points. A **foot** belongs to a "
-                              "body, at an angle that you set. Feet in one gait group share one clock.\n\n"
-                              "Below, you switch on effects that act on the whole scene, such as gravity or "
-                              "wind. You can only build at the start of the run. Press **Space** to see what "
-                              "your scene does, and **Home** to go back and continue building.");
+    Step step = lessons::makeStep("sandbox", "build");
+    step.readTexts({});
     step.parameters = parametersOf(sim::allEffects());
     step.scene = build::setUp;
     step.view = sandboxView;

@@ -4,13 +4,13 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace single_spring {
 
-std::vector<lessons::Try> dragTries();
-std::vector<lessons::Try> fixedCentreTries();
-std::vector<lessons::Try> movingBodyTries();
-std::vector<lessons::Try> offsetTries();
-std::vector<lessons::Try> radialTries();
+std::vector<lessons::Check> dragChecks();
+std::vector<lessons::Check> fixedCentreChecks();
+std::vector<lessons::Check> movingBodyChecks();
+std::vector<lessons::Check> offsetChecks();
+std::vector<lessons::Check> radialChecks();
 
 }

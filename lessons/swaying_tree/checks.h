@@ -4,18 +4,18 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace swaying_tree {
 
-std::vector<lessons::Try> trunkTries();
-std::vector<lessons::Try> branchesTries();
-std::vector<lessons::Try> randomnessTries();
-std::vector<lessons::Try> towardsPointerTries();
-std::vector<lessons::Try> windTries();
-std::vector<lessons::Try> restTries();
-std::vector<lessons::Try> distanceTries();
-std::vector<lessons::Try> thicknessTries();
-std::vector<lessons::Try> turbulenceTries();
-std::vector<lessons::Try> realSwayTries();
+std::vector<lessons::Check> trunkChecks();
+std::vector<lessons::Check> branchesChecks();
+std::vector<lessons::Check> randomnessChecks();
+std::vector<lessons::Check> towardsPointerChecks();
+std::vector<lessons::Check> windChecks();
+std::vector<lessons::Check> restChecks();
+std::vector<lessons::Check> distanceChecks();
+std::vector<lessons::Check> thicknessChecks();
+std::vector<lessons::Check> turbulenceChecks();
+std::vector<lessons::Check> realSwayChecks();
 
 }

@@ -2,11 +2,8 @@
 
 #include "lessons/api/checks/drag_gesture.h"
 #include "lessons/api/checks/run_queries.h"
-#include "lessons/two_body/text.h"
 #include "scenes.h"
 #include "sim/run/timeline.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -36,107 +33,82 @@ Condition holdingAnEnd()
 
 Condition flewOff()
 {
-    return {flewOffStage, Text::tr("let time run (**Space**) until the pair has left the stage.")};
+    return {flewOffStage, "off_stage"};
 }
 
 Condition dampingIs(double value)
 {
-    return parameterSetTo("damp", value,
-                          value == 0.9 ? Text::tr("set **damping** to 0.9.")
-                                       : Text::tr("set **damping** to 0.85."));
+    return parameterSetTo("damp", value, "damping");
 }
 
 }
 
-std::vector<Try> mutualTries()
+std::vector<Check> mutualChecks()
 {
-    const Condition springAtThreeTenths = parameterSetTo("k", 0.3, Text::tr("set **k** to 0.3."));
+    const Condition springAtThreeTenths = parameterSetTo("k", 0.3, "k");
     return {
         {
-            .text = Text::tr(
-                "Stop inside a frame when the foot has moved and the body has not. What does the body see?"),
+            .id = "foot_moved",
             .conditions =
                 {
                     insideFrame(),
                     {[](const Timeline &run) { return hasMoved(run, foot) && !hasMoved(run, body); },
-                     Text::tr("press **Shift+→** until the foot has moved and the body has not.")},
+                     "foot_moved"},
                 },
-            .hint = Text::tr(
-                "Stop, and press **Shift+→** until the strip under the timeline marks the move of the "
-                "foot. The move of the body is still to come."),
-            .answer = Text::tr("The foot where it is now. So the body is not pulled back as hard as the foot "
-                               "was pulled."),
         },
         {
-            .text = Text::tr("Set **k** to 0.3 and hands off: the pair flies away by itself."),
+            .id = "fly_away",
             .conditions =
                 {
                     springAtThreeTenths,
                     dampingIs(0.9),
-                    runsMethod("published", Text::tr("choose the method **Published**.")),
+                    runsMethod("published", "method"),
                     idleFor(60),
                     flewOff(),
                 },
-            .hint = Text::tr("Type 0.3 into the field beside **k**, press **Space**, and touch nothing."),
         },
         {
-            .text = Text::tr("Keep k at 0.3, set **damping** to 0.85, and wait until the pair is still."),
+            .id = "calm_down",
             .conditions = {dampingIs(0.85), springAtThreeTenths, allStill()},
-            .hint =
-                Text::tr("Type 0.3 beside **k** and 0.85 beside **Damping**. Then press **Space** and wait."),
         },
         {
-            .text = Text::tr(
-                "With k at 0.3 and damping at 0.9, choose the method **Semi-implicit Euler** and watch 100 "
-                "frames, hands off."),
+            .id = "euler",
             .conditions =
                 {
                     runsMethod("semi_implicit_euler"),
                     springAtThreeTenths,
                     dampingIs(0.9),
                     idleFor(100),
-                    {[](const Timeline &run) { return sim::length(momentum(run)) < 0.01; },
-                     Text::tr("press **Home** to begin again: your hand has left the pair a momentum.")},
+                    {[](const Timeline &run) { return sim::length(momentum(run)) < 0.01; }, "momentum"},
                 },
-            .hint = Text::tr(
-                "Press **Home**. Type 0.3 beside **k** and 0.9 beside **Damping**. Above the picture, choose "
-                "**Semi-implicit Euler** as method. Press **Space** and wait four seconds."),
         },
     };
 }
 
-std::vector<Try> legLineTries()
+std::vector<Check> legLineChecks()
 {
     return {
         {
-            .text = Text::tr("Hold one end and pull so fast that the leg stretches to 100 px or more."),
+            .id = "stretch",
             .conditions =
                 {
                     holdingAnEnd(),
                     atLeast(
-                        100.0, [](const Timeline &run) { return distance(run, "foot", "body"); },
-                        Text::tr("pull faster. The leg is %1 px long."), 0),
+                        100.0, [](const Timeline &run) { return distance(run, "foot", "body"); }, "long", 0),
                 },
-            .hint =
-                Text::tr("Press **Space**, take the foot, and pull it quickly into a corner. Do not let go "
-                         "yet."),
         },
         {
-            .text = Text::tr("Hold one end and squeeze the leg to under 30 px. Then let go."),
+            .id = "squeeze",
             .conditions =
                 {
                     {[](const Timeline &run) { return !dragGestures(run).empty(); }},
-                    {[](const Timeline &run) { return lengthAtRelease(run) < 30.0; },
-                     Text::tr("squeeze the leg to under 30 px and let go there. It was %1 px long."),
+                    {[](const Timeline &run) { return lengthAtRelease(run) < 30.0; }, "short",
                      lengthAtRelease, 0},
-                    {[](const Timeline &run) { return lastReleased(run).has_value(); },
-                     Text::tr("let go now.")},
+                    {[](const Timeline &run) { return lastReleased(run).has_value(); }, "let_go"},
                 },
-            .hint = Text::tr(
-                "Press **Space**, take the foot, and push it quickly onto the body. Let go at once."),
         },
         {
-            .text = Text::tr("Set **radius** to 100 and wait until the leg is still, 100 px long."),
+            .id = "radius",
             .conditions =
                 {
                     parameterSetTo("radius", 100.0),
@@ -144,17 +116,12 @@ std::vector<Try> legLineTries()
                     {[](const Timeline &run) {
                          return std::abs(distance(run, "foot", "body") - 100.0) < 0.5;
                      },
-                     Text::tr("pull the two apart, so that the leg becomes 100 px long.")},
+                     "long"},
                 },
-            .hint = Text::tr("Type 100 into the field beside **Radius**, press **Space**, and wait."),
         },
         {
-            .text = Text::tr("Go back in time, change **k**, and compare with the ghost."),
+            .id = "compare",
             .conditions = {comparisonDiffers("k"), playedSinceFork()},
-            .hint =
-                Text::tr("Play some seconds, drag the timeline back to where both still move, type another "
-                         "**k**, and play "
-                         "on for a second."),
         },
     };
 }

@@ -4,10 +4,10 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace two_body {
 
-std::vector<lessons::Try> mutualTries();
-std::vector<lessons::Try> legLineTries();
+std::vector<lessons::Check> mutualChecks();
+std::vector<lessons::Check> legLineChecks();
 
 }

@@ -4,19 +4,19 @@
 
 #include <vector>
 
-/// The things to try in each step.
+/// The checks of the things to try in each step. Their texts are in the documents.
 namespace walking_gait {
 
-std::vector<lessons::Try> bonesTries();
-std::vector<lessons::Try> legsTries();
-std::vector<lessons::Try> feetBelowTries();
-std::vector<lessons::Try> curvedLegsTries();
-std::vector<lessons::Try> swingTries();
-std::vector<lessons::Try> bodyPulledTries();
-std::vector<lessons::Try> groundTries();
-std::vector<lessons::Try> moreFeetTries();
-std::vector<lessons::Try> steeringTries();
-std::vector<lessons::Try> wallsTries();
-std::vector<lessons::Try> companyTries();
+std::vector<lessons::Check> bonesChecks();
+std::vector<lessons::Check> legsChecks();
+std::vector<lessons::Check> feetBelowChecks();
+std::vector<lessons::Check> curvedLegsChecks();
+std::vector<lessons::Check> swingChecks();
+std::vector<lessons::Check> bodyPulledChecks();
+std::vector<lessons::Check> groundChecks();
+std::vector<lessons::Check> moreFeetChecks();
+std::vector<lessons::Check> steeringChecks();
+std::vector<lessons::Check> wallsChecks();
+std::vector<lessons::Check> companyChecks();
 
 }

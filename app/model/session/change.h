@@ -17,6 +17,7 @@ enum class ChangeKind : unsigned {
     selection = 1U << 4U, ///< another body is selected
     preview = 1U << 5U,   ///< another moment is marked or shown, or none any longer
     code = 1U << 6U,      ///< the text of the listing, or whether it computes the run
+    texts = 1U << 7U,     ///< titles and texts of steps
 };
 
 Q_DECLARE_FLAGS(ChangeKinds, ChangeKind)

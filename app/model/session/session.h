@@ -75,6 +75,8 @@ public:
 
     /// Pauses, and cancels the computing of a distant moment or of a branch.
     void cancelComputing();
+    /// Announces that the library's steps have other texts.
+    void announceTexts() { m_changes.announce(ChangeKind::texts); }
     /// Shows `sentence` in the status line.
     void showMessage(const QString &sentence) { m_changes.showMessage(sentence); }
 

@@ -63,7 +63,7 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     connect(m_list, &LessonList::contentHeightChanged, this, &LearnPanel::shareHeight);
     connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::showCount);
     connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::updateRail);
-    session.onChange(ChangeKind::step, this, &LearnPanel::updateRail);
+    session.onChange(ChangeKind::step | ChangeKind::texts, this, &LearnPanel::updateRail);
     listen();
     showCount();
     updateRail();

@@ -18,7 +18,7 @@ QString openLine()
 
 LessonModel::LessonModel(Session &session, QObject *parent) : QAbstractItemModel(parent), m_session(session)
 {
-    session.onChange(ChangeKind::step, this, &LessonModel::refresh);
+    session.onChange(ChangeKind::step | ChangeKind::texts, this, &LessonModel::refresh);
     connect(&session.progress(), &Progress::changed, this, &LessonModel::refresh);
 }
 

@@ -62,6 +62,11 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
     column->addStretch(1);
     column->addWidget(makeButtons());
     session.onChange(ChangeKind::step, this, &Narration::open);
+    session.onChange(ChangeKind::texts, this, [this] {
+        const int scrolled = m_area->verticalScrollBar()->value();
+        open();
+        m_area->verticalScrollBar()->setValue(scrolled);
+    });
     connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
     connect(&m_desk, &TaskDesk::changed, this, &Narration::showTasks);
     connect(&session.progress(), &Progress::changed, this, &Narration::showTasks);

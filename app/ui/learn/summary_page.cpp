@@ -40,6 +40,7 @@ SummaryPage::SummaryPage(Session &session, const Theme &theme, QWidget *parent)
     column->addWidget(area, 1);
     column->addWidget(makeButtons());
     session.onChange(ChangeKind::step, this, &SummaryPage::open);
+    session.onChange(ChangeKind::texts, this, &SummaryPage::refresh);
     connect(&session.progress(), &Progress::changed, this, &SummaryPage::refresh);
     connect(&theme, &Theme::changed, this, &SummaryPage::applyTheme);
     open();

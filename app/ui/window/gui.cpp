@@ -1,5 +1,6 @@
 #include "app/ui/window/gui.h"
 
+#include "app/model/catalog/lesson_documents.h"
 #include "app/model/session/session.h"
 #include "app/model/text/language.h"
 #include "app/ui/effects/effects_panel.h"
@@ -77,7 +78,12 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     work.language = language.code();
     Theme theme(storedScheme());
     theme.apply(application);
+    LessonDocuments documents(work.library, LessonDocuments::folder());
     MainWindow window(*work.session, theme);
+    QObject::connect(&documents, &LessonDocuments::changed, work.session.get(), &Session::announceTexts);
+    QObject::connect(&documents, &LessonDocuments::mistakeChanged, &window, &MainWindow::showDocumentMistake);
+    if (!documents.mistake().isEmpty())
+        window.showDocumentMistake(documents.mistake());
     window.fitInto(window.screen()->availableSize());
     if (!from)
         LastStep::load().openIn(*work.session);

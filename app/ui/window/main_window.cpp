@@ -269,7 +269,7 @@ void MainWindow::makeFiles()
         std::make_unique<SceneExport>(m_session, m_centre->scene(), m_centre->notice(), m_theme, *this);
     connect(m_files.get(), &ExperimentFiles::messageRequested, &m_session, &Session::showMessage);
     connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::updateTitle);
-    m_session.onChange(ChangeKind::step, this, &MainWindow::updateTitle);
+    m_session.onChange(ChangeKind::step | ChangeKind::texts, this, &MainWindow::updateTitle);
     m_session.onChange(ChangeKind::step, this, [this] { LastStep::store(m_session); });
     updateTitle();
 }
@@ -377,6 +377,11 @@ void MainWindow::setMode(Mode mode)
     else if (mode == Mode::learn)
         m_visit.comeBack();
     m_sizes.fitHeights();
+}
+
+void MainWindow::showDocumentMistake(const QString &sentence)
+{
+    m_centre->notice().showMessage(sentence);
 }
 
 const FailureNotice &MainWindow::stopNotice() const

@@ -70,6 +70,8 @@ public:
     PlotsPanel &plots() const { return *m_plots; }
     const EffectsPanel &effects() const { return *m_effects; }
     const FailureNotice &stopNotice() const;
+    /// Shows a mistake in a document of a lesson, until it is mended. Empty: there is none.
+    void showDocumentMistake(const QString &sentence);
 
     void showEnergy(bool shown) { m_layout.docks.show(Panel::energy, shown); }
     void showEffects(bool shown) { m_layout.docks.show(Panel::effects, shown); }

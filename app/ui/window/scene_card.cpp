@@ -46,7 +46,7 @@ SceneCard::SceneCard(Session &session, const Theme &theme, SceneView &scene)
     column->setSpacing(4);
     column->addWidget(m_title);
     column->addWidget(m_text);
-    session.onChange(ChangeKind::step, this, &SceneCard::refresh);
+    session.onChange(ChangeKind::step | ChangeKind::texts, this, &SceneCard::refresh);
     session.onChange(ChangeKind::cursor, this, &SceneCard::place);
     connect(&session.progress(), &Progress::changed, this, &SceneCard::refresh);
     connect(&theme, &Theme::changed, this, &SceneCard::applyTheme);

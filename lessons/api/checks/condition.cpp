@@ -25,6 +25,13 @@ QString withRequired(QString text, double required)
     return text.replace(QStringLiteral("%2"), QLocale().toString(required, 'g', 6));
 }
 
+/// Returns `condition` with a sentence of its own.
+Condition saying(const QString &todo, Condition condition)
+{
+    condition.todo = todo;
+    return condition;
+}
+
 /// Returns the speed at which the last drag released its body, in px/frame. It is 0 during a drag.
 double releaseSpeed(const sim::Timeline &run)
 {
@@ -47,10 +54,39 @@ double lastDragDistance(const sim::Timeline &run)
 
 }
 
+QString Condition::number(const sim::Timeline &run) const
+{
+    const double value = measured(run);
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    const QString formatted = locale.toString(value, 'f', decimals);
+    return std::isfinite(value) ? QString(formatted).replace(u'-', u'−') : QStringLiteral("–");
+}
+
 bool Conditions::hold(const sim::Timeline &run) const
 {
     return std::all_of(m_all.begin(), m_all.end(),
                        [&](const Condition &condition) { return condition.holds(run); });
+}
+
+QStringList Conditions::sentences() const
+{
+    QStringList names;
+    for (const Condition &condition : m_all) {
+        if (!condition.sentence.isEmpty() && !names.contains(condition.sentence))
+            names << condition.sentence;
+    }
+    return names;
+}
+
+Conditions Conditions::with(const QMap<QString, QString> &sentences) const
+{
+    Conditions result = *this;
+    for (Condition &condition : result.m_all) {
+        if (!condition.sentence.isEmpty())
+            condition.todo = sentences.value(condition.sentence);
+    }
+    return result;
 }
 
 bool Conditions::hasBegun(const sim::Timeline &run) const
@@ -58,30 +94,28 @@ bool Conditions::hasBegun(const sim::Timeline &run) const
     return !m_all.empty() && m_all.front().holds(run);
 }
 
-QString Conditions::todo(const sim::Timeline &run) const
+const Condition *Conditions::missing(const sim::Timeline &run) const
 {
     if (!hasBegun(run))
-        return {};
+        return nullptr;
     const auto missing = std::find_if(m_all.begin(), m_all.end(),
                                       [&](const Condition &condition) { return !condition.holds(run); });
-    if (missing == m_all.end())
+    return missing == m_all.end() ? nullptr : &*missing;
+}
+
+QString Conditions::todo(const sim::Timeline &run) const
+{
+    const Condition *condition = missing(run);
+    if (!condition)
         return {};
-    QString todo = missing->todo;
-    if (missing->measured) {
-        const double number = missing->measured(run);
-        QLocale locale;
-        locale.setNumberOptions(QLocale::OmitGroupSeparator);
-        const QString formatted = locale.toString(number, 'f', missing->decimals);
-        todo.replace(QStringLiteral("%1"),
-                     std::isfinite(number) ? QString(formatted).replace(u'-', u'−') : QStringLiteral("–"));
-    }
-    return todo;
+    QString todo = condition->todo;
+    return condition->measured ? todo.replace(QStringLiteral("%1"), condition->number(run)) : todo;
 }
 
 Condition released(const std::string &body)
 {
-    return {[body](const sim::Timeline &run) { return lastReleased(run, body).has_value(); },
-            Text::tr("take it with the mouse, and let go of it.")};
+    return saying(Text::tr("take it with the mouse, and let go of it."),
+                  {[body](const sim::Timeline &run) { return lastReleased(run, body).has_value(); }});
 }
 
 Condition releasedSinceSet(const std::string &id, const std::string &body)
@@ -97,97 +131,97 @@ Condition releasedSinceSet(const std::string &id, const std::string &body)
 
 Condition thrownAtLeast(double minSpeed)
 {
-    return atLeast(
-        minSpeed, releaseSpeed,
+    return saying(
         withRequired(Text::tr("let go while the mouse moves, at %2 px per frame or more. Yours left at %1."),
-                     minSpeed));
+                     minSpeed),
+        atLeast(minSpeed, releaseSpeed));
 }
 
 Condition lastGrabbed(const std::string &body)
 {
-    return {[body](const sim::Timeline &run) {
-                const std::vector<DragGesture> all = dragGestures(run);
-                return !all.empty() && all.back().body == body;
-            },
-            Text::tr("take it with the mouse.")};
+    return saying(Text::tr("take it with the mouse."), {[body](const sim::Timeline &run) {
+                      const std::vector<DragGesture> all = dragGestures(run);
+                      return !all.empty() && all.back().body == body;
+                  }});
 }
 
 Condition holding(const std::string &body)
 {
-    return {[body](const sim::Timeline &run) { return heldBody(run) == body; },
-            Text::tr("take it with the mouse, and hold it.")};
+    return saying(Text::tr("take it with the mouse, and hold it."),
+                  {[body](const sim::Timeline &run) { return heldBody(run) == body; }});
 }
 
 Condition draggedAtLeast(double minDistance)
 {
-    return atLeast(minDistance, lastDragDistance,
-                   withRequired(Text::tr("carry it %2 px or more. It came %1 px."), minDistance), 0);
+    return saying(withRequired(Text::tr("carry it %2 px or more. It came %1 px."), minDistance),
+                  atLeast(minDistance, lastDragDistance, {}, 0));
 }
 
 Condition allStill()
 {
-    return {isStill, Text::tr("let time run (**Space**) until nothing moves.")};
+    return saying(Text::tr("let time run (**Space**) until nothing moves."), {isStill});
 }
 
 Condition idleFor(std::int64_t frames)
 {
-    return atLeast(
-        static_cast<double>(frames),
-        [](const sim::Timeline &run) {
-            return run.cursor().phase > 0 ? 0.0 : static_cast<double>(idleFrames(run));
-        },
-        withRequired(Text::tr("hands off, and let time run for %2 frames. So far: %1."),
-                     static_cast<double>(frames)),
-        0);
+    const auto idle = [](const sim::Timeline &run) {
+        return run.cursor().phase > 0 ? 0.0 : static_cast<double>(idleFrames(run));
+    };
+    const auto required = static_cast<double>(frames);
+    return saying(withRequired(Text::tr("hands off, and let time run for %2 frames. So far: %1."), required),
+                  atLeast(required, idle, {}, 0));
 }
 
 Condition unchangedFor(const std::string &id, std::int64_t frames)
 {
-    return atLeast(
-        static_cast<double>(frames),
-        [id](const sim::Timeline &run) { return static_cast<double>(framesSinceSet(run, id)); },
-        withRequired(Text::tr("let time run for %2 frames with this value. So far: %1."),
-                     static_cast<double>(frames)),
-        0);
+    const auto since = [id](const sim::Timeline &run) {
+        return static_cast<double>(framesSinceSet(run, id));
+    };
+    const auto required = static_cast<double>(frames);
+    return saying(withRequired(Text::tr("let time run for %2 frames with this value. So far: %1."), required),
+                  atLeast(required, since, {}, 0));
 }
 
 Condition playedTo(std::int64_t frame)
 {
-    return {
-        [frame](const sim::Timeline &run) { return run.cursor().phase == 0 && run.cursor().frame >= frame; },
+    return saying(
         withRequired(Text::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
-        [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame); }, 0};
+        {[frame](const sim::Timeline &run) { return run.cursor().phase == 0 && run.cursor().frame >= frame; },
+         {},
+         [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame); },
+         0});
 }
 
-Condition parameterSetTo(const std::string &id, double value, const QString &todo)
+Condition parameterSetTo(const std::string &id, double value, const QString &sentence)
 {
-    return {[id, value](const sim::Timeline &run) { return isSetTo(run, id, value); }, todo};
+    return {[id, value](const sim::Timeline &run) { return isSetTo(run, id, value); }, sentence};
 }
 
-Condition runsMethod(const std::string &id, const QString &todo)
+Condition runsMethod(const std::string &id, const QString &sentence)
 {
-    return {[id](const sim::Timeline &run) { return usesMethod(run, id); }, todo};
+    return {[id](const sim::Timeline &run) { return usesMethod(run, id); }, sentence};
 }
 
-Condition stepIs(double h, const QString &todo)
+Condition stepIs(double h, const QString &sentence)
 {
     return {[h](const sim::Timeline &run) {
                 const sim::StepSize &step = run.script().step;
                 return !step.isAdaptive() && step.h == h;
             },
-            todo};
+            sentence};
 }
 
 Condition insideFrame()
 {
-    return {[](const sim::Timeline &run) { return run.cursor().phase > 0; },
-            Text::tr("stop, show the page **Engine** of the code, and go into a frame: **Shift+→**.")};
+    return saying(Text::tr("stop, show the page **Engine** of the code, and go into a frame: **Shift+→**."),
+                  {[](const sim::Timeline &run) { return run.cursor().phase > 0; }});
 }
 
 Condition onlyPulled()
 {
-    return {onlySpringsPulled,
-            Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved.")};
+    return saying(
+        Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved."),
+        {onlySpringsPulled});
 }
 
 Condition comparisonDiffers(const std::string &id)
@@ -197,23 +231,24 @@ Condition comparisonDiffers(const std::string &id)
 
 Condition playedSinceFork()
 {
-    return atLeast(
-        10.0,
-        [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame - run.forkFrame()); },
-        Text::tr("play on for 10 frames from where the two part. So far: %1."), 0);
+    const auto since = [](const sim::Timeline &run) {
+        return static_cast<double>(run.cursor().frame - run.forkFrame());
+    };
+    return saying(Text::tr("play on for 10 frames from where the two part. So far: %1."),
+                  atLeast(10.0, since, {}, 0));
 }
 
-Condition atLeast(double min, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+Condition atLeast(double min, std::function<double(const sim::Timeline &)> measured, const QString &sentence,
                   int decimals)
 {
-    return {[measured, min](const sim::Timeline &run) { return measured(run) >= min; }, todo, measured,
+    return {[measured, min](const sim::Timeline &run) { return measured(run) >= min; }, sentence, measured,
             decimals};
 }
 
-Condition atMost(double max, std::function<double(const sim::Timeline &)> measured, const QString &todo,
+Condition atMost(double max, std::function<double(const sim::Timeline &)> measured, const QString &sentence,
                  int decimals)
 {
-    return {[measured, max](const sim::Timeline &run) { return measured(run) <= max; }, todo, measured,
+    return {[measured, max](const sim::Timeline &run) { return measured(run) <= max; }, sentence, measured,
             decimals};
 }
 

@@ -2,7 +2,9 @@
 
 #include "sim/forward.h"
 
+#include <QMap>
 #include <QString>
+#include <QStringList>
 
 #include <cstdint>
 #include <functional>
@@ -19,12 +21,18 @@ namespace lessons {
 struct Condition
 {
     std::function<bool(const sim::Timeline &)> holds;
+    /// The name of the sentence in the step's document that becomes `todo`. Empty if `todo` is given here, and if
+    /// the text of the thing to try says everything.
+    QString sentence = {};
+    std::function<double(const sim::Timeline &)> measured = {}; ///< number for `%1`
+    int decimals = 1;                                           ///< of the measured number
     /// Markdown without a capital at its start: what is still to do. For example "let go of the foot at 5 px
     /// per frame or more. Yours left at %1." `%1` stands for `measured`. Empty if the text of the thing to
     /// try says everything.
     QString todo = {};
-    std::function<double(const sim::Timeline &)> measured = {}; ///< number for `%1`
-    int decimals = 1;                                           ///< of the measured number
+
+    /// Returns the measured number as learners read it.
+    QString number(const sim::Timeline &run) const;
 };
 
 /// The conditions of a thing to try, all of which must hold at the same time. The first one holds as soon as
@@ -42,10 +50,17 @@ public:
     }
 
     const std::vector<Condition> &all() const { return m_all; }
+    /// Returns the names of the sentences that the conditions have in the document of their step.
+    QStringList sentences() const;
+    /// Returns the same conditions with sentences from a document, by name. Those that it lacks stay empty.
+    Conditions with(const QMap<QString, QString> &sentences) const;
     /// Returns whether all conditions hold at the cursor of `run`.
     bool hold(const sim::Timeline &run) const;
     /// Returns whether a learner has begun, that is, whether the first condition holds.
     bool hasBegun(const sim::Timeline &run) const;
+    /// Returns the first condition that does not hold, once a learner has begun. Null before, and when everything is
+    /// done.
+    const Condition *missing(const sim::Timeline &run) const;
     /// Returns what is still to do. Empty before a learner has begun and when everything is done.
     QString todo(const sim::Timeline &run) const;
 
@@ -53,7 +68,8 @@ private:
     std::vector<Condition> m_all;
 };
 
-// Conditions that many things to try share
+// Conditions that many things to try share. `sentence` is the name of a sentence in the step's document; the others have
+// a sentence of their own.
 
 /// The learner's last drag is finished, and it moved `body` (any body if empty).
 Condition released(const std::string &body = {});
@@ -76,12 +92,12 @@ Condition idleFor(std::int64_t frames);
 Condition unchangedFor(const std::string &id, std::int64_t frames);
 /// The cursor is between two frames, at `frame` or later.
 Condition playedTo(std::int64_t frame);
-/// The parameter `id` is `value`. `todo` tells the learner to set it.
-Condition parameterSetTo(const std::string &id, double value, const QString &todo = {});
-/// The run uses the method `id`. `todo` tells the learner to choose it.
-Condition runsMethod(const std::string &id, const QString &todo = {});
+/// The parameter `id` is `value`. The sentence tells the learner to set it.
+Condition parameterSetTo(const std::string &id, double value, const QString &sentence = {});
+/// The run uses the method `id`. The sentence tells the learner to choose it.
+Condition runsMethod(const std::string &id, const QString &sentence = {});
 /// The method makes fixed steps of `h` frames.
-Condition stepIs(double h, const QString &todo = {});
+Condition stepIs(double h, const QString &sentence = {});
 /// The cursor is inside a frame.
 Condition insideFrame();
 /// The cursor is inside a step in which a spring has pulled and nothing has moved yet.
@@ -91,11 +107,11 @@ Condition comparisonDiffers(const std::string &id);
 /// The cursor is ten frames or more after the frame at which the run departs from its comparison run.
 Condition playedSinceFork();
 
-/// `measured` is `min` or more. `todo` may show it as `%1`.
-Condition atLeast(double min, std::function<double(const sim::Timeline &)> measured, const QString &todo,
-                  int decimals = 1);
-/// `measured` is `max` or less. `todo` may show it as `%1`.
-Condition atMost(double max, std::function<double(const sim::Timeline &)> measured, const QString &todo,
-                 int decimals = 1);
+/// `measured` is `min` or more. The sentence may show it as `%1`.
+Condition atLeast(double min, std::function<double(const sim::Timeline &)> measured,
+                  const QString &sentence = {}, int decimals = 1);
+/// `measured` is `max` or less. The sentence may show it as `%1`.
+Condition atMost(double max, std::function<double(const sim::Timeline &)> measured,
+                 const QString &sentence = {}, int decimals = 1);
 
 }

@@ -176,9 +176,9 @@ namespace {
 lessons::Try toFrameFive()
 {
     const auto frame = [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame); };
-    return {"Go to frame 5. What is there?",
-            {lessons::atLeast(1.0, frame, {}),
-             lessons::atLeast(5.0, frame, "go on to frame **5**. This is frame %1.", 0)}};
+    lessons::Condition atFive = lessons::atLeast(5.0, frame, {}, 0);
+    atFive.todo = "go on to frame **5**. This is frame %1.";
+    return {"Go to frame 5. What is there?", {lessons::atLeast(1.0, frame), atFive}};
 }
 
 LessonLibrary lessonsWith(const lessons::Try &one)

@@ -59,7 +59,7 @@ void checkAttempt(const LoadedLesson &lesson)
     attempt.act(player);
     if (attempt.isNearMiss()) {
         QVERIFY(!player.done());
-        QCOMPARE(plainSpaces(player.todo()), QString::fromUtf8(attempt.todo));
+        QCOMPARE(plainSpaces(player.missing()), QString::fromUtf8(attempt.missing));
     } else {
         QVERIFY2(player.done(), qPrintable(player.todo()));
         QVERIFY(!player.lackedHint());

@@ -17,10 +17,10 @@ struct Attempt
     std::size_t number = 0; ///< index of the thing to try in its step, from 0
     const char *name = nullptr;
     std::function<void(Player &)> act;
-    /// The hint that is expected after a near miss; empty for an attempt that succeeds.
-    const char *todo = "";
+    /// What RunPlayer::missing() returns after a near miss; empty for an attempt that succeeds.
+    const char *missing = "";
 
-    bool isNearMiss() const { return *todo; }
+    bool isNearMiss() const { return *missing; }
 };
 
 // At least one attempt for each thing to try of a lesson, in the file of that lesson.

@@ -138,7 +138,7 @@ std::vector<Attempt> codelingAttempts()
              p.target(p.at("lead") + sim::Vec2{30, 40});
              p.play(200);
          },
-         "click 100 px away or more. That was 50 px."},
+         "distance 50"},
         {"motor", 2, "sent before keep was set",
          [](Player &p) {
              p.target({300, 100});
@@ -146,7 +146,7 @@ std::vector<Attempt> codelingAttempts()
              p.set("keep", 1.0);
              p.play(110);
          },
-         "click the background."},
+         "click"},
         {"motor", 1, "too slow",
          [](Player &p) {
              p.drag("lead", p.at("lead") + sim::Vec2{20, 0}, 10);
@@ -161,7 +161,7 @@ std::vector<Attempt> codelingAttempts()
              p.set("soft", 0.5);
              p.play(20);
          },
-         "set **soft** to 1 there."},
+         "soft"},
     };
 }
 

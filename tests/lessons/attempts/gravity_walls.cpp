@@ -84,7 +84,7 @@ std::vector<Attempt> gravityWallsAttempts()
              p.drag("body", p.at("body") + sim::Vec2{60, 0}, 10);
              p.play(20);
          },
-         "throw it upwards, and harder: the body has to get above y = 0."},
+         "above"},
         {"gravity", 0, "held on the floor",
          [](Player &p) {
              p.play(100);
@@ -92,7 +92,7 @@ std::vector<Attempt> gravityWallsAttempts()
              p.dragTo({270, 380}, 20);
              p.play(100);
          },
-         "hold it still, high over the floor, until the feet hang still."},
+         "hanging"},
     };
 }
 

@@ -77,7 +77,7 @@ std::vector<Attempt> multiFootAttempts()
              p.set("feet", 16.0);
              p.play(5);
          },
-         "choose the method **Semi-implicit Euler**."},
+         "method"},
     };
 }
 

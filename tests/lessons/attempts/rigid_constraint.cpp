@@ -155,7 +155,7 @@ std::vector<Attempt> rigidConstraintAttempts()
          [](Player &p) {
              movePointer(p, p.at("p0") + sim::Vec2{60, 80}, 10);
          },
-         "lead p0 150 px away or more, with the mouse button down. So far: 100 px."},
+         "led 100"},
         {"verlet", 0, "too slow",
          [](Player &p) {
              p.play(10);

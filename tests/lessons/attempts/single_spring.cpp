@@ -111,7 +111,7 @@ std::vector<Attempt> singleSpringAttempts()
              p.release();
              p.play(1);
          },
-         "hold it still for a moment before you let go. Yours left at 8.6 px per frame."},
+         "slow 8.6"},
         {"drag", 0, "beside the cross",
          [](Player &p) {
              p.grab("foot");
@@ -120,7 +120,7 @@ std::vector<Attempt> singleSpringAttempts()
              p.release();
              p.play(200);
          },
-         "let go within 15 px of the cross. Yours lies 50.0 px from it."},
+         "near 50.0"},
         {"drag", 1, "too slow",
          [](Player &p) {
              p.drag("foot", {440, 120}, 20);
@@ -146,7 +146,7 @@ std::vector<Attempt> singleSpringAttempts()
              p.drag("foot", {310, 170}, 6);
              p.play(40);
          },
-         "let it glide for 60 frames with this damping. So far: 39."},
+         "frames 39"},
         {"drag", 2, "thrown before damping was set",
          [](Player &p) {
              p.drag("foot", {310, 170}, 6);
@@ -160,7 +160,7 @@ std::vector<Attempt> singleSpringAttempts()
              p.drag("foot", {270, 250}, 20);
              p.play(300);
          },
-         "let go at least 100 px from the cross. Yours left 50 px from it."},
+         "far 50"},
         {"fixed_centre", 3, "played on for five frames",
          [](Player &p) {
              p.play(90);
@@ -180,25 +180,25 @@ std::vector<Attempt> singleSpringAttempts()
              p.set("offset", -5.0);
              p.play(300);
          },
-         "set **offset** to −10 or less. It is −5."},
+         "offset −5"},
         {"radial", 0, "on the right",
          [](Player &p) {
              p.drag("foot", {350, 205}, 20);
              p.play(300);
          },
-         "let go closer to the body, on its left: the foot came to rest elsewhere."},
+         "left"},
         {"radial", 1, "below on the right",
          [](Player &p) {
              p.grab("foot");
              p.dragTo({320, 250}, 10);
          },
-         "hold it straight below the body. It is off by 45°."},
+         "below 45"},
         {"radial", 1, "only passing below",
          [](Player &p) {
              p.grab("foot");
              p.dragTo({270, 290}, 10);
          },
-         "hold it still there for a moment."},
+         "held_still"},
     };
 }
 

@@ -177,24 +177,24 @@ std::vector<Attempt> swayingTreeAttempts()
              p.set("min_scale", 0.6);
              p.play(1);
          },
-         "make it three branches. This tree has 7."},
+         "three 7"},
         {"towards_pointer", 2, "high up",
          [](Player &p) {
              blowAndRelease(p, {300, 20}, 10);
              p.play(30);
          },
-         "hold the button lower, so that the trunk leans by more than 45°. Yours leans by 4°."},
+         "lean 4"},
         {"wind", 1, "for five frames",
          [](Player &p) {
              p.set("ease", 30.0);
              blow(p, {20, 390}, 5);
          },
-         "go on blowing while time runs. So far: 4 frames of 10."},
+         "frames 4"},
         {"turbulence", 0, "for 20 frames",
          [](Player &p) {
              blow(p, {60, 200}, 20);
          },
-         "go on blowing while time runs. So far: 19 frames of 60."},
+         "frames 19"},
     };
 }
 

@@ -73,13 +73,13 @@ std::vector<Attempt> twoBodyAttempts()
              p.grab("foot");
              p.dragTo(p.at("foot") + sim::Vec2{5, 0}, 5);
          },
-         "pull faster. The leg is 33 px long."},
+         "long 33"},
         {"leg_line", 1, "compressed, not released",
          [](Player &p) {
              p.grab("foot");
              p.dragTo(p.at("body"), 5);
          },
-         "let go now."},
+         "let_go"},
     };
 }
 

@@ -23,6 +23,14 @@ void RunPlayer::checkTry()
     m_lackedHint = m_lackedHint || (isOpen && todo().isEmpty());
 }
 
+QString RunPlayer::missing() const
+{
+    const lessons::Condition *condition = m_try.conditions.missing(m_run);
+    if (!condition || condition->sentence.isEmpty())
+        return todo();
+    return condition->measured ? condition->sentence + ' ' + condition->number(m_run) : condition->sentence;
+}
+
 void RunPlayer::play(int frames)
 {
     for (int i = 0; i < frames; ++i) {

@@ -80,6 +80,9 @@ public:
     bool done() const override { return m_done; }
     /// Returns the hint about what is still to do. Empty before the attempt has begun.
     QString todo() const { return m_try.conditions.todo(m_run); }
+    /// Returns the name of the document's sentence about what is still to do, with the number that it shows:
+    /// "long 33". Where conditions of all lessons have the sentence, returns todo().
+    QString missing() const;
     /// Returns whether there was a moment, between begin and success, without a hint.
     bool lackedHint() const { return m_lackedHint; }
     const sim::Timeline &run() const override { return m_run; }

@@ -1,0 +1,305 @@
+// Documents with a mistake: each gets a sentence with the file, the line and the remedy.
+
+#include "lessons/api/step.h"
+#include "tests/suite.h"
+
+#include <QTest>
+
+namespace {
+
+const QByteArray goodDocument = R"(# A foot
+
+A foot on a **spring**.
+
+### A subheading
+
+It swings.
+
+## Try {#pull}
+
+Pull the foot. Does it
+come back?
+
+### Hint
+
+Press **Space**.
+
+### Answer
+
+Yes.
+
+### Missing
+
+- far: pull it farther. It came %1 px,
+  and that is little.
+
+## Task: the pull {#pull}
+
+Write the **pull**.
+
+### Comment
+
+The pull.
+
+### Hint
+
+One.
+
+### Hint
+
+Two:
+
+`foot`
+
+### Hint
+
+Three.
+
+### Near miss
+
+```
+foot = 1;
+
+## no heading
+```
+
+It stays.
+
+### Near miss in damping
+
+```
+foot = 2;
+```
+
+It goes.
+
+## Word: Spring
+
+Forms: spring, springs
+
+It pulls.
+
+## Word: Foot
+
+A small disc.
+
+## Word: Toe
+
+Forms: none
+
+A part of a foot.
+
+## Why: Why does it pull?
+
+Because of
+
+`k * x`
+
+## Learnt
+
+A spring pulls.
+)";
+
+const QString documentName = QStringLiteral("one/step.md");
+
+/// Returns a step whose try, task and gaps are those of `goodDocument`.
+lessons::Step goodStep()
+{
+    lessons::Step step;
+    step.listing.gaps = {{"pull", 1, 1}, {"damping", 2, 1}};
+    step.checks = {{.id = "pull",
+                    .conditions = {{[](const sim::Timeline &) { return true; }},
+                                   {[](const sim::Timeline &) { return false; }, "far"}}}};
+    return step;
+}
+
+/// Returns what() of the mistake in a document of goodStep(). Empty if it has none.
+QString mistakeIn(const QByteArray &source)
+{
+    try {
+        goodStep().setTexts(lessons::parseDocument(source, documentName));
+    } catch (const lessons::DocumentError &error) {
+        return QString::fromStdString(error.what());
+    }
+    return {};
+}
+
+/// A mistake: `from` in `goodDocument` is replaced by `to`.
+struct Mistake
+{
+    const char *name;
+    QByteArray from;
+    QByteArray to;
+    QByteArray at;    ///< a text of the broken document that begins on the line with the mistake
+    const char *says; ///< a part of the sentence
+};
+
+const Mistake mistakes[] = {
+    {"no title", "# A foot\n", "", "A foot on", "the title is missing. Begin the file with “# ”"},
+    {"a second title", "## Learnt", "# Learnt", "# Learnt", "this is a second title. Write “## ” instead."},
+    {"no story", "A foot on a **spring**.\n\n### A subheading\n\nIt swings.\n", "", "# A foot",
+     "the story is missing. Write it below the title."},
+    {"an unknown heading", "## Learnt", "## Learned", "## Learned",
+     "“## Learned” is not a heading of a lesson."},
+    {"a German heading", "## Why: W", "## Warum: W", "## Warum", "Write “## Try {#id}”"},
+    {"no id", "## Try {#pull}", "## Try", "## Try", "“## Try” has no id. End the heading with “{#id}”"},
+    {"an id with a capital", "## Try {#pull}", "## Try {#Pull}", "## Try", "is not a heading of a lesson"},
+    {"an id twice", "## Task: the pull", "## Try {#pull}\n\nAgain.\n\n### Hint\n\nSo.\n\n## Task: the pull",
+     "## Try {#pull}\n\nAgain", "the id “pull” was used above. Choose another one."},
+    {"a try without a text", "Pull the foot. Does it\ncome back?\n", "", "## Try",
+     "there is no text below “## Try {#pull}”."},
+    {"a try without a hint", "### Hint\n\nPress **Space**.\n", "", "## Try",
+     "the thing to try “pull” has no hint. Write it below a “### Hint”."},
+    {"an empty hint", "Press **Space**.\n", "", "### Hint",
+     "there is no text below “### Hint”. Write it there, or remove the heading."},
+    {"an answer twice", "### Missing", "### Answer\n\nNo.\n\n### Missing", "### Answer\n\nNo",
+     "“### Answer” is there twice. Remove one of them."},
+    {"an unknown field", "### Answer", "### Solution", "### Solution",
+     "“### Solution” does not belong here. Here you can write “### Hint”"},
+    {"a sentence without a name", "- far: pull", "- pull", "### Missing",
+     "has no name. Write “- name: sentence”"},
+    {"a name twice", "- far: pull", "- far: more.\n- far: pull", "### Missing",
+     "the name “far” is there twice."},
+    {"a task without a title", "## Task: the pull {#pull}", "## Task {#pull}", "## Task {",
+     "the task “pull” has no title. Write “## Task: title {#pull}”."},
+    {"a task without a comment", "### Comment\n\nThe pull.\n", "", "## Task",
+     "the task “pull” has no comment for the empty place."},
+    {"two hints", "### Hint\n\nThree.\n", "", "## Task",
+     "the number of hints of the task “pull” is 2, not 3."},
+    {"code without an end", "foot = 2;\n```", "foot = 2;", "```\nfoot = 2;",
+     "the code has no end. Write ```"},
+    {"a near miss without code", "```\nfoot = 2;\n```\n", "", "### Near miss in",
+     "this near miss is incomplete."},
+    {"a near miss without a sentence", "It goes.\n", "", "### Near miss in", "this near miss is incomplete."},
+    {"a near miss of another kind", "### Near miss in damping", "### Near miss: damping",
+     "### Near miss:", "does not belong here. Here you can write “### Near miss”"},
+    {"a word without a name", "## Word: Foot", "## Word", "## Word\n", "“## Word” is incomplete."},
+    {"a word without an explanation", "It pulls.\n", "", "## Word: Spring",
+     "the word “Spring” is not explained."},
+    {"a word twice", "## Word: Foot", "## Word: Spring", "## Word: Spring\n\nA small",
+     "the word “Spring” is there twice."},
+    {"a why without a question", "## Why: Why does it pull?", "## Why", "## Why", "“## Why” is incomplete."},
+    {"a why without an answer", "Because of\n\n`k * x`\n", "", "## Why", "there is no text below “## Why:"},
+    {"learnt twice", "## Learnt", "## Learnt\n\nMuch.\n\n## Learnt", "## Learnt\n\nA spring",
+     "“## Learnt” is there twice."},
+    {"a field below a word", "A small disc.\n", "A small disc.\n\n### Hint\n\nNo.\n", "### Hint\n\nNo",
+     "“### Hint” does not belong here."},
+    {"Latin-1", "It stays.", "Er f\xE4llt.", "Er f",
+     "this is not UTF-8. Save the file with the encoding UTF-8."},
+    {"zeros", "It stays.", QByteArray("It\0stays.", 9), QByteArray("It\0", 3), "this is not UTF-8."},
+    {"an unknown try", "## Try {#pull}", "## Try {#push}", "## Try",
+     "the thing to try “push” is unknown. Use one of the ids of this step: pull."},
+    {"a missing sentence", "### Missing\n\n- far: pull it farther. It came %1 px,\n  and that is little.\n",
+     "", "## Try", "the thing to try “pull” says nothing about what is missing for “far”."},
+    {"an unknown sentence", "- far:", "- near: no.\n- far:", "### Missing",
+     "the thing to try “pull” has no condition “near”. Remove the sentence, or give it one of the names: "
+     "far."},
+    {"an unknown gap", "{#pull}\n\nWrite", "{#push}\n\nWrite", "## Task",
+     "the listing has no gap “push”. Use one of: pull, damping."},
+    {"an unknown gap of a near miss", "miss in damping", "miss in gravity", "## Task",
+     "the listing has no gap “gravity”."},
+};
+
+/// Returns the line at which `text` begins in a document, from 1.
+int lineOf(const QByteArray &source, const QByteArray &text)
+{
+    return static_cast<int>(source.left(source.indexOf(text)).count('\n')) + 1;
+}
+
+}
+
+class BrokenDocumentsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void aDocumentIsReadAsWritten();
+    void lineEndsAndAByteOrderMarkMakeNoDifference();
+    void aMistakeIsNamedWithItsRemedy_data();
+    void aMistakeIsNamedWithItsRemedy();
+    void aMistakeLeavesTheStepAsItWas();
+    void conditionsGetTheirSentences();
+};
+
+void BrokenDocumentsTest::aDocumentIsReadAsWritten()
+{
+    const lessons::Document document = lessons::parseDocument(goodDocument, documentName);
+    QCOMPARE(document.title, QString("A foot"));
+    QCOMPARE(document.story, QString("A foot on a **spring**.\n\n### A subheading\n\nIt swings."));
+    QCOMPARE(document.tries.size(), 1u);
+    QCOMPARE(document.tries[0].text, QString("Pull the foot. Does it come back?"));
+    QCOMPARE(document.tries[0].missing.value("far"),
+             QString("pull it farther. It came %1 px, and that is little."));
+    const lessons::CodeTask &task = document.tasks[0];
+    QCOMPARE(task.title, QString("the pull"));
+    QCOMPARE(task.hints, QStringList({"One.", "Two:\n\n`foot`", "Three."}));
+    QCOMPARE(task.nearMisses[0].code, QString("foot = 1;\n\n## no heading"));
+    QCOMPARE(task.nearMisses[1].gap, QString("damping"));
+    QCOMPARE(document.explanation.terms[0].forms, QString("spring|springs"));
+    QCOMPARE(document.explanation.terms[1].forms, QString("Foot"));
+    QCOMPARE(document.explanation.terms[2].forms, QString());
+    QCOMPARE(document.explanation.whys[0].answer, QString("Because of\n\n`k * x`"));
+    QCOMPARE(mistakeIn(goodDocument), QString());
+}
+
+void BrokenDocumentsTest::lineEndsAndAByteOrderMarkMakeNoDifference()
+{
+    QByteArray other = "\xEF\xBB\xBF" + goodDocument;
+    other.replace("\n", "\r\n");
+    const lessons::Document document = lessons::parseDocument(other, documentName);
+    QCOMPARE(document.title, QString("A foot"));
+    QCOMPARE(document.tasks[0].nearMisses[0].code, QString("foot = 1;\n\n## no heading"));
+    QCOMPARE(mistakeIn(other), QString());
+}
+
+void BrokenDocumentsTest::aMistakeIsNamedWithItsRemedy_data()
+{
+    QTest::addColumn<QByteArray>("from");
+    QTest::addColumn<QByteArray>("to");
+    QTest::addColumn<QByteArray>("at");
+    QTest::addColumn<QString>("says");
+    for (const Mistake &one : mistakes)
+        QTest::newRow(one.name) << one.from << one.to << one.at << QString::fromUtf8(one.says);
+}
+
+void BrokenDocumentsTest::aMistakeIsNamedWithItsRemedy()
+{
+    QFETCH(QByteArray, from);
+    QFETCH(QByteArray, to);
+    QFETCH(QByteArray, at);
+    QFETCH(QString, says);
+    QByteArray broken = goodDocument;
+    const qsizetype place = broken.indexOf(from);
+    QVERIFY(place >= 0);
+    broken.replace(place, from.size(), to);
+    const QString begin = QStringLiteral("one/step.md, line %1: ").arg(lineOf(broken, at));
+    const QString mistake = mistakeIn(broken);
+    QVERIFY2(mistake.startsWith(begin), qPrintable(begin + "\n" + mistake));
+    QVERIFY2(mistake.contains(says), qPrintable(mistake));
+    QVERIFY2(mistake.endsWith('.'), qPrintable(mistake));
+}
+
+void BrokenDocumentsTest::aMistakeLeavesTheStepAsItWas()
+{
+    lessons::Step step = goodStep();
+    step.setTexts(lessons::parseDocument(goodDocument, documentName));
+    QByteArray other = goodDocument;
+    other.replace("# A foot\n", "# Another\n");
+    other.replace("## Try {#pull}", "## Try {#push}");
+    QVERIFY_EXCEPTION_THROWN(step.setTexts(lessons::parseDocument(other, documentName)),
+                             lessons::DocumentError);
+    QCOMPARE(step.title, QString("A foot"));
+    QCOMPARE(step.tries[0].id, QString("pull"));
+}
+
+void BrokenDocumentsTest::conditionsGetTheirSentences()
+{
+    lessons::Step step = goodStep();
+    step.setTexts(lessons::parseDocument(goodDocument, documentName));
+    const std::vector<lessons::Condition> &all = step.tries[0].conditions.all();
+    QCOMPARE(all[0].todo, QString());
+    QCOMPARE(all[1].todo, QString("pull it farther. It came %1 px, and that is little."));
+}
+
+SUITE(tst_broken_documents, BrokenDocumentsTest)
+#include "tst_broken_documents.moc"

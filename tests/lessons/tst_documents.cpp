@@ -1,0 +1,444 @@
+// The documents of the steps: their format, and that all languages say the same.
+
+#include "lessons/api/text/document.h"
+#include "tests/lessons/support/support.h"
+#include "tests/suite.h"
+
+#include <QDirIterator>
+#include <QRegularExpression>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace support;
+using lessons::Document;
+
+namespace {
+
+const QString documentFolder = QStringLiteral(":/documents/");
+
+/// A text of a document, and where it stands.
+struct DocumentPlace
+{
+    QString where;
+    QString text;
+};
+
+QString idOf(const LoadedLesson &lesson)
+{
+    return lesson.metadata.value("id").toString();
+}
+
+/// Returns the document of a step in a language; "en" has no code in its name.
+Document documentOf(const QString &lesson, const QString &step, const QString &language)
+{
+    const QString name = language == u"en" ? step : step + '.' + language;
+    QFile file(QStringLiteral("%1%2/%3.md").arg(documentFolder, lesson, name));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    return lessons::parseDocument(file.readAll(), file.fileName());
+}
+
+/// Returns all texts of a document in order. Code of near misses is left out.
+std::vector<DocumentPlace> placesIn(const Document &document)
+{
+    std::vector<DocumentPlace> all = {{"title", document.title}, {"story", document.story}};
+    for (const lessons::TryText &one : document.tries) {
+        const QString name = "try " + one.id;
+        all.insert(all.end(), {{name, one.text}, {name + " hint", one.hint}, {name + " answer", one.answer}});
+        for (auto at = one.missing.begin(); at != one.missing.end(); ++at)
+            all.push_back({name + " missing " + at.key(), at.value()});
+    }
+    for (const lessons::CodeTask &task : document.tasks) {
+        const QString name = "task " + task.id;
+        all.insert(all.end(),
+                   {{name + " title", task.title}, {name, task.text}, {name + " comment", task.comment}});
+        for (const QString &hint : task.hints)
+            all.push_back({name + " hint", hint});
+        for (const lessons::NearMiss &miss : task.nearMisses)
+            all.push_back({name + " near miss", miss.sentence});
+    }
+    for (const lessons::Term &term : document.explanation.terms)
+        all.push_back({"word " + term.name, term.text});
+    for (const lessons::Why &why : document.explanation.whys)
+        all.insert(all.end(), {{"why", why.question}, {"answer of " + why.question, why.answer}});
+    all.push_back({"learnt", document.explanation.learnt});
+    return all;
+}
+
+/// Returns the headings of a document, without their titles in the language of the document.
+QStringList headingsOf(const Document &document)
+{
+    QStringList all;
+    for (const lessons::TryText &one : document.tries) {
+        all << "try " + one.id + (one.hint.isEmpty() ? "" : " hint") +
+                   (one.answer.isEmpty() ? "" : " answer");
+        all << one.missing.keys();
+    }
+    for (const lessons::CodeTask &task : document.tasks) {
+        all << QStringLiteral("task %1, %2 hints").arg(task.id).arg(task.hints.size());
+        for (const lessons::NearMiss &miss : task.nearMisses)
+            all << miss.gap + ": " + miss.code;
+    }
+    all << QStringLiteral("%1 words, of which these are not linked:").arg(document.explanation.terms.size());
+    for (std::size_t i = 0; i < document.explanation.terms.size(); ++i) {
+        if (document.explanation.terms[i].forms.isEmpty())
+            all << QString::number(i);
+    }
+    all << QStringLiteral("%1 whys").arg(document.explanation.whys.size());
+    all << (document.explanation.learnt.isEmpty() ? "nothing learnt" : "learnt");
+    return all;
+}
+
+/// Returns all that `pattern` finds in a text, sorted.
+QStringList foundIn(const QString &text, const QString &pattern)
+{
+    QStringList all;
+    for (auto at = QRegularExpression(pattern).globalMatch(text); at.hasNext();)
+        all << at.next().captured();
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+/// Returns whether code consists of numbers and units, without a name of the listing.
+bool hasOnlyNumbers(QString code)
+{
+    return !code.remove(QRegularExpression("\\b(rad|px)\\b")).contains(QRegularExpression("[A-Za-z_]"));
+}
+
+/// Returns the code in a text. Numbers have the decimal point of English.
+QStringList codeIn(const QString &text)
+{
+    QStringList all = foundIn(text, "`[^`]*`");
+    for (QString &code : all) {
+        if (hasOnlyNumbers(code))
+            code.replace(QRegularExpression("(?<=\\d),(?=\\d)"), ".");
+    }
+    all.sort();
+    return all;
+}
+
+/// Returns how often each sign of Markdown is in a text.
+QList<qsizetype> emphasisOf(const QString &text)
+{
+    QList<qsizetype> counts;
+    for (const char *sign : {"\\*\\*", "(?m)^#+ ", "(?m)^([-*]|\\d+\\.) ", "\n\n", "(?m)^> ", "(?m)^\\|"})
+        counts << foundIn(text, sign).size();
+    return counts;
+}
+
+}
+
+class DocumentsTest : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void everyStepHasADocumentInEveryLanguage();
+    void everyDocumentBelongsToAStep();
+    void stepsShowTheirDocuments_data() { addStepRows(); }
+    void stepsShowTheirDocuments();
+    void languagesHaveTheSameHeadings_data() { addTranslationRows(); }
+    void languagesHaveTheSameHeadings();
+    void languagesHaveTheSameEmphasis_data() { addTranslationRows(); }
+    void languagesHaveTheSameEmphasis();
+    void languagesHaveTheSameCodeAndNumbers_data() { addTranslationRows(); }
+    void languagesHaveTheSameCodeAndNumbers();
+    void germanNumbersHaveACommaInProse_data() { addStepRows(); }
+    void germanNumbersHaveACommaInProse();
+    void wordsAreExplainedBeforeTheyAreUsed_data();
+    void wordsAreExplainedBeforeTheyAreUsed();
+    void linksLeadSomewhere_data() { addTranslationRows(); }
+    void linksLeadSomewhere();
+
+private:
+    /// Returns all lessons in their order.
+    const std::vector<LoadedLesson> &allLessons();
+    /// Adds one row for each document.
+    void addTranslationRows();
+    /// Returns the codes of all languages, of which English comes first.
+    QStringList languages();
+    /// Compares each text of the row's document with the English one.
+    template <class Same>
+    void eachText(Same same);
+
+    std::vector<LoadedLesson> m_lessons;
+};
+
+const std::vector<LoadedLesson> &DocumentsTest::allLessons()
+{
+    if (m_lessons.empty()) {
+        for (const QString &id : lessonIds())
+            m_lessons.push_back(loadLesson(id));
+        std::sort(m_lessons.begin(), m_lessons.end(), [](const LoadedLesson &a, const LoadedLesson &b) {
+            return a.metadata.value("order").toInt() < b.metadata.value("order").toInt();
+        });
+    }
+    return m_lessons;
+}
+
+QStringList DocumentsTest::languages()
+{
+    QStringList codes = {"en"};
+    for (const LoadedLesson &lesson : allLessons()) { // the plugins bring the documents
+        for (const QString &name : QDir(documentFolder + idOf(lesson)).entryList({"*.*.md"})) {
+            if (!codes.contains(name.section('.', 1, 1)))
+                codes << name.section('.', 1, 1);
+        }
+    }
+    return codes;
+}
+
+void DocumentsTest::addTranslationRows()
+{
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("language");
+    const QStringList codes = languages();
+    for (const LoadedLesson &lesson : allLessons()) {
+        for (const lessons::Step &step : lesson.steps) {
+            for (const QString &code : codes)
+                QTest::addRow("%s/%s.%s", qPrintable(step.lesson), qPrintable(step.id), qPrintable(code))
+                    << step.lesson << step.id << code;
+        }
+    }
+}
+
+void DocumentsTest::everyStepHasADocumentInEveryLanguage()
+{
+    QVERIFY(languages().contains("de"));
+    for (const LoadedLesson &lesson : allLessons()) {
+        for (const lessons::Step &step : lesson.steps) {
+            for (const QString &code : languages())
+                QVERIFY2(!documentOf(step.lesson, step.id, code).title.isEmpty(),
+                         qPrintable(step.lesson + '/' + step.id + ' ' + code));
+        }
+    }
+}
+
+void DocumentsTest::everyDocumentBelongsToAStep()
+{
+    for (const LoadedLesson &lesson : allLessons()) {
+        QStringList ids;
+        for (const lessons::Step &step : lesson.steps)
+            ids << step.id;
+        for (const QString &name : QDir(documentFolder + idOf(lesson)).entryList({"*.md"}))
+            QVERIFY2(ids.contains(name.section('.', 0, 0)), qPrintable(idOf(lesson) + '/' + name));
+    }
+}
+
+void DocumentsTest::stepsShowTheirDocuments()
+{
+    QFETCH(QString, lesson);
+    const lessons::Step step = stepOfRow();
+    const Document document = documentOf(lesson, step.id, "en");
+    QCOMPARE(step.title, document.title);
+    QCOMPARE(step.narration, document.story);
+    QCOMPARE(step.explanation.learnt, document.explanation.learnt);
+    QCOMPARE(step.tries.size(), document.tries.size());
+    for (std::size_t i = 0; i < step.tries.size(); ++i) {
+        QCOMPARE(step.tries[i].id, document.tries[i].id);
+        QCOMPARE(step.tries[i].text, document.tries[i].text);
+        QVERIFY2(!step.tries[i].conditions.all().empty(), qPrintable(step.tries[i].id));
+    }
+    QCOMPARE(step.codeTasks.size(), document.tasks.size());
+}
+
+void DocumentsTest::languagesHaveTheSameHeadings()
+{
+    QFETCH(QString, lesson);
+    QFETCH(QString, id);
+    QFETCH(QString, language);
+    QCOMPARE(headingsOf(documentOf(lesson, id, language)), headingsOf(documentOf(lesson, id, "en")));
+}
+
+template <class Same>
+void DocumentsTest::eachText(Same same)
+{
+    QFETCH(QString, lesson);
+    QFETCH(QString, id);
+    QFETCH(QString, language);
+    const std::vector<DocumentPlace> english = placesIn(documentOf(lesson, id, "en"));
+    const std::vector<DocumentPlace> other = placesIn(documentOf(lesson, id, language));
+    QCOMPARE(other.size(), english.size());
+    QStringList wrong;
+    for (std::size_t i = 0; i < english.size(); ++i) {
+        if (!same(english[i].text, other[i].text))
+            wrong << other[i].where + ": " + english[i].text + "\n  -> " + other[i].text;
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable('\n' + wrong.join('\n')));
+}
+
+void DocumentsTest::languagesHaveTheSameEmphasis()
+{
+    eachText([](const QString &english, const QString &other) {
+        return emphasisOf(english) == emphasisOf(other);
+    });
+}
+
+void DocumentsTest::languagesHaveTheSameCodeAndNumbers()
+{
+    eachText([](const QString &english, const QString &other) {
+        return codeIn(english) == codeIn(other) && foundIn(english, "%\\d") == foundIn(other, "%\\d");
+    });
+}
+
+void DocumentsTest::germanNumbersHaveACommaInProse()
+{
+    QFETCH(QString, lesson);
+    QFETCH(QString, id);
+    for (const DocumentPlace &place : placesIn(documentOf(lesson, id, "de"))) {
+        QString prose = place.text;
+        for (const QString &code : foundIn(place.text, "`[^`]*`")) {
+            if (!hasOnlyNumbers(code)) // code keeps the point
+                prose.remove(code);
+        }
+        QVERIFY2(foundIn(prose, "(?<![\\d.])\\d+\\.\\d+(?![\\d.])") ==
+                     foundIn(prose, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])"),
+                 qPrintable(place.where + ": " + place.text));
+    }
+}
+
+namespace {
+
+/// A word of the glossary, and the step that explains it.
+struct TaughtWord
+{
+    QString name;
+    QStringList forms;
+    std::size_t step = 0;
+};
+
+/// Returns the words of which a form is in `text` as a whole word. A form within a longer one does not count.
+QStringList wordsIn(QString text, const std::vector<TaughtWord> &words)
+{
+    std::vector<std::pair<QString, QString>> forms;
+    for (const TaughtWord &word : words) {
+        for (const QString &form : word.forms)
+            forms.emplace_back(form, word.name);
+    }
+    std::stable_sort(forms.begin(), forms.end(),
+                     [](const auto &a, const auto &b) { return a.first.size() > b.first.size(); });
+    QStringList found;
+    for (const auto &[form, name] : forms) {
+        const QRegularExpression whole("(?<![\\w])" + QRegularExpression::escape(form) + "(?![\\w])",
+                                       QRegularExpression::CaseInsensitiveOption |
+                                           QRegularExpression::UseUnicodePropertiesOption);
+        if (text.contains(whole) && !found.contains(name))
+            found << name;
+        text.replace(whole, QStringLiteral("#"));
+    }
+    return found;
+}
+
+/// Words that a step uses before another one explains them. To be emptied as the texts are rewritten.
+struct EarlyWord
+{
+    const char *language;
+    const char *word;
+    const char *usedIn; ///< the first step that uses it
+    const char *reason;
+};
+
+const EarlyWord earlyWords[] = {
+    {"en", "Spring", "single_spring/drag", "its arrow shows the pull of the spring that comes next"},
+    {"en", "Sine and cosine", "single_spring/radial", "the target on the ring needs cos and sin"},
+    {"en", "Step", "multi_foot/grown_feet", "shorter steps hold many feet"},
+    {"en", "Effect", "multi_foot/any_number", "means a result there"},
+    {"en", "Curve", "gravity_walls/gravity", "means a parabola there"},
+    {"en", "Coincident points", "walking_gait/bones", "“one place” means a single place there"},
+    {"en", "Stick", "walking_gait/ground", "the verb: feet stick to the ground"},
+    {"en", "Energy", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
+    {"en", "Stiff", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
+    {"de", "Feder", "single_spring/drag", "its arrow shows the pull of the spring that comes next"},
+    {"de", "Sinus und Kosinus", "single_spring/radial", "the target on the ring needs cos and sin"},
+    {"de", "Bogen", "single_spring/radial", "means the arc of an angle there"},
+    {"de", "Zeitschritt", "multi_foot/grown_feet", "shorter steps hold many feet"},
+    {"de", "Zusammenfallende Punkte", "two_body/mutual", "“einen Ort” means a single place there"},
+    {"de", "Energie", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
+    {"de", "Steif", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
+};
+
+}
+
+void DocumentsTest::wordsAreExplainedBeforeTheyAreUsed_data()
+{
+    QTest::addColumn<QString>("language");
+    for (const QString &code : languages())
+        QTest::newRow(qPrintable(code)) << code;
+}
+
+void DocumentsTest::wordsAreExplainedBeforeTheyAreUsed()
+{
+    QFETCH(QString, language);
+    QStringList names;
+    std::vector<Document> documents;
+    std::vector<TaughtWord> words;
+    for (const LoadedLesson &lesson : allLessons()) {
+        for (const lessons::Step &step : lesson.steps) {
+            if (step.points == lessons::PointSource::scene)
+                continue; // the sandbox can be opened at any time
+            documents.push_back(documentOf(step.lesson, step.id, language));
+            for (const lessons::Term &term : documents.back().explanation.terms)
+                words.push_back({term.name, term.forms.split('|', Qt::SkipEmptyParts),
+                                 static_cast<std::size_t>(names.size())});
+            names << step.lesson + '/' + step.id;
+        }
+    }
+    QStringList early;
+    for (std::size_t i = 0; i < documents.size(); ++i) {
+        QString text;
+        for (const DocumentPlace &place : placesIn(documents[i])) {
+            if (!place.where.startsWith("word "))
+                text += '\n' + place.text;
+        }
+        text.remove(QRegularExpression("[*`]"));
+        for (const QString &name : wordsIn(text, words)) {
+            const auto word =
+                std::find_if(words.begin(), words.end(), [&](const auto &one) { return one.name == name; });
+            const QString line = name + " in ";
+            const bool isKnown =
+                early.filter(QRegularExpression("^" + QRegularExpression::escape(line))).isEmpty();
+            if (word->step > i && isKnown)
+                early << line + names[static_cast<qsizetype>(i)];
+        }
+    }
+    QStringList allowed;
+    for (const EarlyWord &one : earlyWords) {
+        QVERIFY(*one.reason);
+        if (language == one.language)
+            allowed << QStringLiteral("%1 in %2").arg(one.word, one.usedIn);
+    }
+    std::sort(early.begin(), early.end());
+    std::sort(allowed.begin(), allowed.end());
+    QVERIFY2(early == allowed,
+             qPrintable("\nUsed too early:\n" + early.join('\n') + "\nAllowed:\n" + allowed.join('\n')));
+}
+
+void DocumentsTest::linksLeadSomewhere()
+{
+    static const QRegularExpression link("\\[[^\\]]*\\]\\(([^)]*)\\)");
+    QFETCH(QString, lesson);
+    QFETCH(QString, id);
+    QFETCH(QString, language);
+    QStringList found;
+    for (const DocumentPlace &place : placesIn(documentOf(lesson, id, language))) {
+        for (auto at = link.globalMatch(place.text); at.hasNext();)
+            found << QUrl::fromPercentEncoding(at.next().captured(1).toUtf8());
+    }
+    if (found.isEmpty())
+        return;
+    QStringList targets;
+    for (const LoadedLesson &other : allLessons()) {
+        for (const lessons::Step &step : other.steps) {
+            targets << QStringLiteral("step:%1/%2").arg(step.lesson, step.id);
+            for (const lessons::Term &term : documentOf(step.lesson, step.id, language).explanation.terms)
+                targets << "word:" + term.name;
+        }
+    }
+    for (const QString &target : found)
+        QVERIFY2(targets.contains(target), qPrintable(target));
+}
+
+SUITE(tst_documents, DocumentsTest)
+#include "tst_documents.moc"
