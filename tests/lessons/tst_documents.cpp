@@ -341,21 +341,12 @@ struct EarlyWord
 };
 
 const EarlyWord earlyWords[] = {
-    {"en", "Spring", "single_spring/drag", "its arrow shows the pull of the spring that comes next"},
-    {"en", "Sine and cosine", "single_spring/radial", "the target on the ring needs cos and sin"},
-    {"en", "Step", "multi_foot/grown_feet", "shorter steps hold many feet"},
-    {"en", "Effect", "multi_foot/any_number", "means a result there"},
-    {"en", "Curve", "gravity_walls/gravity", "means a parabola there"},
     {"en", "Coincident points", "walking_gait/bones", "“one place” means a single place there"},
     {"en", "Stick", "walking_gait/ground", "the verb: feet stick to the ground"},
     {"en", "Energy", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
     {"en", "Stiff", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
-    {"de", "Feder", "single_spring/drag", "its arrow shows the pull of the spring that comes next"},
-    {"de", "Sinus und Kosinus", "single_spring/radial", "the target on the ring needs cos and sin"},
-    {"de", "Bogen", "single_spring/radial", "means the arc of an angle there"},
-    {"de", "Zeitschritt", "multi_foot/grown_feet", "shorter steps hold many feet"},
-    {"de", "Zusammenfallende Punkte", "two_body/mutual", "“einen Ort” means a single place there"},
     {"de", "Energie", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
+    {"de", "Zusammenfallende Punkte", "rigid_constraint/pair", "“am selben Ort” is plain German there"},
     {"de", "Steif", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
 };
 

@@ -50,7 +50,7 @@ private slots:
         QVERIFY(!step.title.isEmpty());
         const qsizetype words =
             step.narration.split(QRegularExpression(u"\\s+"_qs), Qt::SkipEmptyParts).size();
-        QVERIFY2(words >= 40 && words <= 150, qPrintable(QString::number(words)));
+        QVERIFY2(words >= 40 && words <= 180, qPrintable(QString::number(words)));
         QString all = step.title + step.narration;
         for (const lessons::Try &item : step.tries)
             all += item.text;
