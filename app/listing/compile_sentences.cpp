@@ -40,13 +40,13 @@ std::string quotedName(const std::string &text)
     return "'" + text + "'";
 }
 
-/// Returns a type as listings write it: without `const`, `&` and `@`.
+/// Returns a type or a call as listings write it: without `const`, `&` and `@`.
 std::string plainType(std::string type)
 {
-    if (type.starts_with("const "))
-        type = type.substr(6);
-    while (!type.empty() && (type.back() == '&' || type.back() == '@' || type.back() == ' '))
-        type.pop_back();
+    for (const std::string_view part : {"const ", "@const", "const", "&", "@"}) {
+        for (std::size_t at = type.find(part); at != std::string::npos; at = type.find(part, at))
+            type.erase(at, part.size());
+    }
     return type;
 }
 
@@ -137,6 +137,8 @@ std::string noMember(const Gaps &gaps, const MarkedPlace &place)
                              : type == "Keys"                       ? "the keys"
                                                                     : type;
     const std::string sentence = quotedName(word) + " is not a member of " + kind + ".";
+    if (type == "Body" && has({"x", "y"}, word))
+        return sentence + " Did you mean " + quotedName("position." + word) + "?";
     if (const std::string closest = hintFor(word, members); !closest.empty())
         return sentence + closest;
     const std::vector<std::string> ofElement = type == "Bodies" || type == "Children"
@@ -149,11 +151,38 @@ std::string noMember(const Gaps &gaps, const MarkedPlace &place)
     return members.empty() ? sentence : sentence + " It has " + joined(members) + ".";
 }
 
+/// Returns " Write 'body.position'." if `word` is a member of bodies, or an empty string.
+std::string hintForMember(const std::string &word, const MarkedPlace &place)
+{
+    const Vocabulary &vocabulary = place.vocabulary;
+    if (!has(membersOf("Body", vocabulary), word))
+        return {};
+    const std::string body = has(place.declared, "me")    ? "me"
+                             : !vocabulary.bodies.empty() ? vocabulary.bodies.front()
+                             : !vocabulary.arrays.empty() ? vocabulary.arrays.front().name + "[0]"
+                                                          : std::string();
+    return body.empty() ? body : " Write " + quotedName(body + "." + word) + ".";
+}
+
 std::string noName(const Gaps &gaps, const MarkedPlace &place)
 {
-    const std::string closest = hintFor(gaps[0], allNames(place));
-    return "There is no " + quotedName(gaps[0]) + "." +
-           (closest.empty() ? contentsOf(place.vocabulary) : closest);
+    const std::string &word = gaps[0];
+    const std::string sentence = "There is no " + quotedName(word) + ".";
+    if (const std::string hint = hintForMember(word, place); !hint.empty())
+        return sentence + hint;
+    if (const std::string hint = hintFor(word, allNames(place)); !hint.empty())
+        return sentence + hint;
+    for (const std::string &keyword : keywords()) {
+        if (isSameButForCase(word, keyword))
+            return sentence + " Did you mean " + quotedName(keyword) + "?";
+    }
+    if (place.next == "(")
+        return "There is no function " + quotedName(word) + ". The functions are " + joined(functionNames()) +
+               ".";
+    if (place.next == "=")
+        return sentence + " A new variable needs a type: " + quotedName("double " + word) + ", " +
+               quotedName("int " + word) + " or " + quotedName("Vec2 " + word) + ".";
+    return sentence + contentsOf(place.vocabulary);
 }
 
 std::string wrongValues(const Gaps &gaps, const MarkedPlace &place)
@@ -163,7 +192,9 @@ std::string wrongValues(const Gaps &gaps, const MarkedPlace &place)
     const std::vector<std::string> names = allNames(place);
     if (!has(names, name) && name != "Vec2")
         return "There is no function " + quotedName(name) + "." + hintFor(name, names);
-    return quotedName(name) + " does not take these values: " + quotedName(call) + ".";
+    const std::string form = formOf(name);
+    return quotedName(name) + " does not take these values: " + quotedName(plainType(call)) + "." +
+           (form.empty() ? "" : " Write it as " + quotedName(form) + ".");
 }
 
 std::string noType(const Gaps &gaps, const MarkedPlace &place)
@@ -178,33 +209,45 @@ std::string noType(const Gaps &gaps, const MarkedPlace &place)
 
 std::string wrongType(const Gaps &gaps, const MarkedPlace &)
 {
+    if (plainType(gaps[0]) == "Bodies")
+        return "This is an array of bodies. Choose one of them first, for example with [0].";
     return withArticle("A", gaps[0]) + " cannot be used as " + withArticle("a", gaps[1]) + ".";
 }
 
+const std::string usesOfVectors = " A Vec2 can be added to a Vec2, and multiplied or divided by a number.";
+
 std::string wrongOperands(const Gaps &gaps, const MarkedPlace &)
 {
-    return "This sign does not work between " + withArticle("a", gaps[0]) + " and " +
-           withArticle("a", gaps[1]) + ".";
+    const std::string sentence =
+        "This sign does not work between " + withArticle("a", gaps[0]) + " and " + withArticle("a", gaps[1]);
+    const auto isAny = [&](const char *type) {
+        return plainType(gaps[0]) == type || plainType(gaps[1]) == type;
+    };
+    return sentence + "." +
+           (isAny("Body")   ? " Use the position or the velocity of the body."
+            : isAny("Vec2") ? usesOfVectors
+                            : "");
 }
 
 std::string wrongOperand(const Gaps &gaps, const MarkedPlace &)
 {
-    return "This sign does not work between " + withArticle("a", gaps[0]) +
-           " and the other value. A Vec2 can be added to a Vec2, and multiplied or divided by a number.";
+    return "This sign does not work between " + withArticle("a", gaps[0]) + " and the other value." +
+           usesOfVectors;
 }
 
-std::string missing(const Gaps &gaps, const MarkedPlace &)
+std::string missing(const Gaps &gaps, const MarkedPlace &place)
 {
     const std::string &what = gaps[0];
+    const std::string where = place.isAtLineEnd ? " at the end of this line." : " here.";
     if (what.starts_with("expression value"))
-        return "A value is missing here.";
+        return "A value is missing" + where;
     if (what.starts_with("data type"))
         return "The name of a type is missing here: double, int, bool, Vec2 or Body.";
     if (what.starts_with("identifier"))
-        return "A name is missing here.";
+        return "A name is missing" + where;
     if (what.starts_with("method or property"))
         return "The name of a member is missing behind the dot.";
-    return what + " is missing here.";
+    return (place.isAtLineEnd && what.ends_with("';'") ? "';'" : what) + " is missing" + where;
 }
 
 std::string nameTwice(const Gaps &gaps, const MarkedPlace &)
@@ -238,7 +281,8 @@ std::string noValue(const Gaps &gaps, const MarkedPlace &)
 
 std::string noFunction(const Gaps &gaps, const MarkedPlace &)
 {
-    return quotedName(gaps[0]) + " is " + withArticle("a", gaps[1]) + " here, not a function.";
+    return quotedName(gaps[0]) + " is " + withArticle("a", gaps[1]) +
+           " here, not a function. To multiply, write '*'.";
 }
 
 /// A message of the interpreter, with `*` in place of names, and its sentence.
@@ -276,6 +320,9 @@ constexpr Rule rules[] = {
      "A condition is true or false. Compare this with something, for example with == or >."},
     {"Can't find unambiguous implicit conversion to make both expressions have the same type*", nullptr,
      "Both values of a choice with ? need the same type. Write '1.0' for '1' beside a double."},
+    {"Can't return value when return type is 'void'*", nullptr,
+     "A 'void' function returns no value. Write 'return;'."},
+    {"Must return a value*", nullptr, "This function has to return a value."},
     {"Not all paths return a value*", nullptr,
      "This function can end without 'return'. It has to return a value in every case."},
     {"Unexpected end of file*", nullptr, "The text ends too early: a '}' or a ')' is missing."},
@@ -290,6 +337,11 @@ bool isAboutChange(const std::string &message)
 {
     return std::any_of(std::begin(changeRules), std::end(changeRules),
                        [&](const Rule &rule) { return gapsOf(message, rule.pattern).has_value(); });
+}
+
+bool isAboutGap(const std::string &message)
+{
+    return message.starts_with("Expected ");
 }
 
 std::string plainSentence(const std::string &message, const MarkedPlace &place)

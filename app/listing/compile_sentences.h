@@ -13,6 +13,9 @@ struct MarkedPlace
     std::string word; ///< the word or sign there; may be empty
     const Vocabulary &vocabulary;
     std::vector<std::string> declared; ///< names that the listing declares itself
+    std::string next = {};             ///< the word or sign behind `word`
+    /// For a message of isAboutGap(): whether something is missing behind `word`, the last word or sign of its line.
+    bool isAtLineEnd = false;
 };
 
 /// Translates an error message of the interpreter into one or two plain sentences: what is wrong, and which names exist.
@@ -20,5 +23,8 @@ std::string plainSentence(const std::string &message, const MarkedPlace &place);
 
 /// Returns whether a message of the interpreter says that something cannot be changed. Its position is behind that.
 bool isAboutChange(const std::string &message);
+
+/// Returns whether a message of the interpreter says that something is missing. Its position is behind the gap.
+bool isAboutGap(const std::string &message);
 
 }

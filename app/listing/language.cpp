@@ -14,6 +14,13 @@ constexpr std::array<std::string_view, 34> leftOut = {
     "null",   "out",    "private", "protected", "try",    "typedef",   "uint",     "uint8",  "uint16",
     "uint32", "uint64", "xor",     "super",     "switch", "case",      "default"};
 
+/// How functions and Vec2, the last one, are called.
+constexpr std::array<std::string_view, 17> callForms = {
+    "sin(angle)",         "cos(angle)",      "atan2(y, x)", "sqrt(x)",   "pow(x, y)",
+    "hypot(x, y)",        "abs(x)",          "min(x, y)",   "max(x, y)", "clamp(x, 0, 1)",
+    "floor(x)",           "remainder(x, y)", "random(i)",   "length(v)", "dot(v, w)",
+    "direction(body, v)", "Vec2(x, y)"};
+
 /// Returns the number of letters to insert, remove, replace or swap with a neighbour to turn `a` into `b`.
 /// Source: Damerau, "A technique for computer detection and correction of spelling errors", 1964, in the form
 /// without edits between swapped letters.
@@ -62,6 +69,24 @@ const std::vector<std::string> &commonNames()
     return names;
 }
 
+std::vector<std::string> functionNames()
+{
+    std::vector<std::string> names;
+    for (const std::string_view form : callForms)
+        names.emplace_back(form.substr(0, form.find('(')));
+    names.pop_back(); // Vec2
+    return names;
+}
+
+std::string formOf(const std::string &function)
+{
+    for (const std::string_view form : callForms) {
+        if (form.substr(0, form.find('(')) == function)
+            return std::string(form);
+    }
+    return {};
+}
+
 bool isUsableName(const std::string &name)
 {
     const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; };
@@ -108,20 +133,33 @@ std::vector<std::string> membersOf(const std::string &type, const Vocabulary &vo
     return {};
 }
 
+bool isSameButForCase(const std::string &a, const std::string &b)
+{
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](char x, char y) { return (x | 0x20) == (y | 0x20); });
+}
+
 std::string closestName(const std::string &word, const std::vector<std::string> &candidates)
 {
-    std::string closest;
+    constexpr std::size_t fewLetters = 3; // shorter words are similar to too many others
+    std::string closest, beginning;
     std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
     for (const std::string &candidate : candidates) {
         if (candidate == word || word.size() > 40 || candidate.size() > 40)
+            continue;
+        if (isSameButForCase(word, candidate))
+            return candidate;
+        if (std::min(word.size(), candidate.size()) < fewLetters)
             continue;
         const std::size_t distance = spellingDistance(word, candidate);
         if (distance < least && distance < candidate.size()) {
             least = distance;
             closest = candidate;
         }
+        if (beginning.empty() && (candidate.starts_with(word) || word.starts_with(candidate)))
+            beginning = candidate;
     }
-    return closest;
+    return closest.empty() ? beginning : closest;
 }
 
 std::string joined(const std::vector<std::string> &words)

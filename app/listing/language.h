@@ -19,11 +19,18 @@ bool isLeftOut(std::string_view word);
 const std::vector<std::string> &keywords();
 /// Returns the names that every listing has: `sin`, `pointer`, `frame_number`...
 const std::vector<std::string> &commonNames();
+/// Returns the functions of commonNames().
+std::vector<std::string> functionNames();
+/// Returns how a function or Vec2 is called, for example "atan2(y, x)"; empty for other names.
+std::string formOf(const std::string &function);
 /// Returns the members of a type ("Body", "Vec2", "Bodies", "Creature", "Creatures", "Stick", "Sticks", "Children",
 /// "Targets", "Keys") in their order; empty for other types.
 std::vector<std::string> membersOf(const std::string &type, const Vocabulary &vocabulary);
 
-/// Returns the name of `candidates` that a learner who wrote `word` may have meant, or an empty string.
+/// Returns whether two names differ at most by capital letters.
+bool isSameButForCase(const std::string &a, const std::string &b);
+/// Returns the name of `candidates` that a learner who wrote `word` may have meant: one with a similar spelling, or one
+/// that begins like it. Returns an empty string if there is none.
 std::string closestName(const std::string &word, const std::vector<std::string> &candidates);
 
 /// Returns "a, b and c".

@@ -19,6 +19,28 @@ Violation violation(const Token &token, std::string sentence)
     return errorAt(token, std::move(sentence));
 }
 
+/// Returns a sentence that says what to write in place of a word that listings leave out.
+std::string insteadOf(std::string_view word)
+{
+    if (word == "switch" || word == "case" || word == "default")
+        return "Use 'if'.";
+    if (word == "float")
+        return "Use 'double'.";
+    if (word.starts_with("int") || word.starts_with("uint"))
+        return word == "interface" ? "Use another name." : "Use 'int'.";
+    if (word == "function")
+        return "Use 'void'.";
+    if (word == "in")
+        return "A loop is written 'for (int i = 0; i < 5; i++)'.";
+    return "Use another name.";
+}
+
+/// Returns a sentence that says what to write in place of a sign that listings leave out, or an empty string.
+std::string insteadOf(char sign)
+{
+    return sign == '#' ? " A comment begins with '//'." : sign == '^' ? " A power is 'pow(a, b)'." : "";
+}
+
 Violation boundsViolation(const Tokens &tokens)
 {
     int depth = 0, parentheses = 0, elses = 0, length = 0;
@@ -34,14 +56,13 @@ Violation boundsViolation(const Tokens &tokens)
         if (token.kind == Token::Kind::sign &&
             (static_cast<unsigned char>(first) >= 0x7F || static_cast<unsigned char>(first) < 0x20 ||
              first == '#' || first == '$' || first == '`' || first == '\\'))
-            return violation(token, static_cast<unsigned char>(first) < 0x20 || first == 0x7F
-                                        ? std::string("This character is not part of this language.")
-                                        : quoted(token.text) + " is not part of this language.");
-        if (token.kind == Token::Kind::word && isLeftOut(token.text)) {
-            const bool isChoice = token.text == "switch" || token.text == "case" || token.text == "default";
+            return violation(token,
+                             static_cast<unsigned char>(first) < 0x20 || first == 0x7F
+                                 ? std::string("This character is not part of this language.")
+                                 : quoted(token.text) + " is not part of this language." + insteadOf(first));
+        if (token.kind == Token::Kind::word && isLeftOut(token.text))
             return violation(token, quoted(token.text) + " is reserved and not part of this language. " +
-                                        (isChoice ? "Use 'if'." : "Use another name."));
-        }
+                                        insteadOf(token.text));
         if (token.kind == Token::Kind::number && token.text.find_first_of("fF") != std::string_view::npos &&
             !token.text.starts_with("0x"))
             return violation(token, "A number ends without 'f' here.");
@@ -72,7 +93,8 @@ Violation signViolation(const Tokens &tokens)
         const std::string_view sign = tokens[i].text;
         const auto isPair = [&](std::size_t first) { return tokens.touches(first, tokens[first].text); };
         if (sign == "^" || sign == "~")
-            return violation(tokens[i], quoted(sign) + " is not part of this language.");
+            return violation(tokens[i],
+                             quoted(sign) + " is not part of this language." + insteadOf(sign.front()));
         if ((sign == "<" || sign == ">") && isPair(i))
             return violation(tokens[i], quoted(std::string(sign) + std::string(sign)) +
                                             " is not part of this language.");
@@ -96,7 +118,7 @@ Violation callViolation(const Tokens &tokens)
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         const bool isDeclared = i > 0 && tokens.is(i - 1, "void");
         if (tokens.is(i, "void") && !(tokens.isWord(i + 1) && tokens.is(i + 2, "(")))
-            return violation(tokens[i], "'void' stands only before the name of a function.");
+            return violation(tokens[i], "'void' stands only before a function, for example 'void frame()'.");
         const std::string_view name = tokens[i].text;
         if (isPrimitive(name) && tokens.is(i + 1, "(") &&
             std::none_of(tokens.begin() + static_cast<std::ptrdiff_t>(i) + 1,

@@ -9,6 +9,8 @@ namespace listing {
 
 constexpr std::size_t maxTextBytes = 20'000;
 constexpr int maxLinesPerFrame = 100'000;
+/// Lines of one call of `force` or `pull` in a rule. An evaluation calls it for each body.
+constexpr int maxLinesPerRuleCall = 10'000;
 /// Lines that a trace keeps. A longer frame is computed to its end, but its further lines are not kept.
 constexpr int maxTracedLines = 10'000;
 constexpr int maxCallDepth = 100;

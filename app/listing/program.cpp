@@ -1,11 +1,11 @@
 #include "app/listing/program.h"
 
 #include "app/listing/interpreter.h"
+#include "app/listing/interpreter_pool.h"
 #include "app/listing/loop_turns.h"
 #include "sim/simd/flush_denormals.h"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 
 namespace listing {
@@ -14,37 +14,19 @@ struct Program::Private
 {
     Private(const std::string &listing, const Vocabulary &names) : scan(listing), vocabulary(names) {}
 
-    /// Returns an interpreter that no other thread uses. Compiles the listing again if there is none.
-    std::unique_ptr<Interpreter> take()
-    {
-        {
-            const std::lock_guard lock(mutex);
-            if (!idle.empty()) {
-                std::unique_ptr<Interpreter> interpreter = std::move(idle.back());
-                idle.pop_back();
-                return interpreter;
-            }
-        }
-        return std::make_unique<Interpreter>(scan, vocabulary);
-    }
-    void giveBack(std::unique_ptr<Interpreter> interpreter)
-    {
-        const std::lock_guard lock(mutex);
-        idle.push_back(std::move(interpreter));
-    }
     RunResult run(sim::State &state, const Binding &binding, const Recording &recording)
     {
         const sim::FlushDenormals flush; // as all code that computes a run
-        std::unique_ptr<Interpreter> interpreter = take();
+        std::unique_ptr<Interpreter> interpreter =
+            pool.take([this] { return std::make_unique<Interpreter>(scan, vocabulary); });
         RunResult result = interpreter->run(state, binding, recording);
-        giveBack(std::move(interpreter));
+        pool.giveBack(std::move(interpreter));
         return result;
     }
 
     SourceScan scan;
     Vocabulary vocabulary;
-    std::mutex mutex;
-    std::vector<std::unique_ptr<Interpreter>> idle;
+    InterpreterPool<Interpreter> pool;
 };
 
 Program::Program(std::unique_ptr<Private> data) : m_data(std::move(data)) {}
@@ -62,7 +44,7 @@ Compiled Program::compile(const std::string &text, const Vocabulary &vocabulary)
         });
         return {nullptr, std::move(errors)};
     }
-    data->giveBack(std::move(interpreter));
+    data->pool.giveBack(std::move(interpreter));
     return {std::shared_ptr<const Program>(new Program(std::move(data))), {}};
 }
 

@@ -1,5 +1,6 @@
 #include "app/listing/source_scan.h"
 
+#include "app/listing/common_slips.h"
 #include "app/listing/language_rules.h"
 #include "app/listing/limits.h"
 
@@ -35,8 +36,10 @@ SourceScan::SourceScan(std::string text)
     if (m_error) // its brackets may be nested too deeply to parse
         return;
     parse();
-    if (!m_error)
-        m_error = brokenRule(m_tokens);
+    for (const auto rule : {commonSlip, brokenRule}) {
+        if (!m_error)
+            m_error = rule(m_tokens);
+    }
 }
 
 void SourceScan::fail(const Token &token, std::string sentence)

@@ -20,6 +20,7 @@
     X(charges) \
     X(gravity) \
     X(breeze) \
+    X(rule) \
     X(damping) \
     X(split_damping) \
     X(angle_limits) \

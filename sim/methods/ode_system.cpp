@@ -109,6 +109,7 @@ OdeSystem::OdeSystem(const Scene &scene, DirectionRule directionRule, std::vecto
         if (!m_movesByVelocity.back())
             m_prescribedPoints.push_back(point);
     });
+    m_readsVelocities = firstVelocityForce() != nullptr;
     for (const auto &force : m_forces)
         m_adders.push_back(force->adderFor(m_ranges));
     const std::vector<double> rates = ratesOf(scene, m_ranges);
@@ -151,6 +152,15 @@ EffectPtr OdeSystem::firstDiscontinuity(const Scene &scene, Contacts contacts)
         if (as<Constraint>(effect) || (driver && driver->timing() == DriverTiming::impulsive) ||
             (drag && !hasRates(*drag, {everything})) || (contact && contacts == Contacts::excluded))
             return effect;
+    }
+    return nullptr;
+}
+
+EffectPtr OdeSystem::firstVelocityForce() const
+{
+    for (const auto &force : m_forces) {
+        if (force->dependsOnVelocity())
+            return force;
     }
     return nullptr;
 }

@@ -52,6 +52,10 @@ public:
     void writePositions(const double *q, State &state) const;
     /// Writes the velocities of the points that move by them.
     void writeVelocities(const double *v, State &state) const;
+    /// Returns whether a depends on the velocities, too. Then writeVelocities() belongs to each evaluation.
+    bool readsVelocities() const { return m_readsVelocities; }
+    /// Returns the first force that depends on velocities, or null.
+    EffectPtr firstVelocityForce() const;
     /// Computes a(q, t), without damping, at the positions of `state`. Overwrites its sums of accelerations.
     void accelerations(State &state, double *a) const;
     /// Computes the accelerations by `force` alone, also of points with prescribed motion.
@@ -116,6 +120,7 @@ private:
     std::vector<int> m_prescribedPoints; ///< the points with prescribed motion
     std::vector<RateRange> m_rateRanges;
     std::optional<double> m_uniformRate;
+    bool m_readsVelocities = false;
     std::vector<EffectPtr> m_effects;
     std::vector<std::shared_ptr<const Force>> m_forces;
     std::vector<AccelerationAdder> m_adders; ///< one per force, for all points

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/base/vec2.h"
+#include "sim/scene/rule.h"
 
 #include <map>
 #include <string>
@@ -66,6 +67,14 @@ struct BlueprintGait
     friend bool operator==(const BlueprintGait &, const BlueprintGait &) = default;
 };
 
+/// A pair of points on which the function `pull` of the rule acts. Each end feels the force for its own `me`.
+struct BlueprintRuleLink
+{
+    int a = 0;
+    int b = 0;
+    friend bool operator==(const BlueprintRuleLink &, const BlueprintRuleLink &) = default;
+};
+
 /// A scene that a learner built, as plain values. The numbers of effects that act on the whole scene
 /// (gravity, damping, walls...) are not in it: they are parameters in Values.
 struct Blueprint
@@ -75,7 +84,9 @@ struct Blueprint
     std::vector<BlueprintStick> sticks; ///< in the order in which they are enforced
     std::vector<BlueprintFoot> feet;
     std::vector<BlueprintGait> gaits;
-    std::vector<std::string> effects; ///< ids of the effects besides springs, sticks and legs
+    std::vector<std::string> effects; ///< ids of the effects besides springs, sticks, legs and the rule
+    BlueprintRule rule = {};          ///< a force that the learner wrote
+    std::vector<BlueprintRuleLink> ruleLinks = {};
     friend bool operator==(const Blueprint &, const Blueprint &) = default;
 };
 

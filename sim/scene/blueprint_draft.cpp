@@ -92,7 +92,7 @@ std::vector<int> feetOf(const Blueprint &blueprint)
 
 int clockCount(const Blueprint &blueprint)
 {
-    return static_cast<int>(blueprint.gaits.size()) + 2;
+    return static_cast<int>(blueprint.gaits.size()) + (hasRuleClock(blueprint) ? 3 : 2);
 }
 
 int windClockOf(const Blueprint &blueprint)
@@ -100,9 +100,19 @@ int windClockOf(const Blueprint &blueprint)
     return static_cast<int>(blueprint.gaits.size());
 }
 
+bool hasRuleClock(const Blueprint &blueprint)
+{
+    return blueprint.rule && blueprint.rule.program->use().time;
+}
+
+int ruleClockOf(const Blueprint &blueprint)
+{
+    return windClockOf(blueprint) + 2;
+}
+
 std::vector<int> clockOf(const Blueprint &blueprint)
 {
-    std::vector<int> clocks(blueprint.points.size(), clockCount(blueprint) - 1);
+    std::vector<int> clocks(blueprint.points.size(), windClockOf(blueprint) + 1);
     for (const BlueprintFoot &foot : blueprint.feet) {
         clocks[static_cast<std::size_t>(foot.foot)] = foot.gait;
         clocks[static_cast<std::size_t>(foot.body)] = foot.gait;

@@ -53,12 +53,16 @@ Eigen::ArrayXd halfWidths(const Blueprint &blueprint);
 std::vector<int> feetOf(const Blueprint &blueprint);
 
 // A scene has one clock for each gait group, then the wind's clock, then one for points that belong to no
-// leg.
+// leg. The last one is the time for a rule that reads it.
 
 /// Returns the number of clocks.
 int clockCount(const Blueprint &blueprint);
 /// Returns the index of the wind's clock.
 int windClockOf(const Blueprint &blueprint);
+/// Returns the index of the clock that advances by 1 per frame, for a rule that reads the time.
+int ruleClockOf(const Blueprint &blueprint);
+/// Returns whether the rule of `blueprint` reads the time.
+bool hasRuleClock(const Blueprint &blueprint);
 /// Returns the index of the clock that each point follows.
 std::vector<int> clockOf(const Blueprint &blueprint);
 /// Returns, for each clock, the other gait clocks of the same creature: their groups have feet on the same

@@ -29,7 +29,7 @@ struct PointRange
 };
 
 /// The kind of an effect. It decides the colour in the window.
-enum class EffectKind { spring, gravity, damping, contact, driver, wind, stick, motion };
+enum class EffectKind { spring, gravity, damping, contact, driver, wind, stick, motion, rule };
 
 /// The numbers on which an effect's result for a point depends, besides the parameters of the effect.
 enum class Dependence {
@@ -143,6 +143,9 @@ public:
                 add(state, range, 1.0, DirectionRule::regularised, into);
         };
     }
+    /// Returns whether the accelerations depend on velocities. Methods without velocities at all their stages reject such a
+    /// force.
+    virtual bool dependsOnVelocity() const { return false; }
     /// Returns the downward acceleration (px/frame^2) if this force gives every dynamic point the same one
     /// and does nothing else.
     virtual std::optional<double> uniformGravity() const { return {}; }

@@ -1,5 +1,7 @@
 // Google Benchmark's own main(), plus the machine data for the table.
 
+#include "tests/bench/bench_listings.h"
+
 #include <benchmark/benchmark.h>
 
 #include <fstream>
@@ -39,6 +41,7 @@ int main(int argc, char **argv)
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv))
         return 2;
+    bench::addListings();
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
     return 0;

@@ -142,6 +142,19 @@ void addHistory(std::vector<Row> &rows)
     rows.push_back({"a frame with a body in the hand", "dragFrame", "playFrame", "a frame played"});
 }
 
+/// A row for each step whose listing was measured.
+void addListings(std::vector<Row> &rows, const Measurements &medians)
+{
+    static const std::string listing = "listing/";
+    for (const auto &[name, median] : medians) {
+        if (!name.starts_with(listing))
+            continue;
+        const std::string step = name.substr(listing.size());
+        rows.push_back(
+            {"a frame of the listing " + step, name, "listing_compiled/" + step, "the compiled pipeline"});
+    }
+}
+
 GrowingRow counted(const char *work, const char *name, const char *item, const std::vector<int> &sizes)
 {
     GrowingRow row{work, name, item, {}, {}};
@@ -172,7 +185,7 @@ GrowingRow tree(const char *work, const char *name, const std::vector<int> &fork
 
 }
 
-std::vector<Row> allRows()
+std::vector<Row> allRows(const Measurements &medians)
 {
     std::vector<Row> rows;
     addCreatures(rows);
@@ -183,6 +196,7 @@ std::vector<Row> allRows()
     addSolvers(rows);
     addHistory(rows);
     addDrawing(rows);
+    addListings(rows, medians);
     return rows;
 }
 

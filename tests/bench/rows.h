@@ -1,5 +1,7 @@
 #pragma once
 
+#include "tests/bench/results.h"
+
 #include <string>
 #include <vector>
 
@@ -24,8 +26,8 @@ struct Row
     double aim = 0.0;
 };
 
-/// Returns all rows of the table in order.
-std::vector<Row> allRows();
+/// Returns all rows of the table in order. Each listing among `medians` has a row.
+std::vector<Row> allRows(const Measurements &medians);
 
 /// A benchmark whose growth is shown, and the unit of its size.
 struct GrowingRow

@@ -55,7 +55,8 @@ int main(int argc, char **argv)
             return 2;
         }
     }
-    std::fputs(bench::table(results, bench::allRows(), bench::allGrowingRows()).c_str(), stdout);
+    std::fputs(bench::table(results, bench::allRows(results.medians), bench::allGrowingRows()).c_str(),
+               stdout);
     if (!figure)
         return 0;
     if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))

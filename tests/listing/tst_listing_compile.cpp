@@ -15,6 +15,10 @@ private slots:
     void everyNameOfTheVocabularyCompiles();
     void mistakeIsSaidInOneSentence_data();
     void mistakeIsSaidInOneSentence();
+    void slipOfABeginnerIsFoundWhereItIs_data();
+    void slipOfABeginnerIsFoundWhereItIs();
+    void codeStandsInFunctions_data();
+    void codeStandsInFunctions();
     void severalMistakesComeInTheOrderOfTheText();
     void frameFunctionIsRequired();
     void boundsAreErrors_data();
@@ -77,7 +81,7 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
         "3:18+6 There is no 'wobble'. This scene has body and feet, and the numbers damp, k and radius.");
     row("misspelt function", "double a = sine(1);", "3:12+4 There is no 'sine'. Did you mean 'sin'?");
     row("wrong values", "double a = sin(body.position);",
-        "3:12+3 'sin' does not take these values: 'sin(Vec2)'.");
+        "3:12+3 'sin' does not take these values: 'sin(Vec2)'. Write it as 'sin(angle)'.");
     row("unknown type", "Vector from = body.position;",
         "3:1+6 There is no type 'Vector'. The types are double, int, bool, Vec2 and Body.");
     row("misspelt type", "Vec from = body.position;", "3:1+3 There is no type 'Vec'. Did you mean 'Vec2'?");
@@ -120,15 +124,142 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
         "3:35+1 '=' sets a value, and stands once in a statement. To compare, write '=='.");
     row("assignments in the head of a loop", "for (int i = 0, j = 1; i <= j; i += 2) j -= 1;", "");
     row("switch", "switch (1) {}", "3:1+6 'switch' is reserved and not part of this language. Use 'if'.");
-    row("power sign", "body.velocity.x = 2 ^ 3;", "3:21+1 '^' is not part of this language.");
+    row("power sign", "body.velocity.x = 2 ^ 3;",
+        "3:21+1 '^' is not part of this language. A power is 'pow(a, b)'.");
     row("function without a value", "body.velocity.x = frame();",
         "3:19+5 'frame' has no value, so it stands alone: 'frame(...);'.");
     row("number with a suffix", "double a = 1.5f;", "3:12+4 A number ends without 'f' here.");
     row("type around a number", "int a = int(2.7);", "3:9+3 Write the number itself, without 'int(...)'.");
     row("number as a constant vector", "const Vec2 z = true;", "3:16+4 A bool cannot be used as a Vec2.");
     row("missing value", "double a = ;", "3:12+1 A value is missing here.");
-    row("missing semicolon", "body.velocity *= damp", "4:1+1 ';' is missing here.");
-    row("endless bracket", "body.velocity *= (damp;", "3:23+1 ')' is missing here.");
+    row("missing semicolon", "body.velocity *= damp", "3:18+4 ';' is missing at the end of this line.");
+    row("missing semicolon in a line", "if (k > 1) { body.velocity *= damp }", "3:36+1 ';' is missing here.");
+    row("member without its body", "position += damp * hand;",
+        "3:1+8 There is no 'position'. Write 'body.position'.");
+    row("coordinate of a body", "body.x = 1;",
+        "3:6+1 'x' is not a member of Body. Did you mean 'position.x'?");
+    row("beginning of a member", "body.pos = hand;",
+        "3:6+3 'pos' is not a member of Body. Did you mean 'position'?");
+    row("longer name", "body.velocity *= damping;", "3:18+7 There is no 'damping'. Did you mean 'damp'?");
+    row("other case", "bool a = True;", "3:10+4 There is no 'True'. Did you mean 'true'?");
+    row("variable without a type", "x = 3;",
+        "3:1+1 There is no 'x'. A new variable needs a type: 'double x', 'int x' or 'Vec2 x'.");
+    row("unknown function", "print(k);",
+        "3:1+5 There is no function 'print'. The functions are sin, cos, atan2, sqrt, pow, hypot, abs, min, "
+        "max, "
+        "clamp, floor, remainder, random, length, dot and direction.");
+    row("factor without a sign", "body.velocity += k (hand - body.position);",
+        "3:18+1 'k' is a double here, not a function. To multiply, write '*'.");
+    row("difference of bodies", "Vec2 a = body - feet[0];",
+        "3:15+1 This sign does not work between a Body and a Body. Use the position or the velocity of the "
+        "body.");
+    row("product of vectors", "Vec2 a = hand * hand;",
+        "3:15+1 This sign does not work between a Vec2 and a Vec2. A Vec2 can be added to a Vec2, and "
+        "multiplied "
+        "or divided by a number.");
+    row("array as a body", "Body a = feet;",
+        "3:10+4 This is an array of bodies. Choose one of them first, for example with [0].");
+    row("value of a function without one", "return 5;",
+        "3:1+6 A 'void' function returns no value. Write 'return;'.");
+}
+
+void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
+{
+    QTest::addColumn<QString>("line");
+    QTest::addColumn<QString>("error");
+    const auto row = [](const char *name, const char *line, const char *error) {
+        QTest::newRow(name) << QString::fromUtf8(line) << QString::fromUtf8(error);
+    };
+    row("no semicolon between lines", "body.velocity *= damp\nbody.position += body.velocity;",
+        "3:18+4 ';' is missing at the end of this line.");
+    row("no semicolon behind a bracket", "body.velocity = Vec2(1, 2)\nbody.position = hand;",
+        "3:26+1 ';' is missing at the end of this line.");
+    row("a statement over lines", "double a = k\n+ damp;\nif (k > 1\nand a > 1)\na = 1;\nelse\na = 2;", "");
+    row("no semicolon before else", "if (k > 1) body.position = hand else body.velocity *= k;",
+        "3:33+4 ';' is missing before 'else'.");
+    row("open bracket", "body.velocity *= (damp;\nbody.position = hand;", "3:18+1 This '(' has no ')'.");
+    row("open bracket of a loop", "for (int i = 0; i < 2; i++ { }", "3:5+1 This '(' has no ')'.");
+    row("closing bracket", "body.velocity *= damp);", "3:22+1 This ')' has no '('.");
+    row("closing brace", "if (k > 1)\nbody.velocity *= damp;\n}", "6:1+1 This '}' has no '{'.");
+    row("decimal comma", "body.velocity *= 0,9;", "3:18+3 A number has a point, not a comma: '0.9'.");
+    row("arguments are no decimals", "body.velocity = Vec2(1,2) + pow(1,2) * hand;", "");
+    row("number before a name", "body.velocity *= 2k;",
+        "3:18+2 Write '*' between a number and a name: '2 * k'.");
+    row("numbers with an exponent or another base", "double a = 1e3 + 1e-3 + 0x1F + 1. + .5;", "");
+    row("half of a whole number", "double a = 1 / 2;",
+        "3:14+1 Between whole numbers, '/' drops the fraction: this is 0. Write '1.0 / 2'.");
+    row("half of an even number", "double a = 4 / 2 + 1.0 / 2 + feet.count / 2;", "");
+    row("place in brackets", "body.position = (1, 2);",
+        "3:17+1 A place or a velocity is written 'Vec2(x, y)'.");
+    row("condition without brackets", "if k > 1 { }", "3:1+2 A condition stands in brackets: 'if (...)'.");
+    row("colon", "if (k > 1):\nbody.position = hand;",
+        "3:11+1 No ':' stands here. The lines that belong to a condition stand between '{' and '}'.");
+    row("then", "if (k > 1) then body.position = hand;", "3:12+4 No 'then' stands here.");
+    row("semicolon behind a condition", "if (k > 1);\nbody.position = hand;",
+        "3:11+1 This ';' ends the 'if', so that nothing belongs to it. Delete the ';'.");
+    row("semicolon behind do and while", "double a = 1; do a += 1; while (a < 3);", "");
+    row("capital letter", "If (k > 1) body.position = hand;", "3:1+2 Write 'if' with small letters.");
+    row("elif", "if (k > 1) { } elif (k > 2) { }",
+        "3:16+4 'elif' is not part of this language. Use 'else if'.");
+    row("loop over values", "for (Body foot : feet) foot.velocity *= damp;",
+        "3:1+3 A loop is written 'for (int i = 0; i < 5; i++)'.");
+    row("loop with commas", "for (int i = 0, i < 3, i++) feet[i].velocity *= damp;",
+        "3:1+3 A loop is written 'for (int i = 0; i < 5; i++)'.");
+    row("loop with a choice", "for (int i = 0; k > 1 ? i < 2 : i < 3; i++) { }", "");
+    row("new", "body.position = new Vec2(1, 2);", "3:17+3 'new' is not part of this language. Leave it out.");
+    row("comparison in place of a value", "body.position == hand;",
+        "3:15+1 '==' compares and changes nothing. To set a value, write '='.");
+    row("comparison behind a condition", "if (k == 1) body.position == hand;",
+        "3:27+1 '==' compares and changes nothing. To set a value, write '='.");
+    row("comparisons with a use", "bool a = k == 1; a = k == 2 || a == (k != 1);", "");
+    row("sign and equals swapped", "body.velocity =+ hand;", "3:15+1 Write '+=' to add to a value.");
+    row("greater or equal swapped", "if (k => 1) body.position = hand;", "3:7+1 Write '>=' to compare.");
+    row("space in a sign", "body.velocity * = damp;", "3:15+1 Write '*=' without a space in between.");
+    row("arrow", "body->velocity *= damp;",
+        "3:5+1 Write '.' between a body and its member, for example 'body.position'.");
+    row("method", "double a = body.velocity.length();",
+        "3:26+6 A function stands alone here: 'length(...)'.");
+    row("other languages' number", "float a = 1;",
+        "3:1+5 'float' is reserved and not part of this language. Use 'double'.");
+    row("other languages' comment", "# move",
+        "3:1+1 '#' is not part of this language. A comment begins with '//'.");
+}
+
+void ListingCompile::slipOfABeginnerIsFoundWhereItIs()
+{
+    mistakeIsSaidInOneSentence();
+}
+
+void ListingCompile::codeStandsInFunctions_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("error");
+    QTest::newRow("no function") << "body.velocity *= damp;"
+                                 << "1:1+4 This stands outside of a function. Put it between the braces of "
+                                    "a function.";
+    QTest::newRow("a brace too many")
+        << "void frame()\n{\nif (k > 1)\nbody.position = hand;\n}\nelse\n{\n}\n}"
+        << "6:1+4 This stands outside of a function. Look for a '}' too many above.";
+    QTest::newRow("no type")
+        << "frame()\n{\n}"
+        << "1:1+5 A function begins with the type of its result, for example 'void' or 'Vec2'.";
+    QTest::newRow("another language")
+        << "def frame():\n    body.position = hand"
+        << "1:1+3 A function begins with the type of its result, for example 'void' or 'Vec2'.";
+    QTest::newRow("no brace") << "void frame()\n    body.position = hand;"
+                              << "1:12+1 '{' is missing at the end of this line.";
+    QTest::newRow("no brackets") << "void frame\n{\n}"
+                                 << "1:1+4 'void' stands only before a function, for example 'void frame()'.";
+    QTest::newRow("all kinds") << "double a = 1;\nconst Vec2 b(1, 2);\nVec2 twice(Vec2 v) { return 2 * v; }\n"
+                                  "void frame() { }"
+                               << QString();
+}
+
+void ListingCompile::codeStandsInFunctions()
+{
+    QFETCH(QString, text);
+    QFETCH(QString, error);
+    QCOMPARE(QString::fromStdString(errorsOf(text.toStdString())), error);
 }
 
 void ListingCompile::mistakeIsSaidInOneSentence()
@@ -248,13 +379,13 @@ void ListingCompile::mistakeWithCreaturesIsSaidInOneSentence_data()
         "3:11+4 'gait' is not a member of the array of creatures. Choose one of them first, for example with "
         "[0].");
     row("clock of the scene", "gait = 0;",
-        "3:1+4 There is no 'gait'. This scene has creatures, and the numbers floor and k.");
+        "3:1+4 There is no 'gait'. A new variable needs a type: 'double gait', 'int gait' or 'Vec2 gait'.");
     row("misspelt type", "Creatre one = creatures[0];",
         "3:1+7 There is no type 'Creatre'. Did you mean 'Creature'?");
     row("unknown type", "Animal one = creatures[0];",
         "3:1+6 There is no type 'Animal'. The types are double, int, bool, Vec2, Body and Creature.");
     row("function that a number replaces", "double a = floor(1.5);",
-        "3:12+5 'floor' is a double here, not a function.");
+        "3:12+5 'floor' is a double here, not a function. To multiply, write '*'.");
 }
 
 void ListingCompile::mistakeWithCreaturesIsSaidInOneSentence()
@@ -313,7 +444,7 @@ void ListingCompile::mistakeWithBranchesOrSticksIsSaidInOneSentence_data()
         "3:24+6 There is no 'wobble'. This scene has points and sticks, and the number k.");
     row("unknown type", false, "Rope one = sticks[0];",
         "3:1+4 There is no type 'Rope'. The types are double, int, bool, Vec2, Body and Stick.");
-    row("gust of a scene without one", false, "gust_front = 1;",
+    row("gust of a scene without one", false, "gust_front += 1;",
         "3:1+10 There is no 'gust_front'. This scene has points and sticks, and the number k.");
 }
 

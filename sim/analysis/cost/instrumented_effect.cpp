@@ -72,6 +72,7 @@ public:
             compute(state, m_counter.jacobianScratch);
         return m_effect->addJacobian(state, movers, scale, directionRule, jacobian);
     }
+    bool dependsOnVelocity() const override { return m_effect->dependsOnVelocity(); }
     std::optional<double> potentialEnergy(const State &state) const override
     {
         return m_effect->potentialEnergy(state);

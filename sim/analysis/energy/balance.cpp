@@ -11,6 +11,7 @@ const std::array<AccountName, accountCount> &accountNames()
         {Account::changes, "changes", SIM_TEXT("Changed with a parameter")},
         {Account::motors, "motors", SIM_TEXT("Done by clocks and steering")},
         {Account::wind, "wind", SIM_TEXT("Done by wind")},
+        {Account::rule, "rule", SIM_TEXT("Done by my rule")},
         {Account::pulls, "pulls", SIM_TEXT("Done by one-way pulls")},
         {Account::gravity, "gravity", SIM_TEXT("Given by gravity")},
         {Account::anchors, "anchors", SIM_TEXT("Given by fixed places")},

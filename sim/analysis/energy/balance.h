@@ -14,6 +14,7 @@ enum class Account {
     changes, ///< parameters that take a new value
     motors,  ///< drivers: gait clocks, steering
     wind,    ///< wind
+    rule,    ///< the force of a rule that a learner wrote
     pulls,   ///< forces without potential energy: springs that act on one end only, motors with a target
     gravity, ///< momentum only: weight
     anchors, ///< momentum only: springs to fixed positions
@@ -22,7 +23,7 @@ enum class Account {
     sticks,  ///< constraints
     drift,   ///< the remainder: the error of the method
 };
-constexpr std::size_t accountCount = 11;
+constexpr std::size_t accountCount = 12;
 
 /// The id and the title of an account.
 struct AccountName

@@ -54,6 +54,8 @@ Account accountOf(const Effect &effect, const StoredEnergyReader &reader)
         return effect.kind() == EffectKind::gravity ? Account::gravity : Account::anchors;
     if (effect.kind() == EffectKind::wind)
         return Account::wind;
+    if (effect.kind() == EffectKind::rule)
+        return Account::rule;
     return effect.kind() == EffectKind::driver ? Account::motors : Account::pulls;
 }
 
@@ -94,6 +96,8 @@ State &PowerIntegrals::stateAt(PhaseStart &phaseStart, const Island &island, dou
 Eigen::ArrayXd PowerIntegrals::accelerations(State &state, const Eigen::ArrayXd &velocities) const
 {
     Eigen::ArrayXd a(m_system.size());
+    if (m_system.readsVelocities())
+        m_system.writeVelocities(velocities.data(), state);
     m_system.accelerations(state, a.data());
     const Eigen::ArrayXd &rates = m_wholeScene.rates;
     return rates.isInf().select(0.0, a - rates.isInf().select(0.0, rates) * velocities);
@@ -177,6 +181,8 @@ double PowerIntegrals::clockPower(const State &state) const
 
 void PowerIntegrals::addPowers(State &state, const Island &island, const Moment &moment, Sums &sums) const
 {
+    if (island.system.readsVelocities())
+        island.system.writeVelocities(moment.velocities.data(), state);
     for (const EffectPtr &effect : m_effects) {
         if (const auto *force = as<Force>(effect); force && !m_reader.turns())
             addForce(*force, state, island, moment, sums);

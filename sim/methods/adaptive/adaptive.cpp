@@ -17,6 +17,14 @@ std::string firstDrag(const Scene &scene)
     return {};
 }
 
+/// Returns the id of the effect for which a step rule does not fit the equations: a force that depends on velocities, or
+/// else the first drag.
+std::string misfitOf(const OdeSystem &system, const Scene &scene)
+{
+    const EffectPtr force = system.firstVelocityForce();
+    return force && system.uniformRate() ? force->id() : firstDrag(scene);
+}
+
 /// Returns the effects of the equations, and contacts.
 std::vector<EffectPtr> innerEffectsOf(const OdeSystem &system, const Scene &scene)
 {
@@ -61,7 +69,7 @@ std::vector<Phase> Adaptive::phases(const Scene &scene, StepSize size) const
     }
     const OdeSystem system(scene, directionRule());
     if (!m_rule.fits(system))
-        throw Error("method-does-not-fit", {{"method", id()}, {"effect", firstDrag(scene)}});
+        throw Error("method-does-not-fit", {{"method", id()}, {"effect", misfitOf(system, scene)}});
     Phase phase;
     phase.id = "integrate";
     phase.title = SIM_TEXT("adaptive steps");

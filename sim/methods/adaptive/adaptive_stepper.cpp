@@ -12,6 +12,8 @@ namespace sim {
 namespace {
 
 constexpr double maxStep = 10.0; ///< frames
+/// frames. A shorter step makes no progress: the accelerations are not finite beyond this time.
+constexpr double minStep = 1e-14;
 /// The maximum of damping rate times step length. Beyond it the dense output would have to follow e^(c t),
 /// and the error at the end of the step does not measure that.
 constexpr double maxDamping = 2.0;
@@ -106,7 +108,7 @@ bool AdaptiveStepper::toNextFrame(StepBudget &budget)
     for (int i = 0; lastStep.end < 1; ++i) {
         if (budget.isCancelled(m_points))
             return false;
-        if (i == StepBudget::maxTriesOfIsland || budget.isExhausted()) {
+        if (i == StepBudget::maxTriesOfIsland || budget.isExhausted() || lastStep.nextLength < minStep) {
             giveUp();
             return true;
         }
@@ -354,7 +356,7 @@ double AdaptiveStepper::firstLift(double start, double h)
     double *x = m_trial, *a = m_trial + m_size;
     const auto computeAccelerations = [&](double theta) {
         denseAll(h, theta, x, a);
-        m_accelerations.unconstrained(x, start + theta * h, a);
+        m_accelerations.unconstrained(x, a, start + theta * h, a);
     };
     // The acceleration that presses a point against its surface. Below 0 the point lifts.
     const auto press = [&](const ContactCandidates::Candidate &candidate) {
@@ -412,7 +414,7 @@ void AdaptiveStepper::bounce()
 
 void AdaptiveStepper::settle()
 {
-    m_accelerations.unconstrained(endPlace(), m_lastStep.end, endSlope());
+    m_accelerations.unconstrained(endPlace(), endSpeed(), m_lastStep.end, endSlope());
     for (const ContactCandidates::Candidate &candidate : m_integrator.contacts.all()) {
         if (!m_state.isDynamic(candidate.point))
             continue;

@@ -13,17 +13,21 @@ void ContactAccelerations::advanceDriversTo(double time)
     m_driverTime = time;
 }
 
-void ContactAccelerations::unconstrained(const double *position, double time, double *accelerations)
+void ContactAccelerations::unconstrained(const double *position, const double *velocity, double time,
+                                         double *accelerations)
 {
     advanceDriversTo(time);
     m_system.writePositions(position, m_state);
+    if (velocity && m_system.readsVelocities())
+        m_system.writeVelocities(velocity, m_state);
     m_system.accelerations(m_state, accelerations);
     m_state.pointEvaluations += m_system.points();
 }
 
-void ContactAccelerations::at(const double *position, double time, double *accelerations)
+void ContactAccelerations::at(const double *position, const double *velocity, double time,
+                              double *accelerations)
 {
-    unconstrained(position, time, accelerations);
+    unconstrained(position, velocity, time, accelerations);
     removeConstrained(accelerations);
 }
 

@@ -16,11 +16,11 @@ public:
     {
     }
 
-    /// Computes the accelerations at `position` and `time` (frames), without the parts that surfaces balance.
-    /// Each array has OdeSystem::size() numbers.
-    void at(const double *position, double time, double *accelerations);
+    /// Computes the accelerations at `position`, `velocity` and `time` (frames), without the parts that surfaces
+    /// balance. Each array has OdeSystem::size() numbers. `velocity` may be null if no force depends on it.
+    void at(const double *position, const double *velocity, double time, double *accelerations);
     /// Computes the accelerations of the equations alone.
-    void unconstrained(const double *position, double time, double *accelerations);
+    void unconstrained(const double *position, const double *velocity, double time, double *accelerations);
     /// Runs the continuous drivers to `time` (frames).
     void advanceDriversTo(double time);
     /// Removes the parts that surfaces balance, and sets points that damping stops at once to 0.

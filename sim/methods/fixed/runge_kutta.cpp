@@ -135,6 +135,14 @@ void goTo(State &state,
 }
 //! [trial_place]
 
+/// Moves the state to the positions of `stage`, and to its velocities if a force reads them.
+void goToTrial(State &state, const Plan &plan, int stage)
+{
+    goTo(state, plan, stage);
+    if (plan.system.readsVelocities())
+        plan.system.writeVelocities(velocityOf(state, plan, stage, plan.columns.speed(stage)), state);
+}
+
 /// Moves the state to the end of the step: positions and velocities.
 //! [step_end]
 void finish(State &state,
@@ -202,7 +210,7 @@ std::vector<Phase> RungeKutta::phases(const Scene &scene, StepSize size) const
         Phase phase = stagePhase("trial", SIM_TEXT("trial step"), scene, m_shown);
         phase.kernels = {{[plan, stage](State &state) {
                               storeStage(state, *plan, stage - 1);
-                              goTo(state, *plan, stage);
+                              goToTrial(state, *plan, stage);
                           },
                           {}}};
         addInnerEffects(phase, *plan, directionRule());

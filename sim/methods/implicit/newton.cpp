@@ -93,10 +93,12 @@ ImplicitStep::ImplicitStep(const Equations &equations, State &state, CorrectionL
     }
 }
 
-Numbers ImplicitStep::pulls(const Numbers &place)
+Numbers ImplicitStep::pulls(const Numbers &place, const Numbers &speed)
 {
     Numbers a(place.size());
     m_equations.system().writePositions(place.data(), m_state);
+    if (m_equations.system().readsVelocities())
+        m_equations.system().writeVelocities(speed.data(), m_state);
     m_equations.system().accelerations(m_state, a.data());
     m_state.pointEvaluations += m_state.pointCount();
     for (std::size_t row = 0; row < m_unknowns.size(); ++row) {
@@ -123,7 +125,7 @@ Numbers ImplicitStep::initialVelocity(const Wanted &wanted) const
 /// Returns the residual of `u`. Moves the state to the positions that belong to `u`.
 Numbers ImplicitStep::residualOf(const Wanted &wanted, const Numbers &u)
 {
-    return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u);
+    return u - wanted.drift - wanted.share * pulls(wanted.from + wanted.reach * u, u);
 }
 
 /// Returns the derivatives of the residual by u at the positions of the state, without the 1 on the diagonal.

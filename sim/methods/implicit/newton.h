@@ -58,13 +58,14 @@ public:
     Numbers kept(double h) const { return m_equations.kept(h); }
     /// Returns the accelerations at the positions `place`, in px/frame^2 or degrees/frame^2; 0 for numbers
     /// that are not unknown.
-    Numbers pulls(const Numbers &place);
+    Numbers pulls(const Numbers &place) { return pulls(place, motion.v); }
     /// Returns the velocity u with u = drift + share a(from + reach u), by Newton's method. `reach` and
     /// `share` are in frames. The iteration starts at the positions of the state, because the nearest
     /// solution is the right one: in the others, springs have turned over within the step. It stops when
     /// corrections are below 1e-12 of the positions or lost in rounding. If it does not converge (for
     /// example, when a crowd bursts from one point and forces reverse), corrections with the projected
-    /// Jacobian follow. Returns NaN if these find nothing finite, so the run ends here.
+    /// Jacobian follow. Returns NaN if these find nothing finite, so the run ends here. Forces that depend on velocities
+    /// are computed at u. The matrices leave their derivatives by velocity out, so more corrections may be necessary.
     /// Source: Hairer and Wanner, "Solving ordinary differential equations II", section IV.8.
     Numbers solve(const Numbers &from, const Numbers &drift, double reach, const Numbers &share);
     /// Does the same with `share` = `reach`.
@@ -77,6 +78,8 @@ public:
 
 private:
     struct Wanted;
+    /// The same for forces that depend on the velocities `speed`.
+    Numbers pulls(const Numbers &place, const Numbers &speed);
     Numbers initialVelocity(const Wanted &wanted) const;
     Numbers residualOf(const Wanted &wanted, const Numbers &u);
     Numbers correction(const Wanted &wanted, const Numbers &u);

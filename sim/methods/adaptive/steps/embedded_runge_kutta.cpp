@@ -18,7 +18,8 @@ void EmbeddedRungeKutta::stage(const StepAttempt &step, int number, double *plac
         blendRows(speeds(step) + number * size, step.speed, weights.keep[row], slopes(step),
                   weights.speed[row].data(), number, rateRanges[i].first, rateRanges[i].end(), size);
     }
-    step.accelerations.at(place, step.start + m_pair.tableau().c[row] * step.h, slopes(step) + number * size);
+    step.accelerations.at(place, speeds(step) + number * size, step.start + m_pair.tableau().c[row] * step.h,
+                          slopes(step) + number * size);
 }
 
 // Shown lines are short.

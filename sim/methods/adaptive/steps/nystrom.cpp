@@ -119,7 +119,7 @@ double RungeKuttaNystrom::attempt(
             v, w.place[row].data(),
             i + 1, 0, n, n);
         double s = w.place[row][0];
-        step.accelerations.at(x,
+        step.accelerations.at(x, nullptr,
             momentOf(step, s), a + i * n);
     }
     blendRows(step.endSpeed,
@@ -156,7 +156,7 @@ void RungeKuttaNystrom::makeDense(const StepAttempt &step) const
     }
     // The acceleration in the middle of the step raises the degree of the polynomial to 6.
     double *middleAcceleration = step.scratch + (2 + w.stages) * n;
-    step.accelerations.at(middle, momentOf(step, 0.5 * w.whole), middleAcceleration);
+    step.accelerations.at(middle, nullptr, momentOf(step, 0.5 * w.whole), middleAcceleration);
     const double middleFactor = square * growth(0.5 * w.whole, w.rate);
     for (int i = 0; i < n; ++i)
         step.columns[6 * n + i] =

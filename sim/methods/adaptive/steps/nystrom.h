@@ -56,7 +56,10 @@ public:
     int scratchColumns() const override { return 3 + NystromTableau::stages; }
     int denseColumns() const override { return 7; }
     std::vector<std::string> requirements() const override { return {"one_damping"}; }
-    bool fits(const OdeSystem &system) const override { return system.uniformRate().has_value(); }
+    bool fits(const OdeSystem &system) const override
+    {
+        return system.uniformRate().has_value() && !system.readsVelocities();
+    }
     double attempt(const StepAttempt &step) const override;
     void makeDense(const StepAttempt &step) const override;
     DenseTime instant(double rate, double h, double theta) const override;

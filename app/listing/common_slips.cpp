@@ -1,0 +1,305 @@
+#include "app/listing/common_slips.h"
+
+#include "app/listing/language_rules.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace listing {
+
+namespace {
+
+using Slip = std::optional<CompileError>;
+
+const char *const loopForm = "A loop is written 'for (int i = 0; i < 5; i++)'.";
+
+bool isAnyOf(std::string_view word, std::initializer_list<std::string_view> words)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+Slip slip(const Token &token, std::string sentence)
+{
+    return errorAt(token, std::move(sentence));
+}
+
+/// Returns whether the brackets that token `i` opens have `text` directly inside.
+bool hasInside(const Tokens &tokens, std::size_t i, std::string_view text)
+{
+    for (std::size_t inner = i + 1; inner < tokens.closing(i); ++inner) {
+        if (tokens.is(inner, text))
+            return true;
+        if (opens(tokens[inner].text))
+            inner = tokens.closing(inner);
+    }
+    return false;
+}
+
+/// Returns the first bracket without a partner. A brace that is never closed is not one: the text may end too early.
+Slip unpairedBracket(const Tokens &tokens)
+{
+    std::vector<std::size_t> open;
+    const auto withoutPartner = [&](std::size_t i, std::string_view partner) {
+        return slip(tokens[i], "This " + quoted(tokens[i].text) + " has no " + quoted(partner) + ".");
+    };
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const std::string_view sign = tokens[i].text;
+        const bool isInBrackets = !open.empty() && !tokens.is(open.back(), "{");
+        const bool isForHead = isInBrackets && open.back() > 0 && tokens.is(open.back() - 1, "for");
+        if (isInBrackets && (sign == "{" || sign == "}" || (sign == ";" && !isForHead)))
+            return withoutPartner(open.back(), tokens.is(open.back(), "(") ? ")" : "]");
+        if (opens(sign)) {
+            open.push_back(i);
+            continue;
+        }
+        if (!closes(sign))
+            continue;
+        const std::string_view partner = sign == ")" ? "(" : sign == "]" ? "[" : "{";
+        if (open.empty() || !tokens.is(open.back(), partner))
+            return withoutPartner(i, partner);
+        open.pop_back();
+    }
+    return {};
+}
+
+/// Returns the digits with which a number begins before a name, for example "2" of "2k". Empty if no name follows.
+std::string_view factorOf(std::string_view number)
+{
+    const std::size_t letter = number.find_first_not_of("0123456789.");
+    const bool hasOtherBase = letter == 1 && number.front() == '0'; // such as 0x1F
+    if (letter == std::string_view::npos || hasOtherBase)
+        return {};
+    const std::string_view behind = number.substr(letter);
+    const bool isExponent = isAnyOf(behind.substr(0, 1), {"e", "E"}) &&
+                            behind.find_first_not_of("0123456789", 1) == std::string_view::npos;
+    return isExponent ? std::string_view() : number.substr(0, letter);
+}
+
+/// Returns a short whole number; nothing for any other text.
+std::optional<int> wholeNumber(std::string_view text)
+{
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const bool isWhole = error == std::errc() && end == text.data() + text.size();
+    return isWhole ? std::optional(number) : std::nullopt;
+}
+
+Slip numberSlip(const Tokens &tokens, std::size_t i)
+{
+    const Token &number = tokens[i];
+    const std::string text(number.text);
+    if (const std::string factor(factorOf(number.text)); !factor.empty())
+        return slip(number, "Write '*' between a number and a name: " +
+                                quoted(factor + " * " + text.substr(factor.size())) + ".");
+    if (i + 2 >= tokens.size() || tokens[i + 2].kind != Token::Kind::number)
+        return {};
+    const std::string next(tokens[i + 2].text);
+    if (tokens.isInBlock(i) && tokens.touches(i, ",") && tokens[i + 2].offset == tokens[i + 1].end()) {
+        Slip found = slip(number, "A number has a point, not a comma: " + quoted(text + "." + next) + ".");
+        found->length = static_cast<int>(tokens[i + 2].end() - number.offset);
+        return found;
+    }
+    const std::optional<int> a = wholeNumber(number.text), b = wholeNumber(tokens[i + 2].text);
+    if (tokens.is(i + 1, "/") && a && b && *b != 0 && *a % *b != 0)
+        return slip(tokens[i + 1], "Between whole numbers, '/' drops the fraction: this is " +
+                                       std::to_string(*a / *b) + ". Write " + quoted(text + ".0 / " + next) +
+                                       ".");
+    return {};
+}
+
+/// Returns whether the statement around token `i` neither sets nor returns a value before it.
+bool beginsWithoutEffect(const Tokens &tokens, std::size_t i)
+{
+    while (i-- > 0) {
+        if (!tokens.isInBlock(i))
+            continue;
+        const std::string_view text = tokens[i].text;
+        if (isAnyOf(text, {";", "{", "}"}))
+            return true;
+        if (isAnyOf(text, {"=", "return", "?", "while"}))
+            return false;
+    }
+    return false;
+}
+
+Slip equalsSlip(const Tokens &tokens, std::size_t i)
+{
+    if (tokens.touches(i, "=") && tokens.isInBlock(i) && beginsWithoutEffect(tokens, i) &&
+        tokens[i - 1].end() <= tokens[i].offset && !isAnyOf(tokens[i - 1].text, {"!", "<", ">", "="}))
+        return slip(tokens[i], "'==' compares and changes nothing. To set a value, write '='.");
+    if (tokens.touches(i, "+") && !tokens.touches(i + 1, "+"))
+        return slip(tokens[i], "Write '+=' to add to a value.");
+    for (const char *const sign : {">", "<"}) {
+        if (tokens.touches(i, sign))
+            return slip(tokens[i], "Write " + quoted(std::string(sign) + "=") + " to compare.");
+    }
+    return {};
+}
+
+Slip signSlip(const Tokens &tokens, std::size_t i)
+{
+    const std::string sign(tokens[i].text);
+    if (sign == "=")
+        return equalsSlip(tokens, i);
+    if (sign == "(" && i > 0 && !closes(tokens[i - 1].text) && hasInside(tokens, i, ",") &&
+        (!tokens.isWord(i - 1) || tokens.is(i - 1, "return")))
+        return slip(tokens[i], "A place or a velocity is written 'Vec2(x, y)'.");
+    if (isAnyOf(sign, {"+", "-", "*", "/"}) && tokens.is(i + 1, "=") && !tokens.touches(i, "=") &&
+        !tokens.touches(i + 1, "="))
+        return slip(tokens[i], "Write " + quoted(sign + "=") + " without a space in between.");
+    if (sign == "-" && tokens.touches(i, ">"))
+        return slip(tokens[i], "Write '.' between a body and its member, for example 'body.position'.");
+    return {};
+}
+
+Slip conditionSlip(const Tokens &tokens, std::size_t i)
+{
+    const std::string word(tokens[i].text);
+    if (!tokens.is(i + 1, "("))
+        return slip(tokens[i], "A condition stands in brackets: " + quoted(word + " (...)") + ".");
+    const std::size_t behind = tokens.closing(i + 1) + 1;
+    if (tokens.is(behind, ":"))
+        return slip(tokens[behind],
+                    "No ':' stands here. The lines that belong to a condition stand between '{' and '}'.");
+    if (tokens.is(behind, "then"))
+        return slip(tokens[behind], "No 'then' stands here.");
+    if (word == "if" && tokens.is(behind, ";"))
+        return slip(tokens[behind], "This ';' ends the 'if', so that nothing belongs to it. Delete the ';'.");
+    return {};
+}
+
+std::string lowerCase(std::string_view word)
+{
+    std::string lower(word);
+    for (char &letter : lower)
+        letter = letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a') : letter;
+    return lower;
+}
+
+/// Returns a mistake at a word such as `if` or `for`.
+Slip keywordSlip(const Tokens &tokens, std::size_t i)
+{
+    const std::string word(tokens[i].text);
+    if (const std::string lower = lowerCase(word);
+        lower != word && isAnyOf(lower, {"if", "else", "for", "while", "return"}))
+        return slip(tokens[i], "Write " + quoted(lower) + " with small letters.");
+    if (isAnyOf(word, {"elif", "elseif", "elsif"}))
+        return slip(tokens[i], quoted(word) + " is not part of this language. Use 'else if'.");
+    if (word == "new" && tokens.isWord(i + 1))
+        return slip(tokens[i], "'new' is not part of this language. Leave it out.");
+    if (word == "for") {
+        const bool isOverValues = hasInside(tokens, i + 1, ":") && !hasInside(tokens, i + 1, "?");
+        const bool isWhole = tokens.is(i + 1, "(") && hasInside(tokens, i + 1, ";");
+        return isWhole && !isOverValues ? Slip() : slip(tokens[i], loopForm);
+    }
+    if (isAnyOf(word, {"if", "while"}))
+        return conditionSlip(tokens, i);
+    if (word == "else" && i > 0 && !isAnyOf(tokens[i - 1].text, {";", "{", "}"}))
+        return slip(tokens[i], "';' is missing before 'else'.");
+    return {};
+}
+
+/// Returns whether a value ends with token `i`, so that no word can follow.
+bool endsValue(const Tokens &tokens, std::size_t i)
+{
+    const Token &token = tokens[i];
+    if (token.kind == Token::Kind::number || token.text == "]")
+        return true;
+    if (token.kind == Token::Kind::word)
+        return !isPrimitive(token.text) &&
+               !isAnyOf(token.text,
+                        {"if", "else", "for", "while", "do", "return", "break", "continue", "const", "void",
+                         "auto", "and", "or", "not", "Vec2", "Body", "Creature", "Stick"});
+    if (token.text != ")")
+        return false;
+    for (std::size_t open = i; open-- > 0;) {
+        if (tokens.closing(open) != i)
+            continue;
+        const bool isHead = open > 0 && isAnyOf(tokens[open - 1].text, {"if", "for", "while"});
+        const bool isFunction = open > 1 && tokens.isWord(open - 1) && tokens.isWord(open - 2) &&
+                                tokens[open - 2].text != "return";
+        return !isHead && !isFunction;
+    }
+    return false;
+}
+
+/// Returns the mistake that no ';' stands at the end of the line of token `i`. The next statement would look like a part
+/// of this one.
+Slip lineEndSlip(const Tokens &tokens, std::size_t i)
+{
+    const bool isBetweenLines = tokens.isWord(i + 1) && tokens[i + 1].line > tokens[i].line;
+    if (!isBetweenLines || !tokens.isInBlock(i + 1) || isAnyOf(tokens[i + 1].text, {"and", "or", "else"}) ||
+        !endsValue(tokens, i))
+        return {};
+    return slip(tokens[i], "';' is missing at the end of this line.");
+}
+
+/// Returns a mistake in the statement that begins at token `i`, outside of all functions.
+Slip slipOutside(const Tokens &tokens, std::size_t i)
+{
+    if (!tokens.isWord(i))
+        return {};
+    const std::string_view word = tokens[i].text;
+    const bool isControl = isAnyOf(word, {"if", "else", "for", "while", "do", "return", "break", "continue"});
+    const bool isDefinition = isAnyOf(word, {"def", "func", "fn"}) && tokens.isWord(i + 1);
+    const bool isHead = tokens.is(i + 1, "(") && tokens.is(tokens.closing(i + 1) + 1, "{");
+    if (isDefinition || (!isControl && isHead))
+        return slip(tokens[i],
+                    "A function begins with the type of its result, for example 'void' or 'Vec2'.");
+    if (!isControl && tokens.isWord(i + 1))
+        return {}; // a declaration
+    return slip(tokens[i],
+                std::string("This stands outside of a function. ") +
+                    (i == 0 ? "Put it between the braces of a function." : "Look for a '}' too many above."));
+}
+
+Slip slipOutside(const Tokens &tokens)
+{
+    for (std::size_t i = 0; i < tokens.size();) {
+        if (Slip found = slipOutside(tokens, i))
+            return found;
+        while (i < tokens.size() && !tokens.is(i, ";") && !tokens.is(i, "{"))
+            i = opens(tokens[i].text) ? tokens.closing(i) + 1 : i + 1;
+        i = tokens.is(i, "{") ? tokens.closing(i) + 1 : i + 1;
+    }
+    return {};
+}
+
+Slip slipAt(const Tokens &tokens, std::size_t i)
+{
+    if (Slip found = lineEndSlip(tokens, i))
+        return found;
+    switch (tokens[i].kind) {
+    case Token::Kind::number:
+        return numberSlip(tokens, i);
+    case Token::Kind::sign:
+        return signSlip(tokens, i);
+    case Token::Kind::word:
+        break;
+    }
+    if (i > 0 && tokens.is(i - 1, ".") && tokens.is(i + 1, "("))
+        return slip(tokens[i],
+                    "A function stands alone here: " + quoted(std::string(tokens[i].text) + "(...)") + ".");
+    return keywordSlip(tokens, i);
+}
+
+}
+
+std::optional<CompileError> commonSlip(const Tokens &tokens)
+{
+    if (Slip found = slipOutside(tokens))
+        return found;
+    if (Slip found = unpairedBracket(tokens))
+        return found;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (Slip found = slipAt(tokens, i))
+            return found;
+    }
+    return {};
+}
+
+}

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "app/listing/tokens.h"
+#include "app/listing/values.h"
+
+#include <optional>
+
+namespace listing {
+
+/// Returns the first mistake that beginners often make, or nothing. The interpreter would report each of them as another
+/// mistake, or on another line: a decimal comma, `(x, y)` for a Vec2, code outside of functions, `if` without brackets.
+std::optional<CompileError> commonSlip(const Tokens &tokens);
+
+}

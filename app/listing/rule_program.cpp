@@ -1,0 +1,201 @@
+#include "app/listing/rule_program.h"
+
+#include "app/listing/interpreter_pool.h"
+#include "app/listing/language.h"
+#include "app/listing/rule_interpreter.h"
+#include "sim/effects/all_effects.h"
+#include "sim/effects/rules/rule_force.h"
+#include "sim/pipeline/method.h"
+#include "sim/pipeline/pipeline.h"
+#include "sim/pipeline/run_step.h"
+#include "sim/simd/flush_denormals.h"
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+#include <utility>
+
+namespace listing {
+
+namespace {
+
+/// `time` is among the parameters, as the interpreter sees both in the same way.
+constexpr const char *timeName = "time";
+
+Vocabulary makeRuleVocabulary()
+{
+    Vocabulary vocabulary;
+    vocabulary.arrays = {{"bodies", ""}};
+    std::set<std::string> names;
+    for (const sim::EffectDescription *effect : sim::allEffects()) {
+        for (const sim::ParameterSpec &parameter : effect->parameters) {
+            // The function floor() is of more use in a rule than the place of a floor.
+            if (effect->make && isUsableName(parameter.id) && parameter.id != std::string("floor"))
+                names.insert(parameter.id);
+        }
+    }
+    names.insert(timeName);
+    vocabulary.parameters.assign(names.begin(), names.end());
+    return vocabulary;
+}
+
+RuleFacts factsOf(const SourceScan &scan)
+{
+    const auto usesAny = [&](std::initializer_list<const char *> words) {
+        return std::any_of(words.begin(), words.end(), [&](const char *word) { return scan.uses(word); });
+    };
+    RuleFacts facts;
+    facts.use.bodies = scan.uses("bodies");
+    facts.use.pointer = usesAny({"hand", "pointer", "pointer_down", "pointer_known"});
+    facts.use.target = usesAny({"target", "new_targets"});
+    facts.use.keys = scan.uses("keys");
+    facts.use.held = scan.uses("held");
+    facts.use.frame = usesAny({"frame_number", "random"});
+    facts.use.time = scan.uses(timeName);
+    facts.use.velocity = scan.uses("velocity");
+    const std::vector<std::string> &names = ruleVocabulary().parameters;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (names[i] == timeName)
+            facts.time = i;
+        else if (scan.uses(names[i]))
+            facts.parameters.emplace_back(i, facts.parameters.size());
+    }
+    return facts;
+}
+
+/// A compiled rule.
+class RuleProgram : public sim::Rule
+{
+public:
+    explicit RuleProgram(const std::string &text) : m_scan(text), m_facts(factsOf(m_scan)) {}
+
+    /// Compiles the text and returns its mistakes.
+    std::vector<CompileError> compile()
+    {
+        std::unique_ptr<RuleInterpreter> interpreter = make();
+        std::vector<CompileError> errors = interpreter->errors();
+        m_hasForce = interpreter->hasForce();
+        m_hasPull = interpreter->hasPull();
+        if (errors.empty())
+            m_pool.giveBack(std::move(interpreter));
+        return errors;
+    }
+
+    const std::string &text() const override { return m_scan.text(); }
+    bool hasForce() const override { return m_hasForce; }
+    bool hasPull() const override { return m_hasPull; }
+    sim::RuleUse use() const override { return m_facts.use; }
+    std::vector<std::string> parameters() const override
+    {
+        std::vector<std::string> ids;
+        for (const auto &[name, index] : m_facts.parameters)
+            ids.push_back(ruleVocabulary().parameters[name]);
+        return ids;
+    }
+    void evaluate(const sim::RuleScene &scene, const sim::State &state, std::span<const sim::RuleCall> calls,
+                  std::span<sim::Vec2> forces) const override
+    {
+        static_cast<void>(findMistake(scene, state, calls, forces, Search::none));
+    }
+
+    /// Whether an evaluation that failed also finds out why.
+    enum class Search { none, mistake };
+    /// Computes the forces of `calls`. Returns the mistake that stopped it, if `search` asks for it.
+    std::optional<RuleError> findMistake(const sim::RuleScene &scene, const sim::State &state,
+                                         std::span<const sim::RuleCall> calls, std::span<sim::Vec2> forces,
+                                         Search search) const
+    {
+        const sim::FlushDenormals flush; // as all code that computes a run
+        std::unique_ptr<RuleInterpreter> interpreter = m_pool.take([this] { return make(); });
+        std::optional<RuleError> found;
+        if (!interpreter->evaluate(scene, state, calls, forces) && search == Search::mistake) {
+            const sim::RuleCall &call = interpreter->failedCall();
+            found = RuleError{*interpreter->mistake(scene, state), call.me, call.other};
+        }
+        m_pool.giveBack(std::move(interpreter));
+        return found;
+    }
+
+private:
+    std::unique_ptr<RuleInterpreter> make() const
+    {
+        return std::make_unique<RuleInterpreter>(m_scan, ruleVocabulary(), m_facts);
+    }
+
+    SourceScan m_scan;
+    RuleFacts m_facts;
+    bool m_hasForce = false, m_hasPull = false;
+    mutable InterpreterPool<RuleInterpreter> m_pool;
+};
+
+/// A rule that notes its first mistake. Several threads may evaluate it.
+class WatchedRule : public sim::Rule
+{
+public:
+    explicit WatchedRule(std::shared_ptr<const RuleProgram> rule) : m_rule(std::move(rule)) {}
+
+    const std::string &text() const override { return m_rule->text(); }
+    bool hasForce() const override { return m_rule->hasForce(); }
+    bool hasPull() const override { return m_rule->hasPull(); }
+    sim::RuleUse use() const override { return m_rule->use(); }
+    std::vector<std::string> parameters() const override { return m_rule->parameters(); }
+    void evaluate(const sim::RuleScene &scene, const sim::State &state, std::span<const sim::RuleCall> calls,
+                  std::span<sim::Vec2> forces) const override
+    {
+        std::optional<RuleError> mistake =
+            m_rule->findMistake(scene, state, calls, forces, RuleProgram::Search::mistake);
+        const std::lock_guard lock(m_mutex);
+        if (mistake && !m_mistake)
+            m_mistake = std::move(mistake);
+    }
+    std::optional<RuleError> mistake() const { return m_mistake; }
+
+private:
+    std::shared_ptr<const RuleProgram> m_rule;
+    mutable std::mutex m_mutex;
+    mutable std::optional<RuleError> m_mistake;
+};
+
+}
+
+const Vocabulary &ruleVocabulary()
+{
+    static const Vocabulary vocabulary = makeRuleVocabulary();
+    return vocabulary;
+}
+
+CompiledRule compileRule(const std::string &text)
+{
+    const auto program = std::make_shared<RuleProgram>(text);
+    std::vector<CompileError> errors = program->compile();
+    if (errors.empty())
+        return {program, {}};
+    std::stable_sort(errors.begin(), errors.end(), [](const CompileError &a, const CompileError &b) {
+        return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+    });
+    return {nullptr, std::move(errors)};
+}
+
+std::optional<RuleError> ruleErrorIn(const sim::Scene &scene, const sim::Method &method, sim::StepSize step,
+                                     const sim::State &state)
+{
+    sim::Scene watched = scene;
+    std::shared_ptr<const WatchedRule> witness;
+    for (sim::EffectPtr &effect : watched.effects) {
+        const auto *force = dynamic_cast<const sim::RuleForce *>(effect.get());
+        const auto program = force ? std::dynamic_pointer_cast<const RuleProgram>(force->rule()) : nullptr;
+        if (!program)
+            continue;
+        witness = std::make_shared<WatchedRule>(program);
+        effect = force->withRule(witness);
+    }
+    if (!witness)
+        return {};
+    const sim::Pipeline pipeline = sim::compose(watched, method, step);
+    sim::State after = state;
+    for (int i = 0; i < step.stepsPerOutput && !witness->mistake(); ++i)
+        sim::runStep(pipeline, after);
+    return witness->mistake();
+}
+
+}

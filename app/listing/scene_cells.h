@@ -1,0 +1,177 @@
+#pragma once
+
+#include "app/listing/script_functions.h"
+#include "app/listing/values.h"
+#include "app/listing/vocabulary.h"
+#include "sim/scene/state.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace listing {
+
+/// What a program may do with the bodies of the scene.
+enum class BodyAccess { write, read };
+
+/// The scene as the programs of one script engine see it: a cell of memory for each body and each other name of a
+/// vocabulary. The engine knows the addresses of the cells.
+class SceneCells
+{
+public:
+    struct BodyCell;
+    /// Bodies that are neighbours in an array: the children of a branch.
+    struct ChildArray
+    {
+        int count = 0;
+        BodyCell *first = nullptr;
+    };
+    /// A body as the interpreter sees it.
+    struct BodyCell
+    {
+        sim::Vec2 position, velocity, before;
+        double mass = 0.0, radius = 0.0, angle = 0.0, spin = 0.0;
+        bool held = false;
+        int point = -1;
+        // of a branch
+        int number = 0;
+        double rest = 0.0, scale = 0.0, length = 0.0, inertia = 0.0;
+        ChildArray children;
+    };
+
+    /// Registers the language and the names of `vocabulary` with `engine`. Both must outlive this object.
+    SceneCells(AngelScript::asIScriptEngine &engine, const Vocabulary &vocabulary, BodyAccess access);
+    SceneCells(const SceneCells &) = delete;
+    SceneCells &operator=(const SceneCells &) = delete;
+
+    /// Reads a moment of the scene. A held body is where it was before the hand moved it.
+    void load(const sim::State &state, const Binding &binding);
+    /// Reads only the input and the frame number.
+    void loadInput(const sim::State &state);
+    /// Gives every name a body or a number that is not 0, so that any expression has a value.
+    void loadPlaceholders();
+    /// Writes the bodies, the gait clocks and the gust to `state`.
+    void store(sim::State &state) const;
+
+    /// Gives the first array of the vocabulary `count` cells.
+    void resizeFirstArray(std::size_t count);
+    /// Returns the cell with this index of the first array.
+    BodyCell &cellOfFirstArray(std::size_t index) { return m_arrays.front().cells[index]; }
+    /// Sets parameter `index` of the vocabulary.
+    void setParameter(std::size_t index, double value) { m_parameters[index] = value; }
+    void setSeed(std::uint64_t seed) { m_seed = seed; }
+
+    /// Returns the value of a variable at `address`. Empty if a listing cannot have variables of this type.
+    std::optional<Value> valueAt(const void *address, int type) const;
+    /// Returns the bytes of a number, a bool or a Vec2; 0 for other types.
+    std::size_t sizeOf(int type) const;
+    /// Reads the motion of all bodies.
+    void readMotions(std::vector<BodyMotion> &into) const;
+    /// Returns the name of the first position, velocity or clock that is not finite, or an empty string.
+    std::string firstNonFinite() const;
+
+private:
+    struct BodyArray
+    {
+        int count = 0;
+        std::string name;
+        std::vector<BodyCell> cells;
+    };
+    struct CreatureCell
+    {
+        BodyCell body;
+        BodyArray feet;
+        double gait = 0.0, gaitSpeed = 0.0;
+    };
+    struct CreatureArray
+    {
+        int count = 0;
+        std::vector<CreatureCell> cells;
+    };
+    struct StickCell
+    {
+        BodyCell *a = nullptr, *b = nullptr;
+        double length = 0.0, share = 0.0;
+    };
+    struct StickArray
+    {
+        int count = 0;
+        std::vector<StickCell> cells;
+    };
+    struct TargetArray
+    {
+        int count = 0;
+        std::vector<sim::Vec2> all;
+    };
+    struct KeyCell
+    {
+        bool left = false, right = false, up = false, down = false;
+    };
+
+    void registerBodies(BodyAccess access);
+    void registerBranches();
+    void registerCreatures();
+    void registerSticks();
+    void registerInput();
+    void registerFunctionsOfScene();
+    void registerNames();
+    void loadBranches(const Binding &binding);
+    void loadSticks(const sim::State &state, const Binding &binding);
+    void resizeCreatures(std::size_t count);
+    Value valueOf(const BodyCell *cell) const;
+    Value valueOf(const CreatureCell *cell) const;
+    Value valueOf(const StickCell *cell) const;
+    /// Returns the name of a body that has none in the scene, by a stick that ends there: "sticks[3].b".
+    std::string nameBySticks(const BodyCell *cell) const;
+    double random(int i) const;
+    double randomInFrame(int i, int frame) const;
+    double sine(double rad) const { return m_angleFunctions.sin(rad); }
+    double cosine(double rad) const { return m_angleFunctions.cos(rad); }
+    double arcTangent(double y, double x) const { return m_angleFunctions.atan2(y, x); }
+    template <class Visit>
+    void forEachCell(Visit &&visit) const;
+
+    static bool isSameBody(const BodyCell *a, const BodyCell *b);
+    static bool isSameCreature(const CreatureCell *a, const CreatureCell *b);
+    static BodyCell *bodyAt(int index, BodyArray *array);
+    static CreatureCell *creatureAt(int index, CreatureArray *array);
+    static BodyCell *bodyOf(CreatureCell *creature);
+    static BodyCell *childAt(int index, ChildArray *array);
+    static StickCell *stickAt(int index, StickArray *array);
+    static sim::Vec2 targetAt(int index, const TargetArray *array);
+    sim::Vec2 directionOfBranch(const BodyCell *branch) const;
+    static sim::Vec2 directionBetween(const BodyCell *from, const BodyCell *to);
+    static sim::Vec2 directionToPlace(const BodyCell *from, const VectorCell &to);
+    static sim::Vec2 directionOfPlaces(const VectorCell &from, const VectorCell &to, const BodyCell *owner);
+
+    AngelScript::asIScriptEngine &m_engine;
+    const Vocabulary &m_vocabulary;
+    int m_vec2Type = 0;
+    int m_bodyType = 0;
+    int m_creatureType = -1; ///< -1: this scene has no creatures
+    int m_stickType = -1;    ///< -1: this scene has no sticks
+
+    // The addresses of these are registered, so the containers keep their size.
+    std::deque<BodyCell> m_bodies;
+    std::deque<BodyCell *> m_handles; ///< one per single body; null if the scene does not have it
+    std::deque<BodyArray> m_arrays;
+    CreatureArray m_creatures;
+    std::vector<BodyCell> m_otherBodies; ///< without a name
+    StickArray m_sticks;
+    TargetArray m_newTargets;
+    std::deque<double> m_parameters;
+    AngleFunctions m_angleFunctions;
+    double m_degrees = 1.0;
+    sim::Vec2 m_hand, m_pointer, m_target;
+    KeyCell m_keys;
+    bool m_pointerDown = false, m_pointerKnown = false, m_gustKnown = false;
+    double m_gust = 0.0, m_gustFront = 0.0, m_gustTail = 0.0;
+    double m_frameNumber = 0.0, m_gait = 0.0, m_gaitSpeed = 0.0;
+    double m_pi = 3.14159265358979323846;
+    std::uint64_t m_seed = 1;
+};
+
+}
