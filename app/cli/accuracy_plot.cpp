@@ -35,7 +35,7 @@ bool writeAccuracyPlot(QIODevice &file, const AccuracyReport &report, const Expe
     QLocale::setDefault(QLocale::c()); // the same picture in every country
     Session session(library);
     session.open(experiment);
-    AccuracyStudy study(session,
+    AccuracyStudy study(session.run(), session.editor(),
                         [&](const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &) {
                             return report.found; // measured already
                         });

@@ -2,7 +2,6 @@
 #include "app/cli/experiment_argument.h"
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
-#include "app/model/text/sentences.h"
 
 #include <QCoreApplication>
 
@@ -78,9 +77,9 @@ int shoot(Film &film, std::int64_t last)
         printMessage(FilmText::tr("Stopped at frame %1 of %2.").arg(film.frame()).arg(last));
         return exitInterrupted;
     }
-    if (!film.stop())
+    if (film.endsEarly().isEmpty())
         return exitDone;
-    printMessage(sentenceFor(*film.stop()));
+    printMessage(film.endsEarly());
     return exitNo;
 }
 

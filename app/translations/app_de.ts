@@ -343,6 +343,14 @@
         <source>the effect %1 is given twice; keep one.</source>
         <translation>der Effekt %1 ist zweimal angegeben; behalte einen.</translation>
     </message>
+    <message>
+        <source>&quot;rule&quot; does not compile. Line %1: %2</source>
+        <translation>&quot;rule&quot; lässt sich nicht übersetzen. Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>a rule link</source>
+        <translation>eine Verbindung der Regel</translation>
+    </message>
 </context>
 <context>
     <name>BodyText</name>
@@ -383,6 +391,10 @@
     <message>
         <source>Stopped at frame %1 before line %2: %3.</source>
         <translation>Angehalten bei Bild %1 vor Zeile %2: %3.</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1 before line %2 of the listing.</source>
+        <translation>Angehalten bei Bild %1 vor Zeile %2 des Listings.</translation>
     </message>
 </context>
 <context>
@@ -604,6 +616,13 @@
     <message>
         <source>%1 can be a number from %2 to %3, but not %4.</source>
         <translation>%1 kann eine Zahl von %2 bis %3 sein, aber nicht %4.</translation>
+    </message>
+</context>
+<context>
+    <name>CodeTextWords</name>
+    <message>
+        <source>other code</source>
+        <translation>anderer Code</translation>
     </message>
 </context>
 <context>
@@ -1186,6 +1205,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Energie, die der Wind hineinsteckt oder wegnimmt</translation>
     </message>
     <message>
+        <source>Done by my rule</source>
+        <translation>Von meiner Regel geleistet</translation>
+    </message>
+    <message>
+        <source>Energy that the force of your rule adds or takes away</source>
+        <translation>Energie, die die Kraft deiner Regel zuführt oder entzieht</translation>
+    </message>
+    <message>
         <source>Done by one-way pulls</source>
         <translation>Von einseitigen Zügen geleistet</translation>
     </message>
@@ -1405,8 +1432,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Der Text ist größer als %1 MiB, und mehr darf ein Experiment nicht haben.</translation>
     </message>
     <message>
-        <source>This run has too much input for a message. Save it as a file (Ctrl+S), and send that.</source>
-        <translation>Dieser Lauf hat zu viele Eingaben für eine Nachricht. Speichere ihn als Datei (Strg+S) und verschicke diese.</translation>
+        <source>This run has too much input for a message. Save it as a file, and send that.</source>
+        <translation>Dieser Lauf hat zu viele Eingaben für eine Nachricht. Speichere ihn als Datei und verschicke diese.</translation>
     </message>
     <message>
         <source>There is no text to paste. Copy an experiment first: it begins with “springstep:” or {.</source>
@@ -1905,8 +1932,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>bis zu ihrer Phase laufen</translation>
     </message>
     <message>
-        <source>Click left of a line, or F9</source>
-        <translation>Links neben eine Zeile klicken, oder F9</translation>
+        <source>Click left of a line, or %1</source>
+        <translation>Links neben eine Zeile klicken, oder %1</translation>
     </message>
     <message>
         <source>set or remove a breakpoint before its phase</source>
@@ -1921,16 +1948,16 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>diesen Parameter ändern; mit Umschalt in kleinen Schritten</translation>
     </message>
     <message>
-        <source>Double-click it, or F2</source>
-        <translation>Doppelklick darauf, oder F2</translation>
+        <source>Double-click it, or %1</source>
+        <translation>Doppelklick darauf, oder %1</translation>
     </message>
     <message>
         <source>type the parameter&apos;s value</source>
         <translation>den Wert des Parameters eintippen</translation>
     </message>
     <message>
-        <source>Point at a word, or Ctrl+I</source>
-        <translation>Auf ein Wort zeigen, oder Strg+I</translation>
+        <source>Point at a word, or %1</source>
+        <translation>Auf ein Wort zeigen, oder %1</translation>
     </message>
     <message>
         <source>its value, and its last 120 frames</source>
@@ -1961,16 +1988,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>zuklappen oder aufklappen</translation>
     </message>
     <message>
-        <source>F8</source>
-        <translation>F8</translation>
-    </message>
-    <message>
         <source>show the lines that this step removed</source>
         <translation>die Zeilen zeigen, die dieser Schritt entfernt hat</translation>
-    </message>
-    <message>
-        <source>Ctrl+C</source>
-        <translation>Strg+C</translation>
     </message>
     <message>
         <source>copy the selection, or the whole region</source>
@@ -2025,8 +2044,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>sie ändern; mit Umschalt in kleinen Schritten</translation>
     </message>
     <message>
-        <source>Ctrl+Space, in the listing</source>
-        <translation>Strg+Leertaste, im Listing</translation>
+        <source>%1, in the listing</source>
+        <translation>%1, im Listing</translation>
     </message>
     <message>
         <source>complete a name</source>
@@ -2039,6 +2058,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>leave it, so that keys move the run again</source>
         <translation>es verlassen, damit die Tasten wieder den Lauf bewegen</translation>
+    </message>
+    <message>
+        <source>Ctrl and a click left of a line, or %1, in the listing</source>
+        <translation>Strg und links neben eine Zeile klicken, oder %1, im Listing</translation>
+    </message>
+    <message>
+        <source>set or remove a breakpoint before it</source>
+        <translation>einen Haltepunkt vor ihr setzen oder entfernen</translation>
     </message>
 </context>
 <context>
@@ -2624,6 +2651,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Die Typen sind %1.</translation>
     </message>
     <message>
+        <source>The functions are %1.</source>
+        <translation>Die Funktionen sind %1.</translation>
+    </message>
+    <message>
         <source>There is no %1: %2 is empty.</source>
         <translation>Es gibt kein %1: %2 ist leer.</translation>
     </message>
@@ -2672,6 +2703,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Nimm einen anderen Namen.</translation>
     </message>
     <message>
+        <source>A new variable needs a type: %1, %2 or %3.</source>
+        <translation>Eine neue Variable braucht einen Typ: %1, %2 oder %3.</translation>
+    </message>
+    <message>
+        <source>This is an array of bodies.</source>
+        <translation>Das ist eine Liste von Körpern.</translation>
+    </message>
+    <message>
         <source>%1 does not take these values: %2.</source>
         <translation>%1 nimmt diese Werte nicht: %2.</translation>
     </message>
@@ -2690,6 +2729,50 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>A Vec2 can be added to a Vec2, and multiplied or divided by a number.</source>
         <translation>Ein Vec2 lässt sich zu einem Vec2 addieren, und mit einer Zahl malnehmen oder durch sie teilen.</translation>
+    </message>
+    <message>
+        <source>Use the position or the velocity of the body.</source>
+        <translation>Nimm den Ort oder die Geschwindigkeit des Körpers.</translation>
+    </message>
+    <message>
+        <source>%1 is a %2 here, not a function.</source>
+        <translation>%1 ist hier ein %2 und keine Funktion.</translation>
+    </message>
+    <message>
+        <source>To multiply, write &apos;*&apos;.</source>
+        <translation>Zum Malnehmen schreibe &apos;*&apos;.</translation>
+    </message>
+    <message>
+        <source>Both values of a choice with ? need the same type.</source>
+        <translation>Beide Werte einer Auswahl mit ? brauchen denselben Typ.</translation>
+    </message>
+    <message>
+        <source>Write %1 for %2 beside a double.</source>
+        <translation>Schreibe neben einem double %1 statt %2.</translation>
+    </message>
+    <message>
+        <source>Between whole numbers, &apos;/&apos; drops the fraction: this is %1.</source>
+        <translation>Zwischen ganzen Zahlen lässt &apos;/&apos; den Rest weg: Das ist %1.</translation>
+    </message>
+    <message>
+        <source>A value is missing at the end of this line.</source>
+        <translation>Am Ende dieser Zeile fehlt ein Wert.</translation>
+    </message>
+    <message>
+        <source>A name is missing at the end of this line.</source>
+        <translation>Am Ende dieser Zeile fehlt ein Name.</translation>
+    </message>
+    <message>
+        <source>%1 is missing at the end of this line.</source>
+        <translation>Am Ende dieser Zeile fehlt %1.</translation>
+    </message>
+    <message>
+        <source>%1 is missing before %2.</source>
+        <translation>Vor %2 fehlt %1.</translation>
+    </message>
+    <message>
+        <source>This %1 has no %2.</source>
+        <translation>Zu diesem %1 fehlt das %2.</translation>
     </message>
     <message>
         <source>A value is missing here.</source>
@@ -2756,6 +2839,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Sie muss in jedem Fall einen Wert zurückgeben.</translation>
     </message>
     <message>
+        <source>This function has to return a value.</source>
+        <translation>Diese Funktion muss einen Wert zurückgeben.</translation>
+    </message>
+    <message>
+        <source>A &apos;void&apos; function returns no value.</source>
+        <translation>Eine Funktion mit &apos;void&apos; gibt keinen Wert zurück.</translation>
+    </message>
+    <message>
         <source>The text ends too early: a &apos;}&apos; or a &apos;)&apos; is missing.</source>
         <translation>Der Text endet zu früh: Es fehlt eine &apos;}&apos; oder eine &apos;)&apos;.</translation>
     </message>
@@ -2788,7 +2879,27 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Sie läuft einmal in jedem Bild.</translation>
     </message>
     <message>
-        <source>This listing cannot be compiled.</source>
+        <source>This stands outside of a function.</source>
+        <translation>Das steht außerhalb einer Funktion.</translation>
+    </message>
+    <message>
+        <source>Put it between the braces of a function.</source>
+        <translation>Schreibe es zwischen die geschweiften Klammern einer Funktion.</translation>
+    </message>
+    <message>
+        <source>Look for a &apos;}&apos; too many above.</source>
+        <translation>Suche weiter oben nach einer überzähligen &apos;}&apos;.</translation>
+    </message>
+    <message>
+        <source>A function begins with the type of its result, for example %1 or %2.</source>
+        <translation>Eine Funktion beginnt mit dem Typ ihres Ergebnisses, zum Beispiel %1 oder %2.</translation>
+    </message>
+    <message>
+        <source>A function stands alone here: %1.</source>
+        <translation>Eine Funktion steht hier für sich: %1.</translation>
+    </message>
+    <message>
+        <source>This text cannot be compiled.</source>
         <translation>Dieses Listing lässt sich nicht übersetzen.</translation>
     </message>
     <message>
@@ -2816,16 +2927,64 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Eine Variable vom Typ Body steht schon für den Körper selbst.</translation>
     </message>
     <message>
-        <source>Use &apos;if&apos;.</source>
-        <translation>Nimm &apos;if&apos;.</translation>
+        <source>A loop is written %1.</source>
+        <translation>Eine Schleife schreibst du so: %1.</translation>
+    </message>
+    <message>
+        <source>A comment begins with %1.</source>
+        <translation>Ein Kommentar beginnt mit %1.</translation>
+    </message>
+    <message>
+        <source>A power is %1.</source>
+        <translation>Eine Potenz ist %1.</translation>
+    </message>
+    <message>
+        <source>A place or a velocity is written %1.</source>
+        <translation>Einen Ort oder eine Geschwindigkeit schreibst du so: %1.</translation>
+    </message>
+    <message>
+        <source>A condition stands in brackets: %1.</source>
+        <translation>Eine Bedingung steht in Klammern: %1.</translation>
+    </message>
+    <message>
+        <source>No &apos;:&apos; stands here.</source>
+        <translation>Hier steht kein &apos;:&apos;.</translation>
+    </message>
+    <message>
+        <source>The lines that belong to a condition stand between &apos;{&apos; and &apos;}&apos;.</source>
+        <translation>Die Zeilen, die zu einer Bedingung gehören, stehen zwischen &apos;{&apos; und &apos;}&apos;.</translation>
+    </message>
+    <message>
+        <source>No &apos;then&apos; stands here.</source>
+        <translation>Hier steht kein &apos;then&apos;.</translation>
+    </message>
+    <message>
+        <source>This &apos;;&apos; ends the &apos;if&apos;, so that nothing belongs to it.</source>
+        <translation>Dieses &apos;;&apos; beendet das &apos;if&apos;, sodass nichts dazu gehört.</translation>
+    </message>
+    <message>
+        <source>Delete the &apos;;&apos;.</source>
+        <translation>Lösche das &apos;;&apos;.</translation>
+    </message>
+    <message>
+        <source>Leave it out.</source>
+        <translation>Lass es weg.</translation>
+    </message>
+    <message>
+        <source>Use %1.</source>
+        <translation>Nimm %1.</translation>
     </message>
     <message>
         <source>A number ends without &apos;f&apos; here.</source>
         <translation>Eine Zahl endet hier ohne &apos;f&apos;.</translation>
     </message>
     <message>
-        <source>&apos;void&apos; stands only before the name of a function.</source>
-        <translation>&apos;void&apos; steht nur vor dem Namen einer Funktion.</translation>
+        <source>A number has a point, not a comma: %1.</source>
+        <translation>Eine Zahl hat hier einen Punkt und kein Komma: %1.</translation>
+    </message>
+    <message>
+        <source>&apos;void&apos; stands only before a function, for example %1.</source>
+        <translation>&apos;void&apos; steht nur vor einer Funktion, zum Beispiel %1.</translation>
     </message>
     <message>
         <source>%1 has no value, so it stands alone: %2.</source>
@@ -2840,12 +2999,52 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Zum Vergleichen schreibe &apos;==&apos;.</translation>
     </message>
     <message>
+        <source>&apos;==&apos; compares and changes nothing.</source>
+        <translation>&apos;==&apos; vergleicht nur und ändert nichts.</translation>
+    </message>
+    <message>
+        <source>To set a value, write &apos;=&apos;.</source>
+        <translation>Um einen Wert zu setzen, schreibe &apos;=&apos;.</translation>
+    </message>
+    <message>
         <source>Only a variable can be set: a name, with members or an index behind it.</source>
         <translation>Nur eine Variable lässt sich setzen: ein Name, mit Teilen oder einem Index dahinter.</translation>
     </message>
     <message>
         <source>Compare two values at a time, for example %1.</source>
         <translation>Vergleiche immer zwei Werte, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>Write &apos;*&apos; between a number and a name: %1.</source>
+        <translation>Schreibe &apos;*&apos; zwischen eine Zahl und einen Namen: %1.</translation>
+    </message>
+    <message>
+        <source>Write &apos;+=&apos; to add to a value.</source>
+        <translation>Schreibe &apos;+=&apos;, um zu einem Wert etwas zu addieren.</translation>
+    </message>
+    <message>
+        <source>Write &apos;.&apos; between a body and its member, for example %1.</source>
+        <translation>Schreibe &apos;.&apos; zwischen einen Körper und seinen Teil, zum Beispiel %1.</translation>
+    </message>
+    <message>
+        <source>Write %1 to compare.</source>
+        <translation>Schreibe %1, um zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Write %1 without a space in between.</source>
+        <translation>Schreibe %1 ohne Leerzeichen dazwischen.</translation>
+    </message>
+    <message>
+        <source>Write %1 with small letters.</source>
+        <translation>Schreibe %1 mit kleinen Buchstaben.</translation>
+    </message>
+    <message>
+        <source>Write it as %1.</source>
+        <translation>Schreibe es so: %1.</translation>
+    </message>
+    <message>
+        <source>Write %1.</source>
+        <translation>Schreibe %1.</translation>
     </message>
     <message>
         <source>There are more than %1 &apos;else&apos; in this listing.</source>
@@ -2936,6 +3135,26 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source> or </source>
         <comment>in a list</comment>
         <translation> oder </translation>
+    </message>
+    <message>
+        <source>A rule needs the function %1 or %2.</source>
+        <translation>Eine Regel braucht die Funktion %1 oder %2.</translation>
+    </message>
+    <message>
+        <source>The function %1 of a rule has the form %2.</source>
+        <translation>Die Funktion %1 einer Regel hat die Form %2.</translation>
+    </message>
+    <message>
+        <source>A rule remembers nothing, so %1 cannot stand outside of a function.</source>
+        <translation>Eine Regel merkt sich nichts, darum kann %1 nicht außerhalb einer Funktion stehen.</translation>
+    </message>
+    <message>
+        <source>Move it into one.</source>
+        <translation>Verschiebe es in eine.</translation>
+    </message>
+    <message>
+        <source>The force is not a finite number.</source>
+        <translation>Die Kraft ist keine endliche Zahl.</translation>
     </message>
 </context>
 <context>
@@ -3385,6 +3604,45 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>RuleCode</name>
+    <message>
+        <source>The force on each body.</source>
+        <translation>Die Kraft auf jeden Körper.</translation>
+    </message>
+    <message>
+        <source>me.position is in px, y points down.</source>
+        <translation>me.position ist in px, y zeigt nach unten.</translation>
+    </message>
+    <message>
+        <source>me.velocity is in px per frame.</source>
+        <translation>me.velocity ist in px pro Bild.</translation>
+    </message>
+    <message>
+        <source>The force on me from other.</source>
+        <translation>Die Kraft auf me, die von other kommt.</translation>
+    </message>
+    <message>
+        <source>It acts on both ends of each rule link.</source>
+        <translation>Sie wirkt auf beide Enden jeder Regelverbindung.</translation>
+    </message>
+    <message>
+        <source>Change rule</source>
+        <translation>Regel ändern</translation>
+    </message>
+    <message>
+        <source>Delete rule</source>
+        <translation>Regel löschen</translation>
+    </message>
+    <message>
+        <source>your rule</source>
+        <translation>deine Regel</translation>
+    </message>
+    <message>
+        <source>no rule</source>
+        <translation>keine Regel</translation>
+    </message>
+</context>
+<context>
     <name>Ruler</name>
     <message>
         <source>%1&#x2009;px, %2°</source>
@@ -3416,6 +3674,17 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>Frame %1, after %2, %3</source>
         <translation>Bild %1, nach „%2“, %3</translation>
+    </message>
+</context>
+<context>
+    <name>RuleErrorText</name>
+    <message>
+        <source>Line %1 of your rule, for %2: %3</source>
+        <translation>Zeile %1 deiner Regel, für %2: %3</translation>
+    </message>
+    <message>
+        <source>Line %1 of your rule, for %2 and %3: %4</source>
+        <translation>Zeile %1 deiner Regel, für %2 und %3: %4</translation>
     </message>
 </context>
 <context>
@@ -4560,6 +4829,18 @@ Drück Eingabe, um es hinzuzufügen.</translation>
         <source>Stop when… (%1.y &gt; 300)</source>
         <translation>Anhalten, wenn … (%1.y &gt; 300)</translation>
     </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>Stop before this line of the listing</source>
+        <translation>Vor dieser Zeile des Listings anhalten</translation>
+    </message>
+    <message>
+        <source>Stops before this line if this is true. Press Enter to apply.</source>
+        <translation>Hält vor dieser Zeile an, wenn das wahr ist. Drück Eingabe zum Übernehmen.</translation>
+    </message>
 </context>
 <context>
     <name>app::BuildGuide</name>
@@ -4631,8 +4912,8 @@ Drück Eingabe, um es hinzuzufügen.</translation>
         <translation>Zum Anfang</translation>
     </message>
     <message>
-        <source>Go to frame 0, where the scene can be changed (Home)</source>
-        <translation>Zu Bild 0 gehen, wo sich die Szene ändern lässt (Pos1)</translation>
+        <source>Go to frame 0, where the scene can be changed</source>
+        <translation>Zu Bild 0 gehen, wo sich die Szene ändern lässt</translation>
     </message>
     <message>
         <source>Effects on everything</source>
@@ -4643,8 +4924,8 @@ Drück Eingabe, um es hinzuzufügen.</translation>
         <translation>Beispiele</translation>
     </message>
     <message>
-        <source>Ten scenes to start from. Undo brings yours back</source>
-        <translation>Zehn Szenen als Anfang. Rückgängig bringt deine zurück</translation>
+        <source>Scenes to start from. Undo brings yours back</source>
+        <translation>Szenen als Anfang. Rückgängig bringt deine zurück</translation>
     </message>
     <message>
         <source>New</source>
@@ -4659,8 +4940,8 @@ Drück Eingabe, um es hinzuzufügen.</translation>
         <translation>Lektionen</translation>
     </message>
     <message>
-        <source>Back to the lessons; your scene stays here (F5)</source>
-        <translation>Zurück zu den Lektionen; deine Szene bleibt hier (F5)</translation>
+        <source>Back to the lessons; your scene stays here</source>
+        <translation>Zurück zu den Lektionen; deine Szene bleibt hier</translation>
     </message>
     <message>
         <source>points %1, links %2</source>
@@ -4726,6 +5007,14 @@ Drück Eingabe, um es hinzuzufügen.</translation>
         <source>On the ground, Swing makes it walk. Opposite feet need opposite angles: 0° and 180°.</source>
         <translation>Auf dem Boden lässt Schwung es gehen. Gegenüberliegende Füße brauchen gegenüberliegende Winkel: 0° und 180°.</translation>
     </message>
+    <message>
+        <source>Drag from point to point to make one rule link, along which pull of your rule acts. With clicks, each link starts where the last one ends.</source>
+        <translation>Ziehe von Punkt zu Punkt für eine Regelverbindung, entlang der pull deiner Regel wirkt. Mit Klicks beginnt jede dort, wo die letzte endet.</translation>
+    </message>
+    <message>
+        <source>A rule link has no settings: pull of your rule acts on both of its ends.</source>
+        <translation>Eine Regelverbindung hat keine Einstellungen: pull deiner Regel wirkt auf ihre beiden Enden.</translation>
+    </message>
 </context>
 <context>
     <name>app::CodeCard</name>
@@ -4779,6 +5068,14 @@ Drück Eingabe, um es hinzuzufügen.</translation>
     <message>
         <source>Use the listing</source>
         <translation>Listing verwenden</translation>
+    </message>
+    <message>
+        <source>My rule</source>
+        <translation>Meine Regel</translation>
+    </message>
+    <message>
+        <source>A force that you write, for this scene</source>
+        <translation>Eine Kraft für diese Szene, die du selbst schreibst</translation>
     </message>
 </context>
 <context>
@@ -4888,8 +5185,8 @@ Drück Eingabe, um es hinzuzufügen.</translation>
         <translation>Allen gezeigten Code kopieren</translation>
     </message>
     <message>
-        <source>Lines that this step removed. Click to show or hide them, struck through at their old places (F8 in the code).</source>
-        <translation>Zeilen, die dieser Schritt entfernt hat. Ein Klick zeigt oder verbirgt sie, durchgestrichen an ihrem alten Platz (F8 im Code).</translation>
+        <source>Lines that this step removed. Click to show or hide them, struck through at their old places (%1 in the code).</source>
+        <translation>Zeilen, die dieser Schritt entfernt hat. Ein Klick zeigt oder verbirgt sie, durchgestrichen an ihrem alten Platz (%1 im Code).</translation>
     </message>
     <message>
         <source>1 line removed</source>
@@ -4917,16 +5214,16 @@ Click to fold or unfold (Enter)</source>
 Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
-        <source>Up and Down go from line to line. Enter runs to a line, or folds a section at its heading. F9 sets a breakpoint, F2 changes a parameter, Ctrl+I shows a value, Ctrl+C copies.</source>
-        <translation>Pfeil hoch und Pfeil runter gehen von Zeile zu Zeile. Eingabe läuft bis zu einer Zeile oder klappt an einer Überschrift einen Abschnitt ein und aus. F9 setzt einen Haltepunkt, F2 ändert einen Parameter, Strg+I zeigt einen Wert, Strg+C kopiert.</translation>
+        <source>Up and Down go from line to line. Enter runs to a line, or folds a section at its heading. %1 sets a breakpoint, %2 changes a parameter, %3 shows a value, %4 copies.</source>
+        <translation>Pfeil hoch und Pfeil runter gehen von Zeile zu Zeile. Eingabe läuft bis zu einer Zeile oder klappt an einer Überschrift einen Abschnitt ein und aus. %1 setzt einen Haltepunkt, %2 ändert einen Parameter, %3 zeigt einen Wert, %4 kopiert.</translation>
     </message>
     <message>
-        <source>The run stops before this line&apos;s phase. Click to remove the breakpoint (F9).</source>
-        <translation>Der Lauf hält vor der Phase dieser Zeile an. Ein Klick entfernt den Haltepunkt (F9).</translation>
+        <source>The run stops before this line&apos;s phase. Click to remove the breakpoint</source>
+        <translation>Der Lauf hält vor der Phase dieser Zeile an. Ein Klick entfernt den Haltepunkt</translation>
     </message>
     <message>
-        <source>Click to set a breakpoint before this line&apos;s phase (F9)</source>
-        <translation>Ein Klick setzt einen Haltepunkt vor der Phase dieser Zeile (F9)</translation>
+        <source>Click to set a breakpoint before this line&apos;s phase</source>
+        <translation>Ein Klick setzt einen Haltepunkt vor der Phase dieser Zeile</translation>
     </message>
     <message>
         <source>New in this step. %1</source>
@@ -5752,6 +6049,13 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
 <context>
     <name>app::KeyCaps</name>
     <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+</context>
+<context>
+    <name>KeyNames</name>
+    <message>
         <source>Page Up</source>
         <translation>Bild auf</translation>
     </message>
@@ -5770,10 +6074,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Shift</source>
         <translation>Umschalt</translation>
-    </message>
-    <message>
-        <source>or</source>
-        <translation>oder</translation>
     </message>
 </context>
 <context>
@@ -5800,10 +6100,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1 of %2 steps</source>
         <translation>%1/%2 Schritte</translation>
-    </message>
-    <message>
-        <source>Fold the lessons to a narrow strip (Ctrl+Shift+1)</source>
-        <translation>Die Lektionen zu einem schmalen Streifen falten (Strg+Umschalt+1)</translation>
     </message>
     <message>
         <source>Fold the lessons to a narrow strip</source>
@@ -5906,10 +6202,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Die Lektionen mit ihren Texten zeigen</translation>
     </message>
     <message>
-        <source>Show the lessons with their texts (Ctrl+Shift+1)</source>
-        <translation>Die Lektionen mit ihren Texten zeigen (Strg+Umschalt+1)</translation>
-    </message>
-    <message>
         <source>Previous step</source>
         <translation>Vorheriger Schritt</translation>
     </message>
@@ -5932,8 +6224,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Listing: der Code, den du ändern kannst</translation>
     </message>
     <message>
-        <source>Type to change it; the run is computed again after a short pause. Tab indents, Ctrl+Space completes a name, Esc leaves the editor.</source>
-        <translation>Tippe, um es zu ändern; nach einer kurzen Pause wird der Lauf neu berechnet. Tab rückt ein, Strg+Leertaste vervollständigt einen Namen, Esc verlässt den Editor.</translation>
+        <source>Type to change it; the run is computed again after a short pause. Tab indents, %1 completes a name, Esc leaves the editor.</source>
+        <translation>Tippe, um es zu ändern; nach einer kurzen Pause wird der Lauf neu berechnet. Tab rückt ein, %1 vervollständigt einen Namen, Esc verlässt den Editor.</translation>
     </message>
     <message>
         <source>Run to this line</source>
@@ -5960,12 +6252,44 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Listing zurücksetzen</translation>
     </message>
     <message>
-        <source>Click to run to this line</source>
-        <translation>Klicken, um bis zu dieser Zeile zu laufen</translation>
+        <source>The run stops before this line. Click the dot to remove the breakpoint</source>
+        <translation>Der Lauf hält vor dieser Zeile an. Ein Klick auf den Punkt entfernt den Haltepunkt</translation>
     </message>
     <message>
-        <source>You changed this line. %1.</source>
-        <translation>Diese Zeile hast du geändert. %1.</translation>
+        <source>Click to run to this line. Ctrl+click sets a breakpoint</source>
+        <translation>Ein Klick läuft bis zu dieser Zeile. Strg+Klick setzt einen Haltepunkt</translation>
+    </message>
+    <message>
+        <source>You changed this line. %1</source>
+        <translation>Diese Zeile hast du geändert. %1</translation>
+    </message>
+    <message>
+        <source>Set breakpoint</source>
+        <translation>Haltepunkt setzen</translation>
+    </message>
+    <message>
+        <source>Remove breakpoint</source>
+        <translation>Haltepunkt entfernen</translation>
+    </message>
+    <message>
+        <source>Type to change it; the run is computed again after a short pause. Tab indents, %1 completes a name, %2 sets a breakpoint, Esc leaves the editor.</source>
+        <translation>Tippe, um es zu ändern; nach einer kurzen Pause wird der Lauf neu berechnet. Tab rückt ein, %1 vervollständigt einen Namen, %2 setzt einen Haltepunkt, Esc verlässt den Editor.</translation>
+    </message>
+    <message>
+        <source>My rule: forces that you write</source>
+        <translation>Meine Regel: Kräfte, die du schreibst</translation>
+    </message>
+    <message>
+        <source>Type to change it; the run is computed again after a short pause. Tab indents, %1 completes a name, Esc leaves the editor.</source>
+        <translation>Tippe, um sie zu ändern; der Ablauf wird nach einer kurzen Pause neu berechnet. Tab rückt ein, %1 ergänzt einen Namen, Esc verlässt den Editor.</translation>
+    </message>
+    <message>
+        <source>Delete rule</source>
+        <translation>Regel löschen</translation>
+    </message>
+    <message>
+        <source>Type to change it; the run is computed again after a short pause. Tab indents, Ctrl+Space completes a name, Esc leaves the editor.</source>
+        <translation>Tippe, um sie zu ändern; der Ablauf wird nach einer kurzen Pause neu berechnet. Tab rückt ein, Strg+Leertaste ergänzt einen Namen, Esc verlässt den Editor.</translation>
     </message>
 </context>
 <context>
@@ -5997,6 +6321,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Line %1: %2</source>
         <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>No line that runs comes after line %1. Choose a line inside a function.</source>
+        <translation>Nach Zeile %1 läuft keine Zeile mehr. Wähl eine Zeile in einer Funktion.</translation>
+    </message>
+    <message>
+        <source>No longer stops before line %1.</source>
+        <translation>Hält nicht mehr vor Zeile %1 an.</translation>
+    </message>
+    <message>
+        <source>Stops before line %1.</source>
+        <translation>Hält vor Zeile %1 an.</translation>
     </message>
 </context>
 <context>
@@ -6074,6 +6410,13 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::MistakeRow</name>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+</context>
+<context>
     <name>app::NameField</name>
     <message>
         <source>Name</source>
@@ -6099,8 +6442,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Voriger Schritt</translation>
     </message>
     <message>
-        <source>Back: %1 (Page Up)</source>
-        <translation>Zurück: %1 (Bild auf)</translation>
+        <source>Back: %1</source>
+        <translation>Zurück: %1</translation>
     </message>
     <message>
         <source>This is the first step.</source>
@@ -6109,10 +6452,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Next: %1</source>
         <translation>Weiter: %1</translation>
-    </message>
-    <message>
-        <source>Next: %1 (Page Down)</source>
-        <translation>Weiter: %1 (Bild ab)</translation>
     </message>
     <message>
         <source>What you learnt</source>
@@ -6705,6 +7044,56 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::RulePanel</name>
+    <message>
+        <source>Delete rule</source>
+        <translation>Regel löschen</translation>
+    </message>
+    <message>
+        <source>Switch on</source>
+        <translation>Einschalten</translation>
+    </message>
+    <message>
+        <source>Let your rule act again, from frame 0 on</source>
+        <translation>Lass deine Regel wieder wirken, von Bild 0 an</translation>
+    </message>
+    <message>
+        <source>Delete your rule and begin anew (Undo brings it back)</source>
+        <translation>Deine Regel löschen und neu anfangen (Rückgängig bringt sie zurück)</translation>
+    </message>
+    <message>
+        <source>There is no rule yet.</source>
+        <translation>Es gibt noch keine Regel.</translation>
+    </message>
+    <message>
+        <source>No rule acts yet. What you write acts as soon as you pause.</source>
+        <translation>Noch wirkt keine Regel. Was du schreibst, wirkt, sobald du innehältst.</translation>
+    </message>
+    <message>
+        <source>Your rule is switched off.</source>
+        <translation>Deine Regel ist ausgeschaltet.</translation>
+    </message>
+    <message>
+        <source>Your last rule without a mistake goes on.</source>
+        <translation>Deine letzte Regel ohne Fehler wirkt weiter.</translation>
+    </message>
+    <message>
+        <source>force acts on every body.</source>
+        <translation>force wirkt auf jeden Körper.</translation>
+    </message>
+    <message>
+        <source>pull acts along rule links, and there are none yet.</source>
+        <translation>pull wirkt entlang von Regelverbindungen, und es gibt noch keine.</translation>
+    </message>
+    <message numerus="yes">
+        <source>pull acts along %n rule links.</source>
+        <translation>
+            <numerusform>pull wirkt entlang von %n Regelverbindung.</numerusform>
+            <numerusform>pull wirkt entlang von %n Regelverbindungen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>app::RunCommands</name>
     <message>
         <source>&amp;Play or pause</source>
@@ -6906,8 +7295,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Neustart</translation>
     </message>
     <message>
-        <source>A new run. The old one is in “Runs”; Undo (Ctrl+Z) brings it back.</source>
-        <translation>Ein neuer Lauf. Der alte steht in „Läufe“; Rückgängig (Strg+Z) bringt ihn zurück.</translation>
+        <source>A new run. The old one is in “Runs”; Undo brings it back.</source>
+        <translation>Ein neuer Lauf. Der alte steht in „Läufe“; Rückgängig bringt ihn zurück.</translation>
     </message>
     <message>
         <source>the first run</source>
@@ -7158,6 +7547,42 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Select parts, and drag them to another place</source>
         <translation>Teile auswählen und an einen anderen Ort ziehen</translation>
     </message>
+    <message>
+        <source>&amp;My rule</source>
+        <translation>Meine Re&amp;gel</translation>
+    </message>
+    <message>
+        <source>My rule</source>
+        <translation>Meine Regel</translation>
+    </message>
+    <message>
+        <source>Write a force of your own for this scene</source>
+        <translation>Schreibe selbst eine Kraft für diese Szene</translation>
+    </message>
+    <message>
+        <source>Lin&amp;k selection by my rule</source>
+        <translation>Auswahl d&amp;urch meine Regel verbinden</translation>
+    </message>
+    <message>
+        <source>Link all</source>
+        <translation>Alle Paare</translation>
+    </message>
+    <message>
+        <source>Add a rule link between each two of the selected points</source>
+        <translation>Je zwei der ausgewählten Punkte durch eine Regelverbindung verbinden</translation>
+    </message>
+    <message>
+        <source>Add rule links</source>
+        <translation>Regelverbindungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Rule link</source>
+        <translation>Verbindung</translation>
+    </message>
+    <message>
+        <source>Connect two points by the function pull of your rule</source>
+        <translation>Zwei Punkte durch die Funktion pull deiner Regel verbinden</translation>
+    </message>
 </context>
 <context>
     <name>app::SandboxEditor</name>
@@ -7236,6 +7661,30 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Add gait group</source>
         <translation>Ganggruppe hinzufügen</translation>
+    </message>
+    <message>
+        <source>rule link</source>
+        <translation>Regelverbindung</translation>
+    </message>
+    <message>
+        <source>Add rule link</source>
+        <translation>Regelverbindung hinzufügen</translation>
+    </message>
+    <message>
+        <source>These two points have a rule link already, and the rule acts once along it.</source>
+        <translation>Diese zwei Punkte haben schon eine Regelverbindung, und die Regel wirkt einmal entlang von ihr.</translation>
+    </message>
+    <message>
+        <source>Select at least two points first: draw a box around them.</source>
+        <translation>Wähle zuerst mindestens zwei Punkte aus: Ziehe einen Rahmen um sie.</translation>
+    </message>
+    <message>
+        <source>Link %1 by the rule</source>
+        <translation>%1 durch die Regel verbinden</translation>
+    </message>
+    <message>
+        <source>All of these points have rule links already.</source>
+        <translation>Alle diese Punkte haben schon Regelverbindungen.</translation>
     </message>
 </context>
 <context>
@@ -7348,8 +7797,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
 <context>
     <name>app::SceneCard</name>
     <message>
-        <source>Done! You have tried everything here. Page Down opens the next step.</source>
-        <translation>Fertig! Du hast hier alles ausprobiert. Bild ab öffnet den nächsten Schritt.</translation>
+        <source>Done! You have tried everything here. %1 opens the next step.</source>
+        <translation>Fertig! Du hast hier alles ausprobiert. %1 öffnet den nächsten Schritt.</translation>
     </message>
     <message>
         <source>Done! You have tried everything here.</source>
@@ -7436,8 +7885,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Stabilität</translation>
     </message>
     <message>
-        <source>Click for the reasons and the remedies (Ctrl+L).</source>
-        <translation>Ein Klick zeigt die Gründe und Gegenmittel (Strg+L).</translation>
+        <source>Click for the reasons and the remedies</source>
+        <translation>Ein Klick zeigt die Gründe und Gegenmittel</translation>
     </message>
     <message>
         <source>%1&#x2009;% of the limit</source>
@@ -7459,8 +7908,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>Close, and show the previous panel (Ctrl+L)</source>
-        <translation>Schließen und die vorige Leiste zeigen (Strg+L)</translation>
+        <source>Close, and show the previous panel</source>
+        <translation>Schließen und die vorige Leiste zeigen</translation>
     </message>
     <message>
         <source>Remedies</source>
@@ -7565,20 +8014,20 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Vorschau von Bild %1. Der Lauf bleibt bei Bild %2.</translation>
     </message>
     <message>
-        <source>Everything is at rest. Touch something, or press &lt;b&gt;Space&lt;/b&gt; to stop.</source>
-        <translation>Alles ruht. Fass etwas an, oder drück die &lt;b&gt;Leertaste&lt;/b&gt;, um anzuhalten.</translation>
+        <source>Everything is at rest. Touch something, or press &lt;b&gt;%1&lt;/b&gt; to stop.</source>
+        <translation>Alles ruht. Fass etwas an, oder drück &lt;b&gt;%1&lt;/b&gt;, um anzuhalten.</translation>
     </message>
     <message>
-        <source>Playing. Press &lt;b&gt;Space&lt;/b&gt; to stop anywhere.</source>
-        <translation>Läuft. Drück die &lt;b&gt;Leertaste&lt;/b&gt;, um irgendwo anzuhalten.</translation>
+        <source>Playing. Press &lt;b&gt;%1&lt;/b&gt; to stop anywhere.</source>
+        <translation>Läuft. Drück &lt;b&gt;%1&lt;/b&gt;, um irgendwo anzuhalten.</translation>
     </message>
     <message>
-        <source>Inside frame %1, after %2. &lt;b&gt;Shift+→&lt;/b&gt; next phase, &lt;b&gt;→&lt;/b&gt; next frame.</source>
-        <translation>Innerhalb von Bild %1, nach „%2“. &lt;b&gt;Umschalt+→&lt;/b&gt; nächste Phase, &lt;b&gt;→&lt;/b&gt; nächstes Bild.</translation>
+        <source>Inside frame %1, after %2. &lt;b&gt;%3&lt;/b&gt; next phase, &lt;b&gt;%4&lt;/b&gt; next frame.</source>
+        <translation>Innerhalb von Bild %1, nach „%2“. &lt;b&gt;%3&lt;/b&gt; nächste Phase, &lt;b&gt;%4&lt;/b&gt; nächstes Bild.</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Space&lt;/b&gt; plays, &lt;b&gt;→&lt;/b&gt; next frame, &lt;b&gt;Shift+→&lt;/b&gt; into the frame. Drag anything.</source>
-        <translation>&lt;b&gt;Leertaste&lt;/b&gt; spielt ab, &lt;b&gt;→&lt;/b&gt; nächstes Bild, &lt;b&gt;Umschalt+→&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
+        <source>&lt;b&gt;%1&lt;/b&gt; plays, &lt;b&gt;%2&lt;/b&gt; next frame, &lt;b&gt;%3&lt;/b&gt; into the frame. Drag anything.</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; spielt ab, &lt;b&gt;%2&lt;/b&gt; nächstes Bild, &lt;b&gt;%3&lt;/b&gt; ins Bild. Zieh an etwas.</translation>
     </message>
 </context>
 <context>
@@ -7832,8 +8281,8 @@ Klicken, um bis dorthin zu laufen.</translation>
         <translation>Abspielen und anhalten</translation>
     </message>
     <message>
-        <source>**Space** plays and stops the run. **→** goes one frame forward, **←** one frame back.</source>
-        <translation>**Leertaste** spielt den Lauf ab und hält ihn an. **→** geht ein Bild weiter, **←** ein Bild zurück.</translation>
+        <source>**%1** plays and stops the run. **%2** goes one frame forward, **%3** one frame back.</source>
+        <translation>**%1** spielt den Lauf ab und hält ihn an. **%2** geht ein Bild weiter, **%3** ein Bild zurück.</translation>
     </message>
     <message>
         <source>The whole run is kept</source>
@@ -7848,8 +8297,8 @@ Klicken, um bis dorthin zu laufen.</translation>
         <translation>In einem Bild</translation>
     </message>
     <message>
-        <source>**Shift+→** runs one line of the code, and **Shift+←** takes it back. On the code's page **Engine** they go from phase to phase: springs pull, damping takes its share, things move.</source>
-        <translation>**Umschalt+→** führt eine Zeile des Codes aus, und **Umschalt+←** nimmt sie zurück. Auf der Seite **Engine** des Codes gehen sie von Phase zu Phase: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich.</translation>
+        <source>**%1** runs one line of the code, and **%2** takes it back. On the code's page **Engine** they go from phase to phase: springs pull, damping takes its share, things move.</source>
+        <translation>**%1** führt eine Zeile des Codes aus, und **%2** nimmt sie zurück. Auf der Seite **Engine** des Codes gehen sie von Phase zu Phase: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich.</translation>
     </message>
     <message>
         <source>The code that runs</source>
@@ -7879,8 +8328,8 @@ Klicken, um bis dorthin zu laufen.</translation>
 <context>
     <name>app::TransportBar</name>
     <message>
-        <source>going to %1… Esc stops</source>
-        <translation>geht zu %1 … Esc hält an</translation>
+        <source>going to %1… %2 stops</source>
+        <translation>geht zu %1 … %2 hält an</translation>
     </message>
     <message>
         <source>going to %1…</source>
@@ -9206,6 +9655,18 @@ auf dem Schirm (30 pro Sekunde)</translation>
     <message>
         <source>Your code</source>
         <translation>Dein Code</translation>
+    </message>
+    <message>
+        <source>Done by my rule</source>
+        <translation>Von meiner Regel geleistet</translation>
+    </message>
+    <message>
+        <source>my rule</source>
+        <translation>meine Regel</translation>
+    </message>
+    <message>
+        <source>Acts on bodies by the rule that you wrote.</source>
+        <translation>Wirkt auf Körper nach der Regel, die du geschrieben hast.</translation>
     </message>
 </context>
 <context>

@@ -31,4 +31,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>app::RulePanel</name>
+    <message numerus="yes">
+        <source>pull acts along %n rule links.</source>
+        <translation>
+            <numerusform>pull acts along %n rule link.</numerusform>
+            <numerusform>pull acts along %n rule links.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

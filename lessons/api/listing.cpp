@@ -13,7 +13,7 @@ const QString wholeFrame = QStringLiteral("frame");
 const QString gapBegin = QStringLiteral("//>");
 const QString gapEnd = QStringLiteral("//<");
 const QString commentSign = QStringLiteral("// ");
-constexpr qsizetype commentWidth = 48; ///< characters: fits into the code panel of a small window
+constexpr qsizetype commentWidth = 38; ///< characters: fits into the code panel of a window of 1280 px
 
 [[noreturn]] void rejectLine(int line, const QString &why)
 {

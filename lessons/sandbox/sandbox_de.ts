@@ -91,6 +91,86 @@
         <source>Positive and negative charges find each other and form a crystal. Give one the other sign.</source>
         <translation>Positive und negative Ladungen finden sich und bilden einen Kristall. Gib einer das andere Vorzeichen.</translation>
     </message>
+    <message>
+        <source>Magnets</source>
+        <translation>Magnete</translation>
+    </message>
+    <message>
+        <source>Seven magnets find each other. Pull one away and let go.</source>
+        <translation>Sieben Magnete finden zueinander. Zieh einen weg und lass los.</translation>
+    </message>
+    <message>
+        <source>Wind profile</source>
+        <translation>Wind am Boden</translation>
+    </message>
+    <message>
+        <source>The wind is slow near the ground and fast high up. Change how fast it grows with the height.</source>
+        <translation>Am Boden weht der Wind schwach, oben stark. Ändere, wie schnell er mit der Höhe zunimmt.</translation>
+    </message>
+    <message>
+        <source>Hardening spring</source>
+        <translation>Harte Feder</translation>
+    </message>
+    <message>
+        <source>The right spring hardens when it stretches, so it swings faster. Pull both down equally far.</source>
+        <translation>Die rechte Feder wird beim Dehnen härter, darum schwingt sie schneller. Zieh beide gleich weit nach unten.</translation>
+    </message>
+    <message>
+        <source>Planet</source>
+        <translation>Planet</translation>
+    </message>
+    <message>
+        <source>A planet on a circle and a comet on an ellipse. Write another power of the distance than 3.</source>
+        <translation>Ein Planet auf einem Kreis und ein Komet auf einer Ellipse. Schreib eine andere Potenz des Abstands als 3.</translation>
+    </message>
+    <message>
+        <source>Pumped swing</source>
+        <translation>Angestoßene Schaukel</translation>
+    </message>
+    <message>
+        <source>A motor pushes a swing in its own rhythm. Change the rhythm a little: the swing stays low.</source>
+        <translation>Ein Motor stößt eine Schaukel in ihrem eigenen Takt an. Ändere den Takt ein wenig: Sie bleibt niedrig.</translation>
+    </message>
+    <message>
+        <source>Drag of the air</source>
+        <translation>Luftwiderstand</translation>
+    </message>
+    <message>
+        <source>The drag grows with the square of the speed: fast swings end soon, slow ones go on.</source>
+        <translation>Der Widerstand wächst mit dem Quadrat der Geschwindigkeit: Schnelles Schwingen endet bald, langsames dauert an.</translation>
+    </message>
+    <message>
+        <source>Flock</source>
+        <translation>Schwarm</translation>
+    </message>
+    <message>
+        <source>Twenty dots that watch their neighbours. Remove one of the three habits.</source>
+        <translation>Zwanzig Punkte, die auf ihre Nachbarn achten. Nimm eine der drei Gewohnheiten weg.</translation>
+    </message>
+    <message>
+        <source>Whirlpool</source>
+        <translation>Strudel</translation>
+    </message>
+    <message>
+        <source>Water carries bodies round its middle. Let the water turn the other way.</source>
+        <translation>Wasser trägt Körper um seine Mitte. Lass das Wasser andersherum kreisen.</translation>
+    </message>
+    <message>
+        <source>Leash</source>
+        <translation>Leine</translation>
+    </message>
+    <message>
+        <source>A leash pulls only when it is tight. Make it longer, or tie a third dog to it.</source>
+        <translation>Eine Leine zieht nur, wenn sie gespannt ist. Mach sie länger oder binde einen dritten Hund an.</translation>
+    </message>
+    <message>
+        <source>Hovering platform</source>
+        <translation>Schwebende Plattform</translation>
+    </message>
+    <message>
+        <source>A platform compares its place with its goal, and follows your pointer. Change how hard it corrects.</source>
+        <translation>Eine Plattform vergleicht ihren Ort mit ihrem Ziel und folgt deinem Zeiger. Ändere, wie stark sie korrigiert.</translation>
+    </message>
 </context>
 <context>
     <name>lesson.json</name>

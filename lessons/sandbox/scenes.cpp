@@ -4,6 +4,7 @@
 #include "sim/effects/all_effects.h"
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drivers/gait_clock.h"
+#include "sim/effects/rules/rule_force.h"
 
 #include <algorithm>
 #include <numbers>
@@ -106,11 +107,13 @@ void setClocks(Scene &scene, const Blueprint &plan)
     }
     if (hasEffect(plan, "breeze"))
         scene.start.gaitSpeed[windClockOf(plan)] = windClock;
+    if (hasRuleClock(plan))
+        scene.start.gaitSpeed[ruleClockOf(plan)] = 1.0;
 }
 
 bool hasClocks(const Blueprint &plan, const Values &values)
 {
-    return (hasEffect(plan, "breeze") && values["gusts"] > 0.0) ||
+    return hasRuleClock(plan) || (hasEffect(plan, "breeze") && values["gusts"] > 0.0) ||
            std::any_of(plan.feet.begin(), plan.feet.end(), [&](const BlueprintFoot &foot) {
                return plan.gaits[static_cast<std::size_t>(foot.gait)].speed != 0.0;
            });
@@ -139,6 +142,9 @@ Scene setUp(const Values &values)
             add<LegSpring>(scene,
                 legs, ruleOf(gait));
     }
+    if (plan.rule)
+        scene.effects.push_back(
+            ruleForceOf(plan, values));
     // the effects that are switched on
     auto chosen = chosenEffects(
         allEffects(), plan, values);

@@ -30,9 +30,10 @@ std::vector<sim::Leg> legsOf(const sim::Blueprint &plan, int gait);
 sim::LegRule ruleOf(const sim::BlueprintGait &gait);
 
 constexpr double windClock = 0.05; ///< rad/frame, speed of the clock of the gusts
-/// Sets the start angles and speeds of the gait clocks, and of the gusts' clock if there is a breeze.
+/// Sets the start angles and speeds of the gait clocks, of the gusts' clock if there is a breeze, and of the rule's clock
+/// if the rule reads the time.
 void setClocks(sim::Scene &scene, const sim::Blueprint &plan);
-/// Returns whether any clock that feet or gusts follow is turning.
+/// Returns whether any clock that feet, gusts or the rule follow is turning.
 bool hasClocks(const sim::Blueprint &plan, const sim::Values &values);
 
 namespace build {

@@ -51,6 +51,32 @@ std::vector<Example> examples()
         example("charges", Text::tr("Crystal"),
                 Text::tr("Positive and negative charges find each other and form a crystal. Give one the "
                          "other sign.")),
+        example("magnets", Text::tr("Magnets"),
+                Text::tr("Seven magnets find each other. Pull one away and let go.")),
+        example("wind_profile", Text::tr("Wind profile"),
+                Text::tr("The wind is slow near the ground and fast high up. Change how fast it grows with "
+                         "the height.")),
+        example("hard_spring", Text::tr("Hardening spring"),
+                Text::tr("The right spring hardens when it stretches, so it swings faster. Pull both down "
+                         "equally far.")),
+        example("planet", Text::tr("Planet"),
+                Text::tr("A planet on a circle and a comet on an ellipse. Write another power of the "
+                         "distance than 3.")),
+        example("pumped_swing", Text::tr("Pumped swing"),
+                Text::tr("A motor pushes a swing in its own rhythm. Change the rhythm a little: the swing "
+                         "stays low.")),
+        example(
+            "air_drag", Text::tr("Drag of the air"),
+            Text::tr("The drag grows with the square of the speed: fast swings end soon, slow ones go on.")),
+        example("flock", Text::tr("Flock"),
+                Text::tr("Twenty dots that watch their neighbours. Remove one of the three habits.")),
+        example("whirlpool", Text::tr("Whirlpool"),
+                Text::tr("Water carries bodies round its middle. Let the water turn the other way.")),
+        example("leash", Text::tr("Leash"),
+                Text::tr("A leash pulls only when it is tight. Make it longer, or tie a third dog to it.")),
+        example("hover", Text::tr("Hovering platform"),
+                Text::tr("A platform compares its place with its goal, and follows your pointer. Change how "
+                         "hard it corrects.")),
     };
 }
 
@@ -65,6 +91,8 @@ Step buildStep()
     step.view = sandboxView;
     step.method = "semi_implicit_euler";
     step.points = PointSource::scene;
+    // Only a rule reads input besides dragging.
+    step.interactions = {Interaction::drag, Interaction::pointer, Interaction::target, Interaction::keys};
     step.prepareScript = [](sim::Script &script) {
         if (!script.values.blueprint)
             script.values.blueprint = defaultBlueprint();

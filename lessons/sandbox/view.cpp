@@ -165,6 +165,8 @@ View sandboxView(const sim::Scene &scene, const sim::Values &values)
     addSprings(view, plan);
     for (const sim::BlueprintStick &stick : plan.sticks)
         view.sticks.push_back({stick.a, stick.b, stick.length});
+    for (const sim::BlueprintRuleLink &link : plan.ruleLinks)
+        view.ruleLinks.push_back({link.a, link.b});
     for (const sim::BlueprintFoot &foot : plan.feet)
         view.legs.push_back({foot.body, foot.foot});
     if (effectOf<sim::Walls>(scene) || effectOf<sim::RoomLimits>(scene))

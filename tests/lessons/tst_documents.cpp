@@ -346,7 +346,6 @@ const EarlyWord earlyWords[] = {
     {"en", "Energy", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
     {"en", "Stiff", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
     {"de", "Energie", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
-    {"de", "Zusammenfallende Punkte", "rigid_constraint/pair", "“am selben Ort” is plain German there"},
     {"de", "Steif", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
 };
 

@@ -25,14 +25,14 @@ bool sameWay(const sim::MethodSetup &a, const sim::MethodSetup &b)
     return a.method && b.method && a.method->id() == b.method->id() && a.step == b.step;
 }
 
-AccuracyStudy::AccuracyStudy(Session &session, StudyFunction function, std::shared_ptr<QThreadPool> thread,
-                             QObject *parent)
-    : QObject(parent), m_session(session), m_function(std::move(function)), m_job(std::move(thread))
+AccuracyStudy::AccuracyStudy(const OpenRun &run, RunEditor &editor, StudyFunction function,
+                             std::shared_ptr<QThreadPool> thread, QObject *parent)
+    : QObject(parent), m_run(run), m_editor(editor), m_function(std::move(function)), m_job(std::move(thread))
 {
     m_settleTimer.setSingleShot(true);
     m_settleTimer.setInterval(settleMilliseconds);
     connect(&m_settleTimer, &QTimer::timeout, this, &AccuracyStudy::start);
-    session.onChange(ChangeKind::step | ChangeKind::run, this, &AccuracyStudy::followRun);
+    run.onChange(ChangeKind::step | ChangeKind::run, this, &AccuracyStudy::followRun);
 }
 
 void AccuracyStudy::setActive(bool isActive)
@@ -59,11 +59,11 @@ void AccuracyStudy::start()
     m_stage = Stage::measuring;
     m_done = 0.0;
     m_error.clear();
-    m_subject = Subject{m_session.lesson().id, m_session.step().id, m_session.timeline().script()};
+    m_subject = Subject{m_run.lesson().id, m_run.step().id, m_run.timeline().script()};
     sim::StudyPlan plan;
     sim::Script measured = m_subject->script;
     if (programOf(measured.method)) // it has no shorter steps, so it has no error to measure
-        measured.method = sim::findMethod(m_session.step().method.toStdString());
+        measured.method = sim::findMethod(m_run.step().method.toStdString());
     else
         plan.inUse = sim::MethodSetup{measured.method, measured.step};
     m_job.start(
@@ -117,13 +117,13 @@ void AccuracyStudy::finish(std::future<std::shared_ptr<const sim::Accuracy>> res
 
 bool AccuracyStudy::isAbout(const Subject &subject) const
 {
-    return subject.lesson == m_session.lesson().id && subject.step == m_session.step().id &&
-           sameScene(subject.script, m_session.timeline().script());
+    return subject.lesson == m_run.lesson().id && subject.step == m_run.step().id &&
+           sameScene(subject.script, m_run.timeline().script());
 }
 
 QString AccuracyStudy::leftOut() const
 {
-    return programOf(m_session.timeline().script().method)
+    return programOf(m_run.timeline().script().method)
                ? tr("Your code is left out: it computes whole frames, so it cannot be compared with shorter "
                     "steps.")
                : QString();
@@ -133,7 +133,7 @@ const sim::AccuracyRow *AccuracyStudy::inUse() const
 {
     if (!m_accuracy)
         return nullptr;
-    const sim::Script &script = m_session.timeline().script();
+    const sim::Script &script = m_run.timeline().script();
     const sim::MethodSetup setup{script.method, script.step};
     const auto &rows = m_accuracy->rows;
     const auto found = std::find_if(rows.begin(), rows.end(),
@@ -166,7 +166,7 @@ void AccuracyStudy::followRun()
 
 void AccuracyStudy::adopt(const sim::MethodSetup &setup)
 {
-    m_session.editor().use(setup.method, setup.step);
+    m_editor.use(setup.method, setup.step);
 }
 
 }

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/model/jobs/background_job.h"
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/run_editor.h"
 #include "sim/analysis/accuracy/study.h"
 
 #include <QObject>
@@ -29,7 +30,7 @@ public:
     };
 
     /// Measures on `thread`. Measurements that could disturb each other share a thread.
-    AccuracyStudy(Session &session, StudyFunction function,
+    AccuracyStudy(const OpenRun &run, RunEditor &editor, StudyFunction function,
                   std::shared_ptr<QThreadPool> thread = makeJobThread(), QObject *parent = nullptr);
 
     /// Sets whether any view shows the study. It runs only while one does.
@@ -53,7 +54,7 @@ public:
     /// Sets the session's method and step to those of `setup`.
     void adopt(const sim::MethodSetup &setup);
 
-    const Session &session() const { return m_session; }
+    const OpenRun &run() const { return m_run; }
 
     static constexpr int settleMilliseconds = 400; ///< a scene that changes is not measured before
     static constexpr int reportMilliseconds = 100; ///< between two progress reports of a study
@@ -75,7 +76,8 @@ private:
     void followRun();
     bool isAbout(const Subject &subject) const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
     StudyFunction m_function;
     QTimer m_settleTimer;
     std::optional<Subject> m_subject;

@@ -38,21 +38,22 @@ void measureCost(const CostSubject &subject, const sim::ShouldContinue &shouldCo
         report(meter.result());
 }
 
-CostMonitor::CostMonitor(Session &session, CostFunction function, std::shared_ptr<QThreadPool> thread,
-                         QObject *parent)
-    : QObject(parent), m_session(session), m_function(std::move(function)), m_measurement(std::move(thread))
+CostMonitor::CostMonitor(const OpenRun &run, const Playback &playback, CostFunction function,
+                         std::shared_ptr<QThreadPool> thread, QObject *parent)
+    : QObject(parent), m_run(run), m_playback(playback), m_function(std::move(function)),
+      m_measurement(std::move(thread))
 {
     m_settleTimer.setSingleShot(true);
     m_settleTimer.setInterval(settleMilliseconds);
     connect(&m_settleTimer, &QTimer::timeout, this, &CostMonitor::start);
-    session.onChange(ChangeKind::step | ChangeKind::run, this, &CostMonitor::followRun);
-    session.onChange(ChangeKind::playing, this, &CostMonitor::followPlaying);
+    run.onChange(ChangeKind::step | ChangeKind::run, this, &CostMonitor::followRun);
+    run.onChange(ChangeKind::playing, this, &CostMonitor::followPlaying);
 }
 
 CostMonitor::Subject CostMonitor::currentSubject() const
 {
-    return {m_session.lesson().id + '/' + m_session.step().id, withoutInput(m_session.timeline().script()),
-            m_session.timeline().cursor().frame};
+    return {m_run.lesson().id + '/' + m_run.step().id, withoutInput(m_run.timeline().script()),
+            m_run.timeline().cursor().frame};
 }
 
 CostMonitor::Stage CostMonitor::stage() const
@@ -90,8 +91,7 @@ void CostMonitor::followRun()
 void CostMonitor::followPlaying()
 {
     // Contacts with a wall cost more than free motion, so the cost is measured again at the new position.
-    if (m_isActive && !m_session.playback().isPlaying() &&
-        m_session.timeline().cursor().frame != m_subject.frame)
+    if (m_isActive && !m_playback.isPlaying() && m_run.timeline().cursor().frame != m_subject.frame)
         startLater();
 }
 
@@ -118,8 +118,8 @@ void CostMonitor::start()
     stop();
     m_isDone = false;
     m_subject = currentSubject();
-    const sim::Track &track = m_session.timeline().track();
-    CostSubject subject{m_session.timeline().script(), track.nextInterval(), {}};
+    const sim::Track &track = m_run.timeline().track();
+    CostSubject subject{m_run.timeline().script(), track.nextInterval(), {}};
     const std::int64_t frame = track.cursor().frame;
     subject.state =
         track.stateAfterInput(track.cursor().phase > 0 ? track.stateAt(frame) : track.state(), frame);

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/model/jobs/background_job.h"
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/playback.h"
 #include "sim/analysis/cost/cost.h"
 
 #include <QObject>
@@ -44,7 +45,7 @@ public:
     };
 
     /// Measures on `thread`. Measurements that could disturb each other share a thread.
-    explicit CostMonitor(Session &session, CostFunction function = measureCost,
+    explicit CostMonitor(const OpenRun &run, const Playback &playback, CostFunction function = measureCost,
                          std::shared_ptr<QThreadPool> thread = makeJobThread(), QObject *parent = nullptr);
 
     /// Sets whether any view shows the cost.
@@ -84,7 +85,8 @@ private:
     void start();
     void stop();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const Playback &m_playback;
     CostFunction m_function;
     QTimer m_settleTimer;
     Subject m_subject; ///< the subject of m_cost, or of the current measurement

@@ -9,7 +9,8 @@ namespace app {
 
 EffectLedger::EffectLedger(Session &session, CostFunction function, std::shared_ptr<QThreadPool> thread,
                            QObject *parent)
-    : QObject(parent), m_session(session), m_costs(session, std::move(function), std::move(thread))
+    : QObject(parent), m_session(session),
+      m_costs(session.run(), session.playback(), std::move(function), std::move(thread))
 {
     connect(&m_costs, &CostMonitor::changed, this, &EffectLedger::changed);
 }

@@ -2,6 +2,7 @@
 
 #include "app/model/analysis/cost_monitor.h"
 #include "app/model/analysis/effect_lines.h"
+#include "app/model/session/session.h"
 
 namespace app {
 

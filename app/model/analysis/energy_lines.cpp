@@ -21,8 +21,8 @@ constexpr double rounding = 1e-11; ///< fraction of the largest number of the ru
 
 /// The order of the stacked areas: the drift is on top.
 constexpr Account shownOrder[] = {Account::drift,   Account::impact,  Account::damping, Account::hand,
-                                  Account::changes, Account::motors,  Account::wind,    Account::pulls,
-                                  Account::gravity, Account::anchors, Account::sticks};
+                                  Account::changes, Account::motors,  Account::wind,    Account::rule,
+                                  Account::pulls,   Account::gravity, Account::anchors, Account::sticks};
 
 struct Words
 {
@@ -49,6 +49,10 @@ Words wordsOf(Account account)
     case Account::wind:
         return {EnergyLinesText::tr("Done by wind"),
                 EnergyLinesText::tr("Energy that the wind adds or takes away"), EffectKind::wind};
+    case Account::rule:
+        return {EnergyLinesText::tr("Done by my rule"),
+                EnergyLinesText::tr("Energy that the force of your rule adds or takes away"),
+                EffectKind::rule};
     case Account::pulls:
         return {EnergyLinesText::tr("Done by one-way pulls"),
                 EnergyLinesText::tr(

@@ -4,16 +4,17 @@
 
 namespace app {
 
-RemedySearch::RemedySearch(Session &session, QObject *parent) : QObject(parent), m_session(session)
+RemedySearch::RemedySearch(const OpenRun &run, const RunEditor &editor, QObject *parent)
+    : QObject(parent), m_run(run), m_editor(editor)
 {
-    session.onChange(ChangeKind::step | ChangeKind::run, this, &RemedySearch::reset);
-    session.onChange(ChangeKind::cursor, this, &RemedySearch::update);
+    run.onChange(ChangeKind::step | ChangeKind::run, this, &RemedySearch::reset);
+    run.onChange(ChangeKind::cursor, this, &RemedySearch::update);
 }
 
 const sim::Stop *RemedySearch::stop() const
 {
-    const std::optional<sim::Stop> &stop = m_session.timeline().stop();
-    return stop && m_session.timeline().cursor().frame == stop->frame ? &*stop : nullptr;
+    const std::optional<sim::Stop> &stop = m_run.timeline().stop();
+    return stop && m_run.timeline().cursor().frame == stop->frame ? &*stop : nullptr;
 }
 
 void RemedySearch::reset()
@@ -39,11 +40,11 @@ void RemedySearch::update()
 void RemedySearch::begin()
 {
     m_hasBegun = true;
-    if (programOf(m_session.timeline().script().method))
+    if (programOf(m_run.timeline().script().method))
         return; // the mistake is in the learner's code, which no other step mends
     m_search.start(
-        [script = m_session.timeline().script(), stop = *stop(),
-         damping = m_session.editor().damping()](const BackgroundJob::Context &job) {
+        [script = m_run.timeline().script(), stop = *stop(),
+         damping = m_editor.damping()](const BackgroundJob::Context &job) {
             return sim::remediesAfter(script, stop, damping ? &*damping : nullptr, job.shouldContinue());
         },
         [this](std::future<std::vector<sim::Remedy>> found) {

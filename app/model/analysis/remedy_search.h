@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/model/jobs/background_job.h"
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/run_editor.h"
 #include "sim/analysis/stability/remedies/trial_runs.h"
 
 #include <QObject>
@@ -14,7 +15,7 @@ class RemedySearch : public QObject
     Q_OBJECT
 
 public:
-    explicit RemedySearch(Session &session, QObject *parent = nullptr);
+    explicit RemedySearch(const OpenRun &run, const RunEditor &editor, QObject *parent = nullptr);
 
     /// Returns why the run ended, while the cursor is at its end; null everywhere else.
     const sim::Stop *stop() const;
@@ -32,7 +33,8 @@ private:
     void update();
     void begin();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const RunEditor &m_editor;
     bool m_hasBegun = false; ///< the search for this run
     bool m_wasStopped = false;
     std::vector<sim::Remedy> m_found;

@@ -35,29 +35,30 @@ struct StabilityMonitor::Offers
     std::optional<sim::IterationRange> passes;
 };
 
-StabilityMonitor::StabilityMonitor(Session &session, QObject *parent)
-    : QObject(parent), m_session(session), m_preview(session)
+StabilityMonitor::StabilityMonitor(const OpenRun &run, RunEditor &editor, const Preview &preview,
+                                   QObject *parent)
+    : QObject(parent), m_run(run), m_editor(editor), m_preview(run, preview)
 {
     m_due.setSingleShot(true);
     m_mapDue.setSingleShot(true);
     m_mapDue.setInterval(restMilliseconds);
     connect(&m_due, &QTimer::timeout, this, &StabilityMonitor::startReading);
     connect(&m_mapDue, &QTimer::timeout, this, &StabilityMonitor::startMap);
-    session.onChange(ChangeKind::step, this, &StabilityMonitor::reset);
-    session.onChange(ChangeKind::run, this, &StabilityMonitor::followRun);
-    session.onChange(ChangeKind::cursor, this, &StabilityMonitor::followCursor);
+    run.onChange(ChangeKind::step, this, &StabilityMonitor::reset);
+    run.onChange(ChangeKind::run, this, &StabilityMonitor::followRun);
+    run.onChange(ChangeKind::cursor, this, &StabilityMonitor::followCursor);
     noteSpot();
     followCursor();
 }
 
 StabilityMonitor::Subject StabilityMonitor::currentSubject() const
 {
-    const sim::Track &track = m_session.timeline().track();
+    const sim::Track &track = m_run.timeline().track();
     // Both of the next output step: its input may change the number of points.
     std::shared_ptr<const sim::ComposedInterval> interval;
     sim::State state = track.preview(interval);
-    return {m_session.timeline().script(), std::move(interval), std::move(state),
-            m_session.timeline().cursor().frame};
+    return {m_run.timeline().script(), std::move(interval), std::move(state),
+            m_run.timeline().cursor().frame};
 }
 
 void StabilityMonitor::followCursor()
@@ -109,7 +110,7 @@ void StabilityMonitor::startReading()
     m_hasChanged = false;
     std::optional<Offers> offers;
     if (m_detailed)
-        offers = Offers{m_session.editor().damping(), m_session.editor().passes()};
+        offers = Offers{m_editor.damping(), m_editor.passes()};
     m_readingJob.start(
         [subject = currentSubject(), offers](const BackgroundJob::Context &job) {
             return timedReading([&] { return readingOf(subject, offers, job); });
@@ -138,20 +139,20 @@ void StabilityMonitor::setDetailed(bool detailed)
 
 void StabilityMonitor::adopt(const sim::Remedy &remedy)
 {
-    m_session.editor().use(remedy);
+    m_editor.use(remedy);
 }
 
 TriedSpot StabilityMonitor::settable(TriedSpot spot) const
 {
     const auto fitted = [&](const char *id, double value, double grid) {
-        const lessons::Parameter *declared = m_session.step().parameter(QString::fromLatin1(id));
+        const lessons::Parameter *declared = m_run.step().parameter(QString::fromLatin1(id));
         const double rounded = std::round(value / grid) * grid;
         return declared ? std::clamp(rounded, declared->min, declared->max) : value;
     };
     // Round a stiffness to three digits, because its scale is logarithmic, and damping as its field shows it.
     if (spot.k > 0.0)
         spot.k = fitted("k", spot.k, std::pow(10.0, std::floor(std::log10(spot.k)) - 2.0));
-    if (const lessons::Parameter *damp = m_session.step().parameter(QStringLiteral("damp")))
+    if (const lessons::Parameter *damp = m_run.step().parameter(QStringLiteral("damp")))
         spot.damp = fitted("damp", spot.damp, std::pow(10.0, -damp->decimals));
     spot.h = spot.h < 1.0 ? 1.0 / std::round(1.0 / spot.h) : std::round(spot.h);
     return spot;
@@ -163,9 +164,9 @@ void StabilityMonitor::adopt(const TriedSpot &spot)
     m_adopting = true;
     // Set the step first: this turns the old run into the comparison run. Later changes at the cursor do not make
     // another.
-    m_session.editor().setStepSize(to.h);
-    m_session.editor().setParameter(QStringLiteral("damp"), to.damp);
-    m_session.editor().setParameter(QStringLiteral("k"), to.k);
+    m_editor.setStepSize(to.h);
+    m_editor.setParameter(QStringLiteral("damp"), to.damp);
+    m_editor.setParameter(QStringLiteral("k"), to.k);
     m_adopting = false;
     noteSpot();
 }
@@ -174,11 +175,11 @@ void StabilityMonitor::noteSpot()
 {
     if (m_adopting)
         return; // only some of the settings are applied so far
-    const sim::Values &values = m_session.timeline().values();
+    const sim::Values &values = m_run.timeline().values();
     TriedSpot spot;
     spot.k = values.has("k") ? values["k"] : 0.0;
     spot.damp = values.has("damp") ? values["damp"] : 1.0;
-    spot.h = m_session.timeline().script().step.h;
+    spot.h = m_run.timeline().script().step.h;
     if (!m_tried.empty() && m_tried.back() == spot)
         return;
     m_tried.push_back(spot);
@@ -189,10 +190,10 @@ void StabilityMonitor::noteSpot()
 
 bool StabilityMonitor::canMap(MapPlane plane) const
 {
-    const lessons::Step &step = m_session.step();
-    return m_session.timeline().state().pointCount() <= sim::maxAnalysedPoints &&
-           !programOf(m_session.timeline().script().method) &&
-           m_session.timeline().script().method->stepLimit() == sim::StepLimit::stiffness &&
+    const lessons::Step &step = m_run.step();
+    return m_run.timeline().state().pointCount() <= sim::maxAnalysedPoints &&
+           !programOf(m_run.timeline().script().method) &&
+           m_run.timeline().script().method->stepLimit() == sim::StepLimit::stiffness &&
            step.parameter(QStringLiteral("k")) &&
            (plane == MapPlane::step || step.parameter(QStringLiteral("damp"))) && !nothingSwings();
 }
@@ -217,7 +218,7 @@ void StabilityMonitor::requestMap(std::optional<MapPlane> plane)
 sim::MapAxis StabilityMonitor::across() const
 {
     const double k = std::max(m_tried.back().k, 1e-6);
-    const lessons::Parameter &declared = *m_session.step().parameter(QStringLiteral("k"));
+    const lessons::Parameter &declared = *m_run.step().parameter(QStringLiteral("k"));
     return sim::MapAxis::byRatio("k", std::min(leastStiffness, k / 2.0),
                                  std::min(declared.max, std::max(mostStiffness, 2.0 * k)), columns);
 }

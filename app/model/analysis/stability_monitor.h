@@ -4,7 +4,9 @@
 #include "app/model/analysis/stability_preview.h"
 #include "app/model/analysis/stability_reading.h"
 #include "app/model/jobs/background_job.h"
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/preview.h"
+#include "app/model/session/run_editor.h"
 #include "sim/analysis/stability/growth_map.h"
 
 #include <QElapsedTimer>
@@ -29,9 +31,10 @@ class StabilityMonitor : public QObject
     Q_OBJECT
 
 public:
-    explicit StabilityMonitor(Session &session, QObject *parent = nullptr);
+    explicit StabilityMonitor(const OpenRun &run, RunEditor &editor, const Preview &preview,
+                              QObject *parent = nullptr);
 
-    const Session &session() const { return m_session; }
+    const OpenRun &run() const { return m_run; }
     /// Returns the last reading; null before the first.
     const StabilityReading *reading() const { return m_reading.get(); }
     /// Returns the readings for the moment of a preview.
@@ -92,7 +95,8 @@ private:
     sim::MapAxis across() const;
     sim::MapAxis up() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
     StabilityPreview m_preview;
     QTimer m_due;              ///< active while a reading is due
     QTimer m_mapDue;           ///< the same for a map

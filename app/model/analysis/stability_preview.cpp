@@ -5,7 +5,8 @@
 
 namespace app {
 
-StabilityPreview::StabilityPreview(Session &session, QObject *parent) : QObject(parent), m_session(session)
+StabilityPreview::StabilityPreview(const OpenRun &run, const Preview &preview, QObject *parent)
+    : QObject(parent), m_run(run), m_preview(preview)
 {
     m_due.setSingleShot(true);
     m_lateTimer.setSingleShot(true);
@@ -15,7 +16,7 @@ StabilityPreview::StabilityPreview(Session &session, QObject *parent) : QObject(
         emit changed();
     });
     connect(&m_due, &QTimer::timeout, this, &StabilityPreview::startReading);
-    session.onChange(ChangeKind::preview, this, &StabilityPreview::followPreview);
+    run.onChange(ChangeKind::preview, this, &StabilityPreview::followPreview);
 }
 
 void StabilityPreview::followPreview()
@@ -46,7 +47,7 @@ void StabilityPreview::setOnTime()
 
 void StabilityPreview::startReading()
 {
-    const sim::Timeline &shown = m_session.preview().run();
+    const sim::Timeline &shown = m_preview.run();
     std::shared_ptr<const sim::ComposedInterval> interval;
     const sim::State state = shown.track().preview(interval); // both of the next output step
     m_readingJob.start(

@@ -2,7 +2,8 @@
 
 #include "app/model/analysis/stability_reading.h"
 #include "app/model/jobs/background_job.h"
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/preview.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -17,18 +18,18 @@ class StabilityPreview : public QObject
     Q_OBJECT
 
 public:
-    explicit StabilityPreview(Session &session, QObject *parent = nullptr);
+    explicit StabilityPreview(const OpenRun &run, const Preview &preview, QObject *parent = nullptr);
 
     /// Returns whether a preview of another moment is open.
-    bool isOpen() const { return m_session.preview().isActive(); }
+    bool isOpen() const { return m_preview.isActive(); }
     /// Returns the last reading since the preview began; null before the first.
     const StabilityReading *reading() const { return m_reading.get(); }
     /// Returns whether the reading belongs to the previewed moment.
-    bool isCurrent() const { return m_reading && m_readAt == m_session.preview().run().cursor(); }
+    bool isCurrent() const { return m_reading && m_readAt == m_preview.run().cursor(); }
     /// Returns whether the reading is still missing after a short wait. Most readings arrive before the delay is
     /// visible.
     bool isLate() const { return m_isLate; }
-    std::int64_t frame() const { return m_session.preview().run().cursor().frame; }
+    std::int64_t frame() const { return m_preview.run().cursor().frame; }
 
     static constexpr int lateMilliseconds = 120;
 
@@ -41,7 +42,8 @@ private:
     void startReading();
     void receive(sim::Cursor at, const TimedReading &result);
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const Preview &m_preview;
     QTimer m_due;
     QTimer m_lateTimer; ///< runs for a while after the moment changed
     QElapsedTimer m_sinceReading;

@@ -57,6 +57,17 @@ QString sentenceFor(const Breakpoint &breakpoint, const sim::Timeline &run)
         .arg(QString::number(run.cursor().frame), phrase(nextPhase(run).title), why);
 }
 
+/// Returns why the run stops before the line at `index` of `frame`.
+QString sentenceBeforeLine(const Breakpoint &breakpoint, const ListingFrame &frame, int index)
+{
+    const QString number = QString::number(frame.frame()), line = QString::number(frame.line(index).line);
+    return breakpoint.condition.isEmpty()
+               ? BreakpointMonitorText::tr("Stopped at frame %1 before line %2 of the listing.")
+                     .arg(number, line)
+               : BreakpointMonitorText::tr("Stopped at frame %1 before line %2: %3.")
+                     .arg(number, line, breakpoint.condition);
+}
+
 }
 
 ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &timeline)
@@ -115,15 +126,16 @@ void BreakpointMonitor::fit(const sim::Timeline &run)
     for (Watched &one : m_watched) {
         one.condition.reset();
         one.phases.clear();
-        if (one.breakpoint.place)
-            one.phases = phasesAt(*one.breakpoint.place, next->pipeline);
-        one.isInForce = !one.breakpoint.place || !one.phases.empty();
-        one.isOfLines = false;
+        const std::optional<CodePlace> &place = one.breakpoint.place;
+        one.isOfLines = place && place->isInListing();
+        if (place && !one.isOfLines)
+            one.phases = phasesAt(*place, next->pipeline);
+        one.isInForce = !place || one.isOfLines || !one.phases.empty();
         if (one.breakpoint.condition.isEmpty())
             continue;
         try {
             one.condition = Condition::parse(one.breakpoint.condition, names);
-            one.isOfLines = one.condition->readsVariables();
+            one.isOfLines = one.isOfLines || one.condition->readsVariables();
         } catch (const UserError &) {
             one.isInForce = false; // a name in it does not exist here; the list of breakpoints says so
         }
@@ -186,7 +198,16 @@ std::optional<BreakHit> BreakpointMonitor::hitAt(const sim::Timeline &run)
     return BreakHit{hit->id, run.cursor(), 0, sentenceFor(*hit, run)};
 }
 
-std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, From from)
+bool BreakpointMonitor::holdsBeforeLine(const Watched &one, const sim::State &state,
+                                        const ListingFrame &frame, int index) const
+{
+    if (one.breakpoint.place && one.breakpoint.place->line != frame.line(index).line)
+        return false;
+    const auto number = [&](const std::string &path) { return frame.numberOf(path, index); };
+    return !one.condition || one.condition->holds({state, frame.frame(), nullptr, number});
+}
+
+std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, Lines lines)
 {
     fit(run);
     const auto isWatched = [](const Watched &one) { return one.isInForce && one.isOfLines; };
@@ -195,23 +216,21 @@ std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, 
     const LinesAhead ahead = m_lines ? m_lines() : LinesAhead();
     if (!ahead.frame)
         return std::nullopt;
-    sim::State state = ahead.frame->stateAfter(ahead.index);
-    for (int i = ahead.index; i < ahead.frame->count(); ++i) {
-        if (i > ahead.index)
+    const int begin = lines == Lines::behindCursor ? ahead.index : 0;
+    const int end = std::min(ahead.frame->count(), lines == Lines::first ? 1 : ahead.frame->count());
+    sim::State state = ahead.frame->stateAfter(begin);
+    for (int i = begin; i < end; ++i) {
+        if (i > begin)
             ahead.frame->applyLine(i - 1, state);
-        const auto number = [&](const std::string &path) { return ahead.frame->numberOf(path, i); };
-        const bool counts = i > ahead.index || (from == From::firstLine && i == 0);
+        const bool counts = i > begin || lines != Lines::behindCursor;
         for (Watched &one : m_watched) {
             if (!isWatched(one))
                 continue;
-            const bool now = one.condition->holds({state, run.cursor().frame, nullptr, number});
-            if (now && !std::exchange(one.held, now) && counts)
+            const bool now = holdsBeforeLine(one, state, *ahead.frame, i);
+            const bool held = std::exchange(one.held, now && !one.breakpoint.place);
+            if (now && !held && counts)
                 return BreakHit{one.breakpoint.id, run.cursor(), i,
-                                BreakpointMonitorText::tr("Stopped at frame %1 before line %2: %3.")
-                                    .arg(QString::number(run.cursor().frame),
-                                         QString::number(ahead.frame->line(i).line),
-                                         one.breakpoint.condition)};
-            one.held = now;
+                                sentenceBeforeLine(one.breakpoint, *ahead.frame, i)};
         }
     }
     return std::nullopt;
@@ -219,13 +238,12 @@ std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, 
 
 std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor target)
 {
-    const bool goesOn = run.cursor() == m_last;
-    if (!goesOn)
+    if (run.cursor() != m_last)
         m_rowsOver = 0;
     checkBreakpoints(run);
     target.frame =
         target.frame / run.track().framesPerOutput() * run.track().framesPerOutput(); // rounded as in seek()
-    std::optional<BreakHit> hit = hitInLines(run, goesOn ? From::firstLine : From::behindCursor);
+    std::optional<BreakHit> hit = hitInLines(run, Lines::behindCursor);
     while (!hit && run.cursor() < target) {
         const sim::Cursor wanted = nextPlace(run, target);
         run.seek(wanted);
@@ -236,8 +254,9 @@ std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor t
         hit = hitAt(run);
         if (run.cursor().phase == 0)
             m_rowsOver = run.isFinished() ? m_rowsOver + 1 : 0;
-        if (!hit && run.cursor() < target)
-            hit = hitInLines(run, From::firstLine);
+        // The first line is next at the target. The others are checked when the run goes on.
+        if (!hit)
+            hit = hitInLines(run, run.cursor() < target ? Lines::all : Lines::first);
     }
     m_last = run.cursor();
     return hit;

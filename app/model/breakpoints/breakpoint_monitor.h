@@ -35,16 +35,16 @@ ConditionNames conditionNames(const lessons::Step &step, const sim::Timeline &ti
 std::vector<int> phasesAt(const CodePlace &place, const sim::Pipeline &pipeline);
 
 /// Advances runs and stops them at breakpoints. A breakpoint with a line stops before each phase of that line, if its
-/// condition holds. A breakpoint without a line stops before the first phase at which its condition becomes true. With
-/// variables of a listing, it stops before the first line of the listing instead. The starting point never counts, so a
-/// stopped run can go on.
+/// condition holds, and one in the listing each time before the line runs. A breakpoint without a line stops before the
+/// first phase at which its condition becomes true. With variables of a listing, it stops before the first line of the
+/// listing instead. The starting point never counts, so a stopped run can go on.
 class BreakpointMonitor
 {
 public:
     /// Sets the breakpoints of `step` to watch from now on. `step` must outlive this monitor.
     void watch(const std::vector<Breakpoint> &breakpoints, const lessons::Step &step);
-    /// Sets the function that returns the lines after the cursor of the run. Without it, conditions on variables of a
-    /// listing never hold.
+    /// Sets the function that returns the lines after the cursor of the run. Without it, the run never stops before a line
+    /// of a listing.
     void setLines(std::function<LinesAhead()> lines) { m_lines = std::move(lines); }
     /// Returns whether there are breakpoints to watch.
     bool isWatching() const { return !m_watched.empty(); }
@@ -62,7 +62,7 @@ private:
         std::optional<Condition> condition;
         std::vector<int> phases; ///< of a step; empty without a line
         bool isInForce = false;  ///< whether the line runs here, and the condition is valid here
-        bool isOfLines = false;  ///< whether the condition depends on variables of the listing
+        bool isOfLines = false;  ///< whether it stops before lines of the listing, not before phases
         bool held = false;       ///< whether the condition held one phase ago; only without a line
     };
 
@@ -71,10 +71,14 @@ private:
     void checkBreakpoints(const sim::Timeline &run);
     bool holds(const Watched &one, const sim::Timeline &run) const;
     sim::Cursor nextPlace(const sim::Timeline &run, sim::Cursor target) const;
+    /// Returns whether a breakpoint of lines stops the run before the line at `index` of `frame`, where `state` is. Ignores
+    /// whether it held before.
+    bool holdsBeforeLine(const Watched &one, const sim::State &state, const ListingFrame &frame,
+                         int index) const;
     std::optional<BreakHit> hitAt(const sim::Timeline &run);
-    /// Checks the lines of the next frame, from the one at the cursor or from the first one on.
-    enum class From { behindCursor, firstLine };
-    std::optional<BreakHit> hitInLines(const sim::Timeline &run, From from);
+    /// Checks the lines of the next frame: those after the one that runs next, all of them, or the first one alone.
+    enum class Lines { behindCursor, all, first };
+    std::optional<BreakHit> hitInLines(const sim::Timeline &run, Lines lines);
 
     const lessons::Step *m_step = nullptr;
     std::vector<Watched> m_watched;

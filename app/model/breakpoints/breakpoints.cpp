@@ -1,33 +1,31 @@
 #include "app/model/breakpoints/breakpoints.h"
 
+#include "app/model/listing/changed_lines.h"
+
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
 const Breakpoint *Breakpoints::find(int id) const
 {
-    const auto found =
-        std::find_if(m_open.begin(), m_open.end(), [id](const Breakpoint &one) { return one.id == id; });
-    return found == m_open.end() ? nullptr : &*found;
+    const auto found = std::find_if(m_open.all.begin(), m_open.all.end(),
+                                    [id](const Breakpoint &one) { return one.id == id; });
+    return found == m_open.all.end() ? nullptr : &*found;
 }
 
 Breakpoint *Breakpoints::its(int id)
 {
-    const auto found =
-        std::find_if(m_open.begin(), m_open.end(), [id](const Breakpoint &one) { return one.id == id; });
-    return found == m_open.end() ? nullptr : &*found;
+    const auto found = std::find_if(m_open.all.begin(), m_open.all.end(),
+                                    [id](const Breakpoint &one) { return one.id == id; });
+    return found == m_open.all.end() ? nullptr : &*found;
 }
 
 const Breakpoint *Breakpoints::at(const CodePlace &place) const
 {
-    const auto found =
-        std::find_if(m_open.begin(), m_open.end(), [&](const Breakpoint &one) { return one.place == place; });
-    return found == m_open.end() ? nullptr : &*found;
-}
-
-bool Breakpoints::isAnyOn() const
-{
-    return std::any_of(m_open.begin(), m_open.end(), [](const Breakpoint &one) { return one.isOn; });
+    const auto found = std::find_if(m_open.all.begin(), m_open.all.end(),
+                                    [&](const Breakpoint &one) { return one.place == place; });
+    return found == m_open.all.end() ? nullptr : &*found;
 }
 
 void Breakpoints::open(const QString &key)
@@ -44,16 +42,16 @@ bool Breakpoints::toggle(const CodePlace &place)
 {
     const Breakpoint *there = at(place);
     if (there)
-        std::erase_if(m_open, [&](const Breakpoint &one) { return one.place == place; });
+        std::erase_if(m_open.all, [&](const Breakpoint &one) { return one.place == place; });
     else
-        m_open.push_back({++m_last, place, {}, true});
+        m_open.all.push_back({++m_last, place, {}, true});
     emit changed();
     return !there;
 }
 
 void Breakpoints::add(const QString &condition)
 {
-    m_open.push_back({++m_last, std::nullopt, condition, true});
+    m_open.all.push_back({++m_last, std::nullopt, condition, true});
     emit changed();
 }
 
@@ -77,8 +75,35 @@ void Breakpoints::setOn(int id, bool on)
 
 void Breakpoints::remove(int id)
 {
-    if (std::erase_if(m_open, [id](const Breakpoint &one) { return one.id == id; }) > 0)
+    if (std::erase_if(m_open.all, [id](const Breakpoint &one) { return one.id == id; }) > 0)
         emit changed();
+}
+
+void Breakpoints::followListing(const QString &text)
+{
+    if (m_open.listing == text)
+        return;
+    const QString before = std::exchange(m_open.listing, text).value_or(text);
+    const auto isInListing = [](const Breakpoint &one) { return one.place && one.place->isInListing(); };
+    if (before == text || std::none_of(m_open.all.begin(), m_open.all.end(), isInListing))
+        return;
+    const std::vector<int> moved = movedLines(before, text);
+    std::vector<Breakpoint> kept;
+    for (Breakpoint one : m_open.all) {
+        if (isInListing(one)) {
+            const auto line = static_cast<std::size_t>(one.place->line);
+            one.place->line = line < moved.size() ? moved[line] : 0;
+            const bool isTaken = std::any_of(
+                kept.begin(), kept.end(), [&](const Breakpoint &other) { return other.place == one.place; });
+            if (one.place->line == 0 || isTaken)
+                continue;
+        }
+        kept.push_back(std::move(one));
+    }
+    if (kept == m_open.all)
+        return;
+    m_open.all = std::move(kept);
+    emit changed();
 }
 
 }

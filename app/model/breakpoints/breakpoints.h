@@ -9,11 +9,13 @@
 
 namespace app {
 
-/// A line of a source file that the code panel shows.
+/// A line of a source file that the code panel shows, or of the listing.
 struct CodePlace
 {
-    QString file; ///< relative to the project's top folder
+    QString file; ///< relative to the project's top folder; empty: the listing of the step
     int line = 0; ///< from 1
+
+    bool isInListing() const { return file.isEmpty(); }
     friend bool operator==(const CodePlace &, const CodePlace &) = default;
 };
 
@@ -21,8 +23,8 @@ struct CodePlace
 struct Breakpoint
 {
     int id = 0;
-    /// The line: the run stops before each phase that contains it. Empty: the run stops before any phase, as soon as
-    /// the condition becomes true.
+    /// The line: the run stops before each phase that contains it, or each time before the line of the listing. Empty:
+    /// the run stops before any phase, as soon as the condition becomes true.
     std::optional<CodePlace> place;
     QString condition; ///< see Condition; required if there is no place
     bool isOn = true;
@@ -38,11 +40,9 @@ public:
     using QObject::QObject;
 
     /// Returns the breakpoints of the open step, in the order in which they were set.
-    const std::vector<Breakpoint> &all() const { return m_open; }
+    const std::vector<Breakpoint> &all() const { return m_open.all; }
     const Breakpoint *find(int id) const;
     const Breakpoint *at(const CodePlace &place) const;
-    /// Returns whether any breakpoint is switched on.
-    bool isAnyOn() const;
 
     /// Makes `key` the open step, with the breakpoints that it had when it was last open.
     void open(const QString &key);
@@ -53,15 +53,25 @@ public:
     void setCondition(int id, const QString &condition);
     void setOn(int id, bool on);
     void remove(int id);
+    /// Moves the breakpoints in the listing of the open step with their lines, to where these are in `text`. A
+    /// breakpoint whose line was deleted is removed.
+    void followListing(const QString &text);
 
 signals:
     void changed();
 
 private:
+    /// The breakpoints of a step, and the text of its listing that their lines belong to.
+    struct OfStep
+    {
+        std::vector<Breakpoint> all;
+        std::optional<QString> listing; ///< empty: not known yet
+    };
+
     Breakpoint *its(int id);
 
-    std::vector<Breakpoint> m_open;
-    std::map<QString, std::vector<Breakpoint>> m_closed; ///< by step
+    OfStep m_open;
+    std::map<QString, OfStep> m_closed; ///< by step
     QString m_key;
     int m_last = 0; ///< the last id used
 };

@@ -1,7 +1,10 @@
 #include "app/model/experiment/blueprint_reader.h"
 
+#include "app/listing/rule_program.h"
+#include "app/model/experiment/experiment_method.h"
 #include "app/model/experiment/json_fields.h"
 #include "app/model/sandbox/blueprint_limits.h"
+#include "app/model/text/listing_text.h"
 #include "app/model/text/quoting.h"
 #include "sim/effects/all_effects.h"
 #include "sim/scene/blueprint_draft.h"
@@ -31,7 +34,8 @@ public:
     BlueprintReader(const QString &file, const JsonValue &scene, const lessons::Step &step)
         : m_file(file), m_scene(file, scene, quoted("scene")), m_step(step)
     {
-        m_scene.refuseOthers({"bodies", "springs", "sticks", "feet", "gaits", "effects"});
+        m_scene.refuseOthers(
+            {"bodies", "springs", "sticks", "feet", "gaits", "effects", "rule", "rule_links"});
     }
 
     sim::Blueprint read()
@@ -42,6 +46,8 @@ public:
         readGaits();
         readFeet();
         readEffects();
+        readRule();
+        readRuleLinks();
         return m_plan;
     }
 
@@ -233,6 +239,32 @@ private:
             if (std::find(all.begin(), all.end(), id.toStdString()) != all.end())
                 refuse(m_file, value.line, tr("the effect %1 is given twice; keep one.").arg(quoted(id)));
             all.push_back(id.toStdString());
+        });
+    }
+
+    void readRule()
+    {
+        const JsonValue *rule = m_scene.find("rule");
+        if (!rule)
+            return;
+        const listing::CompiledRule compiled =
+            listing::compileRule(codeText(m_file, *rule, "rule").toStdString());
+        if (!compiled.rule) {
+            const listing::CompileError &error = compiled.errors.front();
+            refuse(m_file, rule->line,
+                   tr("\"rule\" does not compile. Line %1: %2")
+                       .arg(QString::number(error.line), listingSentence(error.sentence)));
+        }
+        m_plan.rule = {compiled.rule};
+    }
+
+    void readRuleLinks()
+    {
+        forEach("rule_links", built::mostLinks, [this](const JsonValue &value) {
+            const JsonFields link(m_file, value, tr("a rule link"));
+            link.refuseOthers({"a", "b"});
+            const auto [a, b] = ends(link, "a", "b", tr("a rule link"));
+            m_plan.ruleLinks.push_back({a, b});
         });
     }
 

@@ -67,6 +67,12 @@ public:
         unlessUsual("gait", one.gait, usual.gait);
         m_json.endObject();
     }
+    void write(const sim::BlueprintRuleLink &one)
+    {
+        m_json.beginObject(Layout::oneLine);
+        writeEnds(one.a, one.b);
+        m_json.endObject();
+    }
     template <class Part>
     void writeList(const char *name, const std::vector<Part> &parts)
     {
@@ -114,6 +120,9 @@ void writeBlueprint(const sim::Blueprint &plan, JsonWriter &json)
     for (const std::string &id : plan.effects)
         json.value(id);
     json.endList();
+    if (plan.rule)
+        json.field("rule", plan.rule.text());
+    parts.writeList("rule_links", plan.ruleLinks);
     json.endObject();
 }
 

@@ -100,7 +100,7 @@ QString experimentLine(const Experiment &experiment, const LessonLibrary &librar
     const QByteArray &line = packed.size() < plain.size() ? packed : plain;
     if (line.size() > longestLine)
         throw UserError(ExperimentLineText::tr(
-            "This run has too much input for a message. Save it as a file (Ctrl+S), and send that."));
+            "This run has too much input for a message. Save it as a file, and send that."));
     return QString::fromUtf8(line);
 }
 

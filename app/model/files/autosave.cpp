@@ -57,13 +57,15 @@ bool isLeft(QLockFile &lock)
 
 }
 
-Autosave::Autosave(Session &session, const Document &document, QString folder, int within, QObject *parent)
-    : QObject(parent), m_session(session), m_document(document), m_folder(std::move(folder))
+Autosave::Autosave(const OpenRun &run, const ComparisonRuns &comparisons, const Document &document,
+                   QString folder, int within, QObject *parent)
+    : QObject(parent), m_run(run), m_comparisons(comparisons), m_document(document),
+      m_folder(std::move(folder))
 {
     m_timer.setSingleShot(true);
     m_timer.setInterval(within);
     connect(&m_timer, &QTimer::timeout, this, &Autosave::write);
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &Autosave::note);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &Autosave::note);
     connect(&document, &Document::stateChanged, this, &Autosave::note);
 }
 
@@ -99,9 +101,9 @@ void Autosave::note()
     const StepName name = m_document.name();
     const auto written = m_written.find(name);
     const bool isThere = written != m_written.end();
-    const bool isSame = isThere && sameScript(written->second.script, m_session.timeline().script()) &&
-                        sameMarked(written->second.branches, m_session.comparisons().branches()) &&
-                        written->second.draft == m_session.code().draft();
+    const bool isSame = isThere && sameScript(written->second.script, m_run.timeline().script()) &&
+                        sameMarked(written->second.branches, m_comparisons.branches()) &&
+                        written->second.draft == m_run.draft();
     if (m_document.isChanged() ? isSame : !isThere)
         return;
     m_changed[name] = QDateTime::currentDateTime();
@@ -130,7 +132,7 @@ void Autosave::writeOne(const StepName &name)
     }
     QByteArray text;
     try {
-        text = experimentText(*experiment, m_session.library());
+        text = experimentText(*experiment, m_run.library());
     } catch (const UserError &) {
         return; // the version kept before is better than none
     }

@@ -23,10 +23,10 @@ public:
     /// In ms. Leaves half a second of two seconds for writing.
     static constexpr int saveWithin = 1500;
 
-    /// Writes each change within `within` ms. No timer runs while nothing changes. `session` and `document` must
-    /// outlive this object; `folder` need not exist.
-    Autosave(Session &session, const Document &document, QString folder, int within = saveWithin,
-             QObject *parent = nullptr);
+    /// Writes each change within `within` ms. No timer runs while nothing changes. `folder` need not exist. The
+    /// other arguments must outlive this object.
+    Autosave(const OpenRun &run, const ComparisonRuns &comparisons, const Document &document, QString folder,
+             int within = saveWithin, QObject *parent = nullptr);
     /// Keeps unsaved runs for the next start, and marks them as left by a normal exit.
     ~Autosave() override;
 
@@ -49,7 +49,8 @@ private:
     QString fileOf(const StepName &name) const;
     void fail(const QString &why);
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const ComparisonRuns &m_comparisons;
     const Document &m_document;
     QString m_folder; ///< shared by all programs
     QString m_own;    ///< empty until there is something to keep

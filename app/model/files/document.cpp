@@ -42,7 +42,7 @@ bool Document::isChanged(const StepName &which) const
     };
     if (which == name())
         return differs(m_session.timeline().script(), m_session.comparisons().branches(),
-                       m_session.code().draft());
+                       m_session.run().draft());
     const std::optional<Experiment> left = m_session.experimentOf(which.lesson, which.step);
     return left && differs(left->script, left->branches, left->draft);
 }
@@ -82,7 +82,7 @@ void Document::keep(const QString &path)
 {
     m_saved.insert_or_assign(name(),
                              Saved{path, m_session.timeline().script(),
-                                   m_session.comparisons().branches().marked(), m_session.code().draft()});
+                                   m_session.comparisons().branches().marked(), m_session.run().draft()});
     announce();
 }
 

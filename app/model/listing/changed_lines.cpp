@@ -8,6 +8,8 @@ namespace app {
 
 namespace {
 
+constexpr qsizetype mostPairs = 4'000'000; ///< of lines: two texts with more have no line in common
+
 /// Returns the lines of `text` without spaces at their ends, and without blank lines at the end of the text.
 QStringList trimmedLines(const QString &text)
 {
@@ -61,7 +63,6 @@ ChangedLines changedLines(const QString &original, const QString &text)
         after.pop_back();
     }
     ChangedLines result;
-    constexpr qsizetype mostPairs = 4'000'000; // such a text has no line in common with the listing
     if (before.size() * after.size() > mostPairs) {
         for (int j = 0; j < after.size(); ++j)
             result.changed.push_back(first + j + 1);
@@ -88,6 +89,45 @@ ChangedLines changedLines(const QString &original, const QString &text)
         ++j;
     }
     return result;
+}
+
+std::vector<int> movedLines(const QString &before, const QString &after)
+{
+    const QStringList from = trimmedLines(before), to = trimmedLines(after);
+    std::vector<int> moved(static_cast<std::size_t>(from.size()) + 1, 0);
+    const auto move = [&](qsizetype i, qsizetype j) {
+        moved[static_cast<std::size_t>(i) + 1] = static_cast<int>(j) + 1;
+    };
+    const qsizetype most = std::min(from.size(), to.size());
+    qsizetype head = 0, tail = 0;
+    for (; head < most && from[head] == to[head]; ++head)
+        move(head, head);
+    for (; tail < most - head && from[from.size() - 1 - tail] == to[to.size() - 1 - tail]; ++tail)
+        move(from.size() - 1 - tail, to.size() - 1 - tail);
+    const QStringList removed = from.mid(head, from.size() - head - tail),
+                      added = to.mid(head, to.size() - head - tail);
+    const bool isComparable = removed.size() * added.size() <= mostPairs;
+    CommonLengths lengths(isComparable ? removed : QStringList(), isComparable ? added : QStringList());
+    for (qsizetype i = 0, j = 0; i < removed.size() || j < added.size(); ++i, ++j) {
+        // Up to the next common line, the lines of one text take the places of those of the other.
+        qsizetype nextI = i, nextJ = j;
+        while ((nextI < removed.size() || nextJ < added.size()) &&
+               !(nextI < removed.size() && nextJ < added.size() && removed[nextI] == added[nextJ])) {
+            const bool isRemoved =
+                nextJ >= added.size() ||
+                (nextI < removed.size() &&
+                 (!isComparable || lengths.at(nextI + 1, nextJ) >= lengths.at(nextI, nextJ + 1)));
+            ++(isRemoved ? nextI : nextJ);
+        }
+        for (; i < nextI; ++i, j = std::min(j + 1, nextJ)) {
+            if (j < nextJ)
+                move(head + i, head + j);
+        }
+        j = nextJ;
+        if (i < removed.size())
+            move(head + i, head + j);
+    }
+    return moved;
 }
 
 }

@@ -19,4 +19,8 @@ struct ChangedLines
 /// Compares line by line. Spaces at the end of a line do not count.
 ChangedLines changedLines(const QString &original, const QString &text);
 
+/// Returns where each line of `before` is in `after`: for line `i`, from 1, element `i` is its line there, or 0 if it was
+/// deleted. A line that was rewritten stays the same line. Element 0 means nothing.
+std::vector<int> movedLines(const QString &before, const QString &after);
+
 }

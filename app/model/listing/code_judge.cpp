@@ -92,18 +92,40 @@ void addOtherInput(std::vector<sim::Event> &input, const lessons::Step &step, si
     }
 }
 
-/// Returns the values of a run: the first has the default values, in the others each number is closer to the left end
-/// of its slider, where nothing is more violent.
+/// Returns the choice of a run: the default one first, and then the following ones.
+double judgedChoice(const lessons::Parameter &parameter, int trial)
+{
+    return static_cast<double>((std::lround(parameter.defaultValue) + trial) % parameter.choices.size());
+}
+
+/// Returns the whole number of a run: the default one, one more, and one less or, where that is too little, two more.
+double judgedWhole(const lessons::Parameter &parameter, int trial)
+{
+    const double most = std::min(parameter.max, parameter.sliderMax),
+                 least = std::max(parameter.min, parameter.sliderMin);
+    if (trial == 1)
+        return parameter.defaultValue + (parameter.defaultValue < most ? 1.0 : -1.0);
+    if (trial == 2)
+        return std::min(most, parameter.defaultValue + (parameter.defaultValue > least ? -1.0 : 2.0));
+    return parameter.defaultValue;
+}
+
+/// Returns the values of a run: the first has the default values. In the others each number is closer to the left end
+/// of its slider, where nothing is more violent, and choices and whole numbers are other ones. A choice that is not
+/// marked as a whole number stays: the formula of a tree repeats slips of the tutorial, which no task asks for.
 sim::Values judgeValues(const lessons::Step &step, int trial)
 {
     sim::Values values = step.defaultValues();
     for (const lessons::Parameter &parameter : step.parameters) {
-        if (parameter.isInteger || !parameter.choices.isEmpty() || parameter.restartsRun ||
-            parameter.scale == lessons::Scale::logarithmic)
+        if (parameter.restartsRun || parameter.scale == lessons::Scale::logarithmic)
             continue;
         const double share = trial == 1 ? 0.2 : 0.1;
-        const double value =
+        double value =
             parameter.defaultValue + share * trial * (parameter.sliderMin - parameter.defaultValue) / 2.0;
+        if (!parameter.choices.isEmpty())
+            value = parameter.isInteger ? judgedChoice(parameter, trial) : parameter.defaultValue;
+        else if (parameter.isInteger)
+            value = judgedWhole(parameter, trial);
         values.set(parameter.id.toStdString(), value);
     }
     return values;
@@ -125,40 +147,63 @@ struct JudgedRun
     bool hasStopped() const { return poses.size() < judgedFrames; }
 };
 
-/// Returns the run of `script` by `program`; nothing if it was cancelled.
-std::optional<JudgedRun> runOf(sim::Script script, const std::shared_ptr<const listing::Program> &program,
-                               const sim::ShouldContinue &shouldContinue)
+/// A run that is computed frame by frame.
+class JudgedTrack
 {
-    script.method = std::make_shared<listing::ListingMethod>(program);
-    script.step = sim::stepFor(*script.method, sim::StepSize::ofLength(1.0));
-    sim::Track track(std::move(script), judgeTrackBudget);
-    JudgedRun run;
-    for (int frame = 1; frame <= judgedFrames; ++frame) {
-        if (!track.seek({frame, 0}, shouldContinue))
-            return std::nullopt;
-        if (track.cursor().frame < frame) {
-            sim::State next = track.stateAfterInput(track.state(), track.cursor().frame);
-            const auto interval = track.nextInterval();
-            run.error = program->run(next, listing::bind(program->vocabulary(), interval->scene));
-            break;
-        }
-        run.poses.push_back({track.state().position, track.state().angle});
+public:
+    JudgedTrack(const sim::Script &script, std::shared_ptr<const listing::Program> program)
+        : m_program(std::move(program)), m_track(withMethod(script, m_program), judgeTrackBudget)
+    {
     }
-    return run;
-}
+
+    const JudgedRun &run() const { return m_run; }
+    bool isOver() const { return m_hasStopped || m_run.poses.size() == judgedFrames; }
+    /// Computes the next frame, or the error that stops the run there. Returns false if it was cancelled.
+    bool goOn(const sim::ShouldContinue &shouldContinue)
+    {
+        const auto frame = static_cast<std::int64_t>(m_run.poses.size()) + 1;
+        if ((shouldContinue && !shouldContinue()) || !m_track.seek({frame, 0}, shouldContinue))
+            return false;
+        if (m_track.cursor().frame < frame) {
+            m_hasStopped = true;
+            sim::State next = m_track.stateAfterInput(m_track.state(), m_track.cursor().frame);
+            const auto interval = m_track.nextInterval();
+            m_run.error = m_program->run(next, listing::bind(m_program->vocabulary(), interval->scene));
+        } else {
+            m_run.poses.push_back({m_track.state().position, m_track.state().angle});
+        }
+        return true;
+    }
+
+private:
+    static sim::Script withMethod(sim::Script script, const std::shared_ptr<const listing::Program> &program)
+    {
+        script.method = std::make_shared<listing::ListingMethod>(program);
+        script.step = sim::stepFor(*script.method, sim::StepSize::ofLength(1.0));
+        return script;
+    }
+
+    std::shared_ptr<const listing::Program> m_program;
+    sim::Track m_track;
+    JudgedRun m_run;
+    bool m_hasStopped = false;
+};
 
 using JudgedRuns = std::vector<JudgedRun>;
 
+/// Returns the runs of `scripts` by `program`; nothing if they were cancelled.
 std::optional<JudgedRuns> runsOf(const std::vector<sim::Script> &scripts,
                                  const std::shared_ptr<const listing::Program> &program,
                                  const sim::ShouldContinue &shouldContinue)
 {
     JudgedRuns runs;
     for (const sim::Script &script : scripts) {
-        std::optional<JudgedRun> run = runOf(script, program, shouldContinue);
-        if (!run)
-            return std::nullopt;
-        runs.push_back(std::move(*run));
+        JudgedTrack track(script, program);
+        while (!track.isOver()) {
+            if (!track.goOn(shouldContinue))
+                return std::nullopt;
+        }
+        runs.push_back(track.run());
     }
     return runs;
 }
@@ -190,6 +235,28 @@ bool areEqual(const JudgedRuns &a, const JudgedRuns &b)
                           [](const Pose &x, const Pose &y) { return areEqual(x, y); });
     };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), sameRun);
+}
+
+/// Returns whether the runs of `scripts` by `program` are equal to `runs`; nothing if they were cancelled. They end at
+/// the first difference, which is often an early one.
+std::optional<bool> agree(const std::vector<sim::Script> &scripts,
+                          const std::shared_ptr<const listing::Program> &program, const JudgedRuns &runs,
+                          const sim::ShouldContinue &shouldContinue)
+{
+    for (std::size_t i = 0; i < scripts.size(); ++i) {
+        JudgedTrack track(scripts[i], program);
+        while (!track.isOver()) {
+            if (!track.goOn(shouldContinue))
+                return std::nullopt;
+            const std::size_t frames = track.run().poses.size();
+            if (frames > runs[i].poses.size() ||
+                (frames > 0 && !areEqual(track.run().poses.back(), runs[i].poses[frames - 1])))
+                return false;
+        }
+        if (track.run().poses.size() != runs[i].poses.size())
+            return false;
+    }
+    return true;
 }
 
 /// Returns the body that the hand holds while the frame that ends at `frame` is computed.
@@ -311,10 +378,11 @@ std::optional<Verdict> judge(const lessons::Step &step, const lessons::CodeTask 
     for (std::size_t i = 0; i < task.nearMisses.size(); ++i) {
         const lessons::NearMiss &miss = task.nearMisses[i];
         const QString text = step.listing.with(miss.gap.isEmpty() ? task.id : miss.gap, miss.code);
-        const auto missed = runsOf(scripts, compiledForJudge(text, vocabulary), shouldContinue);
-        if (!missed)
+        const std::optional<bool> isMissed =
+            agree(scripts, compiledForJudge(text, vocabulary), *written, shouldContinue);
+        if (!isMissed)
             return std::nullopt;
-        if (areEqual(*missed, *written)) {
+        if (*isMissed) {
             Verdict verdict = firstDifference(scripts, *reference, *written);
             verdict.kind = Verdict::Kind::nearMiss;
             verdict.nearMiss = static_cast<int>(i);

@@ -1,47 +1,20 @@
 #include "app/model/listing/learner_code.h"
 
 #include "app/listing/listing_method.h"
-#include "app/model/listing/changed_lines.h"
+#include "app/model/listing/rule_code.h"
 #include "app/model/run/run_program.h"
 #include "app/model/run/same_run.h"
 #include "app/model/session/run_editor.h"
-#include "app/model/text/listing_text.h"
 #include "app/model/text/sentences.h"
 #include "sim/methods/methods.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace app {
 
 namespace {
 
-constexpr std::size_t mostCached = 4; ///< texts: the step's, the learner's, and those of the last undo
 constexpr auto gesture = ":code";
-
-/// Returns the first line of `text` that `other` does not have, as part of the name of a run.
-QString firstNewLine(const QString &other, const QString &text)
-{
-    constexpr qsizetype longest = 40;
-    const QStringList lines = text.split('\n');
-    for (const int line : changedLines(other, text).changed) {
-        const QString code = lines[line - 1].simplified();
-        if (code.size() > 1) // not for a brace
-            return code.size() <= longest ? code : code.left(longest - 1) + QStringLiteral("…");
-    }
-    return LearnerCode::tr("other code");
-}
-
-CodeMistake mistakeOf(const listing::CompileError &error, const QString &text)
-{
-    const QByteArray line = text.section('\n', error.line - 1, error.line - 1).toUtf8();
-    const auto characters = [](const QByteArray &bytes) {
-        return static_cast<int>(QString::fromUtf8(bytes).size());
-    };
-    return {error.line, characters(line.left(error.column - 1)) + 1,
-            std::max(1, characters(line.mid(error.column - 1, error.length))),
-            listingSentence(error.sentence)};
-}
 
 }
 
@@ -52,13 +25,19 @@ QString LearnerCode::original() const
 
 bool LearnerCode::isOffered() const
 {
-    return !original().isEmpty() || m_run.draft() || programOf(m_run.timeline().script().method);
+    return !original().isEmpty() || draft() || programOf(m_run.timeline().script().method);
+}
+
+const std::optional<QString> &LearnerCode::draft() const
+{
+    static const std::optional<QString> none;
+    return hasRuleDraft(m_run) ? none : m_run.draft();
 }
 
 QString LearnerCode::text() const
 {
-    if (m_run.draft())
-        return *m_run.draft();
+    if (draft())
+        return *draft();
     const std::shared_ptr<const listing::Program> program = programOf(m_run.timeline().script().method);
     return program ? QString::fromStdString(program->text()) : original();
 }
@@ -75,7 +54,7 @@ bool LearnerCode::isInUse() const
     if (programOf(m_run.timeline().script().method))
         return true;
     // A draft that compiles is not in use: the learner has chosen the method instead.
-    return isOwnMethod() && (!m_run.draft() || !compiled(*m_run.draft()).program);
+    return isOwnMethod() && (!draft() || !compiled(*draft()).program);
 }
 
 const listing::Vocabulary &LearnerCode::vocabulary() const
@@ -90,36 +69,22 @@ const listing::Vocabulary &LearnerCode::vocabulary() const
 
 const listing::Compiled &LearnerCode::compiled(const QString &text) const
 {
-    const listing::Vocabulary &names = vocabulary();
-    const auto found = std::find_if(m_cache.begin(), m_cache.end(), [&](const Cached &one) {
-        return one.text == text && one.vocabulary == names;
-    });
-    if (found != m_cache.end()) {
-        std::rotate(m_cache.begin(), found, found + 1);
-    } else {
-        listing::Compiled result = listing::Program::compile(text.toStdString(), names);
-        m_cache.insert(m_cache.begin(), {text, names, std::move(result)});
-        if (m_cache.size() > mostCached)
-            m_cache.pop_back();
-    }
-    return m_cache.front().compiled;
+    return m_compiled.of({text, vocabulary()},
+                         [&] { return listing::Program::compile(text.toStdString(), vocabulary()); });
 }
 
 std::shared_ptr<const listing::Program> LearnerCode::program() const
 {
     const std::shared_ptr<const listing::Program> used = programOf(m_run.timeline().script().method);
-    return used && !m_run.draft() ? used : compiled(text()).program;
+    return used && !draft() ? used : compiled(text()).program;
 }
 
 std::vector<CodeMistake> LearnerCode::mistakes() const
 {
-    std::vector<CodeMistake> mistakes;
     if (!isOffered())
-        return mistakes;
+        return {};
     const QString written = text();
-    for (const listing::CompileError &error : compiled(written).errors)
-        mistakes.push_back(mistakeOf(error, written));
-    return mistakes;
+    return mistakesOf(compiled(written).errors, written);
 }
 
 std::optional<listing::RunError> LearnerCode::runError() const
@@ -129,9 +94,8 @@ std::optional<listing::RunError> LearnerCode::runError() const
 
 void LearnerCode::write(const QString &text)
 {
-    if (!m_sinceWritten.isValid() || m_sinceWritten.hasExpired(pauseMilliseconds))
+    if (m_pause.endsWithChange())
         m_editor.endGesture();
-    m_sinceWritten.start();
     set(text,
         {tr("Change code"), firstNewLine(text, this->text()), gesture, firstNewLine(this->text(), text)});
 }

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "app/listing/program.h"
+#include "app/model/listing/code_text.h"
 #include "app/model/session/edit_label.h"
 #include "app/model/session/open_run.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 #include <QString>
 
@@ -17,16 +17,6 @@ namespace app {
 
 class RunEditor;
 
-/// A mistake in the text of a listing, for the editor.
-struct CodeMistake
-{
-    int line = 1;     ///< from 1
-    int column = 1;   ///< from 1, in characters
-    int length = 1;   ///< characters, of the word that is wrong
-    QString sentence; ///< says what is wrong and which names exist, in the learner's language
-    friend bool operator==(const CodeMistake &, const CodeMistake &) = default;
-};
-
 /// The listing of the open step, as the learner has written it. The text becomes the method of the run, *Your code*. A text
 /// that does not compile is kept as a draft, while the run goes on with the last one that did.
 ///
@@ -36,9 +26,6 @@ class LearnerCode : public QObject
     Q_OBJECT
 
 public:
-    /// After this time without a change of the text, the next one is undone separately, in ms.
-    static constexpr int pauseMilliseconds = 1000;
-
     LearnerCode(OpenRun &run, RunEditor &editor) : m_run(run), m_editor(editor) {}
 
     /// Returns whether there is a listing to show: the step's, or one that the learner wrote.
@@ -48,7 +35,7 @@ public:
     /// Returns the text as the learner has left it.
     QString text() const;
     /// Returns the text if the run does not use it; see OpenRun::draft().
-    const std::optional<QString> &draft() const { return m_run.draft(); }
+    const std::optional<QString> &draft() const;
     /// Returns whether the text differs from the step's listing.
     bool isChanged() const { return text() != original(); }
     /// Returns whether the listing computes the run, or did before its latest text stopped compiling. The step's own
@@ -56,7 +43,7 @@ public:
     /// offers use().
     bool isInUse() const;
     /// Returns whether the run is computed by text() itself, so that lines and values belong to it.
-    bool isRunning() const { return isInUse() && !m_run.draft(); }
+    bool isRunning() const { return isInUse() && !draft(); }
     /// Returns the mistakes of text(), in its order. Empty if it compiles.
     std::vector<CodeMistake> mistakes() const;
     /// Returns the program of text(), or null if it does not compile.
@@ -65,7 +52,7 @@ public:
     std::optional<listing::RunError> runError() const;
 
     /// Replaces the text. If the listing is in use and the text compiles, the run is computed again up to the cursor, and
-    /// the run as it was becomes the ghost. Texts that follow each other within pauseMilliseconds are undone together,
+    /// the run as it was becomes the ghost. Texts that follow each other without a TypingPause are undone together,
     /// unless RunEditor::endGesture() was called between them. A text of more than listing::maxTextBytes is a mistake.
     void write(const QString &text);
     /// Replaces the text by the step's listing. If the text was in use, the step's own method computes the run then. It can
@@ -86,13 +73,6 @@ signals:
     void wasReset();
 
 private:
-    struct Cached
-    {
-        QString text;
-        listing::Vocabulary vocabulary;
-        listing::Compiled compiled;
-    };
-
     bool isOwnMethod() const;
     void set(const QString &text, const EditLabel &label);
     /// Returns the method that computes `text`, which `program` was compiled from.
@@ -101,8 +81,8 @@ private:
 
     OpenRun &m_run;
     RunEditor &m_editor;
-    QElapsedTimer m_sinceWritten;
-    mutable std::vector<Cached> m_cache; ///< the latest first
+    TypingPause m_pause;
+    mutable RecentResults<std::pair<QString, listing::Vocabulary>, listing::Compiled> m_compiled;
     mutable listing::Vocabulary m_names;
     mutable std::pair<const lessons::Step *, sim::Values> m_namesOf; ///< what m_names was found in
 };

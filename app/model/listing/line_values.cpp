@@ -168,14 +168,4 @@ LineValues valuesAfter(const ListingFrame &frame, int index)
     return values;
 }
 
-QStringList variablesAfter(const ListingFrame &frame, int index)
-{
-    QStringList list;
-    if (index >= frame.count())
-        return list;
-    for (const listing::Variable &one : frame.line(index).variables)
-        list << QString::fromStdString(one.name) + QStringLiteral(" = ") + shownText(one.value);
-    return list;
-}
-
 }

@@ -43,9 +43,6 @@ struct LineValues
 /// Returns the values after `index` lines of `frame`. If all have run, there are no loops, and the only call is "frame".
 LineValues valuesAfter(const ListingFrame &frame, int index);
 
-/// Returns all variables that the next line sees after `index` lines, as "name = value", for a list of variables.
-QStringList variablesAfter(const ListingFrame &frame, int index);
-
 /// Returns the value as a reader sees it: "1.57", "(3.2, −14)", "true", "feet[2]".
 QString shownText(const listing::Value &value);
 

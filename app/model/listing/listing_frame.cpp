@@ -225,7 +225,31 @@ std::optional<Value> ListingFrame::rootValue(const std::string &name, int index,
         return Value(isHeld || m_start.input.pointerDown);
     if (name == "frame_number")
         return Value(static_cast<double>(m_start.frame));
+    return remembered(name, index);
+}
+
+std::optional<Value> ListingFrame::remembered(const std::string &name, int index) const
+{
+    const listing::Vocabulary &names = m_program->vocabulary();
+    if (names.hasGait && !names.hasCreatures && (name == "gait" || name == "gait_speed"))
+        return gaitOf(0, name, index);
+    if (names.hasTree && name == "gust")
+        return Value(m_start.input.gust.value_or(0.0));
+    if (names.hasTree && name == "gust_known")
+        return Value(m_start.input.gust.has_value());
+    if (names.hasGust && name == "gust_front")
+        return Value(stateAfter(index).gustExtent.front);
+    if (names.hasGust && name == "gust_tail")
+        return Value(stateAfter(index).gustExtent.tail);
     return {};
+}
+
+std::optional<Value> ListingFrame::gaitOf(std::size_t clock, const std::string &member, int index) const
+{
+    const sim::State state = stateAfter(index);
+    const Eigen::ArrayXd &numbers = member == "gait" ? state.gait : state.gaitSpeed;
+    const auto row = static_cast<Eigen::Index>(clock);
+    return row < numbers.rows() ? std::optional(Value(numbers[row])) : std::nullopt;
 }
 
 std::optional<Value> ListingFrame::bodyMember(const listing::BodyReference &body, const std::string &member,
@@ -277,11 +301,14 @@ std::optional<Value> ListingFrame::memberValue(const Value &value, const std::st
     using Kind = listing::BodyReference::Kind;
     if (reference->kind == Kind::body)
         return bodyMember(*reference, member, index);
-    if (reference->kind == Kind::creature)
+    const auto number = static_cast<std::size_t>(numberIn(reference->name));
+    if (reference->kind == Kind::creature) {
+        if (m_program->vocabulary().hasGait && (member == "gait" || member == "gait_speed"))
+            return gaitOf(number, member, index);
         return member == "body"
                    ? std::optional(Value(listing::BodyReference{reference->name + ".body", reference->point}))
                    : std::nullopt;
-    const auto number = static_cast<std::size_t>(numberIn(reference->name));
+    }
     if (number >= m_binding.sticks.size())
         return {};
     const sim::Stick &stick = m_binding.sticks[number];

@@ -63,6 +63,10 @@ private:
     std::optional<listing::Value> variable(const std::string &name, int index, int scope) const;
     /// Returns a variable, or a name of the scene that has a value by itself.
     std::optional<listing::Value> rootValue(const std::string &name, int index, int scope) const;
+    /// Returns a number that the scene remembers besides its bodies: of the gait clock or of the gust.
+    std::optional<listing::Value> remembered(const std::string &name, int index) const;
+    /// Returns the angle of gait clock `clock`, or its speed, after `index` lines.
+    std::optional<listing::Value> gaitOf(std::size_t clock, const std::string &member, int index) const;
     std::optional<listing::Value> bodyMember(const listing::BodyReference &body, const std::string &member,
                                              int index) const;
     std::optional<listing::Value> memberValue(const listing::Value &value, const std::string &member,

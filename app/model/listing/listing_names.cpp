@@ -102,6 +102,10 @@ QStringList completionsAt(const QString &text, int line, int column, const listi
             names.push_back(array.name);
         if (vocabulary.hasGait && !vocabulary.hasCreatures)
             append({"gait", "gait_speed"});
+        if (vocabulary.hasTree)
+            append({"gust", "gust_known"});
+        if (vocabulary.hasGust)
+            append({"gust_front", "gust_tail"});
         if (vocabulary.hasCreatures)
             append({"creatures", "Creature"});
         if (vocabulary.hasSticks)

@@ -130,13 +130,11 @@ void TaskDesk::followText()
 void TaskDesk::judgeText()
 {
     m_job.cancel();
+    m_verdict.reset(); // it was on another text
     const QString text = m_session.code().text();
     if (m_sheet.isSolutionShown || !m_session.code().program() ||
-        text == m_session.step().listing.emptied(*task())) {
-        m_verdict.reset();
+        text == m_session.step().listing.emptied(*task()))
         return;
-    }
-    // The judgement of the text before stays until the next one arrives, so that short judgements do not flicker.
     // The lessons outlive the session, and with it this job.
     m_job.start(
         [&step = m_session.step(), &task = *task(), text](const BackgroundJob::Context &context) {

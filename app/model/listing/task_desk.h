@@ -40,8 +40,8 @@ public:
 
     /// Returns whether the judge is at work.
     bool isJudging() const { return m_job.isRunning(); }
-    /// Returns the last judgement. Empty while there is none: the text does not compile, the place is still empty, or
-    /// the judge is at work for the first time.
+    /// Returns the judgement on the present text. Empty while there is none: the text does not compile, the place is
+    /// still empty, or the judge is at work.
     const std::optional<Verdict> &verdict() const { return m_verdict; }
     /// Returns what a learner should know about the present text, in one or two sentences. May be empty.
     QString sentence() const;

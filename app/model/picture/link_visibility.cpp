@@ -30,6 +30,12 @@ Pairs heldBy(const std::vector<sim::EffectPtr> &effects)
     return pairs;
 }
 
+bool hasRule(const std::vector<sim::EffectPtr> &effects)
+{
+    return std::any_of(effects.begin(), effects.end(),
+                       [](const sim::EffectPtr &one) { return one->kind() == sim::EffectKind::rule; });
+}
+
 }
 
 void dropLinks(lessons::View &view, const std::vector<sim::EffectPtr> &listed,
@@ -57,6 +63,8 @@ void dropLinks(lessons::View &view, const std::vector<sim::EffectPtr> &listed,
     });
     std::erase_if(view.limbs, [&](const lessons::LimbView &limb) { return isLoose(limb.a, limb.b); });
     std::erase_if(view.chains, [&](const lessons::ChainView &chain) { return hasLoosePart(chain.points); });
+    if (hasRule(listed) && !hasRule(acting))
+        view.ruleLinks.clear();
     std::erase_if(view.skins, [&](const lessons::SkinView &skin) { return hasLoosePart(skin.outline); });
 }
 

@@ -1,6 +1,7 @@
 #include "app/model/run/run_program.h"
 
 #include "app/listing/listing_method.h"
+#include "app/model/run/rule_error.h"
 #include "app/model/text/listing_text.h"
 #include "app/model/text/sentences.h"
 #include "sim/run/script/composed_interval.h"
@@ -43,11 +44,15 @@ QString mistakeSentence(const listing::RunError &error)
 
 QString endSentence(const sim::Track &track)
 {
-    const std::optional<listing::RunError> error = runErrorOf(track);
-    if (!error)
-        return sentenceFor(*track.stop());
-    return RunProgramText::tr("Stopped at frame %1. %2")
-        .arg(QString::number(track.stop()->frame), mistakeSentence(*error));
+    const std::int64_t frame = track.stop()->frame;
+    const auto stopped = [frame](const QString &mistake) {
+        return RunProgramText::tr("Stopped at frame %1. %2").arg(QString::number(frame), mistake);
+    };
+    if (const std::optional<listing::RunError> error = runErrorOf(track))
+        return stopped(mistakeSentence(*error));
+    if (const std::optional<listing::RuleError> error = ruleErrorOf(track))
+        return stopped(ruleMistakeSentence(*error, track.intervalAt(frame + track.framesPerOutput())->scene));
+    return sentenceFor(*track.stop());
 }
 
 }

@@ -21,7 +21,8 @@ std::optional<listing::RunError> runErrorOf(const sim::Track &track);
 /// Returns a mistake with its line: "Line 7 of your code: This divides by 0."
 QString mistakeSentence(const listing::RunError &error);
 
-/// Returns why the run ended, as sentenceFor(). For a listing, names the line and its mistake. The run must have ended.
+/// Returns why the run ended, as sentenceFor(). For a listing or a rule, names the line and its
+/// mistake. The run must have ended.
 QString endSentence(const sim::Track &track);
 
 }

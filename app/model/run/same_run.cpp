@@ -35,6 +35,15 @@ bool sameButForInput(const sim::Script &a, const sim::Script &b)
     return a.values == b.values && a.bodies == b.bodies && a.effectsOff == b.effectsOff;
 }
 
+bool sameRule(const sim::Script &a, const sim::Script &b)
+{
+    static const sim::BlueprintRule none;
+    const auto ruleOf = [](const sim::Script &script) -> const sim::BlueprintRule & {
+        return script.values.blueprint ? script.values.blueprint->rule : none;
+    };
+    return ruleOf(a) == ruleOf(b);
+}
+
 bool sameScript(const sim::Script &a, const sim::Script &b)
 {
     return sameRun(a, b) && a.input == b.input;

@@ -18,6 +18,9 @@ bool sameRun(const sim::Script &a, const sim::Script &b);
 /// Returns whether two scripts of the same step have the same values, starts of bodies and effects.
 bool sameButForInput(const sim::Script &a, const sim::Script &b);
 
+/// Returns whether the scenes of two scripts have the same rule, or none.
+bool sameRule(const sim::Script &a, const sim::Script &b);
+
 /// Returns whether two scripts of the same step make the same run, including their input.
 bool sameScript(const sim::Script &a, const sim::Script &b);
 

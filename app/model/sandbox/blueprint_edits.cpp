@@ -155,6 +155,36 @@ std::optional<int> addStick(sim::Blueprint &plan, int a, int b)
     return static_cast<int>(plan.sticks.size()) - 1;
 }
 
+std::optional<int> addRuleLink(sim::Blueprint &plan, int a, int b)
+{
+    const auto joinsThem = [&](const sim::BlueprintRuleLink &one) {
+        return std::minmax(one.a, one.b) == std::minmax(a, b);
+    };
+    if (a == b || plan.ruleLinks.size() >= built::mostLinks ||
+        std::any_of(plan.ruleLinks.begin(), plan.ruleLinks.end(), joinsThem))
+        return {};
+    plan.ruleLinks.push_back({a, b});
+    return static_cast<int>(plan.ruleLinks.size()) - 1;
+}
+
+std::optional<int> addRuleLinksAmong(sim::Blueprint &plan, const std::vector<int> &points)
+{
+    std::set<std::pair<int, int>> linked;
+    for (const sim::BlueprintRuleLink &link : plan.ruleLinks)
+        linked.insert(std::minmax(link.a, link.b));
+    std::vector<sim::BlueprintRuleLink> added;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t j = i + 1; j < points.size(); ++j) {
+            if (linked.insert(std::minmax(points[i], points[j])).second)
+                added.push_back({points[i], points[j]});
+            if (plan.ruleLinks.size() + added.size() > built::mostLinks)
+                return {};
+        }
+    }
+    plan.ruleLinks.insert(plan.ruleLinks.end(), added.begin(), added.end());
+    return static_cast<int>(added.size());
+}
+
 std::optional<int> footOf(const sim::Blueprint &plan, int point)
 {
     for (std::size_t i = 0; i < plan.feet.size(); ++i) {
@@ -187,10 +217,12 @@ void erase(sim::Blueprint &plan, const Selection &chosen)
 {
     eraseNumbers(plan.springs, chosen.springs);
     eraseNumbers(plan.sticks, chosen.sticks);
+    eraseNumbers(plan.ruleLinks, chosen.ruleLinks);
     const std::vector<int> numbers = numbersWithout(plan, chosen.points);
     eraseNumbers(plan.points, chosen.points);
     reconnect(plan.springs, numbers);
     reconnect(plan.sticks, numbers);
+    reconnect(plan.ruleLinks, numbers);
     for (sim::BlueprintFoot &foot : plan.feet) {
         foot.foot = numbers[std::size_t(foot.foot)];
         foot.body = numbers[std::size_t(foot.body)];
@@ -217,7 +249,8 @@ std::optional<Selection> duplicate(sim::Blueprint &plan, const Selection &chosen
     }
     added.springs = copyLinks(next.springs, copies);
     added.sticks = copyLinks(next.sticks, copies);
-    if (next.springs.size() > built::mostLinks || next.sticks.size() > built::mostLinks)
+    added.ruleLinks = copyLinks(next.ruleLinks, copies);
+    if (std::max({next.springs.size(), next.sticks.size(), next.ruleLinks.size()}) > built::mostLinks)
         return {};
     for (sim::BlueprintFoot foot : plan.feet) {
         foot.foot = copies[std::size_t(foot.foot)];
@@ -269,7 +302,8 @@ Selection everything(const sim::Blueprint &plan)
         std::iota(numbers.begin(), numbers.end(), 0);
         return numbers;
     };
-    return {all(plan.points.size()), all(plan.springs.size()), all(plan.sticks.size())};
+    return {all(plan.points.size()), all(plan.springs.size()), all(plan.sticks.size()),
+            all(plan.ruleLinks.size())};
 }
 
 Selection inBox(const sim::Blueprint &plan, sim::Vec2 one, sim::Vec2 other)
@@ -285,13 +319,14 @@ Selection inBox(const sim::Blueprint &plan, sim::Vec2 one, sim::Vec2 other)
     }
     chosen.springs = linksAmong(plan.springs, chosen.points);
     chosen.sticks = linksAmong(plan.sticks, chosen.points);
+    chosen.ruleLinks = linksAmong(plan.ruleLinks, chosen.points);
     return chosen;
 }
 
 Selection within(const sim::Blueprint &plan, const Selection &chosen)
 {
     return {below(chosen.points, plan.points.size()), below(chosen.springs, plan.springs.size()),
-            below(chosen.sticks, plan.sticks.size())};
+            below(chosen.sticks, plan.sticks.size()), below(chosen.ruleLinks, plan.ruleLinks.size())};
 }
 
 }

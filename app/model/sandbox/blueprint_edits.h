@@ -13,9 +13,10 @@ struct Selection
     std::vector<int> points;
     std::vector<int> springs;
     std::vector<int> sticks;
+    std::vector<int> ruleLinks = {};
 
-    bool isEmpty() const { return points.empty() && springs.empty() && sticks.empty(); }
-    std::size_t count() const { return points.size() + springs.size() + sticks.size(); }
+    bool isEmpty() const { return count() == 0; }
+    std::size_t count() const { return points.size() + springs.size() + sticks.size() + ruleLinks.size(); }
     friend bool operator==(const Selection &, const Selection &) = default;
 };
 
@@ -29,6 +30,11 @@ std::optional<int> addSpring(sim::Blueprint &plan, int a, int b);
 /// Adds a stick whose length is the distance of its ends. Each end corrects a share of the error that depends on its
 /// mass.
 std::optional<int> addStick(sim::Blueprint &plan, int a, int b);
+/// Adds a link along which the learner's rule acts. Empty if these points have one already.
+std::optional<int> addRuleLink(sim::Blueprint &plan, int a, int b);
+/// Adds a rule link between each two of `points` that have none. If there is not enough room for all of them, nothing
+/// changes and the result is empty. Otherwise it is the number of new links.
+std::optional<int> addRuleLinksAmong(sim::Blueprint &plan, const std::vector<int> &points);
 /// Makes `foot` a foot of `body` in the last gait group, at its present angle. Empty if `foot` is already a foot.
 std::optional<int> addFoot(sim::Blueprint &plan, int foot, int body);
 /// Adds a gait group that copies the last one. Returns its number.

@@ -18,7 +18,7 @@ struct Span
 namespace built {
 
 constexpr std::size_t mostPoints = 1000;
-constexpr std::size_t mostLinks = 10'000; ///< springs, and the same number of sticks
+constexpr std::size_t mostLinks = 10'000; ///< springs, and the same number of sticks and of rule links
 constexpr std::size_t mostGaits = 16;
 constexpr int longestName = 40;
 constexpr Span place{-1e6, 1e6};    ///< px

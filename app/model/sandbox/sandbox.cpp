@@ -143,7 +143,7 @@ bool takeExample(Session &session, const lessons::Example &example)
     try {
         const Experiment read = readExperiment(example.file, session.library());
         return session.editor().replaceScene({SandboxText::tr("Open example %1").arg(example.title), {}, {}},
-                                             read.script);
+                                             read.script, read.draft);
     } catch (const UserError &error) {
         session.showMessage(error.sentence());
         return false;

@@ -24,7 +24,8 @@ bool sameParts(const sim::Blueprint &a, const sim::Blueprint &b)
         return one.name == other.name;
     };
     return std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), sameName) &&
-           a.springs.size() == b.springs.size() && a.sticks.size() == b.sticks.size();
+           a.springs.size() == b.springs.size() && a.sticks.size() == b.sticks.size() &&
+           a.ruleLinks.size() == b.ruleLinks.size();
 }
 
 }
@@ -131,6 +132,13 @@ void SandboxEditor::toggleStick(int stick)
     choose(std::move(chosen));
 }
 
+void SandboxEditor::toggleRuleLink(int link)
+{
+    Selection chosen = m_chosen;
+    toggle(chosen.ruleLinks, link);
+    choose(std::move(chosen));
+}
+
 bool SandboxEditor::leave()
 {
     if (m_first) {
@@ -158,7 +166,8 @@ void SandboxEditor::chooseNextLink(int step)
     if (!isOpen())
         return;
     const int springs = static_cast<int>(plan().springs.size());
-    const int all = springs + static_cast<int>(plan().sticks.size());
+    const int sticks = springs + static_cast<int>(plan().sticks.size());
+    const int all = sticks + static_cast<int>(plan().ruleLinks.size());
     if (all == 0)
         return;
     int at = step > 0 ? -1 : 0;
@@ -166,8 +175,12 @@ void SandboxEditor::chooseNextLink(int step)
         at = m_chosen.springs.front();
     else if (!m_chosen.sticks.empty())
         at = springs + m_chosen.sticks.front();
+    else if (!m_chosen.ruleLinks.empty())
+        at = sticks + m_chosen.ruleLinks.front();
     const int next = (at + step + all) % all;
-    choose(next < springs ? Selection{{}, {next}, {}} : Selection{{}, {}, {next - springs}});
+    choose(next < springs  ? Selection{{}, {next}, {}}
+           : next < sticks ? Selection{{}, {}, {next - springs}}
+                           : Selection{{}, {}, {}, {next - sticks}});
 }
 
 }

@@ -8,12 +8,13 @@
 namespace app {
 
 /// The action of a click in the view of a sandbox scene.
-enum class BuildTool { select, point, nail, spring, stick, foot };
+enum class BuildTool { select, point, nail, spring, stick, foot, ruleLink };
 
 /// Returns whether the tool links two points.
 inline bool isLinkTool(BuildTool tool)
 {
-    return tool == BuildTool::spring || tool == BuildTool::stick || tool == BuildTool::foot;
+    return tool == BuildTool::spring || tool == BuildTool::stick || tool == BuildTool::foot ||
+           tool == BuildTool::ruleLink;
 }
 
 /// The editor of a sandbox scene: the current tool, the selection, and the edits. Each edit is one undo step.
@@ -42,7 +43,8 @@ public:
     void togglePoint(int point);
     void toggleSpring(int spring);
     void toggleStick(int stick);
-    /// Returns the first end of the spring, stick or foot that was begun, if any.
+    void toggleRuleLink(int link);
+    /// Returns the first end of the link or foot that was begun, if any.
     std::optional<int> first() const { return m_first; }
 
     /// Handles a click with the tool (not `select`) at `at` (px). `hit` is the point under the pointer, or -1.
@@ -53,7 +55,7 @@ public:
         sim::Vec2 at;
         int hit = -1;
     };
-    /// Handles a drag with the spring, stick or foot tool. It makes one link and any missing points, as one undo step.
+    /// Handles a drag with a tool that links two points. It makes one link and any missing points, as one undo step.
     /// It also ends a chain of clicks.
     void drag(End from, End to);
     /// Cancels the innermost action: first an unfinished link, then the tool, then the selection. Returns whether there
@@ -64,7 +66,9 @@ public:
     void eraseChosen();
     void duplicateChosen();
     void chooseAll();
-    /// Selects the link after (or before) the selected one, springs before sticks.
+    /// Adds a rule link between each two of the selected points.
+    void addRuleLinksAmongChosen();
+    /// Selects the link after (or before) the selected one: springs, then sticks, then rule links.
     void chooseNextLink(int step);
     void setEffect(const QString &id, bool present);
     bool has(const QString &effect) const;
@@ -89,9 +93,9 @@ private:
     void link(End from, End to);
     /// Adds a link of the tool's kind. Returns its index if there was room.
     std::optional<int> addLink(sim::Blueprint &plan, int a, int b) const;
-    /// Explains why there is no link. `made` is the link that made the scene invalid; empty if there was no room for
-    /// one.
-    void reportWhyNoLink(int hit, std::optional<int> made);
+    /// Explains why there is no link between the points `from` and `to`; -1: a new point. `made` is the link that made
+    /// the scene invalid; empty if there was none.
+    void reportWhyNoLink(int from, int to, std::optional<int> made);
     int pointAt(sim::Blueprint &plan, sim::Vec2 at, int hit) const;
     void useOnPoint(sim::Vec2 at, int hit);
     void reportFull();

@@ -1,5 +1,6 @@
 // Edits of a sandbox scene: each one is one undo step.
 
+#include "app/model/sandbox/blueprint_limits.h"
 #include "app/model/sandbox/sandbox.h"
 #include "app/model/sandbox/sandbox_editor.h"
 #include "app/model/text/sentences.h"
@@ -25,7 +26,24 @@ QString titleOf(const sim::Blueprint &plan, const Selection &chosen)
         return pointTitle(plan, chosen.points.front()); // together with its links
     if (chosen.count() != 1)
         return SandboxEditor::tr("%1 parts").arg(chosen.count());
-    return chosen.springs.empty() ? SandboxEditor::tr("stick") : SandboxEditor::tr("spring");
+    return !chosen.springs.empty()  ? SandboxEditor::tr("spring")
+           : !chosen.sticks.empty() ? SandboxEditor::tr("stick")
+                                    : SandboxEditor::tr("rule link");
+}
+
+/// Returns the selection of the link that `tool` made. A foot has no link to select.
+Selection linkOf(BuildTool tool, int made)
+{
+    switch (tool) {
+    case BuildTool::spring:
+        return {{}, {made}, {}};
+    case BuildTool::stick:
+        return {{}, {}, {made}};
+    case BuildTool::ruleLink:
+        return {{}, {}, {}, {made}};
+    default:
+        return {};
+    }
 }
 
 }
@@ -122,9 +140,16 @@ void SandboxEditor::drag(End from, End to)
 
 std::optional<int> SandboxEditor::addLink(sim::Blueprint &plan, int a, int b) const
 {
-    return m_tool == BuildTool::spring  ? addSpring(plan, a, b)
-           : m_tool == BuildTool::stick ? addStick(plan, a, b)
-                                        : addFoot(plan, b, a);
+    switch (m_tool) {
+    case BuildTool::spring:
+        return addSpring(plan, a, b);
+    case BuildTool::stick:
+        return addStick(plan, a, b);
+    case BuildTool::ruleLink:
+        return addRuleLink(plan, a, b);
+    default:
+        return addFoot(plan, b, a);
+    }
 }
 
 void SandboxEditor::link(End from, End to)
@@ -142,30 +167,30 @@ void SandboxEditor::link(End from, End to)
             plan = before; // do not keep a point without its link
     };
     const BuildTool tool = m_tool;
-    const QString what = tool == BuildTool::spring  ? tr("Add spring")
-                         : tool == BuildTool::stick ? tr("Add stick")
-                                                    : tr("Add foot");
+    const QString what = tool == BuildTool::spring     ? tr("Add spring")
+                         : tool == BuildTool::stick    ? tr("Add stick")
+                         : tool == BuildTool::ruleLink ? tr("Add rule link")
+                                                       : tr("Add foot");
     const bool isDone = !isOnePoint && change(what, edit);
     if (!isDone && !isOnePoint) {
-        reportWhyNoLink(to.hit, made);
+        reportWhyNoLink(from.hit, to.hit, made);
         if (from.hit < 0 || to.hit < 0)
             return; // keep the first end, so that the learner can click again
     }
     m_first = tool == BuildTool::foot ? std::optional(a) // next, another foot of the same body
               : a != b                ? std::optional(b) // the next link starts here
                                       : std::nullopt;
-    if (isDone && tool == BuildTool::spring)
-        choose({{}, {*made}, {}});
-    else if (isDone && tool == BuildTool::stick)
-        choose({{}, {}, {*made}});
-    else
-        choose({{b}, {}, {}});
+    const Selection link = isDone ? linkOf(tool, *made) : Selection{};
+    choose(link.isEmpty() ? Selection{{b}, {}, {}} : link);
     emit changed();
 }
 
-void SandboxEditor::reportWhyNoLink(int hit, std::optional<int> made)
+void SandboxEditor::reportWhyNoLink(int from, int to, std::optional<int> made)
 {
-    if (m_tool == BuildTool::foot && hit >= 0 && footOf(plan(), hit))
+    if (m_tool == BuildTool::ruleLink && from >= 0 && to >= 0 && plan().ruleLinks.size() < built::mostLinks)
+        m_session.showMessage(
+            tr("These two points have a rule link already, and the rule acts once along it."));
+    else if (m_tool == BuildTool::foot && to >= 0 && footOf(plan(), to))
         m_session.showMessage(
             tr("This point is already a foot, and a point can be the foot of only one body. "
                "Choose another point."));
@@ -213,6 +238,23 @@ void SandboxEditor::duplicateChosen()
         m_session.showMessage(
             tr("With this copy, the scene would have too many parts. Select fewer parts, or "
                "delete some first."));
+}
+
+void SandboxEditor::addRuleLinksAmongChosen()
+{
+    const std::vector<int> points = m_chosen.points;
+    if (points.size() < 2) {
+        m_session.showMessage(tr("Select at least two points first: draw a box around them."));
+        return;
+    }
+    std::optional<int> added;
+    const auto edit = [&](sim::Blueprint &plan) { added = addRuleLinksAmong(plan, points); };
+    if (change(tr("Link %1 by the rule").arg(titleOf(plan(), {points, {}, {}})), edit))
+        emit changed();
+    else if (canBuild() && !added)
+        reportFull();
+    else if (canBuild() && *added == 0)
+        m_session.showMessage(tr("All of these points have rule links already."));
 }
 
 bool SandboxEditor::has(const QString &effect) const

@@ -17,13 +17,14 @@ constexpr qint64 differenceSlice = 4;
 
 }
 
-DifferenceSeries::DifferenceSeries(Session &session, QObject *parent) : QObject(parent), m_session(session)
+DifferenceSeries::DifferenceSeries(const OpenRun &run, const ComparisonRuns &comparisons, QObject *parent)
+    : QObject(parent), m_run(run), m_comparisons(comparisons)
 {
     m_timer.setSingleShot(true);
     m_timer.setInterval(0);
     connect(&m_timer, &QTimer::timeout, this, &DifferenceSeries::fill);
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::selection | ChangeKind::cursor, this,
-                     &DifferenceSeries::follow);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::selection | ChangeKind::cursor, this,
+                 &DifferenceSeries::follow);
 }
 
 void DifferenceSeries::setActive(bool isActive)
@@ -45,7 +46,7 @@ void DifferenceSeries::setOf(Of of)
 
 std::int64_t DifferenceSeries::end() const
 {
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     return timeline.comparison() ? std::min(timeline.computed(), timeline.comparison()->computed()) : 0;
 }
 
@@ -56,9 +57,9 @@ void DifferenceSeries::restart()
     m_branch.reset();
     m_one.reset();
     m_other.reset();
-    const sim::Timeline &timeline = m_session.timeline();
-    if (m_isActive && isComparing() && m_session.comparisons().shown()) {
-        m_branch = m_session.comparisons().shown()->script;
+    const sim::Timeline &timeline = m_run.timeline();
+    if (m_isActive && isComparing() && m_comparisons.shown()) {
+        m_branch = m_comparisons.shown()->script;
         m_shared = lastShared(timeline.script(), *m_branch);
         m_rows = std::lcm(timeline.track().framesPerOutput(), timeline.comparison()->framesPerOutput());
         m_spacing = m_rows;
@@ -83,9 +84,9 @@ void DifferenceSeries::dropFrom(std::int64_t frame)
 {
     if (!m_isActive)
         return;
-    const Branch *shown = m_session.comparisons().shown();
+    const Branch *shown = m_comparisons.shown();
     const bool isSame = m_branch && isComparing() && shown && shown->script == m_branch && frame > 0 &&
-                        lastShared(m_session.timeline().script(), *m_branch) == m_shared;
+                        lastShared(m_run.timeline().script(), *m_branch) == m_shared;
     const bool isPast = m_next - m_spacing >= frame;
     if (!isSame || (isPast && m_spacing > m_rows)) {
         restart();
@@ -145,8 +146,8 @@ void DifferenceSeries::pairUp(const std::shared_ptr<const sim::ComposedInterval>
 
 void DifferenceSeries::addSample()
 {
-    const sim::Track &run = m_session.timeline().track();
-    const sim::Track &branch = *m_session.timeline().comparison();
+    const sim::Track &run = m_run.timeline().track();
+    const sim::Track &branch = *m_run.timeline().comparison();
     const std::int64_t frame = m_next;
     pairUp(run.intervalAt(frame), branch.intervalAt(frame));
     m_isTooLarge = std::max(m_one->scene.start.pointCount(), m_other->scene.start.pointCount()) > mostPoints;
@@ -155,7 +156,7 @@ void DifferenceSeries::addSample()
         return;
     }
     const sim::State one = run.stateAt(frame), other = branch.stateAt(frame);
-    const int selected = m_one->scene.find(m_session.selected().toStdString());
+    const int selected = m_one->scene.find(m_run.selected().toStdString());
     Difference farthest{frame, -1.0, {}};
     for (const Pair &pair : m_pairs) {
         if (m_of == Of::selected && pair.one != selected)

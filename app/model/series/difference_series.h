@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/comparison_runs.h"
+#include "app/model/session/open_run.h"
 
 #include <QObject>
 #include <QTimer>
@@ -30,17 +31,18 @@ public:
     /// Scenes with more points than this are not compared.
     static constexpr int mostPoints = 4000;
 
-    explicit DifferenceSeries(Session &session, QObject *parent = nullptr);
+    explicit DifferenceSeries(const OpenRun &run, const ComparisonRuns &comparisons,
+                              QObject *parent = nullptr);
 
     void setActive(bool isActive);
     /// The body to compare: the one that is farthest off at each frame, or the selected one.
     enum class Of { farthest, selected };
     void setOf(Of of);
     Of of() const { return m_of; }
-    const Session &session() const { return m_session; }
+    const ComparisonRuns &comparisons() const { return m_comparisons; }
 
     /// Returns whether there is a comparison run.
-    bool isComparing() const { return m_session.timeline().comparison() != nullptr; }
+    bool isComparing() const { return m_run.timeline().comparison() != nullptr; }
     /// Returns whether one of the two runs has too many points.
     bool isTooLarge() const { return m_isTooLarge; }
     /// Returns the samples by frame. A frame without a body in both runs has no sample.
@@ -78,7 +80,8 @@ private:
     void pairUp(const std::shared_ptr<const sim::ComposedInterval> &one,
                 const std::shared_ptr<const sim::ComposedInterval> &other);
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const ComparisonRuns &m_comparisons;
     QTimer m_timer;
     Of m_of = Of::farthest;
     bool m_isActive = false;

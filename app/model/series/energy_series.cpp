@@ -13,10 +13,11 @@ constexpr std::int64_t rowsBefore = 500;
 
 }
 
-EnergySeries::EnergySeries(Session &session, QObject *parent)
-    : QObject(parent), m_session(session), m_idleTask([this](double milliseconds) { fillFor(milliseconds); })
+EnergySeries::EnergySeries(const OpenRun &run, const Playback &playback, QObject *parent)
+    : QObject(parent), m_run(run), m_playback(playback),
+      m_idleTask([this](double milliseconds) { fillFor(milliseconds); })
 {
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor, this, &EnergySeries::follow);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor, this, &EnergySeries::follow);
 }
 
 void EnergySeries::setActive(bool isActive)
@@ -53,7 +54,7 @@ void EnergySeries::restartAt(std::int64_t frame)
     if (m_stale)
         return;
     m_start = m_first = frame;
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     m_framesPerOutput = timeline.track().framesPerOutput();
     const std::shared_ptr<const sim::ComposedInterval> interval = timeline.track().intervalAt(frame);
     m_whyNot = whyNone(interval->scene);
@@ -92,7 +93,7 @@ void EnergySeries::dropFrom(std::int64_t frame)
 
 void EnergySeries::followCursor()
 {
-    if (m_session.playback().isPlaying())
+    if (m_playback.isPlaying())
         fill();
     else
         m_idleTask.runWhileMoved();
@@ -102,7 +103,7 @@ void EnergySeries::fillFor(double milliseconds)
 {
     if (!m_isActive || m_whyNot)
         return;
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     const std::int64_t cursor = timeline.cursor().frame;
     if (cursor < m_first) {
         restart();
@@ -128,7 +129,7 @@ void EnergySeries::fillFor(double milliseconds)
 
 void EnergySeries::countNext()
 {
-    const sim::Track &track = m_session.timeline().track();
+    const sim::Track &track = m_run.timeline().track();
     const std::int64_t frame = last() + m_framesPerOutput;
     const bool fits = track.intervalAt(frame)->scene.start.pointCount() <= mostPoints;
     const std::optional<sim::Balance> row = fits ? m_ledger.row(track, frame) : std::nullopt;

@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/model/run/idle_task.h"
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/playback.h"
 #include "sim/analysis/energy/ledger.h"
 
 #include <QObject>
@@ -26,10 +27,10 @@ public:
     /// Scenes with more points than this are not counted.
     static constexpr int mostPoints = 20'000;
 
-    explicit EnergySeries(Session &session, QObject *parent = nullptr);
+    explicit EnergySeries(const OpenRun &run, const Playback &playback, QObject *parent = nullptr);
 
     void setActive(bool isActive);
-    const Session &session() const { return m_session; }
+    const OpenRun &run() const { return m_run; }
 
     /// Returns the balance from start() to `frame`; null if it is not counted.
     const sim::Balance *at(std::int64_t frame) const;
@@ -61,7 +62,8 @@ private:
     void fillFor(double milliseconds);
     void countNext();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const Playback &m_playback;
     sim::Ledger m_ledger;
     IdleTask m_idleTask;
     std::deque<sim::Balance> m_balances; ///< by output step, from m_first on

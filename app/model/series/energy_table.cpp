@@ -50,7 +50,7 @@ QByteArray rowsOf(const EnergySeries &series, const QByteArray &titles, Write &&
 
 QByteArray energyTable(const EnergySeries &series)
 {
-    const QString unit = energyUnit(series.session().timeline().state().spin.rows() > 0);
+    const QString unit = energyUnit(series.run().timeline().state().spin.rows() > 0);
     QByteArray titles;
     for (const char *held : {"moving", "height", "springs"})
         titles += title(QString::fromLatin1(held), unit);

@@ -15,12 +15,12 @@ constexpr qint64 sliceMilliseconds = 4;
 
 }
 
-MeasureSeries::MeasureSeries(Session &session, QObject *parent) : QObject(parent), m_session(session)
+MeasureSeries::MeasureSeries(const OpenRun &run, QObject *parent) : QObject(parent), m_run(run)
 {
     m_timer.setSingleShot(true);
     m_timer.setInterval(0);
     connect(&m_timer, &QTimer::timeout, this, &MeasureSeries::fill);
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor, this, &MeasureSeries::follow);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor, this, &MeasureSeries::follow);
     restart();
 }
 
@@ -34,14 +34,14 @@ const Sample *MeasureSeries::at(std::int64_t frame) const
 
 bool MeasureSeries::wanted() const
 {
-    return !m_session.step().measures.empty() || m_session.step().isFootDown;
+    return !m_run.step().measures.empty() || m_run.step().isFootDown;
 }
 
 void MeasureSeries::restart()
 {
     m_samples.clear();
     m_first = 0;
-    m_framesPerOutput = m_session.timeline().track().framesPerOutput();
+    m_framesPerOutput = m_run.timeline().track().framesPerOutput();
     emit changed();
     fill();
 }
@@ -58,7 +58,7 @@ void MeasureSeries::dropFrom(std::int64_t frame)
 {
     if (!m_samples.empty() && last() >= frame) {
         m_samples.resize(static_cast<std::size_t>((frame - 1 - m_first) / m_framesPerOutput + 1));
-        m_before = m_session.timeline().track().stateAt(last());
+        m_before = m_run.timeline().track().stateAt(last());
         emit changed();
     }
     fill();
@@ -68,7 +68,7 @@ void MeasureSeries::fill()
 {
     if (!wanted())
         return;
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     if (timeline.state().pointCount() > manyPoints) {
         // Measure only at the cursor: going back over such a run would take too long.
         if (m_samples.empty() || last() != timeline.cursor().frame || m_first != last()) {
@@ -94,7 +94,7 @@ void MeasureSeries::fill()
 
 void MeasureSeries::measureNext()
 {
-    const sim::Track &track = m_session.timeline().track();
+    const sim::Track &track = m_run.timeline().track();
     const bool isFirst = m_samples.empty();
     const std::int64_t frame = isFirst ? m_first : last() + m_framesPerOutput;
     sim::State state = track.stateAt(frame);
@@ -102,16 +102,15 @@ void MeasureSeries::measureNext()
     const bool comparable = !isFirst && m_before.pointCount() == state.pointCount();
     Sample sample;
     const sim::State *before = comparable ? &m_before : nullptr;
-    for (const lessons::Measure &measure : m_session.step().measures)
+    for (const lessons::Measure &measure : m_run.step().measures)
         sample.measures.push_back(
             measure.ofRun ? measure.ofRun(track.script(), interval->scene, state, before, interval->values)
                           : measure.of(interval->scene, state, before, interval->values));
-    if (m_session.step().isFootDown) {
-        const lessons::View view = m_session.step().view(interval->scene, interval->values);
+    if (m_run.step().isFootDown) {
+        const lessons::View view = m_run.step().view(interval->scene, interval->values);
         for (const int foot : view.feet) {
             const std::size_t index = sample.stands.size();
-            sample.stands.push_back(
-                m_session.step().isFootDown(interval->scene, state, interval->values, foot));
+            sample.stands.push_back(m_run.step().isFootDown(interval->scene, state, interval->values, foot));
             const bool stood =
                 comparable && index < m_samples.back().stands.size() && m_samples.back().stands[index];
             const double slip =

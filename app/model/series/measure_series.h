@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
 
 #include <QObject>
 #include <QTimer>
@@ -30,7 +30,7 @@ public:
     /// Scenes with more points than this are measured only at the cursor.
     static constexpr int manyPoints = 4000;
 
-    explicit MeasureSeries(Session &session, QObject *parent = nullptr);
+    explicit MeasureSeries(const OpenRun &run, QObject *parent = nullptr);
 
     /// Returns the sample of the output step that ends at `frame`; null if there is none yet.
     const Sample *at(std::int64_t frame) const;
@@ -56,7 +56,7 @@ private:
     void measureNext();
     bool wanted() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
     QTimer m_timer;
     std::deque<Sample> m_samples; ///< by output step, from m_first on
     std::int64_t m_first = 0;

@@ -6,11 +6,13 @@
 
 namespace app {
 
-PlotSeries::PlotSeries(Session &session, QObject *parent)
-    : QObject(parent), m_session(session), m_idleTask([this](double milliseconds) { fillFor(milliseconds); })
+PlotSeries::PlotSeries(const OpenRun &run, const Playback &playback, const ComparisonRuns &comparisons,
+                       QObject *parent)
+    : QObject(parent), m_run(run), m_playback(playback), m_comparisons(comparisons),
+      m_idleTask([this](double milliseconds) { fillFor(milliseconds); })
 {
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::selection | ChangeKind::cursor, this,
-                     &PlotSeries::follow);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::selection | ChangeKind::cursor, this,
+                 &PlotSeries::follow);
 }
 
 void PlotSeries::setActive(bool isActive)
@@ -61,12 +63,12 @@ void PlotSeries::restart()
     m_isStale = !m_isActive;
     if (m_isStale)
         return;
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     m_framesPerOutput = timeline.track().framesPerOutput();
     m_window =
         windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
     const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
-    m_run = RunSampler(allBound(), m_window.first, m_framesPerOutput, stride);
+    m_runRows = RunSampler(allBound(), m_window.first, m_framesPerOutput, stride);
     restartComparison();
     announce();
     fill();
@@ -81,11 +83,11 @@ void PlotSeries::announce()
 void PlotSeries::restartComparison()
 {
     ++m_comparisonRevision;
-    const sim::Track *comparison = m_session.timeline().comparison();
+    const sim::Track *comparison = m_run.timeline().comparison();
     const bool fits = comparison && comparison->framesPerOutput() == m_framesPerOutput;
     m_comparisonScript = fits ? shownBranch() : nullptr;
-    m_comparison =
-        fits ? RunSampler(allBound(), comparisonStart(), m_framesPerOutput, m_run.samples().stride())
+    m_comparisonRows =
+        fits ? RunSampler(allBound(), comparisonStart(), m_framesPerOutput, m_runRows.samples().stride())
              : RunSampler();
 }
 
@@ -93,14 +95,14 @@ std::int64_t PlotSeries::comparisonStart() const
 {
     // Start at the last shared moment, so that the two curves meet.
     const std::int64_t wide = strideOf(m_window, m_framesPerOutput, mostBuckets) * m_framesPerOutput;
-    const std::int64_t fork = std::max<std::int64_t>(0, m_session.timeline().forkFrame() - m_framesPerOutput);
+    const std::int64_t fork = std::max<std::int64_t>(0, m_run.timeline().forkFrame() - m_framesPerOutput);
     return std::max(m_window.first, fork / wide * wide);
 }
 
 std::shared_ptr<const sim::Script> PlotSeries::shownBranch() const
 {
-    const Branch *shown = m_session.comparisons().shown();
-    return shown && m_session.timeline().comparison() ? shown->script : nullptr;
+    const Branch *shown = m_comparisons.shown();
+    return shown && m_run.timeline().comparison() ? shown->script : nullptr;
 }
 
 void PlotSeries::follow(const Change &change)
@@ -120,7 +122,7 @@ void PlotSeries::dropFrom(std::int64_t frame)
         m_isStale = true;
         return;
     }
-    m_run.forgetAfter(frame - 1);
+    m_runRows.forgetAfter(frame - 1);
     if (m_comparisonScript != shownBranch())
         restartComparison();
     moveWindow();
@@ -152,17 +154,17 @@ void PlotSeries::move(RunSampler &sampler, std::int64_t first, std::int64_t stri
 
 bool PlotSeries::moveWindow()
 {
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     const PlotWindow next =
         windowAfter(m_window, {timeline.cursor().frame, timeline.computed(), m_framesPerOutput, m_mostRows});
     if (next == m_window)
         return false;
     m_window = next;
     const std::int64_t stride = strideOf(m_window, m_framesPerOutput, mostBuckets);
-    move(m_run, m_window.first, stride);
+    move(m_runRows, m_window.first, stride);
     if (m_comparisonScript) {
         ++m_comparisonRevision;
-        move(m_comparison, comparisonStart(), stride);
+        move(m_comparisonRows, comparisonStart(), stride);
     }
     return true;
 }
@@ -173,7 +175,7 @@ void PlotSeries::followCursor()
         return;
     if (moveWindow())
         announce();
-    if (m_session.playback().isPlaying())
+    if (m_playback.isPlaying())
         fill();
     else
         m_idleTask.runWhileMoved();
@@ -186,16 +188,16 @@ std::int64_t PlotSeries::endOf(const sim::Track &track) const
 
 bool PlotSeries::takeRow()
 {
-    const sim::Timeline &timeline = m_session.timeline();
-    if (m_run.samples().nextFrame() <= endOf(timeline.track())) {
-        m_run.takeRow(timeline.track());
+    const sim::Timeline &timeline = m_run.timeline();
+    if (m_runRows.samples().nextFrame() <= endOf(timeline.track())) {
+        m_runRows.takeRow(timeline.track());
         return true;
     }
     const sim::Track *comparison = m_comparisonScript ? timeline.comparison() : nullptr;
-    if (!comparison || m_comparison.samples().nextFrame() > endOf(*comparison))
+    if (!comparison || m_comparisonRows.samples().nextFrame() > endOf(*comparison))
         return false;
     ++m_comparisonRevision;
-    m_comparison.takeRow(*comparison);
+    m_comparisonRows.takeRow(*comparison);
     return true;
 }
 

@@ -3,7 +3,9 @@
 #include "app/model/run/idle_task.h"
 #include "app/model/series/plot_window.h"
 #include "app/model/series/run_sampler.h"
-#include "app/model/session/session.h"
+#include "app/model/session/comparison_runs.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/playback.h"
 
 #include <QObject>
 
@@ -23,7 +25,8 @@ public:
     /// shown.
     static constexpr std::int64_t allRows = PlotWindow::leastRows << 20;
 
-    explicit PlotSeries(Session &session, QObject *parent = nullptr);
+    explicit PlotSeries(const OpenRun &run, const Playback &playback, const ComparisonRuns &comparisons,
+                        QObject *parent = nullptr);
 
     void setActive(bool isActive);
     /// Sets the quantities to read. A quantity without a body follows the selected one.
@@ -32,16 +35,15 @@ public:
     void setMostRows(std::int64_t rows);
     std::int64_t mostRows() const { return m_mostRows; }
 
-    const Session &session() const { return m_session; }
     const PlotWindow &window() const { return m_window; }
     int rowFrames() const { return m_framesPerOutput; }
-    const Samples &run() const { return m_run.samples(); }
+    const Samples &run() const { return m_runRows.samples(); }
     /// Returns the comparison run, from its first difference; empty if there is none.
-    const Samples &comparison() const { return m_comparison.samples(); }
+    const Samples &comparison() const { return m_comparisonRows.samples(); }
     /// Returns the column of a quantity.
     std::size_t columnOf(const Quantity &quantity) const;
     /// Returns the quantity with the name of its body.
-    Quantity bound(const Quantity &quantity) const { return boundTo(quantity, m_session.selected()); }
+    Quantity bound(const Quantity &quantity) const { return boundTo(quantity, m_run.selected()); }
     /// Returns one number per column at the cursor, also inside a frame. NaN marks missing values.
     std::vector<double> now() const;
     /// Returns the same at the start of the cursor's frame, where the curve has a point.
@@ -53,8 +55,8 @@ public:
             0.0; ///< frames: the elapsed fraction of the output step equals the fraction of completed phases
         std::vector<double> values;
     };
-    /// Returns the previewed moment, or else the moment at the cursor. Empty between two frames.
-    std::optional<Inside> inside() const;
+    /// Returns the moment of `shown`, or else that at the cursor, if it is inside a frame.
+    std::optional<Inside> inside(const sim::Timeline &shown) const;
     /// Returns a number that increases with every change of the samples. comparisonRevision() does the same for the
     /// comparison run.
     quint64 revision() const { return m_revision; }
@@ -91,11 +93,13 @@ private:
     std::int64_t endOf(const sim::Track &track) const;
     std::int64_t comparisonStart() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const Playback &m_playback;
+    const ComparisonRuns &m_comparisons;
     IdleTask m_idleTask;
     std::vector<Quantity> m_quantities;
-    RunSampler m_run;
-    RunSampler m_comparison;
+    RunSampler m_runRows;
+    RunSampler m_comparisonRows;
     PlotWindow m_window;
     int m_framesPerOutput = 1;
     std::int64_t m_mostRows = 480;

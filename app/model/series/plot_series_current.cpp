@@ -53,7 +53,7 @@ std::vector<double> PlotSeries::readAt(const sim::Timeline &run) const
 
 std::vector<double> PlotSeries::now() const
 {
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     if (timeline.cursor().phase == 0 && !timeline.hasPendingInput()) {
         if (std::optional<std::vector<double>> values = sampledAt(timeline.cursor().frame))
             return *std::move(values);
@@ -63,7 +63,7 @@ std::vector<double> PlotSeries::now() const
 
 std::vector<double> PlotSeries::begun() const
 {
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     const sim::Track &track = timeline.track();
     const std::int64_t frame = timeline.cursor().frame;
     if (timeline.cursor().phase == 0)
@@ -74,10 +74,9 @@ std::vector<double> PlotSeries::begun() const
     return read(track, track.intervalAt(frame), state, frame - m_framesPerOutput);
 }
 
-std::optional<PlotSeries::Inside> PlotSeries::inside() const
+std::optional<PlotSeries::Inside> PlotSeries::inside(const sim::Timeline &shown) const
 {
-    const sim::Timeline &shown = m_session.preview().run();
-    const sim::Timeline &run = shown.cursor().phase > 0 ? shown : m_session.timeline();
+    const sim::Timeline &run = shown.cursor().phase > 0 ? shown : m_run.timeline();
     const sim::Cursor at = run.cursor();
     if (at.phase == 0)
         return std::nullopt;

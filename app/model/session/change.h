@@ -22,6 +22,8 @@ enum class ChangeKind : unsigned {
 
 Q_DECLARE_FLAGS(ChangeKinds, ChangeKind)
 
+inline constexpr ChangeKinds everyChange = ChangeKinds::fromInt(~0U);
+
 /// A change of a session. All that one edit changes is announced as one change.
 struct Change
 {

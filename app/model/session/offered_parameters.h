@@ -1,10 +1,10 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/run_editor.h"
 
 namespace app {
 
-/// The parameters of the open step that the scene has a use for, in the step's order.
-std::vector<const lessons::Parameter *> offeredParameters(const Session &session);
+/// The parameters of the step that the scene has a use for, in the step's order.
+std::vector<const lessons::Parameter *> offeredParameters(const OpenRun &run, const RunEditor &editor);
 
 }

@@ -4,12 +4,15 @@
 #include "app/model/session/change_notifier.h"
 #include "sim/run/timeline.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <type_traits>
 
 namespace app {
 
-/// The open step of a lesson, its run and the selected body: the state that the parts of a session share.
+/// The open step of a lesson, its run and the selected body: the state that the parts of a session share. Widgets have
+/// it as a constant, to read it and to follow its changes.
 class OpenRun
 {
 public:
@@ -17,12 +20,37 @@ public:
     OpenRun(const LessonLibrary &library, ChangeNotifier &changes) : m_library(library), m_changes(changes) {}
 
     const LessonLibrary &library() const { return m_library; }
-    ChangeNotifier &changes() const { return m_changes; }
+    ChangeNotifier &changes() { return m_changes; }
+    const ChangeNotifier &changes() const { return m_changes; }
+
+    /// Calls `slot`, a member function of `receiver` or a functor, for each change of at least one of these kinds. It
+    /// may take the Change.
+    template <typename Receiver, typename Slot>
+    void onChange(ChangeKinds kinds, Receiver *receiver, Slot slot) const
+    {
+        QObject::connect(&m_changes, &ChangeNotifier::changed, receiver,
+                         [kinds, receiver, slot](const Change &change) {
+                             if (!change.isAny(kinds))
+                                 return;
+                             if constexpr (std::is_invocable_v<Slot, Receiver *, const Change &>)
+                                 std::invoke(slot, receiver, change);
+                             else if constexpr (std::is_invocable_v<Slot, Receiver *>)
+                                 std::invoke(slot, receiver);
+                             else if constexpr (std::is_invocable_v<Slot, const Change &>)
+                                 std::invoke(slot, change);
+                             else
+                                 std::invoke(slot);
+                         });
+    }
+    /// Shows `sentence` in the status line.
+    void showMessage(const QString &sentence) const { m_changes.showMessage(sentence); }
 
     std::size_t lessonNumber() const { return m_lesson; }
     std::size_t stepNumber() const { return m_step; }
     const LessonEntry &lesson() const { return m_library.entry(m_lesson); }
     const lessons::Step &step() const { return lesson().steps[m_step]; }
+    /// Returns whether the user builds the scene of the open step.
+    bool isSandbox() const { return step().points == lessons::PointSource::scene; }
     void setStep(std::size_t lesson, std::size_t step);
     /// Returns the text that identifies the step in settings: "lesson/step".
     QString key() const { return keyOf(lesson().id, step().id); }
@@ -34,7 +62,7 @@ public:
     void setTimeline(std::unique_ptr<sim::Timeline> timeline);
 
     /// Returns the text of the listing that the learner has written, if the run is not computed by it: it does not
-    /// compile, or another method is in use.
+    /// compile, or another method is in use. In the sandbox, see hasRuleDraft().
     const std::optional<QString> &draft() const { return m_draft; }
     void setDraft(std::optional<QString> draft);
 

@@ -25,10 +25,20 @@ std::vector<sim::Event> openingInput(const lessons::Step &step, const sim::Scrip
 ChangeKinds kindsOf(const sim::Script &before, const sim::Script &after)
 {
     const ChangeKinds kinds = ChangeKind::run | ChangeKind::cursor;
-    return sameMethod(before.method, after.method) && before.step == after.step ? kinds
-                                                                                : kinds | ChangeKind::code;
+    const bool isSameCode =
+        sameMethod(before.method, after.method) && before.step == after.step && sameRule(before, after);
+    return isSameCode ? kinds : kinds | ChangeKind::code;
 }
 
+}
+
+void keepListedOff(sim::Script &script)
+{
+    const std::vector<sim::EffectPtr> listed = script.build(script.values).effects;
+    std::erase_if(script.effectsOff, [&](const std::string &id) {
+        return std::none_of(listed.begin(), listed.end(),
+                            [&](const sim::EffectPtr &one) { return one->id() == id; });
+    });
 }
 
 RunEditor::RunEditor(OpenRun &run, Preview &preview, CompanionFollower &companion, Playback &playback,
@@ -79,7 +89,7 @@ void RunEditor::edit(const EditLabel &label, const Edit &edit)
     else if (before.branches.own().end > timeline.cursor().frame)
         replaced = Replaced::branch;
     m_comparisons.recordEdit(label, before, computed, replaced);
-    m_run.setDraft(draftBeside(*before.script));
+    m_run.setDraft(draftBeside(timeline.script(), before));
     m_run.changes().announce(kindsOf(*before.script, timeline.script()),
                              firstDifferent(*before.script, timeline.script()));
     if (replaced != Replaced::forgotten) {
@@ -90,11 +100,14 @@ void RunEditor::edit(const EditLabel &label, const Edit &edit)
     m_history.add(label, std::move(before), m_comparisons.snapshot());
 }
 
-std::optional<QString> RunEditor::draftBeside(const sim::Script &before) const
+std::optional<QString> RunEditor::draftBeside(const sim::Script &script, const RunSnapshot &before) const
 {
-    const std::shared_ptr<const listing::Program> was = programOf(before.method);
-    if (!was || programOf(m_run.timeline().script().method) || m_run.draft())
-        return m_run.draft();
+    const std::shared_ptr<const listing::Program> was = programOf(before.script->method);
+    const std::shared_ptr<const listing::Program> is = programOf(script.method);
+    if (m_run.isSandbox()) // the draft is that of a rule, or that of a listing
+        return sameRule(script, *before.script) && !was == !is ? before.draft : std::nullopt;
+    if (!was || is || before.draft)
+        return before.draft;
     return QString::fromStdString(was->text());
 }
 
@@ -140,8 +153,8 @@ void RunEditor::startAnew(const EditLabel &label, sim::Script script)
     RunSnapshot before = m_comparisons.snapshot();
     const std::int64_t computed = m_run.timeline().computed();
     m_playback.pause();
-    begin(std::move(script), {}, before.branches, before.draft);
-    m_run.setDraft(draftBeside(*before.script));
+    std::optional<QString> draft = draftBeside(script, before);
+    begin(std::move(script), {}, before.branches, std::move(draft));
     const bool hadFrames = std::max(computed, before.branches.own().end) > 0;
     m_comparisons.recordEdit(label, before, computed, hadFrames ? Replaced::branch : Replaced::forgotten);
     m_history.add(label, std::move(before), m_comparisons.snapshot());
@@ -164,7 +177,7 @@ void RunEditor::restart()
         edit({tr("Restart"), tr("the restart")},
              [&](sim::Timeline &run) { return run.replaceScript(std::move(script)); });
         m_comparisons.show(0); // a ghost would repeat the input that the user wants to get rid of
-        m_run.changes().showMessage(tr("A new run. The old one is in “Runs”; Undo (Ctrl+Z) brings it back."));
+        m_run.changes().showMessage(tr("A new run. The old one is in “Runs”; Undo brings it back."));
     }
     m_playback.goTo({});
 }
@@ -183,15 +196,11 @@ bool RunEditor::build(const EditLabel &label, sim::Blueprint blueprint)
 {
     sim::Script script = m_run.timeline().script();
     script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(blueprint));
-    const std::vector<sim::EffectPtr> listed = script.build(script.values).effects;
-    std::erase_if(script.effectsOff, [&](const std::string &id) {
-        return std::none_of(listed.begin(), listed.end(),
-                            [&](const sim::EffectPtr &one) { return one->id() == id; });
-    });
-    return replaceScene(label, script);
+    keepListedOff(script);
+    return replaceScene(label, script, m_run.draft());
 }
 
-bool RunEditor::replaceScene(const EditLabel &label, const sim::Script &script)
+bool RunEditor::replaceScene(const EditLabel &label, const sim::Script &script, std::optional<QString> draft)
 {
     const ChangeNotifier::Batch batch(m_run.changes());
     m_playback.pause();
@@ -209,7 +218,8 @@ bool RunEditor::replaceScene(const EditLabel &label, const sim::Script &script)
     }
     timeline.dropComparison(); // the replaced scene has other bodies, so it cannot be compared
     m_comparisons.reset({});
-    m_run.changes().announce(ChangeKind::run | ChangeKind::cursor, 0);
+    m_run.setDraft(std::move(draft));
+    m_run.changes().announce(kindsOf(*before.script, script), 0);
     m_history.add(label, std::move(before), m_comparisons.snapshot());
     const sim::Scene &scene = timeline.track().interval().scene;
     if (scene.find(m_run.selected().toStdString()) < 0)
@@ -229,10 +239,7 @@ void RunEditor::goBackTo(int id)
     RunSnapshot before = m_comparisons.snapshot();
     RunSnapshot to{branch->script, m_comparisons.branches(), before.draft};
     to.branches.settle(*to.script);
-    if (programOf(to.script->method))
-        to.draft.reset();
-    else if (const auto program = programOf(before.script->method); program && !to.draft)
-        to.draft = QString::fromStdString(program->text());
+    to.draft = programOf(to.script->method) ? std::nullopt : draftBeside(*to.script, before);
     const QString made = before.branches.own().made;
     restore(to, made.isEmpty() ? tr("the first run") : made, KeepRun::always);
     m_comparisons.limit();

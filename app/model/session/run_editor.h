@@ -14,6 +14,9 @@
 
 namespace app {
 
+/// Switches the effects on that `script` switches off but does not list.
+void keepListedOff(sim::Script &script);
+
 /// Changes the run at the cursor: parameters, method, step size, effects, and the scene of a sandbox. Every edit can be
 /// undone. If the replaced run had a future, it becomes a branch, shown as the ghost. An edit that fails says why, and
 /// changes nothing.
@@ -47,6 +50,8 @@ public:
     /// edit is merged with the last one, the run of that one is forgotten, and its ghost stays.
     void setListing(const EditLabel &label, std::optional<QString> draft, const sim::MethodPtr &method,
                     sim::StepSize step);
+    /// Sets the rule of the sandbox's scene, and the text `draft` that is not a rule yet, in the same way.
+    void setRule(const EditLabel &label, std::optional<QString> draft, sim::BlueprintRule rule);
     /// Returns the parameter of the step that damps, if it has one.
     std::optional<sim::DampRange> damping() const;
     /// Returns the parameter of the step that counts passes over sticks, if it has one.
@@ -73,8 +78,9 @@ public:
     std::shared_ptr<const sim::Blueprint> blueprint() const;
     /// Replaces the blueprint, and goes to frame 0. Returns whether the new scene could be built.
     bool build(const EditLabel &label, sim::Blueprint blueprint);
-    /// Replaces the script of a sandbox, and goes to frame 0. Returns whether the new scene could be built.
-    bool replaceScene(const EditLabel &label, const sim::Script &script);
+    /// Replaces the script of a sandbox and the draft of its rule, and goes to frame 0. Returns whether the new scene could
+    /// be built.
+    bool replaceScene(const EditLabel &label, const sim::Script &script, std::optional<QString> draft = {});
 
     /// Makes a branch the run again, bit for bit, at the same frame. The run in use becomes a branch.
     void goBackTo(int branch);
@@ -104,10 +110,13 @@ private:
     void startAnew(const EditLabel &label, const sim::Values &values,
                    const std::vector<sim::MethodPtr> &methods);
     void startAnew(const EditLabel &label, sim::Script script);
-    /// Replaces the run for setListing(), and goes to the same frame again. Returns whether it could be computed.
-    bool replaceListing(const EditLabel &label, sim::Script script);
-    /// Returns the draft beside the run in use, which keeps the learner's text if the run `before` used it.
-    std::optional<QString> draftBeside(const sim::Script &before) const;
+    /// Replaces the script and the draft after the learner has written code.
+    void setCode(const EditLabel &label, std::optional<QString> draft, sim::Script script);
+    /// Replaces the run for setCode(), and goes to the same frame again. Returns whether it could be computed.
+    bool replaceCode(const EditLabel &label, sim::Script script);
+    /// Returns the draft beside the run of `script`, in place of that of `before`. It keeps the learner's listing if the
+    /// run `before` used it.
+    std::optional<QString> draftBeside(const sim::Script &script, const RunSnapshot &before) const;
     void restore(const RunSnapshot &to, const QString &replacedName, KeepRun keepReplaced);
     /// Returns whether the step has to be opened anew for `script`.
     bool needsNewStart(const sim::Script &script) const;

@@ -1,4 +1,4 @@
-// Edits of the listing.
+// Edits of the listing and of the rule.
 
 #include "app/model/run/run_program.h"
 #include "app/model/run/same_run.h"
@@ -24,21 +24,35 @@ constexpr std::int64_t framesAtOnce = 8;
 void RunEditor::setListing(const EditLabel &label, std::optional<QString> draft, const sim::MethodPtr &method,
                            sim::StepSize step)
 {
+    sim::Script script = m_run.timeline().script();
+    if (!sameMethod(script.method, method))
+        script.method = method;
+    script.step = step;
+    setCode(label, std::move(draft), std::move(script));
+}
+
+void RunEditor::setRule(const EditLabel &label, std::optional<QString> draft, sim::BlueprintRule rule)
+{
+    sim::Script script = m_run.timeline().script();
+    sim::Blueprint blueprint = *script.values.blueprint;
+    blueprint.rule = std::move(rule);
+    script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(blueprint));
+    keepListedOff(script);
+    setCode(label, std::move(draft), std::move(script));
+}
+
+void RunEditor::setCode(const EditLabel &label, std::optional<QString> draft, sim::Script script)
+{
     const ChangeNotifier::Batch batch(m_run.changes());
     RunSnapshot before = m_comparisons.snapshot();
-    if (!sameMethod(before.script->method, method) || before.script->step != step) {
-        sim::Script script = *before.script;
-        script.method = method;
-        script.step = step;
-        if (!replaceListing(label, std::move(script)))
-            return;
-    }
+    if (!sameRun(*before.script, script) && !replaceCode(label, std::move(script)))
+        return;
     m_run.setDraft(std::move(draft));
     m_run.changes().announce(ChangeKind::code);
     m_history.add(label, std::move(before), m_comparisons.snapshot());
 }
 
-bool RunEditor::replaceListing(const EditLabel &label, sim::Script script)
+bool RunEditor::replaceCode(const EditLabel &label, sim::Script script)
 {
     sim::Timeline &timeline = m_run.timeline();
     const RunSnapshot before = m_comparisons.snapshot();

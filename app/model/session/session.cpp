@@ -10,12 +10,12 @@ Session::Session(const LessonLibrary &library, QObject *parent)
       m_companion(m_run, m_preview), m_playback(m_run, m_preview, m_companion, m_attempts),
       m_comparisons(m_run, m_history),
       m_editor(m_run, m_preview, m_companion, m_playback, m_comparisons, m_history), m_code(m_run, m_editor),
-      m_lines(m_run, m_preview, m_playback, m_code), m_presentation(m_run, m_preview, m_companion, m_lines)
+      m_rule(m_run, m_editor), m_lines(m_run, m_preview, m_playback, m_code),
+      m_presentation(m_run, m_preview, m_companion, m_lines)
 {
-    connect(&m_changes, &ChangeNotifier::changed, this, &Session::changed);
-    connect(&m_changes, &ChangeNotifier::messageRequested, this, &Session::messageRequested);
     m_playback.setLines([this] { return m_lines.ahead(); }, [this](int lines) { m_lines.stopAt(lines); });
     m_editor.begin(step().script(), {}, {});
+    m_playback.breakpoints().followListing(m_code.text());
     m_changes.setPreparation([this](ChangeKinds kinds) { prepare(kinds); });
 }
 
@@ -30,6 +30,8 @@ void Session::prepare(ChangeKinds kinds)
     const Change change{kinds};
     if (change.isAny(ChangeKind::run))
         m_playback.wakeUp();
+    if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::code))
+        m_playback.breakpoints().followListing(m_code.text());
     if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::code))
         m_lines.follow();
     if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing)) {
@@ -66,7 +68,11 @@ bool Session::isStepDone(const LessonEntry &lesson, const lessons::Step &step) c
         if (!m_progress.isDone(lesson.id, step.id, i))
             return false;
     }
-    return !step.tries.empty();
+    for (const lessons::CodeTask &task : step.codeTasks) {
+        if (!m_progress.isWritten(lesson.id, step.id, task.id))
+            return false;
+    }
+    return !step.tries.empty() || !step.codeTasks.empty();
 }
 
 void Session::openStep(const QString &lessonId, const QString &stepId)

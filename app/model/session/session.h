@@ -4,18 +4,18 @@
 #include "app/model/experiment/experiment.h"
 #include "app/model/listing/learner_code.h"
 #include "app/model/listing/line_stepper.h"
+#include "app/model/listing/rule_code.h"
 #include "app/model/session/presentation.h"
 #include "app/model/session/run_editor.h"
 
-#include <functional>
 #include <map>
 #include <optional>
-#include <type_traits>
 
 namespace app {
 
 /// The open step of a lesson, and the parts that show and change its run. It opens steps and experiments, and keeps the
-/// steps that were open before. Widgets change nothing but these parts, and follow changed().
+/// steps that were open before. Widgets change nothing but these parts, take those that they need, and follow
+/// onChange().
 class Session : public QObject
 {
     Q_OBJECT
@@ -37,18 +37,20 @@ public:
     const ComparisonRuns &comparisons() const { return m_comparisons; }
     LearnerCode &code() { return m_code; }
     const LearnerCode &code() const { return m_code; }
+    RuleCode &rule() { return m_rule; }
+    const RuleCode &rule() const { return m_rule; }
     LineStepper &lines() { return m_lines; }
     const LineStepper &lines() const { return m_lines; }
     const Presentation &presentation() const { return m_presentation; }
     Progress &progress() { return m_progress; }
 
     // The open step
+    const OpenRun &run() const { return m_run; }
     const LessonLibrary &library() const { return m_run.library(); }
     const LessonEntry &lesson() const { return m_run.lesson(); }
     const lessons::Step &step() const { return m_run.step(); }
     const sim::Timeline &timeline() const { return m_run.timeline(); }
-    /// Returns whether the user builds the scene of the open step.
-    bool isSandbox() const { return step().points == lessons::PointSource::scene; }
+    bool isSandbox() const { return m_run.isSandbox(); }
     /// Returns the body whose values are shown.
     QString selected() const { return m_run.selected(); }
     void select(const QString &body) { m_run.select(body); }
@@ -67,6 +69,7 @@ public:
     /// Returns the run of a step that was open before, as it was left.
     std::optional<Experiment> experimentOf(const QString &lesson, const QString &step) const;
 
+    /// Returns whether all things to try and all tasks in the listing of `step` are done, and there are any.
     bool isStepDone(const LessonEntry &lesson, const lessons::Step &step) const;
     /// Returns what remains to do for the thing to try with this number, if it was begun; see Attempts::todo().
     QString todo(int number) const;
@@ -78,32 +81,16 @@ public:
     /// Announces that the library's steps have other texts.
     void announceTexts() { m_changes.announce(ChangeKind::texts); }
     /// Shows `sentence` in the status line.
-    void showMessage(const QString &sentence) { m_changes.showMessage(sentence); }
+    void showMessage(const QString &sentence) const { m_run.showMessage(sentence); }
 
-    /// Calls `slot`, a member function of `receiver` or a functor, for each change of at least one of these kinds. It
-    /// may take the Change.
+    /// Announces the changes of the run, each edit once.
+    const ChangeNotifier &changes() const { return m_changes; }
+    /// As OpenRun::onChange().
     template <typename Receiver, typename Slot>
     void onChange(ChangeKinds kinds, Receiver *receiver, Slot slot) const
     {
-        connect(this, &Session::changed, receiver, [kinds, receiver, slot](const Change &change) {
-            if (!change.isAny(kinds))
-                return;
-            if constexpr (std::is_invocable_v<Slot, Receiver *, const Change &>)
-                std::invoke(slot, receiver, change);
-            else if constexpr (std::is_invocable_v<Slot, Receiver *>)
-                std::invoke(slot, receiver);
-            else if constexpr (std::is_invocable_v<Slot, const Change &>)
-                std::invoke(slot, change);
-            else
-                std::invoke(slot);
-        });
+        m_run.onChange(kinds, receiver, slot);
     }
-
-signals:
-    /// Something changed. Each edit is announced once, when all of it is consistent.
-    void changed(const app::Change &change);
-    /// A message for the status line.
-    void messageRequested(const QString &sentence);
 
 private:
     /// A step that was open before, as it was left.
@@ -131,6 +118,7 @@ private:
     ComparisonRuns m_comparisons;
     RunEditor m_editor;
     LearnerCode m_code;
+    RuleCode m_rule;
     LineStepper m_lines;
     Presentation m_presentation;
     std::map<QString, StepHandover> m_handovers;

@@ -24,6 +24,8 @@ public:
     {
     }
 
+    /// Makes `body` the one whose values are shown.
+    void select(const QString &body) { m_run.select(body); }
     /// Takes hold of a body and selects it. A name that does not exist changes nothing.
     void grab(const QString &body);
     /// Drags the held body to `to`, px.

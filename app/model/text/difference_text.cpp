@@ -19,7 +19,7 @@ struct DifferenceText
 QString differenceSentence(const DifferenceSeries &series)
 {
     if (!series.isComparing())
-        return series.session().comparisons().isComputing()
+        return series.comparisons().isComputing()
                    ? DifferenceText::tr("The other run is being computed again…")
                    : DifferenceText::tr("There is no other run to compare with.");
     if (series.isTooLarge())

@@ -42,7 +42,8 @@ QLabel *textLabel(const char *name, Qt::TextFormat format, QWidget *parent)
 
 }
 
-AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *parent)
+AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Preview &preview, const Theme &theme,
+                             QWidget *parent)
     : QWidget(parent), m_study(study), m_theme(theme)
 {
     setObjectName("panel");
@@ -51,7 +52,7 @@ AccuracyPanel::AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *
     m_views = new QStackedWidget(this);
     m_workPrecision = new WorkPrecisionPlot(study, theme, m_views);
     m_views->addWidget(m_workPrecision);
-    m_overTheRun = new RunPlot(study, theme, m_views);
+    m_overTheRun = new RunPlot(study, preview, theme, m_views);
     m_views->addWidget(m_overTheRun);
     connect(m_overTheRun, &RunPlot::pointedAt, this, &AccuracyPanel::pointedAt);
     m_views->addWidget(new OrderPlot(study, theme, m_views));
@@ -277,14 +278,14 @@ void AccuracyPanel::chooseMethods()
     ShownMethods shown{showsAll()};
     const sim::Accuracy *accuracy = m_study.accuracy();
     if (!shown.areAll && accuracy) {
-        const Session &session = m_study.session();
-        const std::string own = session.step().script().method->id();
+        const OpenRun &run = m_study.run();
+        const std::string own = run.step().script().method->id();
         const bool isEarly = m_study.stage() == AccuracyStudy::Stage::measuring;
         const std::vector<std::string> telling =
             isEarly ? std::vector<std::string>{own}
                     : tellingMethods(*accuracy, own, m_workPrecision->target());
         shown.ids = {telling.begin(), telling.end()};
-        shown.ids.insert(session.timeline().script().method->id());
+        shown.ids.insert(run.timeline().script().method->id());
     }
     for (int i = 0; i < m_views->count(); ++i)
         static_cast<StudyPlot *>(m_views->widget(i))->setShown(shown);

@@ -26,7 +26,8 @@ class AccuracyPanel : public QWidget
     Q_OBJECT
 
 public:
-    AccuracyPanel(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
+    AccuracyPanel(AccuracyStudy &study, const Preview &preview, const Theme &theme,
+                  QWidget *parent = nullptr);
 
     enum View { errorAgainstTime, overTheRun, order };
     void setView(View view);

@@ -27,11 +27,12 @@ double costRatio(const AccuracyRow &a, const AccuracyRow &b)
 
 }
 
-RunPlot::RunPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent) : StudyPlot(study, theme, parent)
+RunPlot::RunPlot(AccuracyStudy &study, const Preview &preview, const Theme &theme, QWidget *parent)
+    : StudyPlot(study, theme, parent), m_preview(preview)
 {
     setObjectName("overTheRun");
     setAccessibleName(tr("Error over the run"));
-    study.session().onChange(ChangeKind::cursor | ChangeKind::preview, this, [this] {
+    study.run().onChange(ChangeKind::cursor | ChangeKind::preview, this, [this] {
         if (isVisible())
             update();
     });
@@ -42,14 +43,14 @@ std::optional<std::int64_t> RunPlot::frameAt(QPointF place) const
     if (!m_study.accuracy() || !QRectF(axisRect()->rect()).contains(place))
         return std::nullopt;
     const auto frame = static_cast<std::int64_t>(std::lround(xAxis->pixelToCoord(place.x())));
-    const std::int64_t computed = m_study.session().timeline().computed();
+    const std::int64_t computed = m_study.run().timeline().computed();
     const bool isThere = frame >= 0 && frame <= std::min<std::int64_t>(computed, m_study.accuracy()->horizon);
     return isThere ? std::optional(frame) : std::nullopt;
 }
 
 std::optional<std::int64_t> RunPlot::hovered() const
 {
-    const std::optional<sim::Cursor> &moment = m_study.session().preview().marked();
+    const std::optional<sim::Cursor> &moment = m_preview.marked();
     if (!m_study.accuracy() || !moment || moment->phase > 0 || moment->frame > m_study.accuracy()->horizon)
         return std::nullopt;
     return moment->frame;
@@ -138,7 +139,7 @@ void RunPlot::drawCursors(QPainter &painter) const
         painter.setPen(pen);
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
     };
-    line(m_study.session().timeline().cursor().frame, QPen(m_theme.tokens().now, 2.0));
+    line(m_study.run().timeline().cursor().frame, QPen(m_theme.tokens().now, 2.0));
     if (hovered())
         line(*hovered(), QPen(m_theme.tokens().ink3, 1.0));
 }

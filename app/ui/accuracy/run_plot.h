@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/session/preview.h"
 #include "app/ui/accuracy/study_plot.h"
 
 namespace app {
@@ -11,7 +12,7 @@ class RunPlot : public StudyPlot
     Q_OBJECT
 
 public:
-    RunPlot(AccuracyStudy &study, const Theme &theme, QWidget *parent = nullptr);
+    RunPlot(AccuracyStudy &study, const Preview &preview, const Theme &theme, QWidget *parent = nullptr);
 
     /// Returns the rows of the study that are drawn, one for each method.
     const std::vector<std::size_t> &rows() const { return m_rows; }
@@ -39,6 +40,7 @@ private:
     void chooseRows();
     void drawCursors(QPainter &painter) const;
 
+    const Preview &m_preview;
     std::vector<std::size_t> m_rows;
 };
 

@@ -19,8 +19,6 @@ public:
     void setTarget(double target);
     /// Returns where the handle of that line is.
     QRectF targetHandle() const;
-    /// Returns whether times are known, so that the plot shows them.
-    bool showsTimes() const { return m_timed; }
     /// Returns whether the time that a frame is on the screen is in sight.
     bool showsFrame() const { return m_timed && xAxis->range().contains(frameOnScreen); }
 

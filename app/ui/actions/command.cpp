@@ -1,33 +1,56 @@
 #include "app/ui/actions/command.h"
 
+#include <QCoreApplication>
+
 namespace app {
 
 namespace {
 
-QString keyName(QKeyCombination key)
+struct KeyNames
 {
-    switch (key.key()) {
+    Q_DECLARE_TR_FUNCTIONS(KeyNames)
+};
+
+QString nameOf(Qt::Key key)
+{
+    switch (key) {
     case Qt::Key_Left:
         return QStringLiteral("←");
     case Qt::Key_Right:
         return QStringLiteral("→");
+    case Qt::Key_Up:
+        return QStringLiteral("↑");
+    case Qt::Key_Down:
+        return QStringLiteral("↓");
     case Qt::Key_Minus:
         return QStringLiteral("−");
+    case Qt::Key_PageUp:
+        return KeyNames::tr("Page Up");
+    case Qt::Key_PageDown:
+        return KeyNames::tr("Page Down");
     default:
-        return QKeySequence(key.key()).toString(QKeySequence::NativeText);
+        return QKeySequence(key).toString(QKeySequence::NativeText);
     }
 }
 
 }
 
+QStringList keyNames(QKeyCombination keys)
+{
+    QStringList names;
+    const Qt::KeyboardModifiers modifiers = keys.keyboardModifiers();
+    if (modifiers & Qt::ControlModifier)
+        names << KeyNames::tr("Ctrl");
+    if (modifiers & Qt::AltModifier)
+        names << KeyNames::tr("Alt");
+    if (modifiers & Qt::ShiftModifier)
+        names << KeyNames::tr("Shift");
+    return names << nameOf(keys.key());
+}
+
 QString keyText(const QKeySequence &keys)
 {
-    if (keys.isEmpty())
-        return {};
-    // Qt names the modifiers in the language of the window, but writes "Left" for an arrow.
-    const QString native = QKeySequence(keys[0]).toString(QKeySequence::NativeText);
-    const QString name = QKeySequence(keys[0].key()).toString(QKeySequence::NativeText);
-    return native.chopped(name.size()) + keyName(keys[0]);
+    return keys.isEmpty() ? QString() : keyNames(keys[0]).join('+');
 }
 
 QString withKeys(const QString &text, const QKeySequence &keys)

@@ -6,6 +6,9 @@
 
 namespace app {
 
+/// Returns the names of the keys that are pressed together: "Shift", "→".
+QStringList keyNames(QKeyCombination keys);
+
 /// Returns the keys as the window shows them: "Shift+→".
 QString keyText(const QKeySequence &keys);
 

@@ -13,7 +13,10 @@ namespace app {
 struct Commands
 {
     /// All arguments must outlive it.
-    Commands(QWidget &window, Session &session) : list(window), edit(session, list), run(session, list) {}
+    Commands(QWidget &window, Session &session)
+        : list(window), edit(session.editor(), list), run(session, list)
+    {
+    }
 
     CommandList list;
     FileCommands file{list};

@@ -1,11 +1,11 @@
 #include "app/ui/actions/edit_commands.h"
 
-#include "app/model/session/session.h"
+#include "app/model/session/run_editor.h"
 #include "app/ui/actions/command_list.h"
 
 namespace app {
 
-EditCommands::EditCommands(Session &session, CommandList &list)
+EditCommands::EditCommands(RunEditor &editor, CommandList &list)
     : undo(list.add(tr("&Undo"), {QKeySequence("Ctrl+Z")}, KeyGroup::changes)),
       redo(list.add(tr("&Redo"), {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")}, KeyGroup::changes)),
       copyText(list.add(tr("&Copy the experiment as text"), {QKeySequence("Ctrl+Shift+C")},
@@ -13,21 +13,21 @@ EditCommands::EditCommands(Session &session, CommandList &list)
       pasteText(list.add(tr("&Paste an experiment"), {QKeySequence("Ctrl+Shift+V")}, KeyGroup::experiments)),
       copyPicture(list.add(tr("Copy the p&icture of the scene"), {QKeySequence("Ctrl+Shift+P")},
                            KeyGroup::experiments)),
-      m_session(session)
+      m_editor(editor)
 {
     undo->setObjectName("undo");
     undo->setIconName("undo");
     redo->setObjectName("redo");
     redo->setIconName("redo");
-    connect(undo, &QAction::triggered, &session.editor(), &RunEditor::undo);
-    connect(redo, &QAction::triggered, &session.editor(), &RunEditor::redo);
-    connect(&session.editor().undoStack(), &QUndoStack::indexChanged, this, &EditCommands::follow);
+    connect(undo, &QAction::triggered, &editor, &RunEditor::undo);
+    connect(redo, &QAction::triggered, &editor, &RunEditor::redo);
+    connect(&editor.undoStack(), &QUndoStack::indexChanged, this, &EditCommands::follow);
     follow();
 }
 
 void EditCommands::follow()
 {
-    const QUndoStack &edits = m_session.editor().undoStack();
+    const QUndoStack &edits = m_editor.undoStack();
     const QString undone = edits.undoText();
     const QString redone = edits.redoText();
     undo->setEnabled(edits.canUndo());

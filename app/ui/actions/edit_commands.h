@@ -6,7 +6,7 @@ namespace app {
 
 class Command;
 class CommandList;
-class Session;
+class RunEditor;
 
 /// The commands of the Edit menu. Undo and redo name what they change.
 class EditCommands : public QObject
@@ -15,7 +15,7 @@ class EditCommands : public QObject
 
 public:
     /// All arguments must outlive it.
-    EditCommands(Session &session, CommandList &list);
+    EditCommands(RunEditor &editor, CommandList &list);
 
     Command *const undo;
     Command *const redo;
@@ -26,7 +26,7 @@ public:
 private:
     void follow();
 
-    Session &m_session;
+    RunEditor &m_editor;
 };
 
 }

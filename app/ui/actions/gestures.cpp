@@ -1,6 +1,7 @@
 #include "app/ui/actions/gestures.h"
 
 #include "app/ui/actions/command_list.h"
+#include "app/ui/code/code_keys.h"
 #include "app/ui/help/help_page.h"
 
 #include <QCoreApplication>
@@ -63,26 +64,33 @@ public:
     void ofCode() const
     {
         add(KeyGroup::code, tr("Click a line, or Enter"), tr("run to its phase"));
-        add(KeyGroup::code, tr("Click left of a line, or F9"),
+        add(KeyGroup::code, tr("Click left of a line, or %1").arg(keyText(codeKeys::toggleBreakpoint)),
             tr("set or remove a breakpoint before its phase"));
         add(KeyGroup::code, tr("Drag a dotted word"), tr("change that parameter; with Shift in small steps"));
-        add(KeyGroup::code, tr("Double-click it, or F2"), tr("type the parameter's value"));
-        add(KeyGroup::code, tr("Point at a word, or Ctrl+I"), tr("its value, and its last 120 frames"));
+        add(KeyGroup::code, tr("Double-click it, or %1").arg(keyText(codeKeys::changeNumber)),
+            tr("type the parameter's value"));
+        add(KeyGroup::code, tr("Point at a word, or %1").arg(keyText(codeKeys::showValue)),
+            tr("its value, and its last 120 frames"));
         add(KeyGroup::code, tr("Up and Down"), tr("from line to line; with Ctrl from heading to heading"));
         add(KeyGroup::code, tr("Ctrl and Left or Right"), tr("from word to word"));
         add(KeyGroup::code, tr("Enter, on a heading"), tr("fold or unfold"));
-        add(KeyGroup::code, tr("F8"), tr("show the lines that this step removed"));
-        add(KeyGroup::code, tr("Ctrl+C"), tr("copy the selection, or the whole region"));
+        add(KeyGroup::code, keyText(codeKeys::showRemovedLines), tr("show the lines that this step removed"));
+        add(KeyGroup::code, keyText(QKeySequence::Copy), tr("copy the selection, or the whole region"));
         add(KeyGroup::code, tr("Stop when…"),
             tr("the field below the code: stop when a condition becomes true"));
     }
     void ofListing() const
     {
         add(KeyGroup::code, tr("Click left of a line, in the listing"), tr("run to it"));
+        add(KeyGroup::code,
+            tr("Ctrl and a click left of a line, or %1, in the listing")
+                .arg(keyText(codeKeys::toggleBreakpoint)),
+            tr("set or remove a breakpoint before it"));
         add(KeyGroup::code, tr("Point at a place or a velocity, in the listing"),
             tr("see it in the picture"));
         add(KeyGroup::code, tr("Drag a number, in the listing"), tr("change it; with Shift in small steps"));
-        add(KeyGroup::code, tr("Ctrl+Space, in the listing"), tr("complete a name"));
+        add(KeyGroup::code, tr("%1, in the listing").arg(keyText(codeKeys::completeName)),
+            tr("complete a name"));
         add(KeyGroup::code, tr("Esc, in the listing"), tr("leave it, so that keys move the run again"));
     }
     void ofAccuracy() const

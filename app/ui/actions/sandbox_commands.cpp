@@ -12,16 +12,25 @@ SandboxCommands::SandboxCommands(Session &session, SandboxEditor &editor, Comman
     : take(list.add(tr("&Take this scene to the sandbox"), {QKeySequence("Ctrl+B")}, KeyGroup::build)),
       deleteChosen(list.add(tr("&Delete selection"), {QKeySequence("Del")}, KeyGroup::build)),
       duplicateChosen(list.add(tr("Dup&licate selection"), {QKeySequence("Ctrl+J")}, KeyGroup::build)),
-      chooseAll(list.add(tr("Select &all"), {QKeySequence("Ctrl+A")}, KeyGroup::build)), m_session(session),
-      m_editor(editor)
+      chooseAll(list.add(tr("Select &all"), {QKeySequence("Ctrl+A")}, KeyGroup::build)),
+      rule(list.add(tr("&My rule"), {QKeySequence("R")}, KeyGroup::build)),
+      linkChosen(list.add(tr("Lin&k selection by my rule"), {QKeySequence("Shift+L")}, KeyGroup::build)),
+      m_session(session), m_editor(editor)
 {
     take->setIconName("take");
     take->setHelp(tr("Continue building this scene in the sandbox"));
+    rule->setIconText(tr("My rule"));
+    rule->setIconName("rule");
+    rule->setHelp(tr("Write a force of your own for this scene"));
+    linkChosen->setIconText(tr("Link all"));
+    linkChosen->setIconName("link-all");
+    linkChosen->setHelp(tr("Add a rule link between each two of the selected points"));
     addTools(list);
     connect(take, &QAction::triggered, &session, [&session] { takeToSandbox(session); });
     connect(deleteChosen, &QAction::triggered, &editor, &SandboxEditor::eraseChosen);
     connect(duplicateChosen, &QAction::triggered, &editor, &SandboxEditor::duplicateChosen);
     connect(chooseAll, &QAction::triggered, &editor, &SandboxEditor::chooseAll);
+    connect(linkChosen, &QAction::triggered, &editor, &SandboxEditor::addRuleLinksAmongChosen);
     session.onChange(ChangeKind::step, this, &SandboxCommands::follow);
     connect(&editor, &SandboxEditor::changed, this, &SandboxCommands::follow);
     follow();
@@ -41,6 +50,8 @@ void SandboxCommands::addTools(CommandList &list)
             tr("Connect two points with a stick, which keeps its length"), "tool-stick");
     addTool(list, BuildTool::foot, tr("Add feet"), tr("Foot"), "F",
             tr("Give a body a foot, at an angle from the body"), "tool-foot");
+    addTool(list, BuildTool::ruleLink, tr("Add rule links"), tr("Rule link"), "L",
+            tr("Connect two points by the function pull of your rule"), "tool-rule-link");
     auto *group = new QActionGroup(this);
     for (Command *tool : m_tools)
         group->addAction(tool);
@@ -61,7 +72,7 @@ void SandboxCommands::addTool(CommandList &list, BuildTool tool, const QString &
 void SandboxCommands::follow()
 {
     const bool isOpen = m_session.isSandbox();
-    for (Command *command : {deleteChosen, duplicateChosen, chooseAll})
+    for (Command *command : {deleteChosen, duplicateChosen, chooseAll, rule, linkChosen})
         command->setEnabled(isOpen);
     for (int i = 0; i < m_tools.size(); ++i) {
         m_tools[i]->setEnabled(isOpen);

@@ -24,6 +24,8 @@ public:
     Command *const deleteChosen;
     Command *const duplicateChosen;
     Command *const chooseAll;
+    Command *const rule;       ///< shows the learner's rule
+    Command *const linkChosen; ///< links the selected points by the rule
     /// Returns the commands that choose a tool, in the order of BuildTool.
     const QList<Command *> &tools() const { return m_tools; }
 

@@ -16,11 +16,11 @@
 namespace app {
 
 BranchesPanel::BranchesPanel(Session &session, const Theme &theme, QWidget *parent)
-    : LivePanel(parent), m_session(session), m_theme(theme), m_series(session),
+    : LivePanel(parent), m_session(session), m_theme(theme), m_series(session.run(), session.comparisons()),
       m_title(new PanelTitle(tr("Two runs"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
-      m_plot(new DifferencePlot(session, m_series, theme, this)),
+      m_plot(new DifferencePlot(session.run(), session.playback(), m_series, theme, this)),
       m_export(new PlotExport([this] { return m_plot->picture(); }, theme, this)),
-      m_runs(new RunsMenu(session, theme, this))
+      m_runs(new RunsMenu(session.run(), session.editor(), session.comparisons(), theme, this))
 {
     m_export->setNumbersAsText([this] { return differenceTable(m_series); });
     m_export->addContextMenu(*m_plot);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/series/difference_series.h"
+#include "app/model/session/session.h"
 #include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
 

@@ -13,9 +13,9 @@ constexpr double peakSize = 9.0; ///< px
 
 }
 
-DifferencePlot::DifferencePlot(Session &session, const DifferenceSeries &series, const Theme &theme,
-                               QWidget *parent)
-    : CursorPlot(session, theme, parent), m_series(series), m_line(addGraph()), m_peak(addGraph()),
+DifferencePlot::DifferencePlot(const OpenRun &run, Playback &playback, const DifferenceSeries &series,
+                               const Theme &theme, QWidget *parent)
+    : CursorPlot(run, playback, theme, parent), m_series(series), m_line(addGraph()), m_peak(addGraph()),
       m_name(new QCPItemText(this))
 {
     setObjectName("differencePlot");

@@ -11,7 +11,7 @@ class DifferencePlot : public CursorPlot
     Q_OBJECT
 
 public:
-    DifferencePlot(Session &session, const DifferenceSeries &series, const Theme &theme,
+    DifferencePlot(const OpenRun &run, Playback &playback, const DifferenceSeries &series, const Theme &theme,
                    QWidget *parent = nullptr);
 
     /// Draws the samples that the series has now.

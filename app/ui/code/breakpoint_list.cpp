@@ -43,15 +43,37 @@ protected:
 
 QString placeText(const Breakpoint &breakpoint)
 {
-    return breakpoint.place
-               ? QStringLiteral("%1:%2").arg(fileName(breakpoint.place->file)).arg(breakpoint.place->line)
-               : BreakpointList::tr("when");
+    if (!breakpoint.place)
+        return BreakpointList::tr("when");
+    if (breakpoint.place->isInListing())
+        return BreakpointList::tr("line %1").arg(breakpoint.place->line);
+    return QStringLiteral("%1:%2").arg(fileName(breakpoint.place->file)).arg(breakpoint.place->line);
+}
+
+/// Returns what the breakpoint does, for the tooltip of its check box.
+QString stopTip(const Breakpoint &breakpoint)
+{
+    if (!breakpoint.place)
+        return BreakpointList::tr("Stop when this becomes true");
+    return breakpoint.place->isInListing()
+               ? BreakpointList::tr("Stop before this line of the listing")
+               : BreakpointList::tr("Stop before this line (%1)").arg(breakpoint.place->file);
+}
+
+/// Returns what its condition does.
+QString conditionTip(const Breakpoint &breakpoint)
+{
+    if (!breakpoint.place)
+        return BreakpointList::tr("Stops when this becomes true. Press Enter to apply.");
+    return breakpoint.place->isInListing()
+               ? BreakpointList::tr("Stops before this line if this is true. Press Enter to apply.")
+               : BreakpointList::tr("Stops before this line's phase if this is true. Press Enter to apply.");
 }
 
 }
 
-BreakpointList::BreakpointList(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_scroll(new QScrollArea(this)),
+BreakpointList::BreakpointList(const OpenRun &run, Playback &playback, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_playback(playback), m_theme(theme), m_scroll(new QScrollArea(this)),
       m_field(new ConditionField(this)), m_error(new QLabel(this))
 {
     setObjectName("panel");
@@ -81,10 +103,10 @@ BreakpointList::BreakpointList(Session &session, const Theme &theme, QWidget *pa
     column->addWidget(m_error);
     connect(m_field, &QLineEdit::returnPressed, this, &BreakpointList::addFromField);
     connect(m_field, &QLineEdit::textEdited, this, [this] { showError({}); });
-    connect(&session.playback().breakpoints(), &Breakpoints::changed, this, &BreakpointList::rebuild,
+    connect(&playback.breakpoints(), &Breakpoints::changed, this, &BreakpointList::rebuild,
             Qt::QueuedConnection);
-    session.onChange(ChangeKind::step, this, &BreakpointList::rebuild);
-    session.onChange(ChangeKind::run, this, &BreakpointList::suggest); // a sandbox may have other bodies now
+    run.onChange(ChangeKind::step, this, &BreakpointList::rebuild);
+    run.onChange(ChangeKind::run, this, &BreakpointList::suggest); // a sandbox may have other bodies now
     connect(&theme, &Theme::changed, this, &BreakpointList::applyTheme);
     applyTheme();
 }
@@ -110,7 +132,7 @@ void BreakpointList::showError(const QString &text)
 bool BreakpointList::accepts(const QString &text)
 {
     try {
-        Condition::parse(text, conditionNames(m_session.step(), m_session.timeline()));
+        Condition::parse(text, conditionNames(m_run.step(), m_run.timeline()));
     } catch (const UserError &error) {
         showError(error.sentence());
         return false;
@@ -129,18 +151,18 @@ void BreakpointList::addFromField()
     if (!accepts(m_field->text()))
         return;
     m_field->clear();
-    m_session.playback().breakpoints().add(text);
+    m_playback.breakpoints().add(text);
 }
 
 void BreakpointList::setCondition(int id, QLineEdit *edit)
 {
-    const Breakpoint *breakpoint = m_session.playback().breakpoints().find(id);
+    const Breakpoint *breakpoint = m_playback.breakpoints().find(id);
     const QString text = edit->text().trimmed();
     if (!breakpoint || text == breakpoint->condition)
         return;
     const bool mayBeEmpty = breakpoint->place.has_value();
     if ((text.isEmpty() && mayBeEmpty) || accepts(edit->text()))
-        m_session.playback().breakpoints().setCondition(id, text);
+        m_playback.breakpoints().setCondition(id, text);
 }
 
 QLineEdit *BreakpointList::conditionOf(const Breakpoint &breakpoint, QWidget *row)
@@ -150,9 +172,7 @@ QLineEdit *BreakpointList::conditionOf(const Breakpoint &breakpoint, QWidget *ro
     edit->setFont(m_theme.mono(12));
     edit->setPlaceholderText(tr("always, or when…"));
     edit->setAccessibleName(tr("Condition of breakpoint %1").arg(placeText(breakpoint)));
-    edit->setToolTip(breakpoint.place
-                         ? tr("Stops before this line's phase if this is true. Press Enter to apply.")
-                         : tr("Stops when this becomes true. Press Enter to apply."));
+    edit->setToolTip(conditionTip(breakpoint));
     connect(edit, &QLineEdit::editingFinished, this,
             [this, id = breakpoint.id, edit] { setCondition(id, edit); });
     return edit;
@@ -170,8 +190,7 @@ QWidget *BreakpointList::rowFor(const Breakpoint &breakpoint)
     on->setChecked(breakpoint.isOn);
     on->setFocusPolicy(Qt::TabFocus);
     on->setObjectName(QStringLiteral("on%1").arg(id));
-    on->setToolTip(breakpoint.place ? tr("Stop before this line (%1)").arg(breakpoint.place->file)
-                                    : tr("Stop when this becomes true"));
+    on->setToolTip(stopTip(breakpoint));
     on->setAccessibleName(tr("Breakpoint %1 %2").arg(placeText(breakpoint), breakpoint.condition).trimmed());
     auto *remove = new QToolButton(row);
     remove->setIcon(m_theme.icon(QStringLiteral("close")));
@@ -184,18 +203,17 @@ QWidget *BreakpointList::rowFor(const Breakpoint &breakpoint)
     box->addWidget(conditionOf(breakpoint, row), 1);
     box->addWidget(remove);
     connect(on, &QCheckBox::toggled, this, [this, id](bool checked) {
-        if (const Breakpoint *one = m_session.playback().breakpoints().find(id); checked && one && one->place)
+        if (const Breakpoint *one = m_playback.breakpoints().find(id); checked && one && one->place)
             emit chosen(*one->place);
-        m_session.playback().breakpoints().setOn(id, checked);
+        m_playback.breakpoints().setOn(id, checked);
     });
-    connect(remove, &QToolButton::clicked, this,
-            [this, id] { m_session.playback().breakpoints().remove(id); });
+    connect(remove, &QToolButton::clicked, this, [this, id] { m_playback.breakpoints().remove(id); });
     return row;
 }
 
 void BreakpointList::suggest()
 {
-    const sim::Scene &scene = m_session.timeline().track().interval().scene;
+    const sim::Scene &scene = m_run.timeline().track().interval().scene;
     m_field->setPlaceholderText(
         tr("Stop when… (%1.y > 300)").arg(QString::fromStdString(scene.names.front())));
 }
@@ -203,9 +221,9 @@ void BreakpointList::suggest()
 void BreakpointList::rebuild()
 {
     suggest();
-    const std::vector<Breakpoint> &all = m_session.playback().breakpoints().all();
+    const std::vector<Breakpoint> &all = m_playback.breakpoints().all();
     const auto sameRow = [](const Breakpoint &a, const Breakpoint &b) {
-        return a.id == b.id && a.condition == b.condition;
+        return a.id == b.id && a.condition == b.condition && a.place == b.place;
     };
     if (m_rows && std::equal(all.begin(), all.end(), m_shown.begin(), m_shown.end(), sameRow)) {
         // Keeps the rows, because one of them may have the keyboard focus.

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/playback.h"
 
 #include <QWidget>
 
@@ -20,7 +21,7 @@ class BreakpointList : public QWidget
     Q_OBJECT
 
 public:
-    BreakpointList(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    BreakpointList(const OpenRun &run, Playback &playback, const Theme &theme, QWidget *parent = nullptr);
 
     QLineEdit *field() const { return m_field; }
     /// Returns the message about the last rejected condition; empty if there is none.
@@ -45,7 +46,8 @@ private:
     void showError(const QString &text);
     void applyTheme();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
     const Theme &m_theme;
     QScrollArea *m_scroll;
     QWidget *m_rows = nullptr;

@@ -2,10 +2,15 @@
 
 #include "app/model/session/session.h"
 #include "app/model/text/sentences.h"
+#include "app/ui/actions/run_commands.h"
+#include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/code_panel.h"
 #include "app/ui/code/code_view.h"
+#include "app/ui/code/listing_editor.h"
 #include "app/ui/code/listing_panel.h"
+#include "app/ui/code/rule_panel.h"
 #include "app/ui/dock/panel_title.h"
+#include "app/ui/scene/scene_view.h"
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
@@ -22,13 +27,14 @@ namespace app {
 
 CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_engine(new CodePanel(session, theme, this)),
-      m_listing(new ListingPanel(session, theme, this)), m_pages(new QStackedWidget(this)),
-      m_offer(new QWidget(this)), m_offerText(new QLabel(m_offer)), m_use(new QPushButton(m_offer)),
-      m_tabs(new QWidget(this)), m_actions(new QWidget(this))
+      m_listing(new ListingPanel(session, theme, this)), m_rule(new RulePanel(session, theme, this)),
+      m_pages(new QStackedWidget(this)), m_offer(new QWidget(this)), m_offerText(new QLabel(m_offer)),
+      m_use(new QPushButton(m_offer)), m_tabs(new QWidget(this)), m_actions(new QWidget(this))
 {
     if (QSettings().value(pageKey).toString() == QLatin1String("engine"))
-        m_wanted = Page::engine;
+        m_wantsEngine = true;
     m_pages->addWidget(m_listing);
+    m_pages->addWidget(m_rule);
     m_pages->addWidget(m_engine);
     makeOffer();
     makeTitle();
@@ -38,12 +44,14 @@ CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
     layout->addWidget(m_offer);
     layout->addWidget(m_pages, 1);
     connect(m_engine, &CodePanel::captionChanged, this, [this] { emit captionChanged(caption()); });
-    connect(m_listing, &ListingPanel::placeChosen, this, [this](const CodePlace &place) {
-        choose(Page::engine);
-        m_engine->view().showPlace(place);
+    connect(m_listing, &ListingPanel::placeChosen, this, &CodePages::showPlace);
+    connect(&m_engine->stops(), &BreakpointList::chosen, this, [this](const CodePlace &place) {
+        if (place.isInListing())
+            showPlace(place);
     });
     session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &CodePages::follow);
     m_wasInUse = session.code().isInUse();
+    m_hadRule = session.rule().isOffered() && session.rule().hasRule();
     follow();
 }
 
@@ -72,10 +80,11 @@ void CodePages::makeTitle()
     row->setSpacing(2);
     m_listingTab =
         makeTab(tr("Listing"), tr("The program of a frame, to read, to step through and to change"), m_tabs);
+    m_ruleTab = makeTab(tr("My rule"), tr("A force that you write, for this scene"), m_tabs);
     m_engineTab = makeTab(tr("Engine"), tr("The code of Springstep that computes the run"), m_tabs);
     auto *group = new QButtonGroup(this);
-    for (const auto &[tab, page] :
-         {std::pair(m_listingTab, Page::listing), std::pair(m_engineTab, Page::engine)}) {
+    for (const auto &[tab, page] : {std::pair(m_listingTab, Page::listing), std::pair(m_ruleTab, Page::rule),
+                                    std::pair(m_engineTab, Page::engine)}) {
         tab->setAccessibleName(tab->text());
         row->addWidget(tab);
         group->addButton(tab);
@@ -84,30 +93,60 @@ void CodePages::makeTitle()
     auto *actions = new QHBoxLayout(m_actions);
     actions->setContentsMargins(0, 0, 0, 0);
     actions->addWidget(m_listing->titleActions());
+    actions->addWidget(m_rule->titleActions());
     actions->addWidget(m_engine->titleActions());
 }
 
 CodePages::Page CodePages::page() const
 {
-    return m_pages->currentWidget() == m_listing ? Page::listing : Page::engine;
+    return m_pages->currentWidget() == m_listing ? Page::listing
+           : m_pages->currentWidget() == m_rule  ? Page::rule
+                                                 : Page::engine;
 }
 
 void CodePages::choose(Page page)
 {
-    m_wanted = page;
-    QSettings().setValue(pageKey,
-                         page == Page::engine ? QStringLiteral("engine") : QStringLiteral("listing"));
+    m_wantsEngine = page == Page::engine;
+    QSettings().setValue(pageKey, m_wantsEngine ? QStringLiteral("engine") : QStringLiteral("listing"));
     show(page);
+}
+
+void CodePages::writeAt(int line)
+{
+    choose(Page::listing);
+    ListingEditor &editor = m_listing->editor();
+    editor.setFocus(Qt::OtherFocusReason);
+    editor.writeBehind(line);
+}
+
+void CodePages::attach(SceneView &scene, RunCommands &commands)
+{
+    connect(m_listing, &ListingPanel::vectorPointedAt, &scene, &SceneView::setVector);
+    connect(m_listing, &ListingPanel::left, &scene, qOverload<>(&QWidget::setFocus));
+    connect(m_rule, &RulePanel::left, &scene, qOverload<>(&QWidget::setFocus));
+    connect(&scene, &SceneView::bodyPointedAt, m_listing, &ListingPanel::setPointedBody);
+    const auto followPage = [this, &commands] { commands.setStepBy(stepBy()); };
+    connect(this, &CodePages::stepByChanged, &commands, followPage);
+    followPage();
+}
+
+void CodePages::showPlace(const CodePlace &place)
+{
+    choose(place.isInListing() ? Page::listing : Page::engine);
+    if (place.isInListing())
+        m_listing->editor().showLine(place.line);
+    else
+        m_engine->view().showPlace(place);
 }
 
 QString CodePages::caption() const
 {
-    return page() == Page::listing ? QString() : m_engine->caption();
+    return page() == Page::engine ? m_engine->caption() : QString();
 }
 
 QString CodePages::shortCaption() const
 {
-    return page() == Page::listing ? QString() : bodyTitle(m_session.selected());
+    return page() == Page::engine ? bodyTitle(m_session.selected()) : QString();
 }
 
 StepBy CodePages::stepBy() const
@@ -121,27 +160,51 @@ void CodePages::follow()
     const LearnerCode &code = m_session.code();
     const bool isInUse = code.isInUse();
     const bool changed = std::exchange(m_wasInUse, isInUse) != isInUse;
-    m_tabs->setVisible(code.isOffered());
+    const RuleCode &rule = m_session.rule();
+    m_tabs->setVisible(code.isOffered() || rule.isOffered());
+    m_listingTab->setVisible(code.isOffered());
+    m_ruleTab->setVisible(rule.isOffered());
     m_offer->setVisible(code.isOffered() && !isInUse);
     const QString method = phrase(m_session.timeline().script().method->title());
     m_offerText->setText(tr("%1 computes this run, not the listing.").arg(method));
     m_use->setText(code.isChanged() ? tr("Use your code") : tr("Use the listing"));
-    if (!code.isOffered())
-        show(Page::engine);
-    else if (changed || m_step != &m_session.step())
-        show(isInUse ? m_wanted : Page::engine);
+    const bool isFirstRule = rule.isOffered() && rule.hasRule() && !m_hadRule; // of an example, for instance
+    m_hadRule = rule.isOffered() && rule.hasRule();
+    if (isFirstRule)
+        show(Page::rule);
+    else if (changed || m_step != &m_session.step() || !isOffered(page()))
+        show(wantedPage());
     m_step = &m_session.step();
     emit stepByChanged();
 }
 
+bool CodePages::isOffered(Page page) const
+{
+    return page == Page::engine ||
+           (page == Page::listing ? m_session.code().isOffered() : m_session.rule().isOffered());
+}
+
+CodePages::Page CodePages::wantedPage() const
+{
+    if (m_wantsEngine)
+        return Page::engine;
+    if (m_session.rule().isOffered())
+        return Page::rule;
+    return m_session.code().isOffered() && m_session.code().isInUse() ? Page::listing : Page::engine;
+}
+
 void CodePages::show(Page page)
 {
-    const bool isListing = page == Page::listing;
-    m_pages->setCurrentWidget(isListing ? static_cast<QWidget *>(m_listing) : m_engine);
-    m_listing->titleActions()->setVisible(isListing);
-    m_engine->titleActions()->setVisible(!isListing);
-    m_listingTab->setChecked(isListing);
-    m_engineTab->setChecked(!isListing);
+    m_pages->setCurrentWidget(page == Page::listing ? static_cast<QWidget *>(m_listing)
+                              : page == Page::rule  ? static_cast<QWidget *>(m_rule)
+                                                    : m_engine);
+    m_listing->titleActions()->setVisible(page == Page::listing);
+    m_rule->titleActions()->setVisible(page == Page::rule);
+    m_engine->titleActions()->setVisible(page == Page::engine);
+    m_actions->layout()->activate(); // otherwise the title has room for the actions of both pages for a while
+    m_listingTab->setChecked(page == Page::listing);
+    m_ruleTab->setChecked(page == Page::rule);
+    m_engineTab->setChecked(page == Page::engine);
     emit captionChanged(caption());
     emit stepByChanged();
 }

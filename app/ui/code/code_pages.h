@@ -16,28 +16,38 @@ struct Step;
 namespace app {
 
 class CodePanel;
+struct CodePlace;
 class ListingPanel;
+class RulePanel;
+class RunCommands;
+class SceneView;
 class Session;
 class Theme;
 
-/// The two pages of the code: the listing, which the learner can change, and the engine's own code. Steps without a
-/// listing have the engine's page only. While another method computes the run, its page is shown, and the listing offered.
+/// The pages of the code: the one that the learner writes, which is the listing of a step or the rule of a sandbox scene,
+/// and the engine's own code. Steps without a listing have the engine's page only. While another method computes the run,
+/// its page is shown, and the listing offered.
 class CodePages : public QWidget
 {
     Q_OBJECT
 
 public:
-    enum class Page { listing, engine };
+    enum class Page { listing, rule, engine };
     static constexpr const char *pageKey = "code/page"; ///< settings key of the page that the learner chose
 
     CodePages(Session &session, const Theme &theme, QWidget *parent = nullptr);
     ~CodePages() override;
 
     ListingPanel &listing() const { return *m_listing; }
+    RulePanel &rule() const { return *m_rule; }
     CodePanel &engine() const { return *m_engine; }
     Page page() const;
     /// Shows a page on the learner's wish, and remembers it.
     void choose(Page page);
+    /// Shows the listing, with the caret at the end of a line, so that the learner can write there.
+    void writeAt(int line);
+    /// Shows what the listing points at in `scene`, and lets the step commands go as the page does; see stepBy().
+    void attach(SceneView &scene, RunCommands &commands);
     /// Returns how the step commands go while this page is shown: by lines if the listing computes the run.
     StepBy stepBy() const;
     QString caption() const;
@@ -60,10 +70,16 @@ private:
     void makeOffer();
     void follow();
     void show(Page page);
+    bool isOffered(Page page) const;
+    /// Returns the page that the learner has chosen among those of the open step.
+    Page wantedPage() const;
+    /// Shows the line of a breakpoint, on its page.
+    void showPlace(const CodePlace &place);
 
     Session &m_session;
     CodePanel *m_engine;
     ListingPanel *m_listing;
+    RulePanel *m_rule;
     QStackedWidget *m_pages;
     QWidget *m_offer;
     QLabel *m_offerText;
@@ -71,9 +87,11 @@ private:
     QWidget *m_tabs;
     QWidget *m_actions;
     QToolButton *m_listingTab = nullptr;
+    QToolButton *m_ruleTab = nullptr;
     QToolButton *m_engineTab = nullptr;
-    Page m_wanted = Page::listing;
+    bool m_wantsEngine = false; ///< whether the learner wants the engine's page rather than the one to write
     bool m_wasInUse = true;
+    bool m_hadRule = false;
     const lessons::Step *m_step = nullptr; ///< the step that is shown
 };
 

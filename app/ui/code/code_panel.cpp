@@ -1,8 +1,10 @@
 #include "app/ui/code/code_panel.h"
 
 #include "app/model/text/sentences.h"
+#include "app/ui/actions/command.h"
 #include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/code_card.h"
+#include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_view.h"
 #include "app/ui/theme/theme.h"
 #include "sim/run/script/composed_interval.h"
@@ -25,7 +27,8 @@ constexpr qint64 playingMilliseconds = 100; ///< between two updates during play
 
 CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_view(new CodeView(theme, this)),
-      m_stops(new BreakpointList(session, theme, this)), m_card(new CodeCard(theme, this))
+      m_stops(new BreakpointList(session.run(), session.playback(), theme, this)),
+      m_card(new CodeCard(theme, this))
 {
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -69,7 +72,8 @@ void CodePanel::makeActions()
     m_newLines->setToolTip(tr("Lines that are new in this step. Click to go through them."));
     m_goneLines = new QToolButton;
     m_goneLines->setToolTip(tr("Lines that this step removed. Click to show or hide them, struck through at "
-                               "their old places (F8 in the code)."));
+                               "their old places (%1 in the code).")
+                                .arg(keyText(codeKeys::showRemovedLines)));
     m_goneLines->setCheckable(true);
     m_copy = new QToolButton;
     m_copy->setToolTip(tr("Copy the shown code, with its files' names"));
@@ -94,7 +98,7 @@ void CodePanel::applyTheme()
 void CodePanel::copyAll()
 {
     QApplication::clipboard()->setText(m_view->shownText());
-    emit messageRequested(tr("Copied the code."));
+    m_session.showMessage(tr("Copied the code."));
 }
 
 void CodePanel::showEvent(QShowEvent *event)

@@ -44,8 +44,6 @@ public:
 
 signals:
     void captionChanged(const QString &caption);
-    /// Emitted with a message for the status line.
-    void messageRequested(const QString &sentence);
 
 protected:
     void showEvent(QShowEvent *event) override;

@@ -130,7 +130,7 @@ void CodePanel::takeTyped()
     try {
         value = typedValue(*parameter, m_editor->text());
     } catch (const UserError &error) {
-        emit messageRequested(error.sentence());
+        m_session.showMessage(error.sentence());
         m_editor->selectAll();
         return;
     }
@@ -202,7 +202,7 @@ void CodePanel::askSymbol(std::size_t row, qsizetype column)
         symbolAt(m_listing, its.section, its.line, column, m_view->spots(), *m_step, *m_interval, point());
     if (!symbol) {
         if (m_view->hasFocus() && !m_view->viewport()->underMouse())
-            emit messageRequested(tr("“%1” has no known value.").arg(word->name));
+            m_session.showMessage(tr("“%1” has no known value.").arg(word->name));
         return;
     }
     m_shownSymbol = ShownSymbol{*symbol, m_view->wordRect(row, *word)};

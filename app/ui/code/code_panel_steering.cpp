@@ -17,7 +17,7 @@ void CodePanel::connectView()
     connect(m_view, &CodeView::runRequested, this, &CodePanel::runTo);
     connect(m_view, &CodeView::removedLinesRequested, this, [this] {
         if (m_listing.goneLines() == 0)
-            emit messageRequested(tr("This step removed no lines."));
+            m_session.showMessage(tr("This step removed no lines."));
         else
             m_goneLines->click();
     });
@@ -44,18 +44,18 @@ void CodePanel::toggleStop(std::size_t row)
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     const CodePlace place = m_view->placeOf(row);
     if (section.role == CodeSection::Role::scene && !m_session.playback().breakpoints().at(place)) {
-        emit messageRequested(
+        m_session.showMessage(
             tr("This line sets the scene up, before the first frame. Choose a line of a phase to stop at."));
         return;
     }
     if (section.role == CodeSection::Role::order && !m_session.playback().breakpoints().at(place)) {
-        emit messageRequested(
+        m_session.showMessage(
             tr("This line says in which order phases run. Choose a line of a phase to stop at."));
         return;
     }
     const bool isSet = m_session.playback().breakpoints().toggle(place);
     const QString where = tr("%1, line %2").arg(fileName(place.file)).arg(place.line);
-    emit messageRequested(isSet ? tr("Stops before %1.").arg(where)
+    m_session.showMessage(isSet ? tr("Stops before %1.").arg(where)
                                 : tr("No longer stops before %1.").arg(where));
 }
 
@@ -66,7 +66,7 @@ void CodePanel::runTo(std::size_t row)
     const CodeSection &section = m_listing.sections[m_view->rows()[row].section];
     const std::optional<sim::Cursor> target = runTarget(section, m_session.timeline());
     if (!target) {
-        emit messageRequested(
+        m_session.showMessage(
             section.role == CodeSection::Role::scene
                 ? tr("This line sets the scene up, before the first frame. Click a line of a phase to run to "
                      "it.")

@@ -1,5 +1,7 @@
 #include "app/ui/code/code_view.h"
 
+#include "app/ui/actions/command.h"
+#include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/code_view_styles.h"
 #include "app/ui/theme/theme.h"
@@ -38,8 +40,10 @@ CodeView::CodeView(const Theme &theme, QWidget *parent) : QsciScintilla(parent),
 {
     setAccessibleName(tr("Code that runs"));
     setAccessibleDescription(
-        tr("Up and Down go from line to line. Enter runs to a line, or folds a section at its heading. F9 "
-           "sets a breakpoint, F2 changes a parameter, Ctrl+I shows a value, Ctrl+C copies."));
+        tr("Up and Down go from line to line. Enter runs to a line, or folds a section at its heading. %1 "
+           "sets a breakpoint, %2 changes a parameter, %3 shows a value, %4 copies.")
+            .arg(keyText(codeKeys::toggleBreakpoint), keyText(codeKeys::changeNumber),
+                 keyText(codeKeys::showValue), keyText(QKeySequence::Copy)));
     const QSettings settings;
     if (settings.contains(foldedKey)) {
         const QStringList folded = settings.value(foldedKey).toStringList();

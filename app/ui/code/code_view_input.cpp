@@ -1,5 +1,8 @@
 #include "app/ui/code/code_view.h"
 
+#include "app/ui/actions/command.h"
+#include "app/ui/code/code_keys.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QHelpEvent>
@@ -24,13 +27,13 @@ bool isOurs(const QKeyEvent &key, bool isDragging)
         return plain || control;
     case Qt::Key_Left:
     case Qt::Key_Right:
-    case Qt::Key_I:
+    case codeKeys::showValue.key():
         return control;
     case Qt::Key_Return:
     case Qt::Key_Enter:
-    case Qt::Key_F2:
-    case Qt::Key_F8:
-    case Qt::Key_F9:
+    case codeKeys::changeNumber:
+    case codeKeys::showRemovedLines:
+    case codeKeys::toggleBreakpoint:
         return plain;
     case Qt::Key_Escape:
         return plain && isDragging;
@@ -81,14 +84,14 @@ void CodeView::steer(const QKeyEvent &event)
         return moveByWords(1);
     case Qt::Key_Left:
         return moveByWords(-1);
-    case Qt::Key_I:
+    case codeKeys::showValue.key():
         return askSymbol();
-    case Qt::Key_F2:
+    case codeKeys::changeNumber:
         return askNumber();
-    case Qt::Key_F8:
+    case codeKeys::showRemovedLines:
         emit removedLinesRequested();
         return;
-    case Qt::Key_F9:
+    case codeKeys::toggleBreakpoint:
         if (line(m_rows[m_row]))
             emit stopRequested(m_row);
         return;
@@ -271,9 +274,10 @@ QString CodeView::tipAt(const QPoint &position) const
         return chip(its)->tip;
     if (!isInMargin(position))
         return {};
-    const QString what =
-        breakpoint(*row) ? tr("The run stops before this line's phase. Click to remove the breakpoint (F9).")
-                         : tr("Click to set a breakpoint before this line's phase (F9)");
+    const QString what = withKeys(
+        breakpoint(*row) ? tr("The run stops before this line's phase. Click to remove the breakpoint")
+                         : tr("Click to set a breakpoint before this line's phase"),
+        codeKeys::toggleBreakpoint);
     return shown->isNew ? tr("New in this step. %1").arg(what) : what;
 }
 

@@ -1,6 +1,8 @@
 #include "app/ui/code/listing_editor.h"
 
+#include "app/ui/actions/command.h"
 #include "app/ui/code/code_colors.h"
+#include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/listing_editor_styles.h"
 #include "app/ui/code/scintilla_style.h"
@@ -23,12 +25,22 @@ constexpr int marginWidths[] = {30, 13, 3, 7}; ///< px: numbers, the arrow, chan
 
 }
 
-ListingEditor::ListingEditor(const Theme &theme, QWidget *parent) : QsciScintilla(parent), m_theme(theme)
+ListingEditor::ListingEditor(const Theme &theme, Kind kind, QWidget *parent)
+    : QsciScintilla(parent), m_theme(theme), m_kind(kind)
 {
-    setAccessibleName(tr("Listing: the code that you can change"));
-    setAccessibleDescription(
-        tr("Type to change it; the run is computed again after a short pause. Tab indents, "
-           "Ctrl+Space completes a name, Esc leaves the editor."));
+    if (kind == Kind::listing) {
+        setAccessibleName(tr("Listing: the code that you can change"));
+        setAccessibleDescription(
+            tr("Type to change it; the run is computed again after a short pause. Tab indents, "
+               "%1 completes a name, %2 sets a breakpoint, Esc leaves the editor.")
+                .arg(keyText(codeKeys::completeName), keyText(codeKeys::toggleBreakpoint)));
+    } else {
+        setAccessibleName(tr("My rule: forces that you write"));
+        setAccessibleDescription(
+            tr("Type to change it; the run is computed again after a short pause. Tab indents, "
+               "%1 completes a name, Esc leaves the editor.")
+                .arg(keyText(codeKeys::completeName)));
+    }
     m_typing.setSingleShot(true);
     m_typing.setInterval(pauseMilliseconds);
     connect(&m_typing, &QTimer::timeout, this, [this] { emit written(text()); });
@@ -241,6 +253,28 @@ void ListingEditor::setMarks(const LineMarks &marks)
         send(*this, SCI_SCROLLRANGE, static_cast<std::size_t>(start), start);
     }
     viewport()->update();
+}
+
+void ListingEditor::setStops(std::vector<LineStop> stops)
+{
+    if (stops == m_stops)
+        return;
+    m_stops = std::move(stops);
+    viewport()->update();
+}
+
+void ListingEditor::showLine(int line)
+{
+    const long start = positionOf(line, 1);
+    send(*this, SCI_GOTOPOS, static_cast<std::size_t>(start));
+    send(*this, SCI_SCROLLRANGE, static_cast<std::size_t>(start), start);
+}
+
+void ListingEditor::writeBehind(int line)
+{
+    const QString code = text(line - 1);
+    setCursorPosition(line - 1, static_cast<int>(code.size()) - (code.endsWith('\n') ? 1 : 0));
+    send(*this, SCI_SETXOFFSET, 0); // a long comment would scroll the code out of view
 }
 
 void ListingEditor::setValues(LineValues values)

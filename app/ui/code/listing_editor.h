@@ -13,6 +13,8 @@
 #include <optional>
 #include <vector>
 
+class QMenu;
+
 namespace app {
 
 class Theme;
@@ -26,10 +28,20 @@ struct LineMarks
     friend bool operator==(const LineMarks &, const LineMarks &) = default;
 };
 
-/// An editor for the listing of a step, with values at the ends of lines. It knows nothing of the session: it tells what
+/// A breakpoint on a line of the listing.
+struct LineStop
+{
+    int line = 0; ///< from 1
+    bool isOn = true;
+    bool hasCondition = false;
+    friend bool operator==(const LineStop &, const LineStop &) = default;
+};
+
+/// An editor for the listing of a step, with values at the ends of lines, or for a rule of the sandbox. It knows nothing of the session: it tells what
 /// the learner typed, and shows what it is told.
 ///
-/// A click in the margin asks to run to a line. A parameter or a number can be dragged sideways. Esc leaves the editor. Tab
+/// A click in the margin asks to run to a line; Ctrl and a click, F9, or a click on its dot ask for a breakpoint or remove
+/// it. A parameter or a number can be dragged sideways. Esc leaves the editor. Tab
 /// and Shift+Tab indent, but a learner who has come by Tab goes on by Tab. Undo and redo are the window's.
 class ListingEditor : public QsciScintilla
 {
@@ -39,7 +51,12 @@ public:
     /// The time from the last key to written(), in ms.
     static constexpr int pauseMilliseconds = 150;
 
-    explicit ListingEditor(const Theme &theme, QWidget *parent = nullptr);
+    enum class Kind {
+        listing, ///< its lines run one by one, so the run can go to them and stop before them
+        rule,
+    };
+
+    explicit ListingEditor(const Theme &theme, Kind kind, QWidget *parent = nullptr);
 
     /// Shows `text`. Only the part that differs is replaced. The caret goes behind it if the learner types.
     void setListing(const QString &text);
@@ -57,6 +74,13 @@ public:
     void setChangedLines(const ChangedLines &changed);
     void setMarks(const LineMarks &marks);
     const LineMarks &marks() const { return m_marks; }
+    /// Sets the breakpoints, which have dots in the margin.
+    void setStops(std::vector<LineStop> stops);
+    const std::vector<LineStop> &stops() const { return m_stops; }
+    /// Moves the caret to a line and scrolls to it.
+    void showLine(int line);
+    /// Moves the caret to the end of a line. The view shows the beginnings of lines.
+    void writeBehind(int line);
     /// Sets the values at the ends of lines. While they are `earlier` ones, they are paler.
     void setValues(LineValues values);
     const LineValues &values() const { return m_values; }
@@ -70,6 +94,9 @@ public:
     // For tests: lines from 1, columns in characters from 1, places in the viewport, px.
     QString chipText(int line) const { return chipOf(line).text; }
     QRect lineRect(int line) const;
+    /// Returns the place of the dot of a breakpoint.
+    QRect stopRect(int line) const;
+    QString tipAt(const QPoint &place) const;
     QRect wordRect(const TextRange &range) const;
     bool isUnderlined(int line, int column) const;
     bool isUse(int line, int column) const;
@@ -83,6 +110,8 @@ signals:
     /// Emitted when names are wanted for the word before a position.
     void completionsWanted(int line, int column);
     void runRequested(int line);
+    /// Emitted when a breakpoint is to be set on a line, or removed from it.
+    void stopRequested(int line);
     /// Emitted when the mouse moves to another place of the text, or off the text.
     void pointedAt(std::optional<app::TextRange> place);
     /// Emitted when the learner starts to drag a parameter, moves it (`pixels` since the start), and ends the drag.
@@ -154,15 +183,21 @@ private:
     const LineChip *valueOf(int line) const;
     bool isTypedIn(int line) const;
     ValueChip chipOf(int line) const;
-    QString tipAt(const QPoint &place) const;
     bool isChanged(int line) const;
+    const LineStop *stopOf(int line) const;
+    void requestStop(int line);
+    void addLineActions(QMenu &menu, int line);
     void paintLine(QPainter &painter, int line) const;
+    void paintStop(QPainter &painter, const LineStop &stop) const;
+    void paintChange(QPainter &painter, int line) const;
 
     const Theme &m_theme;
+    const Kind m_kind;
     QTimer m_typing;
     bool m_isSetting = false; ///< whether the program changes the text, not the learner
     LineMarks m_marks;
     LineValues m_values;
+    std::vector<LineStop> m_stops;
     ChangedLines m_changed;
     QStringList m_parameters;
     std::vector<CodeMistake> m_mistakes;

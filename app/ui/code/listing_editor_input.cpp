@@ -1,5 +1,6 @@
 // Keys and mouse of the listing's editor.
 
+#include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/listing_editor.h"
 
@@ -54,6 +55,7 @@ bool editsWith(const QKeyEvent &key)
     case Qt::Key_Tab:
     case Qt::Key_Backtab:
     case Qt::Key_Escape:
+    case codeKeys::toggleBreakpoint:
         return isPlain;
     default:
         break;
@@ -116,8 +118,8 @@ void ListingEditor::keyPressEvent(QKeyEvent *event)
         flush();
         emit left();
         return;
-    case Qt::Key_Space:
-        if (event->modifiers() != Qt::ControlModifier)
+    case codeKeys::completeName.key():
+        if (event->keyCombination() != codeKeys::completeName)
             break;
         followCharacter(0);
         return;
@@ -132,6 +134,11 @@ void ListingEditor::keyPressEvent(QKeyEvent *event)
         return indentLines(1);
     case Qt::Key_Backtab:
         return indentLines(-1);
+    case codeKeys::toggleBreakpoint: {
+        int line = 0, index = 0;
+        getCursorPosition(&line, &index);
+        return requestStop(line + 1);
+    }
     case Qt::Key_BraceRight:
         closeBrace();
         break;
@@ -274,8 +281,13 @@ void ListingEditor::mousePressEvent(QMouseEvent *event)
 {
     m_isPassedThrough = false;
     const bool isLeft = event->button() == Qt::LeftButton && event->modifiers() == Qt::NoModifier;
+    const bool isControl =
+        event->button() == Qt::LeftButton && event->modifiers() == Qt::KeyboardModifiers(Qt::ControlModifier);
     const int line = lineAt(event->pos());
-    if (isLeft && line > 0 && event->pos().x() < marginsWidth()) {
+    const bool isInMargin = m_kind == Kind::listing && line > 0 && event->pos().x() < marginsWidth();
+    if (isInMargin && (isControl || (isLeft && stopOf(line) && stopRect(line).contains(event->pos()))))
+        return requestStop(line);
+    if (isInMargin && isLeft) {
         flush();
         emit runRequested(line);
         return;
@@ -288,6 +300,12 @@ void ListingEditor::mousePressEvent(QMouseEvent *event)
     QsciScintilla::mousePressEvent(event);
 }
 
+void ListingEditor::requestStop(int line)
+{
+    flush();
+    emit stopRequested(line);
+}
+
 void ListingEditor::mouseMoveEvent(QMouseEvent *event)
 {
     if (m_drag) {
@@ -296,7 +314,7 @@ void ListingEditor::mouseMoveEvent(QMouseEvent *event)
     }
     if (event->buttons() == Qt::NoButton) {
         setPointed(placeAt(event->pos()));
-        if (lineAt(event->pos()) > 0 && event->pos().x() < marginsWidth()) {
+        if (m_kind == Kind::listing && lineAt(event->pos()) > 0 && event->pos().x() < marginsWidth()) {
             viewport()->setCursor(Qt::PointingHandCursor);
             return;
         }
@@ -387,6 +405,17 @@ void ListingEditor::wheelEvent(QWheelEvent *event)
         QsciScintilla::wheelEvent(event);
 }
 
+void ListingEditor::addLineActions(QMenu &menu, int line)
+{
+    connect(menu.addAction(tr("Run to this line")), &QAction::triggered, this, [this, line] {
+        flush();
+        emit runRequested(line);
+    });
+    connect(menu.addAction(stopOf(line) ? tr("Remove breakpoint") : tr("Set breakpoint")),
+            &QAction::triggered, this, [this, line] { requestStop(line); });
+    menu.addSeparator();
+}
+
 void ListingEditor::contextMenuEvent(QContextMenuEvent *event)
 {
     int line = 0, index = 0;
@@ -396,11 +425,8 @@ void ListingEditor::contextMenuEvent(QContextMenuEvent *event)
         line = std::max(1, lineAt(viewport()->mapFromGlobal(event->globalPos())));
     auto *menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    connect(menu->addAction(tr("Run to this line")), &QAction::triggered, this, [this, line] {
-        flush();
-        emit runRequested(line);
-    });
-    menu->addSeparator();
+    if (m_kind == Kind::listing)
+        addLineActions(*menu, line);
     const auto add = [&](const QString &text, bool isEnabled, void (QsciScintilla::*slot)()) {
         QAction *action = menu->addAction(text);
         action->setEnabled(isEnabled);
@@ -412,7 +438,8 @@ void ListingEditor::contextMenuEvent(QContextMenuEvent *event)
     menu->addSeparator();
     connect(menu->addAction(tr("Select all")), &QAction::triggered, this, [this] { selectAll(); });
     menu->addSeparator();
-    connect(menu->addAction(tr("Reset listing")), &QAction::triggered, this, &ListingEditor::resetRequested);
+    connect(menu->addAction(m_kind == Kind::listing ? tr("Reset listing") : tr("Delete rule")),
+            &QAction::triggered, this, &ListingEditor::resetRequested);
     menu->popup(event->reason() == QContextMenuEvent::Mouse
                     ? event->globalPos()
                     : viewport()->mapToGlobal(lineRect(line).topLeft() + QPoint(marginsWidth(), 20)));

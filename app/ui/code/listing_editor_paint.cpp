@@ -1,6 +1,8 @@
 // Values, arrow and marks that are painted over the listing.
 
+#include "app/ui/actions/command.h"
 #include "app/ui/code/code_colors.h"
+#include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/listing_editor.h"
 #include "app/ui/theme/theme.h"
@@ -17,6 +19,7 @@ namespace app {
 namespace {
 
 // From the left: line numbers, the arrow, changed lines, a gap.
+constexpr int stopWidth = 13; ///< of the place for a dot, left of the numbers
 constexpr int arrowLeft = 30;
 constexpr int changeLeft = 43;
 constexpr int changeWidth = 3;
@@ -28,6 +31,12 @@ QRect ListingEditor::lineRect(int line) const
     const auto height = static_cast<int>(send(*this, SCI_TEXTHEIGHT, 0));
     const long above = line - 1 - send(*this, SCI_GETFIRSTVISIBLELINE);
     return {0, static_cast<int>(above) * height, viewport()->width(), height};
+}
+
+QRect ListingEditor::stopRect(int line) const
+{
+    const QRect row = lineRect(line);
+    return {0, row.top(), stopWidth, row.height()};
 }
 
 QRect ListingEditor::wordRect(const TextRange &range) const
@@ -104,6 +113,13 @@ bool ListingEditor::isChanged(int line) const
     return std::binary_search(m_changed.changed.begin(), m_changed.changed.end(), line);
 }
 
+const LineStop *ListingEditor::stopOf(int line) const
+{
+    const auto found = std::find_if(m_stops.begin(), m_stops.end(),
+                                    [line](const LineStop &stop) { return stop.line == line; });
+    return found == m_stops.end() ? nullptr : &*found;
+}
+
 void ListingEditor::paintEvent(QPaintEvent *event)
 {
     QsciScintilla::paintEvent(event);
@@ -115,7 +131,23 @@ void ListingEditor::paintEvent(QPaintEvent *event)
     }
 }
 
-void ListingEditor::paintLine(QPainter &painter, int line) const
+/// Paints a breakpoint as the engine's code does.
+void ListingEditor::paintStop(QPainter &painter, const LineStop &stop) const
+{
+    const Tokens &t = m_theme.tokens();
+    const QPointF centre = QRectF(stopRect(stop.line)).center();
+    painter.setPen(QPen(t.past, 1.5));
+    painter.setBrush(stop.isOn ? QBrush(t.past) : QBrush(Qt::NoBrush));
+    painter.drawEllipse(centre, 4.0, 4.0);
+    if (!stop.hasCondition)
+        return;
+    painter.setPen(QPen(stop.isOn ? t.panel : t.past, 1.2));
+    for (const double dy : {-1.3, 1.3})
+        painter.drawLine(centre + QPointF(-2.0, dy), centre + QPointF(2.0, dy));
+}
+
+/// Paints how a line differs from the step's own listing.
+void ListingEditor::paintChange(QPainter &painter, int line) const
 {
     const Tokens &t = m_theme.tokens();
     const QRect row = lineRect(line);
@@ -133,6 +165,15 @@ void ListingEditor::paintLine(QPainter &painter, int line) const
         paintNotch(std::max(4, row.top()));
     if (line == lines() && std::find(removed.begin(), removed.end(), line + 1) != removed.end())
         paintNotch(row.bottom());
+}
+
+void ListingEditor::paintLine(QPainter &painter, int line) const
+{
+    const Tokens &t = m_theme.tokens();
+    const QRect row = lineRect(line);
+    paintChange(painter, line);
+    if (const LineStop *stop = stopOf(line))
+        paintStop(painter, *stop);
     const bool isNext = line == m_marks.next;
     if (isNext || line == m_marks.failed) {
         const QPointF at(arrowLeft + 1.5, row.top() + 4);
@@ -163,9 +204,12 @@ QString ListingEditor::tipAt(const QPoint &place) const
         const LineChip *value = valueOf(line);
         return value ? value->tip : formsOf(line).first();
     }
-    if (place.x() < marginsWidth()) {
-        const QString what = tr("Click to run to this line");
-        return isChanged(line) ? tr("You changed this line. %1.").arg(what) : what;
+    if (m_kind == Kind::listing && place.x() < marginsWidth()) {
+        const QString what = withKeys(
+            stopOf(line) ? tr("The run stops before this line. Click the dot to remove the breakpoint")
+                         : tr("Click to run to this line. Ctrl+click sets a breakpoint"),
+            codeKeys::toggleBreakpoint);
+        return isChanged(line) ? tr("You changed this line. %1").arg(what) : what;
     }
     for (const CodeMistake &mistake : m_mistakes) {
         if (mistake.line == line && wordRect({mistake.line, mistake.column, mistake.length}).contains(place))

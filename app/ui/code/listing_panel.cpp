@@ -1,12 +1,14 @@
 #include "app/ui/code/listing_panel.h"
 
-#include "app/model/code/code_targets.h"
 #include "app/model/listing/changed_lines.h"
+#include "app/model/listing/line_of_code.h"
 #include "app/model/listing/line_values.h"
 #include "app/model/listing/listing_names.h"
 #include "app/model/run/run_program.h"
 #include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/listing_editor.h"
+#include "app/ui/code/mistake_row.h"
+#include "app/ui/code/parameter_drag.h"
 #include "app/ui/theme/theme.h"
 
 #include <QHBoxLayout>
@@ -22,40 +24,21 @@ constexpr qint64 betweenValuesMilliseconds =
     100; ///< between two updates during playback, to keep numbers readable
 constexpr int rowMargin = 16;
 
-QLabel *textRow(const char *name, QWidget *parent)
-{
-    auto *label = new QLabel(parent);
-    label->setObjectName(name);
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    label->hide();
-    return label;
-}
-
 }
 
 ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_calls(textRow("caption", this)),
-      m_editor(new ListingEditor(theme, this)), m_mistake(new QWidget(this)),
-      m_sentence(textRow("failure", m_mistake)), m_stops(new BreakpointList(session, theme, this))
+    : QWidget(parent), m_session(session), m_theme(theme), m_calls(new QLabel(this)),
+      m_editor(new ListingEditor(theme, ListingEditor::Kind::listing, this)),
+      m_parameters(new ParameterDrag(*m_editor, session.run(), session.editor())),
+      m_mistake(new MistakeRow(this)),
+      m_stops(new BreakpointList(session.run(), session.playback(), theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_sentence->show();
-    auto *divider = new QWidget(m_mistake);
-    divider->setObjectName("divider");
-    divider->setAttribute(Qt::WA_StyledBackground);
-    divider->setFixedHeight(1);
-    auto *room = new QVBoxLayout;
-    room->setContentsMargins(rowMargin, 6, rowMargin, 8);
-    room->addWidget(m_sentence);
-    auto *below = new QVBoxLayout(m_mistake);
-    below->setContentsMargins(0, 0, 0, 0);
-    below->setSpacing(0);
-    below->addWidget(divider);
-    below->addLayout(room);
-    m_mistake->hide();
+    m_calls->setObjectName("caption");
+    m_calls->setTextFormat(Qt::PlainText);
+    m_calls->setWordWrap(true);
+    m_calls->hide();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -115,16 +98,14 @@ void ListingPanel::connectEditor()
         if (m_session.lines().isAvailable())
             m_session.lines().runTo(line);
         else
-            emit messageRequested(
+            m_session.showMessage(
                 m_session.code().isInUse()
                     ? tr("Correct the mistake first. Until then, the last good code computes the run.")
                     : tr("This listing does not compute the run. Choose “Use your code” first."));
     });
+    connect(m_editor, &ListingEditor::stopRequested, this, &ListingPanel::toggleStop);
+    connect(&m_session.playback().breakpoints(), &Breakpoints::changed, this, &ListingPanel::showStops);
     connect(m_editor, &ListingEditor::pointedAt, this, &ListingPanel::pointAt);
-    connect(m_editor, &ListingEditor::parameterTaken, this, &ListingPanel::takeParameter);
-    connect(m_editor, &ListingEditor::parameterDragged, this, &ListingPanel::dragParameter);
-    connect(m_editor, &ListingEditor::parameterLeft, this, &ListingPanel::leaveParameter);
-    connect(m_editor, &ListingEditor::numberGesture, this, [this] { m_session.editor().endGesture(); });
     connect(m_editor, &ListingEditor::left, this, &ListingPanel::left);
     connect(m_editor, &ListingEditor::resetRequested, m_reset, &QToolButton::click);
 }
@@ -142,7 +123,7 @@ void ListingPanel::write(const QString &text)
 
 QString ListingPanel::sentence() const
 {
-    return m_mistake->isHidden() ? QString() : m_sentence->text();
+    return m_mistake->sentence();
 }
 
 QString ListingPanel::calls() const
@@ -186,17 +167,39 @@ void ListingPanel::refresh()
     showText();
     showMistakes();
     showValues();
+    showStops();
+}
+
+void ListingPanel::showStops()
+{
+    std::vector<LineStop> stops;
+    for (const Breakpoint &one : m_session.playback().breakpoints().all()) {
+        if (one.place && one.place->isInListing())
+            stops.push_back({one.place->line, one.isOn, !one.condition.isEmpty()});
+    }
+    m_editor->setStops(std::move(stops));
+}
+
+void ListingPanel::toggleStop(int line)
+{
+    Breakpoints &breakpoints = m_session.playback().breakpoints();
+    const bool isSet = breakpoints.at({{}, line});
+    const int place = isSet ? line : lineOfCodeFrom(m_editor->text(), line);
+    if (place == 0) {
+        m_session.showMessage(
+            tr("No line that runs comes after line %1. Choose a line inside a function.").arg(line));
+        return;
+    }
+    if (isSet || !breakpoints.at({{}, place}))
+        breakpoints.toggle({{}, place});
+    m_session.showMessage(isSet ? tr("No longer stops before line %1.").arg(place)
+                                : tr("Stops before line %1.").arg(place));
 }
 
 void ListingPanel::showText()
 {
     const LearnerCode &code = m_session.code();
-    QStringList parameters;
-    for (const lessons::Parameter &parameter : m_session.step().parameters) {
-        if (!parameter.restartsRun) // dragging it would restart the run at every value
-            parameters << parameter.id;
-    }
-    m_editor->setParameters(parameters);
+    m_parameters->offer();
     if (!m_editor->isPending())
         m_editor->setListing(code.text());
     m_editor->setChangedLines(changedLines(code.original(), code.text()));
@@ -210,13 +213,10 @@ void ListingPanel::showMistakes()
     const LearnerCode &code = m_session.code();
     const std::vector<CodeMistake> mistakes = code.mistakes();
     m_editor->setMistakes(mistakes);
-    QString sentence;
-    if (!mistakes.empty())
-        sentence = tr("Line %1: %2").arg(mistakes.front().line).arg(mistakes.front().sentence);
-    else if (const std::optional<listing::RunError> error = code.runError())
+    QString sentence = mistakeSentence(mistakes);
+    if (const std::optional<listing::RunError> error = code.runError(); error && sentence.isEmpty())
         sentence = mistakeSentence(*error);
-    m_sentence->setText(sentence);
-    m_mistake->setVisible(!sentence.isEmpty());
+    m_mistake->setSentence(sentence);
 }
 
 void ListingPanel::showValues()
@@ -277,30 +277,6 @@ void ListingPanel::pointAt(const std::optional<TextRange> &place)
     emit vectorPointedAt(
         isKnown ? vectorMarkAt(m_editor->text(), place->line, place->column, *shown.frame, shown.index)
                 : std::nullopt);
-}
-
-void ListingPanel::takeParameter(const QString &id)
-{
-    m_session.editor().endGesture();
-    m_drag = Drag{id, m_session.editor().parameter(id)};
-}
-
-void ListingPanel::dragParameter(int pixels, bool fine)
-{
-    const lessons::Parameter *parameter = m_drag ? m_session.step().parameter(m_drag->parameter) : nullptr;
-    if (parameter)
-        m_session.editor().setParameter(
-            parameter->id, draggedValue(*parameter, m_drag->from, (fine ? finePixel : 1.0) * pixels));
-}
-
-void ListingPanel::leaveParameter(bool keep)
-{
-    if (!m_drag)
-        return;
-    if (!keep)
-        m_session.editor().setParameter(m_drag->parameter, m_drag->from);
-    m_session.editor().endGesture();
-    m_drag.reset();
 }
 
 }

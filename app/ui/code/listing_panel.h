@@ -15,6 +15,8 @@ namespace app {
 
 class BreakpointList;
 class ListingEditor;
+class MistakeRow;
+class ParameterDrag;
 class Theme;
 
 /// A panel with the listing of the open step: the whole program of a frame, which the learner steps through and changes.
@@ -39,11 +41,9 @@ public:
     void setPointedBody(const QString &body);
 
 signals:
-    /// Emitted with a message for the status line.
-    void messageRequested(const QString &sentence);
     /// Emitted when the mouse moves onto a Vec2 of the listing, or off it.
     void vectorPointedAt(const std::optional<app::VectorMark> &vector);
-    /// Emitted when the learner chooses a breakpoint on a line of the engine's code.
+    /// Emitted when the learner chooses a breakpoint on a line.
     void placeChosen(const app::CodePlace &place);
     /// Emitted when the learner leaves the editor by keyboard.
     void left();
@@ -63,28 +63,20 @@ private:
     void showMistakes();
     void showValues();
     void showUses();
+    void showStops();
+    void toggleStop(int line);
     void pointAt(const std::optional<TextRange> &place);
-    void takeParameter(const QString &id);
-    void dragParameter(int pixels, bool fine);
-    void leaveParameter(bool keep);
-
-    struct Drag
-    {
-        QString parameter;
-        double from = 0.0;
-    };
 
     Session &m_session;
     const Theme &m_theme;
     QLabel *m_calls;
     ListingEditor *m_editor;
-    QWidget *m_mistake;
-    QLabel *m_sentence;
+    ParameterDrag *m_parameters;
+    MistakeRow *m_mistake;
     BreakpointList *m_stops;
     QPointer<QWidget> m_actions;
     QToolButton *m_reset = nullptr;
     const lessons::Step *m_step = nullptr; ///< the step that is shown
-    std::optional<Drag> m_drag;
     std::optional<TextRange> m_pointed;
     QString m_pointedBody;
     QElapsedTimer m_refreshed; ///< time since the values were last shown

@@ -24,16 +24,18 @@ bool isOneFile(const RecoveredScene &a, const RecoveredScene &b)
 
 }
 
-RecoveryPrompt::RecoveryPrompt(Session &session, ExperimentFiles &files, Notice &notice, const Theme &theme)
-    : m_session(session), m_files(files), m_notice(notice), m_theme(theme)
+RecoveryPrompt::RecoveryPrompt(const OpenRun &run, Playback &playback, const ComparisonRuns &comparisons,
+                               ExperimentFiles &files, Notice &notice, const Theme &theme)
+    : m_run(run), m_playback(playback), m_comparisons(comparisons), m_files(files), m_notice(notice),
+      m_theme(theme)
 {
-    m_session.onChange(ChangeKind::step, this, &RecoveryPrompt::offerBuilt);
+    m_run.onChange(ChangeKind::step, this, &RecoveryPrompt::offerBuilt);
 }
 
 void RecoveryPrompt::autosaveIn(const QString &folder, int within)
 {
     m_scenes = recoveredScenes(folder);
-    m_autosave = std::make_unique<Autosave>(m_session, m_files.document(), folder, within);
+    m_autosave = std::make_unique<Autosave>(m_run, m_comparisons, m_files.document(), folder, within);
     connect(m_autosave.get(), &Autosave::failed, &m_notice, &Notice::showMessage);
     forgetWhatIsOpen();
     if (m_notice.sentence().isEmpty()) // otherwise a message comes first; the scenes stay in the list
@@ -45,7 +47,7 @@ std::vector<RecoveredScene> RecoveryPrompt::installed() const
     std::vector<RecoveredScene> all;
     std::copy_if(
         m_scenes.begin(), m_scenes.end(), std::back_inserter(all), [this](const RecoveredScene &one) {
-            const LessonEntry *lesson = m_session.library().lesson(one.name.lesson);
+            const LessonEntry *lesson = m_run.library().lesson(one.name.lesson);
             return lesson && lesson->step(one.name.step); // kept otherwise: the lesson may be installed again
         });
     return all;
@@ -62,7 +64,7 @@ void RecoveryPrompt::offer()
 
 void RecoveryPrompt::offerBuilt()
 {
-    if (!m_session.isSandbox() || m_isOpening || m_hasOfferedBuilt || !m_notice.sentence().isEmpty())
+    if (!m_run.isSandbox() || m_isOpening || m_hasOfferedBuilt || !m_notice.sentence().isEmpty())
         return;
     const StepName name = m_files.document().name();
     const auto found = std::find_if(m_scenes.begin(), m_scenes.end(),
@@ -75,7 +77,7 @@ void RecoveryPrompt::offerBuilt()
 
 void RecoveryPrompt::askAbout(const RecoveredScene &scene)
 {
-    const LessonEntry *lesson = m_session.library().lesson(scene.name.lesson);
+    const LessonEntry *lesson = m_run.library().lesson(scene.name.lesson);
     const QString what = tr("“%1: %2”").arg(lesson->title, lesson->step(scene.name.step)->title);
     const QString sentence =
         scene.wasEnded ? tr("Springstep did not close normally. Your scene of %1 from %2 can be recovered.")
@@ -100,11 +102,11 @@ void RecoveryPrompt::askAboutAll(const std::vector<RecoveredScene> &scenes)
 void RecoveryPrompt::showList()
 {
     if (m_scenes.empty()) {
-        m_session.showMessage(tr("There is no scene to recover."));
+        m_run.showMessage(tr("There is no scene to recover."));
         return;
     }
     if (!m_list) {
-        m_list = new RecoveryList(m_session.library(), m_theme, m_notice.window());
+        m_list = new RecoveryList(m_run.library(), m_theme, m_notice.window());
         connect(m_list, &RecoveryList::recovers, this, &RecoveryPrompt::recover);
         connect(m_list, &RecoveryList::deletes, this, &RecoveryPrompt::erase);
     }
@@ -144,7 +146,7 @@ bool RecoveryPrompt::isOpen(const RecoveredScene &scene) const
     if (scene.wasEnded || !document.isChanged(scene.name))
         return false;
     try {
-        const Experiment kept = readExperiment(scene.file, m_session.library());
+        const Experiment kept = readExperiment(scene.file, m_run.library());
         const std::optional<Experiment> mine = document.experimentOf(scene.name);
         return mine && sameScript(kept.script, mine->script) && sameMarked(kept.branches, mine->branches);
     } catch (const UserError &) {
@@ -170,13 +172,13 @@ void RecoveryPrompt::open(const RecoveredScene &scene, std::int64_t upTo)
     const QScopedValueRollback opening(m_isOpening, true);
     std::int64_t frames = 0;
     const bool isOpen = m_files.opens([&] {
-        const Experiment experiment = readExperiment(scene.file, m_session.library());
+        const Experiment experiment = readExperiment(scene.file, m_run.library());
         frames = experiment.frames;
         m_files.document().open(experiment);
     });
     if (!isOpen)
         return;
-    m_session.playback().goTo({std::min(frames, upTo), 0});
+    m_playback.goTo({std::min(frames, upTo), 0});
     m_autosave->takeOver(scene.name, scene.when); // before forget(), so that one copy always exists
     forget(scene);
     drop(scene);

@@ -23,7 +23,8 @@ class RecoveryPrompt : public QObject
 
 public:
     /// All arguments must outlive it.
-    RecoveryPrompt(Session &session, ExperimentFiles &files, Notice &notice, const Theme &theme);
+    RecoveryPrompt(const OpenRun &run, Playback &playback, const ComparisonRuns &comparisons,
+                   ExperimentFiles &files, Notice &notice, const Theme &theme);
 
     /// Starts to autosave in `folder`, within `within` ms of a change, and offers the scenes left there
     /// by earlier starts. Runs that are open in this session already, handed over by an earlier window, are
@@ -48,7 +49,9 @@ private:
     void open(const RecoveredScene &scene, std::int64_t upTo);
     void drop(const RecoveredScene &scene);
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
+    const ComparisonRuns &m_comparisons;
     ExperimentFiles &m_files;
     Notice &m_notice;
     const Theme &m_theme;

@@ -1,6 +1,7 @@
 #include "app/ui/dock/dock_fitter.h"
 
 #include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/narration.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QDockWidget>
@@ -25,7 +26,7 @@ bool contains(const std::vector<QDockWidget *> &panels, const QDockWidget *one)
 
 DockFitter::DockFitter(PanelLayout &layout, LearnPanel &learn, SceneView &scene)
     : m_window(layout.window), m_learn(learn), m_scene(scene), m_lessons(layout.docks[Panel::lessons]),
-      m_numbers(layout.docks[Panel::parameters])
+      m_numbers(layout.docks[Panel::parameters]), m_code(layout.docks[Panel::code])
 {
 }
 
@@ -33,8 +34,11 @@ QSize DockFitter::leastSize()
 {
     // Activated from the inside out, because the window learns of inner changes only later.
     m_window.centralWidget()->layout()->activate();
-    for (QDockWidget *panel : m_window.findChildren<QDockWidget *>())
+    for (QDockWidget *panel : m_window.findChildren<QDockWidget *>()) {
+        if (QLayout *title = panel->titleBarWidget()->layout())
+            title->activate();
         panel->layout()->activate();
+    }
     m_window.layout()->activate();
     return m_window.layout()->totalMinimumSize();
 }
@@ -56,8 +60,11 @@ void DockFitter::share()
         QTimer::singleShot(0, this, &DockFitter::sidesChanged);
 }
 
-void DockFitter::letStepAside(const std::vector<QDockWidget *> &requested)
+void DockFitter::letStepAside(std::vector<QDockWidget *> requested)
 {
+    // A task is read and judged beside the code that the learner writes.
+    if (m_learn.narration().isWriting())
+        requested.insert(requested.end(), {&m_lessons, &m_code});
     // First try to keep the panels that the learner has just asked for.
     for (const std::vector<QDockWidget *> &spared : {requested, std::vector<QDockWidget *>()}) {
         for (const Way way : {Way::rail, Way::below, Way::smallScene, Way::numbers, Way::right, Way::left}) {

@@ -48,7 +48,7 @@ private:
     QSize leastSize();
     bool isShort();
     void bringBackWhatFits();
-    void letStepAside(const std::vector<QDockWidget *> &requested);
+    void letStepAside(std::vector<QDockWidget *> requested);
     /// Saves room in this `way`, but keeps the `requested` panels. Returns whether that helps.
     bool stepAside(Way way, const std::vector<QDockWidget *> &requested);
     /// Returns the panels that `way` hides, without the `requested` ones. The front tab comes last.
@@ -60,8 +60,9 @@ private:
     QMainWindow &m_window;
     LearnPanel &m_learn;
     SceneView &m_scene;
-    QDockWidget &m_lessons;     ///< the dock of `learn`
-    QDockWidget &m_numbers;     ///< the dock of measures and parameters
+    QDockWidget &m_lessons; ///< the dock of `learn`
+    QDockWidget &m_numbers; ///< the dock of measures and parameters
+    QDockWidget &m_code;
     std::vector<Aside> m_aside; ///< the most recent one last
 };
 

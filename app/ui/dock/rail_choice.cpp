@@ -8,9 +8,9 @@
 
 namespace app {
 
-RailChoice::RailChoice(PanelLayout &layout, LearnPanel &learn, const Session &session, PanelSizes &sizes,
+RailChoice::RailChoice(PanelLayout &layout, LearnPanel &learn, const OpenRun &run, PanelSizes &sizes,
                        Command &toggle)
-    : m_layout(layout), m_learn(learn), m_session(session), m_sizes(sizes), m_toggle(toggle)
+    : m_layout(layout), m_learn(learn), m_run(run), m_sizes(sizes), m_toggle(toggle)
 {
     connect(&toggle, &QAction::triggered, this,
             [this](bool isRail) { choose(isRail ? LearnPanel::Form::rail : LearnPanel::Form::whole); });
@@ -35,7 +35,7 @@ void RailChoice::restore()
 
 void RailChoice::fitDock()
 {
-    const bool isSandbox = m_session.isSandbox();
+    const bool isSandbox = m_run.isSandbox();
     const bool isRail = m_learn.form() == LearnPanel::Form::rail;
     m_toggle.setChecked(isRail);
     m_toggle.setEnabled(!isSandbox);

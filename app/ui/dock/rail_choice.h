@@ -14,7 +14,7 @@ class RailChoice : public QObject
 
 public:
     /// `toggle` switches between both. All arguments must outlive it.
-    RailChoice(PanelLayout &layout, LearnPanel &learn, const Session &session, PanelSizes &sizes,
+    RailChoice(PanelLayout &layout, LearnPanel &learn, const OpenRun &run, PanelSizes &sizes,
                Command &toggle);
 
     void choose(LearnPanel::Form form);
@@ -26,7 +26,7 @@ public:
 private:
     PanelLayout &m_layout;
     LearnPanel &m_learn;
-    const Session &m_session;
+    const OpenRun &m_run;
     PanelSizes &m_sizes;
     Command &m_toggle;
 };

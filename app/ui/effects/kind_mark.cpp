@@ -41,6 +41,10 @@ QPainterPath signOf(sim::EffectKind kind)
         line({0.28, 0.74}, {0.72, 0.74});
         line({0.5, 0.26}, {0.5, 0.74});
         break;
+    case sim::EffectKind::rule:
+        line({0.5, 0.22}, {0.5, 0.78});
+        line({0.22, 0.5}, {0.78, 0.5});
+        break;
     case sim::EffectKind::spring:
     case sim::EffectKind::motion:
         break;

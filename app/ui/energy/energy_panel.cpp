@@ -26,12 +26,13 @@ constexpr double mostList = 0.42; ///< of the panel's height, for a list below t
 
 }
 
-EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
-    : LivePanel(parent), m_session(session), m_series(session),
+EnergyPanel::EnergyPanel(const OpenRun &run, Playback &playback, const Preview &preview, const Theme &theme,
+                         QWidget *parent)
+    : LivePanel(parent), m_run(run), m_playback(playback), m_preview(preview), m_series(run, playback),
       m_title(new PanelTitle(tr("Where it went"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_pages(new QStackedWidget(this))
 {
-    m_plot = new EnergyPlot(session, m_series, theme, m_pages);
+    m_plot = new EnergyPlot(run, playback, m_series, theme, m_pages);
     m_list = new EnergyList(theme, m_pages);
     m_ledger = ledger();
     m_reason = new QLabel(m_pages);
@@ -57,8 +58,8 @@ EnergyPanel::EnergyPanel(Session &session, const Theme &theme, QWidget *parent)
         m_lines.reset();
         refresh();
     });
-    session.onChange(ChangeKind::cursor | ChangeKind::playing, this, &EnergyPanel::refresh);
-    session.onChange(ChangeKind::preview, this, &EnergyPanel::followPreview);
+    run.onChange(ChangeKind::cursor | ChangeKind::playing, this, &EnergyPanel::refresh);
+    run.onChange(ChangeKind::preview, this, &EnergyPanel::followPreview);
     connect(&theme, &Theme::changed, this, &EnergyPanel::refresh);
 }
 
@@ -144,7 +145,7 @@ const std::vector<EnergyLine> &EnergyPanel::lines() const
 
 QString EnergyPanel::unit() const
 {
-    const bool turns = m_session.timeline().state().spin.rows() > 0;
+    const bool turns = m_run.timeline().state().spin.rows() > 0;
     return m_view == energy ? energyUnit(turns) : momentumUnit();
 }
 
@@ -155,14 +156,13 @@ void EnergyPanel::setActive(bool isActive)
 
 bool EnergyPanel::isChanging() const
 {
-    return m_session.playback().isPlaying() ||
-           (!m_series.whyNot() && m_series.last() < m_session.timeline().computed());
+    return m_playback.isPlaying() || (!m_series.whyNot() && m_series.last() < m_run.timeline().computed());
 }
 
 void EnergyPanel::showContents()
 {
     const std::optional<sim::NoEnergy> whyNot = m_series.whyNot();
-    const bool turns = m_session.timeline().state().spin.rows() > 0;
+    const bool turns = m_run.timeline().state().spin.rows() > 0;
     const bool isAboutTurning = !whyNot && turns && m_view == momentum;
     m_pages->setCurrentWidget(whyNot || isAboutTurning ? m_reason : m_ledger);
     if (whyNot || isAboutTurning) {
@@ -185,15 +185,15 @@ const EnergyLines &EnergyPanel::counted()
 
 void EnergyPanel::followPreview()
 {
-    const bool changes = m_showsPreview || m_session.preview().isActive();
+    const bool changes = m_showsPreview || m_preview.isActive();
     if (isSeen() && changes && m_pages->currentWidget() == m_ledger)
         showLedger();
 }
 
 void EnergyPanel::showLedger()
 {
-    m_showsPreview = m_session.preview().isActive();
-    const std::int64_t frame = m_session.preview().run().cursor().frame;
+    m_showsPreview = m_preview.isActive();
+    const std::int64_t frame = m_preview.run().cursor().frame;
     m_title->setCaption(m_series.at(frame) ? tr("frame %1 to %2").arg(m_series.start()).arg(frame)
                                            : tr("counting…"));
     m_unit->setText(unit());

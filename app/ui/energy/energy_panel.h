@@ -22,7 +22,8 @@ class EnergyPanel : public LivePanel
     Q_OBJECT
 
 public:
-    EnergyPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    EnergyPanel(const OpenRun &run, Playback &playback, const Preview &preview, const Theme &theme,
+                QWidget *parent = nullptr);
 
     enum View { energy, momentum };
     void setView(View view);
@@ -59,7 +60,9 @@ private:
     void followPreview();
     QString unit() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
+    const Preview &m_preview;
     EnergySeries m_series;
     std::optional<EnergyLines> m_lines; ///< of the counted frames; kept because making them takes long
     View m_view = energy;

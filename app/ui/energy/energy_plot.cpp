@@ -22,8 +22,9 @@ QColor faded(QColor color, int alpha)
 
 }
 
-EnergyPlot::EnergyPlot(Session &session, const EnergySeries &series, const Theme &theme, QWidget *parent)
-    : CursorPlot(session, theme, parent), m_series(series)
+EnergyPlot::EnergyPlot(const OpenRun &run, Playback &playback, const EnergySeries &series, const Theme &theme,
+                       QWidget *parent)
+    : CursorPlot(run, playback, theme, parent), m_series(series)
 {
     setObjectName("energyPlot");
     setAccessibleName(tr("Energy over the last frames"));
@@ -116,8 +117,8 @@ EnergyPlot::Stack EnergyPlot::stackOf(const sim::Balance &balance, double lowest
     stack.tops[3] = stack.tops[2] - energy[Account::damping];
     stack.tops[4] = stack.tops[3] + std::max(0.0, -hit);
     stack.given = balance.before.total() - lowest + std::max(0.0, hit);
-    for (const Account account :
-         {Account::hand, Account::changes, Account::motors, Account::wind, Account::pulls, Account::sticks})
+    for (const Account account : {Account::hand, Account::changes, Account::motors, Account::wind,
+                                  Account::rule, Account::pulls, Account::sticks})
         stack.given += energy[account];
     return stack;
 }
@@ -235,8 +236,7 @@ QString EnergyPlot::sentence() const
 
 QString EnergyPlot::unit() const
 {
-    return m_shows == Shows::energy ? energyUnit(m_session.timeline().state().spin.rows() > 0)
-                                    : momentumUnit();
+    return m_shows == Shows::energy ? energyUnit(m_run.timeline().state().spin.rows() > 0) : momentumUnit();
 }
 
 PlotPicture EnergyPlot::picture()

@@ -16,7 +16,8 @@ public:
     enum class Shows { energy, momentum };
     static constexpr std::int64_t shownRows = 240;
 
-    EnergyPlot(Session &session, const EnergySeries &series, const Theme &theme, QWidget *parent = nullptr);
+    EnergyPlot(const OpenRun &run, Playback &playback, const EnergySeries &series, const Theme &theme,
+               QWidget *parent = nullptr);
 
     void setShows(Shows what);
     /// Draws what is counted now.

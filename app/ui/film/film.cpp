@@ -1,6 +1,7 @@
 #include "app/ui/film/film.h"
 
 #include "app/model/film/gif_file.h"
+#include "app/model/run/run_program.h"
 #include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
@@ -160,7 +161,7 @@ bool Film::shoot()
         return true;
     }
     if (isStopped && frame < m_plan.to)
-        m_stop = timeline.stop();
+        m_endsEarly = endSentence(timeline.track());
     if (frame < m_plan.from)
         throw UserError(
             FilmText::tr("The run does not reach frame %1: it stops at frame %2. Begin the film earlier.")

@@ -38,8 +38,8 @@ public:
     std::int64_t total() const { return m_total; }
     /// Returns the frame that is being processed.
     std::int64_t frame() const;
-    /// Returns why the film ends before the requested last frame.
-    const std::optional<sim::Stop> &stop() const { return m_stop; }
+    /// Returns why the film ends before the requested last frame, as endSentence(). Empty if it does not.
+    const QString &endsEarly() const { return m_endsEarly; }
 
 private:
     /// Measures how far the bodies move in the film, then fits the view to that area.
@@ -63,7 +63,7 @@ private:
     std::unique_ptr<FilmFile> m_file; ///< null until the colours are known
     std::int64_t m_done = 0;
     std::int64_t m_total = 0;
-    std::optional<sim::Stop> m_stop;
+    QString m_endsEarly;
 };
 
 }

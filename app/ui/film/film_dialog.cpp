@@ -218,12 +218,11 @@ void FilmDialog::goOn()
             showState();
             return;
         }
-        const auto stopped = m_film->stop();
+        const QString why = m_film->endsEarly();
         const QString name = shownPath(QFileInfo(m_making).fileName());
         const int all = m_progress->maximum();
-        end(stopped
-                ? tr("%1 is saved, up to the frame where the run stops. %2").arg(name, sentenceFor(*stopped))
-                : tr("%1 is saved.").arg(name));
+        end(why.isEmpty() ? tr("%1 is saved.").arg(name)
+                          : tr("%1 is saved, up to the frame where the run stops. %2").arg(name, why));
         m_progress->setMaximum(all);
         m_progress->setValue(all);
         m_progress->show();

@@ -1,5 +1,7 @@
 #include "app/ui/help/key_caps.h"
 
+#include "app/ui/actions/command.h"
+
 #include <QPainter>
 
 #include <algorithm>
@@ -14,42 +16,6 @@ constexpr double padding = 7.0;
 constexpr double gap = 4.0;
 constexpr double fontSize = 12.0;
 
-QString nameOf(int key)
-{
-    switch (key) {
-    case Qt::Key_Left:
-        return QStringLiteral("←");
-    case Qt::Key_Right:
-        return QStringLiteral("→");
-    case Qt::Key_Up:
-        return QStringLiteral("↑");
-    case Qt::Key_Down:
-        return QStringLiteral("↓");
-    case Qt::Key_PageUp:
-        return KeyCaps::tr("Page Up");
-    case Qt::Key_PageDown:
-        return KeyCaps::tr("Page Down");
-    case Qt::Key_Minus:
-        return QStringLiteral("−");
-    default:
-        return QKeySequence(key).toString(QKeySequence::NativeText);
-    }
-}
-
-QStringList capsOf(QKeyCombination keys)
-{
-    QStringList caps;
-    const Qt::KeyboardModifiers modifiers = keys.keyboardModifiers();
-    if (modifiers & Qt::ControlModifier)
-        caps.push_back(KeyCaps::tr("Ctrl"));
-    if (modifiers & Qt::AltModifier)
-        caps.push_back(KeyCaps::tr("Alt"));
-    if (modifiers & Qt::ShiftModifier)
-        caps.push_back(KeyCaps::tr("Shift"));
-    caps.push_back(nameOf(keys.key()));
-    return caps;
-}
-
 }
 
 KeyCaps::KeyCaps(const QList<QKeySequence> &keys, const Theme &theme, QWidget *parent)
@@ -61,7 +27,7 @@ KeyCaps::KeyCaps(const QList<QKeySequence> &keys, const Theme &theme, QWidget *p
         if (!m_pieces.empty())
             m_pieces.push_back({tr("or"), false});
         for (int i = 0; i < sequence.count(); ++i) {
-            for (const QString &cap : capsOf(sequence[static_cast<uint>(i)]))
+            for (const QString &cap : keyNames(sequence[static_cast<uint>(i)]))
                 m_pieces.push_back({cap, true});
         }
     }

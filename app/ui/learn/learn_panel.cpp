@@ -1,5 +1,6 @@
 #include "app/ui/learn/learn_panel.h"
 
+#include "app/ui/actions/command.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/learn/lesson_delegate.h"
 #include "app/ui/learn/lesson_list.h"
@@ -34,7 +35,7 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
       m_list(new LessonList(session, theme, this)),
       m_narration(new Narration(session, m_glossary, theme, this)),
       m_summary(new SummaryPage(session, theme, this)), m_rail(new LessonRail(theme, this)),
-      m_unfold(new QToolButton(m_title)), m_divider(new QFrame(this)),
+      m_fold(new QToolButton(m_title)), m_unfold(new QToolButton(m_title)), m_divider(new QFrame(this)),
       m_card(new WordCard(m_glossary, theme, this))
 {
     setObjectName("panel");
@@ -42,7 +43,7 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     m_divider->setObjectName("divider");
     m_divider->setFixedHeight(1);
     m_title->addAction(m_unfold);
-    m_title->addAction(foldButton());
+    m_title->addAction(m_fold);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, topMargin, 0, 0);
     column->setSpacing(0);
@@ -59,6 +60,7 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     m_summary->hide();
     m_rail->setVisible(false);
     makeUnfold();
+    makeFold();
     session.onChange(ChangeKind::step, this, [this] { showSummary(false); });
     connect(m_list, &LessonList::contentHeightChanged, this, &LearnPanel::shareHeight);
     connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::showCount);
@@ -70,20 +72,26 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     shareHeight();
 }
 
-QWidget *LearnPanel::foldButton()
+void LearnPanel::makeFold()
 {
-    auto *fold = new QToolButton(m_title);
-    fold->setObjectName("fold");
-    fold->setFixedSize(28, 28);
-    fold->setIconSize({16, 16});
-    fold->setFocusPolicy(Qt::TabFocus);
-    fold->setToolTip(tr("Fold the lessons to a narrow strip (Ctrl+Shift+1)"));
-    fold->setAccessibleName(tr("Fold the lessons to a narrow strip"));
-    const auto applyTheme = [this, fold] { fold->setIcon(m_theme.icon("left")); };
-    connect(&m_theme, &Theme::changed, fold, applyTheme);
+    m_fold->setObjectName("fold");
+    m_fold->setFixedSize(28, 28);
+    m_fold->setIconSize({16, 16});
+    m_fold->setFocusPolicy(Qt::TabFocus);
+    m_fold->setAccessibleName(tr("Fold the lessons to a narrow strip"));
+    m_fold->setToolTip(m_fold->accessibleName());
+    const auto applyTheme = [this] { m_fold->setIcon(m_theme.icon("left")); };
+    connect(&m_theme, &Theme::changed, m_fold, applyTheme);
     applyTheme();
-    connect(fold, &QToolButton::clicked, this, [this] { emit formRequested(Form::rail); });
-    return fold;
+    connect(m_fold, &QToolButton::clicked, this, [this] { emit formRequested(Form::rail); });
+}
+
+void LearnPanel::setKeys(const QKeySequence &form, const QKeySequence &back, const QKeySequence &next)
+{
+    m_fold->setToolTip(withKeys(m_fold->accessibleName(), form));
+    m_rail->setUnfoldKeys(form);
+    m_narration->setStepKeys(back, next);
+    updateRail();
 }
 
 void LearnPanel::makeUnfold()

@@ -30,6 +30,9 @@ public:
     LearnPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
     void setForm(Form form);
+    /// Sets the keys that change the form, and those that go to the previous and to the next step. The tooltips name
+    /// them.
+    void setKeys(const QKeySequence &form, const QKeySequence &back, const QKeySequence &next);
     Form form() const { return m_form; }
     const Glossary &glossary() const { return m_glossary; }
     Narration &narration() const { return *m_narration; }
@@ -59,7 +62,7 @@ private:
     void shareHeight();
     void shareRail();
     void updateRail();
-    QWidget *foldButton();
+    void makeFold();
     void makeUnfold();
     /// Shows the step's text, the summary, or the full list in place of both.
     void showPages();
@@ -76,6 +79,7 @@ private:
     Narration *m_narration;
     SummaryPage *m_summary;
     LessonRail *m_rail;
+    QToolButton *m_fold;
     QToolButton *m_unfold; ///< checked: the full list replaces the text
     QWidget *m_divider;
     WordCard *m_card;

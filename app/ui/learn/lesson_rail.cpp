@@ -1,5 +1,7 @@
 #include "app/ui/learn/lesson_rail.h"
 
+#include "app/ui/actions/command.h"
+
 #include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -26,7 +28,7 @@ LessonRail::LessonRail(const Theme &theme, QWidget *parent)
       m_next(button(QStringLiteral("railNext"), m_foot))
 {
     m_unfold->setAccessibleName(tr("Show the lessons with their texts"));
-    m_unfold->setToolTip(tr("Show the lessons with their texts (Ctrl+Shift+1)"));
+    setUnfoldKeys({});
     m_back->setAccessibleName(tr("Previous step"));
     m_next->setAccessibleName(tr("Next step"));
     columnIn(m_head, 4, 4)->addWidget(m_unfold, 0, Qt::AlignHCenter);
@@ -62,6 +64,11 @@ void LessonRail::setWays(const QString &back, const QString &next, bool hasBack)
     m_back->setToolTip(back);
     m_next->setToolTip(next);
     m_next->setAccessibleDescription(next);
+}
+
+void LessonRail::setUnfoldKeys(const QKeySequence &keys)
+{
+    m_unfold->setToolTip(withKeys(m_unfold->accessibleName(), keys));
 }
 
 void LessonRail::setDone(bool done)

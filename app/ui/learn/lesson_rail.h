@@ -20,6 +20,8 @@ public:
     QWidget &head() const { return *m_head; }
     QWidget &foot() const { return *m_foot; }
     void setVisible(bool visible);
+    /// Sets the keys that show the lessons with their texts.
+    void setUnfoldKeys(const QKeySequence &keys);
     /// Sets the tooltips of the back and next buttons. `hasBack` is false at the first step.
     void setWays(const QString &back, const QString &next, bool hasBack);
     /// Sets whether the open step is done. If it is, the next button is highlighted.

@@ -1,6 +1,7 @@
 #include "app/ui/learn/narration.h"
 
 #include "app/model/text/glossary.h"
+#include "app/ui/actions/command.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/step_button.h"
@@ -16,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -25,6 +27,10 @@ constexpr int largeWindow = 1600; ///< px, the window width from which the type 
 constexpr int buttonHeight = 32;
 constexpr int titleHeight = 24;
 constexpr int headingHeight = 20;
+constexpr int belowText = 12;  ///< px above the tasks
+constexpr int belowWhys = 6;   ///< px: a question has some px below it already
+constexpr int leastText = 120; ///< px of text above the things to try; with less, these are scrolled, too
+constexpr int leastTask = 240; ///< the same while the learner writes a task
 constexpr int todoMilliseconds =
     300; ///< between two updates of the missing tasks: faster changes cannot be read
 
@@ -53,14 +59,14 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
     m_area->setFocusPolicy(Qt::NoFocus);
     m_area->setWidget(makeText());
     m_text->setGlossary(glossary);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    m_column = new QVBoxLayout(this);
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(0);
     // The text takes only the height that it needs, so that the tasks follow directly below it.
-    column->addWidget(m_area, 1000);
-    column->addWidget(makeTries());
-    column->addStretch(1);
-    column->addWidget(makeButtons());
+    m_column->addWidget(m_area, 1000);
+    m_column->addWidget(makeTries());
+    m_column->addStretch(1);
+    m_column->addWidget(makeButtons());
     session.onChange(ChangeKind::step, this, &Narration::open);
     session.onChange(ChangeKind::texts, this, [this] {
         const int scrolled = m_area->verticalScrollBar()->value();
@@ -95,9 +101,14 @@ QWidget *Narration::makeText()
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumHeight(titleHeight);
     m_text = new NarrationText(m_theme, page);
-    auto *column = new QVBoxLayout(page);
+    m_scrolled = new QVBoxLayout(page);
+    m_scrolled->setContentsMargins(0, 0, 0, 0);
+    m_scrolled->setSpacing(0);
+    auto *column = new QVBoxLayout;
     column->setContentsMargins(18, 12, 18, 8);
     column->setSpacing(0);
+    m_scrolled->addLayout(column);
+    m_scrolled->addStretch(1);
     column->addWidget(m_title);
     column->addSpacing(5);
     column->addWidget(m_text);
@@ -111,7 +122,6 @@ QWidget *Narration::makeText()
     m_taskColumn->setSpacing(0);
     m_taskColumn->addWidget(m_taskHeading);
     column->addLayout(m_taskColumn);
-    column->addStretch(1);
     connect(m_text, &NarrationText::linkActivated, this, [this](const QUrl &link, const QPoint &place) {
         if (!wordOf(link).isEmpty())
             emit wordRequested(wordOf(link), place);
@@ -121,7 +131,7 @@ QWidget *Narration::makeText()
 
 QWidget *Narration::makeTries()
 {
-    // The tasks are below the scrolling text and not in it, so that they are always visible.
+    // The tasks are below the scrolling text and not in it, so that they are always visible; see placeTries().
     m_tryPage = new QWidget(this);
     m_tryPage->setObjectName("tries");
     QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
@@ -222,7 +232,8 @@ void Narration::addTasks()
                 [this, &task] { emit listingRequested(lineBefore(m_session.step().listing, task)); });
     }
     m_taskHeading->setVisible(!m_tasks.empty());
-    m_taskColumn->setContentsMargins(0, m_tasks.empty() ? 0 : 6, 0, 0);
+    const int above = m_whys.empty() ? belowText : belowWhys;
+    m_taskColumn->setContentsMargins(0, m_tasks.empty() ? 0 : above, 0, 0);
 }
 
 void Narration::showTasks()
@@ -234,12 +245,18 @@ void Narration::showTasks()
         return;
     fitText();
     emit heightChanged();
-    QTimer::singleShot(0, this, [this] { // once the layout is done
-        for (TaskBox *box : m_tasks) {
-            if (m_desk.task() == &box->task())
-                m_area->ensureWidgetVisible(box, 0, 0);
-        }
-    });
+    QTimer::singleShot(0, this, &Narration::showJudgement); // once the layout is done
+}
+
+void Narration::showJudgement()
+{
+    for (const TaskBox *box : m_tasks) {
+        if (m_desk.task() != &box->task())
+            continue;
+        QScrollBar &bar = *m_area->verticalScrollBar();
+        const int top = box->y(), end = top + box->height() - m_area->viewport()->height();
+        bar.setValue(std::max(end, std::min(top, bar.value())));
+    }
 }
 
 void Narration::showUnfolded(QWidget *box, bool open)
@@ -250,16 +267,24 @@ void Narration::showUnfolded(QWidget *box, bool open)
         QTimer::singleShot(0, box, [this, box] { m_area->verticalScrollBar()->setValue(box->y()); });
 }
 
+void Narration::setStepKeys(const QKeySequence &back, const QKeySequence &next)
+{
+    m_backKeys = back;
+    m_nextKeys = next;
+    nameButtons();
+}
+
 void Narration::nameButtons()
 {
     const lessons::Step *before = m_session.preceding();
     m_back->setEnabled(before);
-    m_back->setToolTip(before ? tr("Back: %1 (Page Up)").arg(before->title) : tr("This is the first step."));
+    m_back->setToolTip(before ? withKeys(tr("Back: %1").arg(before->title), m_backKeys)
+                              : tr("This is the first step."));
     const bool isLast = &m_session.step() == &m_session.lesson().steps.back();
     const QString next = isLast ? tr("What you learnt") : m_session.following()->title;
     m_next->setFullText(tr("Next: %1").arg(next), next);
     m_next->setToolTip(isLast ? tr("What you learnt in this lesson, and what comes next")
-                              : tr("Next: %1 (Page Down)").arg(next));
+                              : withKeys(tr("Next: %1").arg(next), m_nextKeys));
 }
 
 void Narration::goOn()
@@ -305,8 +330,27 @@ QString Narration::nextTip() const
     return m_next->toolTip();
 }
 
+int Narration::textHeight() const
+{
+    const int all = m_area->widget()->layout()->totalHeightForWidth(width());
+    return m_scrollsTries ? all - m_tryPage->heightForWidth(width()) : all;
+}
+
+void Narration::placeTries()
+{
+    const int text = std::min(textHeight(), m_desk.task() ? leastTask : leastText);
+    const bool scrolls =
+        height() < text + m_tryPage->heightForWidth(width()) + m_buttons->sizeHint().height();
+    if (std::exchange(m_scrollsTries, scrolls) == scrolls)
+        return;
+    QVBoxLayout &from = scrolls ? *m_column : *m_scrolled, &to = scrolls ? *m_scrolled : *m_column;
+    from.removeWidget(m_tryPage);
+    to.insertWidget(1, m_tryPage);
+}
+
 void Narration::fitText()
 {
+    placeTries();
     const QWidget &page = *m_area->widget();
     m_area->setMaximumHeight(std::max(1, page.layout()->totalHeightForWidth(width())));
 }
@@ -357,8 +401,8 @@ int Narration::fullHeight() const
 
 int Narration::leastHeight() const
 {
-    return m_area->minimumSizeHint().height() + m_tryPage->heightForWidth(width()) +
-           m_buttons->sizeHint().height();
+    const int tries = m_scrollsTries ? 0 : m_tryPage->heightForWidth(width());
+    return m_area->minimumSizeHint().height() + tries + m_buttons->sizeHint().height();
 }
 
 QSize Narration::minimumSizeHint() const

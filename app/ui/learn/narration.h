@@ -4,6 +4,7 @@
 #include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
 
+#include <QKeySequence>
 #include <QSet>
 #include <QTimer>
 #include <QWidget>
@@ -34,18 +35,21 @@ public:
     Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent = nullptr);
 
     QSize minimumSizeHint() const override;
+    /// Sets the keys that go to the previous and to the next step. The tooltips of the buttons name them.
+    void setStepKeys(const QKeySequence &back, const QKeySequence &next);
     /// Shows the next hint: that of the first unfinished task whose hint is still hidden.
     void showNextHint();
     /// Returns the tooltip of a button below the text, for other buttons that do the same.
     QString backTip() const;
     QString nextTip() const;
+    /// Returns whether the learner writes a task of the open step, whose hints and judgement are here.
+    bool isWriting() const { return m_desk.task(); }
     /// Sets the height of the text area to the height of its text at the present width.
     void fitText();
     /// Returns the height that shows all of the text, the tasks and the buttons at this width, px.
     int fullHeight() const;
     /// Returns the same height with the text area at its scrollable minimum, px.
     int leastHeight() const;
-    TaskDesk &taskDesk() { return m_desk; }
 
 signals:
     /// Emitted when the learner clicks a glossary word in the text. `place` is below the word, in screen coordinates.
@@ -70,6 +74,11 @@ private:
     void addWhys();
     void addTasks();
     void showTasks();
+    /// Scrolls to the end of the task that the learner writes, where its judgement is.
+    void showJudgement();
+    /// Puts the things to try below the text if there is room, and else behind it in the scrolled part.
+    void placeTries();
+    int textHeight() const;
     /// Makes room for `box`, which was folded or unfolded.
     void showUnfolded(QWidget *box, bool open);
     void nameButtons();
@@ -85,10 +94,15 @@ private:
     Session &m_session;
     const Theme &m_theme;
     QScrollArea *m_area = nullptr;
+    QVBoxLayout *m_column = nullptr;
+    QVBoxLayout *m_scrolled = nullptr;
+    bool m_scrollsTries = false; ///< whether the things to try are in the scrolled part
     QLabel *m_title = nullptr;
     NarrationText *m_text = nullptr;
     QWidget *m_tryPage = nullptr;
     QWidget *m_buttons = nullptr;
+    QKeySequence m_backKeys;
+    QKeySequence m_nextKeys;
     QLabel *m_heading = nullptr;
     QVBoxLayout *m_tryColumn = nullptr;
     std::vector<TryBox *> m_tries;

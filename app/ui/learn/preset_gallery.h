@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/run_editor.h"
 #include "app/ui/learn/card_gallery.h"
 
 namespace app {
@@ -14,13 +15,15 @@ class PresetGallery : public CardGallery
     Q_OBJECT
 
 public:
-    PresetGallery(Session &session, const Theme &theme, PresetPainter painter, QWidget *parent = nullptr);
+    PresetGallery(const OpenRun &run, RunEditor &editor, const Theme &theme, PresetPainter painter,
+                  QWidget *parent = nullptr);
 
 protected:
     std::vector<GalleryCard> entries() override;
 
 private:
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
     PresetPainter m_painter;
 };
 

@@ -149,7 +149,7 @@ QString SummaryPage::textOf(const LessonSummary &summary) const
     if (summary.codeTasks > 0)
         text << tr("%1 of %2 tasks written in the listing.").arg(summary.written).arg(summary.codeTasks);
     for (const StepSummary &step : summary.steps) {
-        const bool isDone = step.open.isEmpty();
+        const bool isDone = step.open.isEmpty() && step.unwritten.isEmpty();
         text << QStringLiteral("**%1**%2")
                     .arg(linkTo(step.title, summary, step), isDone ? QStringLiteral(" ✓") : QString());
         if (!step.learnt.isEmpty())

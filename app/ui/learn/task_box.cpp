@@ -1,10 +1,10 @@
 #include "app/ui/learn/task_box.h"
 
 #include "app/model/text/sentences.h"
+#include "app/ui/learn/button_flow.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/why_box.h"
 
-#include <QHBoxLayout>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -30,7 +30,8 @@ NarrationText *taskText(const QString &name, const QString &text, const Theme &t
 
 TaskBox::TaskBox(TaskDesk &desk, const lessons::CodeTask &task, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_desk(desk), m_task(task),
-      m_title(new WhyButton(capitalised(task.title), theme, this)), m_content(new QWidget(this))
+      m_title(new WhyButton(capitalised(task.title), theme, this)), m_content(new QWidget(this)),
+      m_buttons(new ButtonFlow(m_content))
 {
     setObjectName("codeTask");
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -54,12 +55,7 @@ TaskBox::TaskBox(TaskDesk &desk, const lessons::CodeTask &task, const Theme &the
     m_hint = addButton("taskHintButton", {}, tr("Shows the next hint"));
     m_solution = addButton("taskSolution", tr("Solution"), tr("Writes the solution into the listing"));
     m_stop = addButton("stopTask", tr("Stop"), tr("Stops this task. Your code stays."));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(4);
-    for (QToolButton *button : {m_start, m_hint, m_solution, m_stop})
-        row->addWidget(button);
-    row->addStretch(1);
-    texts->addLayout(row);
+    texts->addWidget(m_buttons);
     connect(m_title, &QAbstractButton::toggled, this, [this](bool open) {
         m_content->setVisible(open);
         emit unfolded(open);
@@ -78,7 +74,8 @@ TaskBox::TaskBox(TaskDesk &desk, const lessons::CodeTask &task, const Theme &the
 
 QToolButton *TaskBox::addButton(const QString &name, const QString &text, const QString &tip)
 {
-    auto *button = new QToolButton(m_content);
+    auto *button = new QToolButton(m_buttons->strip());
+    m_buttons->add(button);
     button->setObjectName(name);
     button->setText(text);
     button->setToolTip(tip);
@@ -103,9 +100,12 @@ bool TaskBox::refresh()
     m_start->setText(isDone ? tr("Write it again") : tr("Write it yourself"));
     m_start->setVisible(!isActive() || m_desk.isSolutionShown());
     m_hint->setText(tr("Hint %1 of %2").arg(std::min(shown + 1, hints)).arg(hints));
-    m_hint->setVisible(isActive() && shown < hints && !m_desk.isSolutionShown());
-    m_solution->setVisible(isActive() && !m_desk.isSolutionShown());
+    const bool isRight = m_desk.verdict() && m_desk.verdict()->kind == Verdict::Kind::right;
+    const bool needsHelp = isActive() && !m_desk.isSolutionShown() && !isRight;
+    m_hint->setVisible(needsHelp && shown < hints);
+    m_solution->setVisible(needsHelp);
     m_stop->setVisible(isActive());
+    m_buttons->refresh();
     return !m_content->isHidden();
 }
 

@@ -12,6 +12,7 @@ class QVBoxLayout;
 
 namespace app {
 
+class ButtonFlow;
 class NarrationText;
 class WhyButton;
 
@@ -46,6 +47,7 @@ private:
     NarrationText *m_text;
     NarrationText *m_sentence;
     std::vector<NarrationText *> m_hints;
+    ButtonFlow *m_buttons; ///< stays in view while the box is scrolled
     QToolButton *m_start = nullptr;
     QToolButton *m_hint = nullptr;
     QToolButton *m_solution = nullptr;

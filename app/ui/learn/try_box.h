@@ -29,7 +29,6 @@ public:
     /// Shows what is still to do, in Markdown; an empty text hides the line. Returns whether the text has
     /// changed.
     bool setTodo(const QString &todo);
-    bool hasAnswer() const { return m_answer; }
     /// Shows or hides the answer of a finished task.
     void showAnswer(bool shown);
     bool hasHint() const;

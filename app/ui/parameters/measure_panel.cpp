@@ -14,8 +14,9 @@ constexpr qint64 measureRefresh = 100; ///< during playback: faster numbers cann
 
 }
 
-MeasurePanel::MeasurePanel(Session &session, const MeasureSeries &series, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_series(series), m_theme(theme)
+MeasurePanel::MeasurePanel(const OpenRun &run, const Playback &playback, const Preview &preview,
+                           const MeasureSeries &series, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_playback(playback), m_preview(preview), m_series(series), m_theme(theme)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -26,7 +27,7 @@ MeasurePanel::MeasurePanel(Session &session, const MeasureSeries &series, const 
     column->setSpacing(0);
     column->setAlignment(Qt::AlignTop);
     column->addWidget(title);
-    connect(&session, &Session::changed, this, &MeasurePanel::follow);
+    m_run.onChange(everyChange, this, &MeasurePanel::follow);
     connect(&series, &MeasureSeries::changed, this, &MeasurePanel::refresh);
     connect(&theme, &Theme::changed, this, &MeasurePanel::refreshNow);
     open();
@@ -43,9 +44,9 @@ void MeasurePanel::open()
     for (MeasureRow *row : m_rows)
         delete row;
     m_rows.clear();
-    m_step = &m_session.step();
-    for (std::size_t i = 0; i < m_session.step().measures.size(); ++i) {
-        m_rows.push_back(new MeasureRow(m_session, m_series, i, m_theme, this));
+    m_step = &m_run.step();
+    for (std::size_t i = 0; i < m_run.step().measures.size(); ++i) {
+        m_rows.push_back(new MeasureRow(m_run, m_preview, m_series, i, m_theme, this));
         layout()->addWidget(m_rows.back());
         m_rows.back()->show();
     }
@@ -65,14 +66,13 @@ void MeasurePanel::follow(const Change &change)
 
 void MeasurePanel::refresh()
 {
-    if (!m_session.playback().isPlaying() || !m_sinceRefresh.isValid() ||
-        m_sinceRefresh.elapsed() >= measureRefresh)
+    if (!m_playback.isPlaying() || !m_sinceRefresh.isValid() || m_sinceRefresh.elapsed() >= measureRefresh)
         refreshNow();
 }
 
 void MeasurePanel::refreshNow()
 {
-    if (m_step != &m_session.step())
+    if (m_step != &m_run.step())
         return; // the series has heard of another step before this panel
     m_sinceRefresh.start();
     for (MeasureRow *row : m_rows)

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/model/series/measure_series.h"
+#include "app/model/session/playback.h"
+#include "app/model/session/preview.h"
 #include "app/ui/theme/theme.h"
 
 #include <QElapsedTimer>
@@ -17,8 +19,8 @@ class MeasurePanel : public QWidget
     Q_OBJECT
 
 public:
-    MeasurePanel(Session &session, const MeasureSeries &series, const Theme &theme,
-                 QWidget *parent = nullptr);
+    MeasurePanel(const OpenRun &run, const Playback &playback, const Preview &preview,
+                 const MeasureSeries &series, const Theme &theme, QWidget *parent = nullptr);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {300, sizeHint().height()}; }
@@ -34,7 +36,9 @@ private:
     void refresh();
     void refreshNow();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const Playback &m_playback;
+    const Preview &m_preview;
     const MeasureSeries &m_series;
     const Theme &m_theme;
     std::vector<MeasureRow *> m_rows;

@@ -35,11 +35,10 @@ struct Span
 
 }
 
-MeasureRow::MeasureRow(const Session &session, const MeasureSeries &series, std::size_t index,
-                       const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_series(series), m_index(index),
-      m_measure(session.step().measures[index]), m_theme(theme),
-      m_value(std::numeric_limits<double>::quiet_NaN())
+MeasureRow::MeasureRow(const OpenRun &run, const Preview &preview, const MeasureSeries &series,
+                       std::size_t index, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_preview(preview), m_series(series), m_index(index),
+      m_measure(run.step().measures[index]), m_theme(theme), m_value(std::numeric_limits<double>::quiet_NaN())
 {
     setFixedHeight(height);
     setToolTip(m_measure.help);
@@ -56,9 +55,9 @@ double MeasureRow::valueAt(std::int64_t frame) const
 
 double MeasureRow::valueNow() const
 {
-    const sim::Timeline &run = m_session.timeline();
-    if (m_session.preview().isActive() || run.cursor().phase == 0 || !m_measure.of)
-        return valueAt(m_session.preview().run().cursor().frame);
+    const sim::Timeline &run = m_run.timeline();
+    if (m_preview.isActive() || run.cursor().phase == 0 || !m_measure.of)
+        return valueAt(m_preview.run().cursor().frame);
     // Inside a frame the measure uses the current partial state and the state at the start of the frame.
     const sim::State begun = run.track().stateAt(run.cursor().frame);
     const sim::ComposedInterval &interval = run.track().interval();
@@ -88,7 +87,7 @@ void MeasureRow::refresh()
 
 void MeasureRow::paintSeries(QPainter &painter, const QRectF &area) const
 {
-    const std::int64_t at = m_session.timeline().cursor().frame;
+    const std::int64_t at = m_run.timeline().cursor().frame;
     const std::int64_t row = m_series.rowFrames();
     // The cursor stays at the right end while the run grows, and moves into the plot when the learner goes
     // back.
@@ -135,11 +134,11 @@ void MeasureRow::paintSeries(QPainter &painter, const QRectF &area) const
     painter.setPen(Qt::NoPen);
     painter.setBrush(m_theme.tokens().now);
     dot(at);
-    if (!m_session.preview().isActive())
+    if (!m_preview.isActive())
         return;
     painter.setPen(QPen(m_theme.tokens().ink2, 1.5));
     painter.setBrush(m_theme.tokens().panel);
-    dot(m_session.preview().run().cursor().frame);
+    dot(m_preview.run().cursor().frame);
 }
 
 void MeasureRow::paintEvent(QPaintEvent *)

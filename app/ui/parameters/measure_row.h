@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/series/measure_series.h"
+#include "app/model/session/preview.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -17,8 +18,8 @@ public:
     static constexpr int shownRows = 240; ///< at most, of the time series
 
     /// `index` is the index of the measure in the step.
-    MeasureRow(const Session &session, const MeasureSeries &series, std::size_t index, const Theme &theme,
-               QWidget *parent = nullptr);
+    MeasureRow(const OpenRun &run, const Preview &preview, const MeasureSeries &series, std::size_t index,
+               const Theme &theme, QWidget *parent = nullptr);
 
     /// Updates the number at the cursor.
     void refresh();
@@ -34,7 +35,8 @@ private:
     double valueNow() const;
     void paintSeries(QPainter &painter, const QRectF &area) const;
 
-    const Session &m_session;
+    const OpenRun &m_run;
+    const Preview &m_preview;
     const MeasureSeries &m_series;
     std::size_t m_index;
     lessons::Measure m_measure;

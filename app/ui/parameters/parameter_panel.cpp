@@ -26,8 +26,9 @@ constexpr qint64 refreshMilliseconds = 100; ///< during playback: faster numbers
 
 }
 
-ParameterPanel::ParameterPanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme)
+ParameterPanel::ParameterPanel(const OpenRun &run, RunEditor &editor, const Playback &playback,
+                               const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_editor(editor), m_playback(playback), m_theme(theme)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -49,7 +50,7 @@ ParameterPanel::ParameterPanel(Session &session, const Theme &theme, QWidget *pa
     column->setSpacing(0);
     column->addWidget(makeTitle());
     column->addWidget(m_area, 1);
-    connect(&session, &Session::changed, this, &ParameterPanel::follow);
+    m_run.onChange(everyChange, this, &ParameterPanel::follow);
     connect(&theme, &Theme::changed, this, &ParameterPanel::applyTheme);
     open();
 }
@@ -64,7 +65,7 @@ QWidget *ParameterPanel::makeTitle()
     m_resetAll->setText(tr("Reset all"));
     m_resetAll->setFixedHeight(28);
     m_resetAll->setFocusPolicy(Qt::TabFocus);
-    connect(m_resetAll, &QToolButton::clicked, &m_session.editor(), &RunEditor::resetParameters);
+    connect(m_resetAll, &QToolButton::clicked, &m_editor, &RunEditor::resetParameters);
     title->addAction(m_resetAll);
     return title;
 }
@@ -83,13 +84,13 @@ void ParameterPanel::makePresets(QWidget *title)
 void ParameterPanel::setPresetPainter(PresetPainter painter)
 {
     delete m_gallery;
-    m_gallery = new PresetGallery(m_session, m_theme, std::move(painter), this);
+    m_gallery = new PresetGallery(m_run, m_editor, m_theme, std::move(painter), this);
     showPresets();
 }
 
 void ParameterPanel::showPresets()
 {
-    m_presets->setVisible(m_gallery && !m_session.step().presets.empty());
+    m_presets->setVisible(m_gallery && !m_run.step().presets.empty());
 }
 
 void ParameterPanel::makeDisclosure()
@@ -131,7 +132,7 @@ void ParameterPanel::open()
 QStringList ParameterPanel::offered() const
 {
     QStringList ids;
-    for (const lessons::Parameter *parameter : offeredParameters(m_session))
+    for (const lessons::Parameter *parameter : offeredParameters(m_run, m_editor))
         ids << parameter->id;
     return ids;
 }
@@ -139,7 +140,7 @@ QStringList ParameterPanel::offered() const
 void ParameterPanel::follow(const Change &change)
 {
     const bool hasOtherParameters =
-        change.isAny(ChangeKind::run) && m_session.isSandbox() && offered() != m_offered;
+        change.isAny(ChangeKind::run) && m_run.isSandbox() && offered() != m_offered;
     if (change.isAny(ChangeKind::step) || hasOtherParameters)
         open();
     if (change.isAny(ChangeKind::run | ChangeKind::playing))
@@ -152,14 +153,14 @@ void ParameterPanel::addRows()
 {
     QStringList rest;
     m_offered = offered();
-    for (const lessons::Parameter &parameter : m_session.step().parameters) {
+    for (const lessons::Parameter &parameter : m_run.step().parameters) {
         if (!m_offered.contains(parameter.id))
             continue;
         if (m_rows.size() == alwaysShown)
             m_column->addWidget(m_more);
         if (m_rows.size() >= alwaysShown)
             rest.push_back(rest.isEmpty() ? parameter.name : withinSentence(parameter.name));
-        m_rows.push_back(new ParameterRow(m_session, parameter, m_theme, m_area->widget()));
+        m_rows.push_back(new ParameterRow(m_run, m_editor, parameter, m_theme, m_area->widget()));
         m_column->addWidget(m_rows.back());
     }
     m_column->addStretch(1);
@@ -188,7 +189,7 @@ void ParameterPanel::nameRest()
 
 void ParameterPanel::refresh()
 {
-    if (!m_session.playback().isPlaying() || !m_sinceRefresh.isValid() ||
+    if (!m_playback.isPlaying() || !m_sinceRefresh.isValid() ||
         m_sinceRefresh.elapsed() >= refreshMilliseconds)
         refreshNow();
 }

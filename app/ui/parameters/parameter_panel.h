@@ -1,6 +1,8 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/playback.h"
+#include "app/model/session/run_editor.h"
 #include "app/ui/learn/preset_gallery.h"
 #include "app/ui/theme/theme.h"
 
@@ -24,7 +26,8 @@ class ParameterPanel : public QWidget
     Q_OBJECT
 
 public:
-    ParameterPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    ParameterPanel(const OpenRun &run, RunEditor &editor, const Playback &playback, const Theme &theme,
+                   QWidget *parent = nullptr);
 
     /// Sets how the presets of a step are painted. Without a painter there is no gallery.
     void setPresetPainter(PresetPainter painter);
@@ -61,7 +64,9 @@ private:
     int heightOf(std::size_t rows, bool disclosure) const;
     void applyTheme();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
+    const Playback &m_playback;
     const Theme &m_theme;
     QToolButton *m_presets = nullptr;
     QToolButton *m_resetAll = nullptr;

@@ -33,9 +33,9 @@ constexpr int overhang = ParameterSlider::handle / 2; ///< px, of the handle bey
 
 }
 
-ParameterRow::ParameterRow(Session &session, const lessons::Parameter &parameter, const Theme &theme,
-                           QWidget *parent, Form form)
-    : QWidget(parent), m_session(session), m_parameter(parameter), m_theme(theme), m_form(form)
+ParameterRow::ParameterRow(const OpenRun &run, RunEditor &editor, const lessons::Parameter &parameter,
+                           const Theme &theme, QWidget *parent, Form form)
+    : QWidget(parent), m_run(run), m_editor(editor), m_parameter(parameter), m_theme(theme), m_form(form)
 {
     setFixedHeight(height);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -80,8 +80,7 @@ void ParameterRow::makeFields()
     for (QWidget *field : {static_cast<QWidget *>(m_slider), static_cast<QWidget *>(m_box)})
         field->setAccessibleDescription(m_parameter.help);
     connect(m_slider, &ParameterSlider::chosen, this, &ParameterRow::choose);
-    connect(m_slider, &ParameterSlider::sliderReleased, &m_session,
-            [this] { m_session.editor().endGesture(); });
+    connect(m_slider, &ParameterSlider::sliderReleased, this, [this] { m_editor.endGesture(); });
     connect(m_box, &NumberBox::chosen, this, &ParameterRow::choose);
 }
 
@@ -177,24 +176,24 @@ QString ParameterRow::rangeText() const
 void ParameterRow::choose(double value)
 {
     if (value < m_parameter.min || value > m_parameter.max) {
-        m_session.showMessage(
+        m_run.showMessage(
             tr("%1 can be %2 to %3.")
                 .arg(m_parameter.name, writtenNumber(m_parameter.min, 0), writtenNumber(m_parameter.max, 0)));
     }
-    m_session.editor().setParameter(m_parameter.id, value);
+    m_editor.setParameter(m_parameter.id, value);
     if (!m_slider || !m_slider->isSliderDown())
-        m_session.editor().endGesture();
+        m_editor.endGesture();
     refresh(); // also if nothing changed, because the typed value may have been clamped
 }
 
 bool ParameterRow::isChanged() const
 {
-    return m_session.editor().parameter(m_parameter.id) != m_parameter.defaultValue;
+    return m_editor.parameter(m_parameter.id) != m_parameter.defaultValue;
 }
 
 void ParameterRow::refresh()
 {
-    const double value = m_session.editor().parameter(m_parameter.id);
+    const double value = m_editor.parameter(m_parameter.id);
     if (m_choice) {
         const QSignalBlocker silent(m_choice);
         m_choice->setCurrentIndex(static_cast<int>(value));
@@ -202,7 +201,7 @@ void ParameterRow::refresh()
         m_slider->show(value);
         m_box->show(value);
         m_box->setToolTip(m_box->exactText(value) + QChar(0x2009) + m_parameter.unit + '\n' + toolTip());
-        const sim::Track *comparison = m_session.timeline().comparison();
+        const sim::Track *comparison = m_run.timeline().comparison();
         const std::string id = m_parameter.id.toStdString();
         std::optional<double> was;
         if (comparison && comparison->nextInterval()->values.has(id) &&

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/run_editor.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -29,8 +30,8 @@ public:
         brief, ///< for a bar: without unit and reset; the field's tooltip and name still state the unit
     };
 
-    ParameterRow(Session &session, const lessons::Parameter &parameter, const Theme &theme,
-                 QWidget *parent = nullptr, Form form = Form::whole);
+    ParameterRow(const OpenRun &run, RunEditor &editor, const lessons::Parameter &parameter,
+                 const Theme &theme, QWidget *parent = nullptr, Form form = Form::whole);
 
     const lessons::Parameter &parameter() const { return m_parameter; }
     /// Shows the values at the cursor, of the run and of its comparison run.
@@ -52,7 +53,8 @@ private:
     void applyTheme();
     QString rangeText() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
     lessons::Parameter m_parameter;
     const Theme &m_theme;
     Form m_form;

@@ -42,8 +42,8 @@ bool isWithin(const QCPAxisRect &axes, QPointF at)
 
 }
 
-CursorPlot::CursorPlot(Session &session, const Theme &theme, QWidget *parent)
-    : Plot(theme, parent), m_session(session)
+CursorPlot::CursorPlot(const OpenRun &run, Playback &playback, const Theme &theme, QWidget *parent)
+    : Plot(theme, parent), m_run(run), m_playback(playback)
 {
     setPlottingHint(QCP::phFastPolylines); // line by line: as one outline a curve takes tens of times as long
     setCursor(Qt::PointingHandCursor);
@@ -67,7 +67,7 @@ QString CursorPlot::spokenValue() const
 
 void CursorPlot::announceCursor()
 {
-    if (!m_session.playback().isPlaying())
+    if (!m_playback.isPlaying())
         announceValue();
 }
 
@@ -85,9 +85,9 @@ void CursorPlot::goTo(QPointF place)
 {
     const std::optional<std::int64_t> frame = frameAt(place);
     // A hand that trembles within one frame asks for nothing new.
-    if (!frame || *frame == m_session.playback().goal().value_or(cursorFrame()))
+    if (!frame || *frame == m_playback.goal().value_or(cursorFrame()))
         return;
-    m_session.playback().goTo({*frame, 0});
+    m_playback.goTo({*frame, 0});
 }
 
 void CursorPlot::mousePressEvent(QMouseEvent *event)
@@ -98,9 +98,9 @@ void CursorPlot::mousePressEvent(QMouseEvent *event)
     }
     m_isDragging = true;
     emit pointedAt(std::nullopt);
-    m_session.playback().pause();
-    if (m_session.timeline().cursor().phase > 0)
-        m_session.playback().goTo({*frameAt(event->position()), 0});
+    m_playback.pause();
+    if (m_run.timeline().cursor().phase > 0)
+        m_playback.goTo({*frameAt(event->position()), 0});
     else
         goTo(event->position());
 }
@@ -144,9 +144,9 @@ void CursorPlot::keyPressEvent(QKeyEvent *event)
 {
     const bool isPhase = event->modifiers() & Qt::ShiftModifier;
     if (event->key() == Qt::Key_Left)
-        isPhase ? m_session.playback().phaseBack() : m_session.playback().frameBack();
+        isPhase ? m_playback.phaseBack() : m_playback.frameBack();
     else if (event->key() == Qt::Key_Right)
-        isPhase ? m_session.playback().phaseForward() : m_session.playback().frameForward();
+        isPhase ? m_playback.phaseForward() : m_playback.frameForward();
     else
         Plot::keyPressEvent(event);
 }

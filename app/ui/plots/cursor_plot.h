@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/playback.h"
 #include "app/ui/plots/plot.h"
 
 #include <optional>
@@ -15,7 +16,7 @@ class CursorPlot : public Plot
     Q_OBJECT
 
 public:
-    CursorPlot(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    CursorPlot(const OpenRun &run, Playback &playback, const Theme &theme, QWidget *parent = nullptr);
 
     /// Moves the second cursor to a frame; nothing hides it.
     void setHovered(std::optional<std::int64_t> frame);
@@ -38,7 +39,7 @@ protected:
 
     bool isDragging() const { return m_isDragging; }
     /// Returns the frame of the run's cursor.
-    std::int64_t cursorFrame() const { return m_session.timeline().cursor().frame; }
+    std::int64_t cursorFrame() const { return m_run.timeline().cursor().frame; }
     /// Tells screen readers the numbers at the cursor, unless the run plays.
     void announceCursor();
     /// Shows the frames from `first` to `last`, with room for a cursor at the end.
@@ -61,7 +62,8 @@ protected:
     void leaveEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
 
 private:
     void goTo(QPointF place);

@@ -25,9 +25,10 @@ constexpr int valueMilliseconds = 100; ///< between two numbers while playing: f
 
 }
 
-PlotCard::PlotCard(Session &session, const PlotSeries &series, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_series(series), m_theme(theme),
-      m_plot(new QuantityPlot(session, series, theme, this)),
+PlotCard::PlotCard(const OpenRun &run, Playback &playback, const ComparisonRuns &comparisons,
+                   const PlotSeries &series, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_playback(playback), m_comparisons(comparisons), m_series(series),
+      m_theme(theme), m_plot(new QuantityPlot(run, playback, series, theme, this)),
       m_export(new PlotExport([this] { return m_plot->picture(); }, theme, this))
 {
     setObjectName("panel");
@@ -58,9 +59,9 @@ QWidget *PlotCard::header()
     auto *row = new QWidget(this);
     row->setFixedHeight(headerHeight);
     auto *up = new QuantityMenu(
-        m_session, QuantityMenu::Axis::up, [this] { return spec().up; }, this);
+        m_run, QuantityMenu::Axis::up, [this] { return spec().up; }, this);
     auto *across = new QuantityMenu(
-        m_session, QuantityMenu::Axis::across, [this] { return spec().across; }, this);
+        m_run, QuantityMenu::Axis::across, [this] { return spec().across; }, this);
     connect(up, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, true); });
     connect(across, &QuantityMenu::chosen, this, [this](const Quantity &one) { choose(one, false); });
     m_up = chooser(up, tr("Plotted quantity"));
@@ -101,8 +102,7 @@ void PlotCard::refresh(const std::vector<double> &begun, const std::optional<Plo
 {
     m_plot->refresh(begun, inside);
     writeHeader();
-    if (m_session.playback().isPlaying() && m_sinceValue.isValid() &&
-        !m_sinceValue.hasExpired(valueMilliseconds))
+    if (m_playback.isPlaying() && m_sinceValue.isValid() && !m_sinceValue.hasExpired(valueMilliseconds))
         return;
     m_sinceValue.start();
     // The two numbers of a plot without time take too much room here; the axes show them.
@@ -144,15 +144,15 @@ QMenu *PlotCard::menu()
 {
     auto *menu = new QMenu(this);
     menu->setToolTipsVisible(true);
-    const bool isOfABody = pinned(spec(), m_session.selected()).isPinned();
+    const bool isOfABody = pinned(spec(), m_run.selected()).isPinned();
     if (isOfABody) {
-        const QString body = spec().up.body.isEmpty() ? m_session.selected() : spec().up.body;
+        const QString body = spec().up.body.isEmpty() ? m_run.selected() : spec().up.body;
         QAction *keep = menu->addAction(tr("&Pin to %1").arg(bodyTitle(body)));
         keep->setCheckable(true);
         keep->setChecked(spec().isPinned());
         keep->setToolTip(tr("If off, the plot follows the body that is selected in the picture"));
         connect(keep, &QAction::triggered, this, [this](bool on) {
-            emit changeWanted(on ? pinned(spec(), m_session.selected()) : unpinned(spec()));
+            emit changeWanted(on ? pinned(spec(), m_run.selected()) : unpinned(spec()));
         });
         menu->addSeparator();
     }
@@ -184,7 +184,7 @@ std::optional<NumberSheet> PlotCard::numbers() const
 {
     if (!m_plot->emptyText().isEmpty())
         return std::nullopt;
-    const sim::Timeline &timeline = m_session.timeline();
+    const sim::Timeline &timeline = m_run.timeline();
     NumberSheet sheet;
     const bool turns = timeline.state().spin.rows() > 0;
     for (const Quantity &one : {spec().across, spec().up}) {
@@ -199,7 +199,7 @@ std::optional<NumberSheet> PlotCard::numbers() const
     if (const sim::Track *comparison = timeline.comparison()) {
         sheet.comparison = comparison->script();
         sheet.comparisonFrames = comparison->computed();
-        sheet.comparisonName = m_session.comparisons().comparisonName();
+        sheet.comparisonName = m_comparisons.comparisonName();
     }
     return sheet;
 }

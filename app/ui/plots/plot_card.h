@@ -20,7 +20,8 @@ class PlotCard : public QWidget
     Q_OBJECT
 
 public:
-    PlotCard(Session &session, const PlotSeries &series, const Theme &theme, QWidget *parent = nullptr);
+    PlotCard(const OpenRun &run, Playback &playback, const ComparisonRuns &comparisons,
+             const PlotSeries &series, const Theme &theme, QWidget *parent = nullptr);
 
     void setSpec(const PlotSpec &spec);
     const PlotSpec &spec() const { return m_plot->spec(); }
@@ -51,7 +52,9 @@ private:
     void choose(const Quantity &quantity, bool isUp);
     std::optional<NumberSheet> numbers() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
+    const ComparisonRuns &m_comparisons;
     const PlotSeries &m_series;
     const Theme &m_theme;
     QuantityPlot *m_plot;

@@ -30,7 +30,8 @@ constexpr int heightOfTwo = 420;
 }
 
 PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
-    : LivePanel(parent), m_session(session), m_theme(theme), m_series(session),
+    : LivePanel(parent), m_session(session), m_theme(theme),
+      m_series(session.run(), session.playback(), session.comparisons()),
       m_title(new PanelTitle(tr("Plots"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_add(new FlatButton(theme, this)), m_pages(new QStackedWidget(this))
 {
@@ -176,7 +177,8 @@ std::size_t PlotsPanel::indexOf(const PlotCard &card) const
 
 PlotCard *PlotsPanel::makeCard()
 {
-    auto *card = new PlotCard(m_session, m_series, m_theme, m_scroll->widget());
+    auto *card = new PlotCard(m_session.run(), m_session.playback(), m_session.comparisons(), m_series,
+                              m_theme, m_scroll->widget());
     connect(card, &PlotCard::changeWanted, this,
             [this, card](const PlotSpec &spec) { m_list.change(indexOf(*card), spec); });
     connect(
@@ -185,7 +187,7 @@ PlotCard *PlotsPanel::makeCard()
     connect(card, &PlotCard::pointedAt, this, &PlotsPanel::setHovered);
     connect(card, &PlotCard::pointedAt, this, &PlotsPanel::pointedAt);
     connect(card, &PlotCard::zoomWanted, this, &PlotsPanel::zoom);
-    connect(&card->exports(), &PlotExport::messageRequested, this, &PlotsPanel::messageRequested);
+    connect(&card->exports(), &PlotExport::messageRequested, &m_session, &Session::showMessage);
     connect(&card->exports(), &PlotExport::failed, this, &PlotsPanel::failed);
     connect(&card->exports(), &PlotExport::tableChanged, this, &PlotsPanel::showSaving);
     m_column->addWidget(card, 1);
@@ -271,7 +273,7 @@ void PlotsPanel::setActive(bool isActive)
 void PlotsPanel::showContents()
 {
     const std::vector<double> begun = m_series.begun();
-    const std::optional<PlotSeries::Inside> inside = m_series.inside();
+    const std::optional<PlotSeries::Inside> inside = m_series.inside(m_session.preview().run());
     for (PlotCard *card : m_cards)
         card->refresh(begun, inside);
     writeCaption();

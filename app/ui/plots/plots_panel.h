@@ -2,6 +2,7 @@
 
 #include "app/model/series/plot_list.h"
 #include "app/model/series/plot_series.h"
+#include "app/model/session/session.h"
 #include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
 
@@ -48,7 +49,6 @@ public:
     QSize minimumSizeHint() const override { return {260, 170}; }
 
 signals:
-    void messageRequested(const QString &sentence);
     void failed(const QString &sentence);
     void wantedHeightChanged();
     /// Emitted when the pointer is at a frame of a plot, or has left.

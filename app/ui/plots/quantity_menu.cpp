@@ -7,9 +7,8 @@
 
 namespace app {
 
-QuantityMenu::QuantityMenu(const Session &session, Axis axis, std::function<Quantity()> current,
-                           QWidget *parent)
-    : QMenu(parent), m_session(session), m_axis(axis), m_current(std::move(current))
+QuantityMenu::QuantityMenu(const OpenRun &run, Axis axis, std::function<Quantity()> current, QWidget *parent)
+    : QMenu(parent), m_run(run), m_axis(axis), m_current(std::move(current))
 {
     setToolTipsVisible(true);
     connect(this, &QMenu::aboutToShow, this, &QuantityMenu::fill);
@@ -55,7 +54,7 @@ void QuantityMenu::addQuantities(const Quantity &current, About about)
         const Quantity quantity{what, about == About::run ? QString() : current.body};
         QAction *made = addChoice(*this, measuredTitle(what), quantity, what == current.what);
         made->setToolTip(measuredHelp(what));
-        const Quantity bound = boundTo(quantity, m_session.selected());
+        const Quantity bound = boundTo(quantity, m_run.selected());
         if (const std::optional<NoValue> why = whyNot(bound, scene())) {
             made->setEnabled(*why == NoValue::noSuchBody); // the body can still be changed
             made->setToolTip(noValueWords(bound, scene(), *why));
@@ -81,7 +80,7 @@ void QuantityMenu::addDistances(const Quantity &current)
     menu->setToolTipsVisible(true);
     menu->menuAction()->setCheckable(true);
     menu->menuAction()->setChecked(current.what == QuantityKind::distance);
-    const QString own = boundTo({QuantityKind::distance, current.body}, m_session.selected()).body;
+    const QString own = boundTo({QuantityKind::distance, current.body}, m_run.selected()).body;
     int left = 0;
     for (const std::string &each : names) {
         const QString name = QString::fromStdString(each);
@@ -103,7 +102,7 @@ void QuantityMenu::addBodies(const Quantity &current)
     menu->setToolTipsVisible(true);
     Quantity choice = current;
     choice.body.clear();
-    addChoice(*menu, tr("the selected one: %1").arg(bodyTitle(m_session.selected())), choice,
+    addChoice(*menu, tr("the selected one: %1").arg(bodyTitle(m_run.selected())), choice,
               current.body.isEmpty());
     menu->addSeparator();
     const std::vector<std::string> &names = scene().names;

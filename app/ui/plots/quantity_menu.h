@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/series/plot_list.h"
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QMenu>
@@ -25,7 +25,7 @@ public:
         across, ///< the quantity against which it is plotted, or time
     };
     /// `current` returns the quantity that the axis shows now.
-    QuantityMenu(const Session &session, Axis axis, std::function<Quantity()> current, QWidget *parent);
+    QuantityMenu(const OpenRun &run, Axis axis, std::function<Quantity()> current, QWidget *parent);
 
 signals:
     void chosen(const app::Quantity &quantity);
@@ -37,9 +37,9 @@ private:
     void addBodies(const Quantity &current);
     QAction *addChoice(QMenu &menu, const QString &text, const Quantity &quantity, bool isCurrent);
     void addRest(QMenu &menu, int count);
-    const sim::Scene &scene() const { return m_session.timeline().track().interval().scene; }
+    const sim::Scene &scene() const { return m_run.timeline().track().interval().scene; }
 
-    const Session &m_session;
+    const OpenRun &m_run;
     Axis m_axis;
     std::function<Quantity()> m_current;
 };

@@ -45,8 +45,9 @@ bool isZoomIn(int key)
 
 }
 
-QuantityPlot::QuantityPlot(Session &session, const PlotSeries &series, const Theme &theme, QWidget *parent)
-    : CursorPlot(session, theme, parent), m_series(series)
+QuantityPlot::QuantityPlot(const OpenRun &run, Playback &playback, const PlotSeries &series,
+                           const Theme &theme, QWidget *parent)
+    : CursorPlot(run, playback, theme, parent), m_series(series)
 {
     setObjectName("quantityPlot");
     addLayer(comparisonLayer, layer("main"), limAbove);
@@ -116,7 +117,7 @@ void QuantityPlot::setSpec(const PlotSpec &spec)
 
 QString QuantityPlot::unit(const Quantity &quantity) const
 {
-    return unitOf(quantity.what, m_session.timeline().state().spin.rows() > 0);
+    return unitOf(quantity.what, m_run.timeline().state().spin.rows() > 0);
 }
 
 QString QuantityPlot::title() const
@@ -155,12 +156,12 @@ QString QuantityPlot::sentence() const
 
 QString QuantityPlot::whyEmpty() const
 {
-    const sim::Scene &scene = m_session.timeline().track().interval().scene;
+    const sim::Scene &scene = m_run.timeline().track().interval().scene;
     for (const Quantity &one : {m_series.bound(m_spec.up), m_series.bound(m_spec.across)}) {
         if (const std::optional<NoValue> why = whyNot(one, scene))
             return noValueWords(one, scene, *why);
     }
-    if (m_session.timeline().computed() == 0)
+    if (m_run.timeline().computed() == 0)
         return tr("Play, or step one frame, to start a curve here.");
     return {};
 }

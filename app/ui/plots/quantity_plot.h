@@ -13,7 +13,8 @@ class QuantityPlot : public CursorPlot
     Q_OBJECT
 
 public:
-    QuantityPlot(Session &session, const PlotSeries &series, const Theme &theme, QWidget *parent = nullptr);
+    QuantityPlot(const OpenRun &run, Playback &playback, const PlotSeries &series, const Theme &theme,
+                 QWidget *parent = nullptr);
 
     void setSpec(const PlotSpec &spec);
     const PlotSpec &spec() const { return m_spec; }

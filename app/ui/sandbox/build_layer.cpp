@@ -90,6 +90,7 @@ void BuildLayer::draw(const Canvas &canvas) const
     p.setBrush(Qt::NoBrush);
     drawBands(canvas, editor.plan().springs, editor.chosen().springs);
     drawBands(canvas, editor.plan().sticks, editor.chosen().sticks);
+    drawBands(canvas, editor.plan().ruleLinks, editor.chosen().ruleLinks);
     p.setPen(solid(canvas.tokens().ink, 1.5));
     for (const int point : editor.chosen().points)
         drawRing(canvas, point, 0.0);

@@ -3,7 +3,8 @@
 #include "app/model/sandbox/build_guide.h"
 #include "app/model/sandbox/sandbox.h"
 #include "app/model/text/sentences.h"
-#include "app/ui/actions/command.h"
+#include "app/ui/actions/commands.h"
+#include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
@@ -65,7 +66,8 @@ QToolButton *toolButton(Command *command, const Theme &theme, QWidget *parent)
 }
 
 BuildPanel::BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide,
-                       const QList<Command *> &tools, const Theme &theme, QWidget *parent)
+                       const SandboxCommands &build, const Commands &commands, const Theme &theme,
+                       QWidget *parent)
     : QWidget(parent), m_session(session), m_editor(editor), m_guide(guide), m_theme(theme),
       m_title(new PanelTitle(tr("Build"), PanelTitle::CaptionPlace::right, theme, this)),
       m_guideBox(new GuideBox(guide, this)), m_ring(new GuideRing(theme)),
@@ -77,12 +79,12 @@ BuildPanel::BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guid
     column->setContentsMargins(0, 4, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_title);
-    column->addWidget(palette(tools));
+    column->addWidget(palette(build));
     column->addWidget(dividerIn(this));
     column->addWidget(m_guideBox);
-    column->addWidget(page(), 1);
+    column->addWidget(page(*commands.run.restart), 1);
     column->addWidget(dividerIn(this));
-    column->addWidget(feet());
+    column->addWidget(feet(*commands.view.learn));
     connect(&editor, &SandboxEditor::changed, this, &BuildPanel::refresh);
     session.onChange(ChangeKind::step | ChangeKind::run, this, &BuildPanel::refresh);
     session.onChange(ChangeKind::cursor | ChangeKind::playing, this, [this] {
@@ -98,16 +100,23 @@ BuildPanel::~BuildPanel()
     delete m_ring; // its parent may have changed
 }
 
-QWidget *BuildPanel::palette(const QList<Command *> &tools)
+QWidget *BuildPanel::palette(const SandboxCommands &build)
 {
     auto *box = new QWidget(this);
     auto *grid = new QGridLayout(box);
     grid->setContentsMargins(12, 0, 12, 8);
     grid->setSpacing(4);
-    for (int i = 0; i < tools.size(); ++i) {
-        m_tools << toolButton(tools[i], m_theme, box);
-        grid->addWidget(m_tools.back(), i / toolColumns, i % toolColumns);
-    }
+    int place = 0;
+    const auto add = [&](Command *command) {
+        QToolButton *button = toolButton(command, m_theme, box);
+        grid->addWidget(button, place / toolColumns, place % toolColumns);
+        ++place;
+        return button;
+    };
+    for (Command *tool : build.tools())
+        m_tools << add(tool);
+    add(build.linkChosen);
+    add(build.rule);
     return box;
 }
 
@@ -119,7 +128,7 @@ QLabel *BuildPanel::heading(const QString &text)
     return label;
 }
 
-QWidget *BuildPanel::page()
+QWidget *BuildPanel::page(const Command &restart)
 {
     auto *area = m_area = new QScrollArea(this);
     area->setWidgetResizable(true);
@@ -138,7 +147,7 @@ QWidget *BuildPanel::page()
     m_hint->setContentsMargins(sideMargin, 10, sideMargin, 6);
     m_away = new QWidget(content);
     auto *start = new QPushButton(tr("Go to the start"), m_away);
-    start->setToolTip(tr("Go to frame 0, where the scene can be changed (Home)"));
+    start->setToolTip(withKeys(tr("Go to frame 0, where the scene can be changed"), restart.shortcut()));
     start->setFocusPolicy(Qt::TabFocus);
     connect(start, &QPushButton::clicked, this, [this] {
         m_session.playback().pause();
@@ -156,7 +165,7 @@ QWidget *BuildPanel::page()
     column->addWidget(m_away);
     column->addWidget(m_properties);
     column->addWidget(heading(tr("Effects on everything")));
-    m_effects = new EffectSwitches(m_session, m_editor, content);
+    m_effects = new EffectSwitches(m_session.run(), m_editor, content);
     column->addWidget(m_effects);
     column->addWidget(beginning(content));
     column->addStretch(1);
@@ -180,7 +189,7 @@ QWidget *BuildPanel::beginning(QWidget *parent)
     return m_begin;
 }
 
-QWidget *BuildPanel::feet()
+QWidget *BuildPanel::feet(const Command &learn)
 {
     auto *box = new QWidget(this);
     auto *row = new QHBoxLayout(box);
@@ -194,13 +203,13 @@ QWidget *BuildPanel::feet()
         row->addWidget(button);
         return button;
     };
-    QPushButton *examples =
-        add(tr("Examples"), tr("Ten scenes to start from. Undo brings yours back"), [] {});
+    QPushButton *examples = add(tr("Examples"), tr("Scenes to start from. Undo brings yours back"), [] {});
     examples->setObjectName("examples");
     connect(examples, &QPushButton::clicked, this, [this, examples] { m_gallery->popUp(*examples); });
     add(tr("New"), tr("A scene with one point. Undo brings yours back"), [this] { startEmpty(m_session); });
     row->addStretch(1);
-    add(tr("Lessons"), tr("Back to the lessons; your scene stays here (F5)"), [this] { emit leaving(); });
+    add(tr("Lessons"), withKeys(tr("Back to the lessons; your scene stays here"), learn.shortcut()),
+        [this] { emit leaving(); });
     return box;
 }
 
@@ -268,7 +277,8 @@ void BuildPanel::pointOut()
 void BuildPanel::refreshTitle()
 {
     const sim::Blueprint &plan = m_editor.plan();
-    const std::size_t links = plan.springs.size() + plan.sticks.size() + plan.feet.size();
+    const std::size_t links =
+        plan.springs.size() + plan.sticks.size() + plan.feet.size() + plan.ruleLinks.size();
     m_title->setCaption(tr("points %1, links %2").arg(plan.points.size()).arg(links));
 }
 
@@ -299,7 +309,12 @@ QString BuildPanel::toolHint() const
                   "one ends.");
     case BuildTool::foot:
         return tr("Click a body, then each of its feet, or where you want one.");
+    case BuildTool::ruleLink:
+        return tr("Drag from point to point to make one rule link, along which pull of your rule acts. With "
+                  "clicks, each link starts where the last one ends.");
     case BuildTool::select:
+        if (!m_editor.chosen().ruleLinks.empty())
+            return tr("A rule link has no settings: pull of your rule acts on both of its ends.");
         break;
     }
     return tr("Click a part to select it, drag it to move it, or draw a box around several.");
@@ -308,7 +323,10 @@ QString BuildPanel::toolHint() const
 void BuildPanel::refreshProperties()
 {
     const bool can = m_editor.canBuild();
-    const bool any = can && !m_editor.chosen().isEmpty();
+    std::vector<SandboxProperty> properties;
+    if (can)
+        properties = propertiesOf(m_editor.plan(), m_editor.chosen(), m_session.step().availableEffects);
+    const bool any = !properties.empty();
     m_away->setVisible(!can);
     const bool isGuided = m_guide.isOn() && can; // the guide gives one instruction at a time
     m_hint->setVisible(!isGuided && (!any || m_editor.tool() != BuildTool::select));
@@ -320,8 +338,6 @@ void BuildPanel::refreshProperties()
         m_shownKey.clear();
         return;
     }
-    std::vector<SandboxProperty> properties =
-        propertiesOf(m_editor.plan(), m_editor.chosen(), m_session.step().availableEffects);
     QString key;
     for (const SandboxProperty &one : properties)
         key += one.section + '/' + one.about.id + QString::number(one.about.max) + ' ';

@@ -19,12 +19,14 @@ namespace app {
 
 class BuildGuide;
 class Command;
+struct Commands;
 class EffectSwitches;
 class ExampleGallery;
 class GuideBox;
 class GuideRing;
 class PanelTitle;
 class PropertyRow;
+class SandboxCommands;
 
 /// The left panel of a sandbox: the tools, the properties of the selected parts, and the effects of the whole
 /// scene.
@@ -33,10 +35,9 @@ class BuildPanel : public QWidget
     Q_OBJECT
 
 public:
-    /// `tools` are the commands that choose a tool, in the order of BuildTool. All arguments must outlive
-    /// this.
-    BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide, const QList<Command *> &tools,
-               const Theme &theme, QWidget *parent = nullptr);
+    /// `build` has the tools. All arguments must outlive this.
+    BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide, const SandboxCommands &build,
+               const Commands &commands, const Theme &theme, QWidget *parent = nullptr);
     ~BuildPanel() override;
 
     /// Returns the text that is shown if nothing is selected, or if the scene cannot be edited now.
@@ -52,10 +53,10 @@ signals:
     void leaving();
 
 private:
-    QWidget *palette(const QList<Command *> &tools);
-    QWidget *page();
+    QWidget *palette(const SandboxCommands &build);
+    QWidget *page(const Command &restart);
     QWidget *beginning(QWidget *parent);
-    QWidget *feet();
+    QWidget *feet(const Command &learn);
     QLabel *heading(const QString &text);
     /// Returns how to use the current tool.
     QString toolHint() const;

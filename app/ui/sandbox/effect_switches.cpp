@@ -16,12 +16,12 @@ constexpr int switchColumns = 2;
 
 }
 
-EffectSwitches::EffectSwitches(Session &session, SandboxEditor &editor, QWidget *parent)
-    : QWidget(parent), m_session(session), m_editor(editor)
+EffectSwitches::EffectSwitches(const OpenRun &run, SandboxEditor &editor, QWidget *parent)
+    : QWidget(parent), m_run(run), m_editor(editor)
 {
     connect(&editor, &SandboxEditor::changed, this, &EffectSwitches::refresh);
-    session.onChange(ChangeKind::step, this, &EffectSwitches::make);
-    session.onChange(ChangeKind::run, this, &EffectSwitches::refresh);
+    run.onChange(ChangeKind::step, this, &EffectSwitches::make);
+    run.onChange(ChangeKind::run, this, &EffectSwitches::refresh);
     make();
 }
 
@@ -34,7 +34,7 @@ void EffectSwitches::make()
     grid->setContentsMargins(switchMargin, 2, switchMargin, 4);
     grid->setSpacing(6);
     int place = 0;
-    for (const sim::EffectDescription *effect : m_session.step().availableEffects) {
+    for (const sim::EffectDescription *effect : m_run.step().availableEffects) {
         const QString id = QString::fromUtf8(effect->id);
         auto *box = new QCheckBox(capitalised(phrase(effect->title)), this);
         box->setToolTip(phrase(effect->purpose));

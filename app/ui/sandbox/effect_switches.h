@@ -16,8 +16,8 @@ class EffectSwitches : public QWidget
     Q_OBJECT
 
 public:
-    /// The session and the editor must outlive this.
-    EffectSwitches(Session &session, SandboxEditor &editor, QWidget *parent = nullptr);
+    /// The run and the editor must outlive this.
+    EffectSwitches(const OpenRun &run, SandboxEditor &editor, QWidget *parent = nullptr);
 
     /// Returns the check box of an effect, or null if there is none.
     QCheckBox *box(const QString &effect) const;
@@ -26,7 +26,7 @@ private:
     void make();
     void refresh();
 
-    Session &m_session;
+    const OpenRun &m_run;
     SandboxEditor &m_editor;
     std::map<QString, QCheckBox *> m_switches; ///< by effect id
 };

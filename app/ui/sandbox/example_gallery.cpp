@@ -7,8 +7,8 @@ namespace app {
 
 namespace {
 
-constexpr QSize pictureSize{168, 124};
-constexpr int columns = 4;
+constexpr QSize pictureSize{132, 96};
+constexpr int columns = 6;        ///< so that four rows fit on a screen of 800 px
 constexpr int pictureFrames = 24; ///< the frame at which an example is drawn
 
 }

@@ -168,6 +168,7 @@ Selection SceneBuilder::linkAt(QPointF at) const
     };
     findIn(m_editor.plan().springs, &Selection::springs);
     findIn(m_editor.plan().sticks, &Selection::sticks);
+    findIn(m_editor.plan().ruleLinks, &Selection::ruleLinks); // one that lies on a spring is behind it
     return nearest;
 }
 
@@ -208,8 +209,10 @@ void SceneBuilder::choosePart(const QMouseEvent &event)
     const Selection link = linkAt(event.position());
     if (!link.isEmpty() && adds && !link.springs.empty())
         m_editor.toggleSpring(link.springs.front());
-    else if (!link.isEmpty() && adds)
+    else if (!link.sticks.empty() && adds)
         m_editor.toggleStick(link.sticks.front());
+    else if (!link.isEmpty() && adds)
+        m_editor.toggleRuleLink(link.ruleLinks.front());
     else if (!link.isEmpty())
         m_editor.choose(link);
     else

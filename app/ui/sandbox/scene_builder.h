@@ -30,14 +30,12 @@ class BuildLayer : public Layer
 {
 public:
     BuildLayer(const BuildMarks &marks, const SceneContent &shown, const Theme &theme)
-        : Layer(shown, theme, Height::names), m_marks(marks)
+        : Layer(shown, theme, topLayer, [this](const Canvas &canvas) { draw(canvas); }), m_marks(marks)
     {
     }
 
-protected:
-    void draw(const Canvas &canvas) const override;
-
 private:
+    void draw(const Canvas &canvas) const;
     void drawLinkUnderWay(const Canvas &canvas) const;
     void drawTarget(const Canvas &canvas) const;
 
@@ -82,7 +80,7 @@ private:
     sim::Vec2 placeOf(QPointF at) const;
     SandboxEditor::End endAt(QPointF at) const;
     int pointAt(QPointF at) const;
-    /// Returns the spring or stick nearest to a place on the screen.
+    /// Returns the spring, stick or rule link nearest to a place on the screen.
     Selection linkAt(QPointF at) const;
     sim::Vec2 cursor() const;
 

@@ -36,11 +36,11 @@ void BodyDrag::press(const QString &body, sim::Vec2 where, sim::Vec2 place, QPoi
     m_body = body;
     m_offset = where - place;
     m_pressed = pointer;
-    m_holds = m_session.playback().isPlaying();
+    m_holds = m_playback.isPlaying();
     if (m_holds)
-        m_session.input().grab(body);
+        m_input.grab(body);
     else
-        m_session.select(body);
+        m_input.select(body);
 }
 
 void BodyDrag::carry(sim::Vec2 place, QPointF pointer)
@@ -51,11 +51,11 @@ void BodyDrag::carry(sim::Vec2 place, QPointF pointer)
         if (QLineF(m_pressed, pointer).length() < clickSlack)
             return;
         m_holds = true;
-        m_session.playback().startForInput(); // before the grab, which makes the cursor the end of the run
-        m_session.input().grab(*m_body);
-        m_session.playback().reportIfPaused();
+        m_playback.startForInput(); // before the grab, which makes the cursor the end of the run
+        m_input.grab(*m_body);
+        m_playback.reportIfPaused();
     }
-    m_session.input().moveTo(place + m_offset);
+    m_input.moveTo(place + m_offset);
 }
 
 void BodyDrag::release()
@@ -64,7 +64,7 @@ void BodyDrag::release()
     m_body.reset();
     m_holds = false;
     if (held)
-        m_session.input().release();
+        m_input.release();
 }
 
 }

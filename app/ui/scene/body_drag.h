@@ -10,7 +10,7 @@ namespace app {
 class BodyDrag
 {
 public:
-    explicit BodyDrag(Session &session) : m_session(session) {}
+    explicit BodyDrag(Playback &playback, UserInput &input) : m_playback(playback), m_input(input) {}
 
     /// Returns the body under `place`: within its disc or within 12 screen px. Returns the nearest of several, or -1.
     static int bodyAt(const SceneContent &shown, const Camera &camera, QPointF place);
@@ -27,7 +27,8 @@ public:
     bool isDown() const { return m_body.has_value(); }
 
 private:
-    Session &m_session;
+    Playback &m_playback;
+    UserInput &m_input;
     std::optional<QString> m_body;
     sim::Vec2 m_offset; ///< from the pointer to the centre of the body, px
     QPointF m_pressed;  ///< on the screen

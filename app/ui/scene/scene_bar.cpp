@@ -25,8 +25,9 @@ constexpr int sideMargin = 8;
 
 }
 
-SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme)
+SceneBar::SceneBar(const OpenRun &run, RunEditor &editor, LearnerCode &code, const Theme &theme,
+                   QWidget *parent)
+    : QWidget(parent), m_run(run), m_editor(editor), m_code(code), m_theme(theme)
 {
     setFixedHeight(barHeight);
     m_method = button(tr("How the run is computed from one step to the next"));
@@ -48,11 +49,11 @@ SceneBar::SceneBar(Session &session, const Theme &theme, QWidget *parent)
     row->addWidget(m_zoom);
     row->addWidget(m_fit);
     fillMethods();
-    m_steps = new StepMenu(session, m_step);
+    m_steps = new StepMenu(run, editor, m_step);
     connect(m_steps, &QMenu::aboutToShow, this, &SceneBar::showValues);
     connect(m_steps, &StepMenu::chosen, this, &SceneBar::showValues);
     m_step->setMenu(m_steps);
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &SceneBar::showValues);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::code, this, &SceneBar::showValues);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     showValues();
 }
@@ -82,9 +83,9 @@ void SceneBar::fillMethods()
     group->addAction(m_listing);
     connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
         if (action == m_listing)
-            m_session.code().use();
+            m_code.use();
         else
-            m_session.editor().setMethod(action->data().toString());
+            m_editor.setMethod(action->data().toString());
         showValues(); // if the method was rejected, this moves the mark back
     });
     connect(menu, &QMenu::aboutToShow, this, &SceneBar::showValues);
@@ -187,7 +188,7 @@ QStringList SceneBar::choices() const
 
 void SceneBar::showValues()
 {
-    const sim::Script &script = m_session.timeline().script();
+    const sim::Script &script = m_run.timeline().script();
     m_method->setTexts(tr("Method"), phrase(script.method->title()));
     const bool adaptive = script.step.isAdaptive();
     m_step->setToolTip(adaptive ? tr("The largest error that the method allows in each of its steps")
@@ -195,9 +196,9 @@ void SceneBar::showValues()
     m_step->setTexts(adaptive ? tr("Tolerance") : tr("Step"), stepTitle(script.step));
     for (QAction *action : m_method->menu()->actions())
         action->setChecked(action->data().toString().toStdString() == script.method->id());
-    m_listing->setEnabled(m_session.code().isOffered());
-    m_listing->setToolTip(m_session.code().isOffered() ? tr("The listing, as you changed it")
-                                                       : tr("This step has no listing."));
+    m_listing->setEnabled(m_code.isOffered());
+    m_listing->setToolTip(m_code.isOffered() ? tr("The listing, as you changed it")
+                                             : tr("This step has no listing."));
     m_steps->follow();
     arrange();
 }

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/listing/learner_code.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/run_editor.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -20,7 +22,8 @@ class SceneBar : public QWidget
     Q_OBJECT
 
 public:
-    SceneBar(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    SceneBar(const OpenRun &run, RunEditor &editor, LearnerCode &code, const Theme &theme,
+             QWidget *parent = nullptr);
 
     /// Connects "Show" and the zoom to a view. `fit` fits the scene into it.
     void attach(SceneView &view, Command &fit);
@@ -54,7 +57,9 @@ private:
     void arrange();
     int widthWith(int method, int step) const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
+    LearnerCode &m_code;
     const Theme &m_theme;
     SceneView *m_view = nullptr;
     FlatButton *m_method;

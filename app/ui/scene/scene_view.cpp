@@ -26,12 +26,6 @@ constexpr double densest = 18.0;         ///< smallest distance between two dots
 constexpr int mostSkinned = 20'000;      ///< points; with more, computing earlier moments would take too long
 constexpr double leastDifference = 1e-9; ///< px; a ghost closer to the run than this is not drawn
 
-template <class... Layers>
-void addLayers(QGraphicsScene &scene, const SceneContent &shown, const Theme &theme)
-{
-    (scene.addItem(new Layers(shown, theme)), ...);
-}
-
 bool differ(const Picture &a, const Picture &b)
 {
     return a.state.pointCount() != b.state.pointCount() ||
@@ -42,7 +36,7 @@ bool differ(const Picture &a, const Picture &b)
 
 SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
     : QGraphicsView(parent), m_session(session), m_theme(theme), m_overlay(m_shown, m_companion, theme),
-      m_drag(session), m_tools(session)
+      m_drag(session.playback(), session.input()), m_tools(session.run(), session.playback(), session.input())
 {
     setFrameShape(QFrame::NoFrame);
     setRenderHint(QPainter::Antialiasing);
@@ -61,17 +55,11 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
 
     m_scene.setItemIndexMethod(QGraphicsScene::NoIndex);
     m_scene.setSceneRect(-worldReach, -worldReach, 2.0 * worldReach, 2.0 * worldReach);
-    addLayers<RoomLayer, RampLayer, GroundLayer, ShadowLayer, ComparisonLayer, OnionLayer, TrailLayer,
-              TreeLayer, MeadowLayer, LimbLayer, SkinLayer, SheetLayer, ChainLayer, LegLayer, SpringLayer,
-              StickLayer, BodyLayer, RestLayer, ReferenceLayer, OverlayLayer, ArrowLayer, VectorLayer>(
-        m_scene, m_shown, theme);
-    addLayers<RoomLayer, ShadowLayer, LimbLayer, SkinLayer, ChainLayer, LegLayer, SpringLayer, StickLayer,
-              BodyLayer, RestLayer, OverlayLayer, NameLayer>(m_scene, m_companion, theme);
-    m_scene.addItem(new NameLayer(m_shown, theme));
-    m_scene.addItem(new RecordedPointerLayer(session, m_shown, theme));
+    addLayers(m_scene, m_shown, theme, session.input());
+    addCompanionLayers(m_scene, m_companion, theme);
     setScene(&m_scene);
 
-    connect(&session, &Session::changed, this, &SceneView::followChange);
+    session.onChange(everyChange, this, &SceneView::followChange);
     connect(&theme, &Theme::changed, this, &SceneView::readTheme);
     readTheme();
     open();

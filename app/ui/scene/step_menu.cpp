@@ -36,7 +36,8 @@ protected:
 
 }
 
-StepMenu::StepMenu(Session &session, QWidget *parent) : QMenu(parent), m_session(session)
+StepMenu::StepMenu(const OpenRun &run, RunEditor &editor, QWidget *parent)
+    : QMenu(parent), m_run(run), m_editor(editor)
 {
     auto *group = new QActionGroup(this);
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
@@ -53,7 +54,7 @@ StepMenu::StepMenu(Session &session, QWidget *parent) : QMenu(parent), m_session
         offer(toleranceTitle(px), px, true);
     connect(group, &QActionGroup::triggered, this, [this](QAction *action) {
         const double value = action->data().toDouble();
-        isAdaptive() ? m_session.editor().setTolerance(value) : m_session.editor().setStepSize(value);
+        isAdaptive() ? m_editor.setTolerance(value) : m_editor.setStepSize(value);
         emit chosen();
     });
     addSeparator();
@@ -90,12 +91,12 @@ void StepMenu::addOther()
 
 bool StepMenu::isAdaptive() const
 {
-    return m_session.timeline().script().step.isAdaptive();
+    return m_run.timeline().script().step.isAdaptive();
 }
 
 void StepMenu::follow()
 {
-    const sim::StepSize &step = m_session.timeline().script().step;
+    const sim::StepSize &step = m_run.timeline().script().step;
     const bool adaptive = step.isAdaptive();
     const double value = adaptive ? step.tolerance : step.h;
     for (QAction *action : actions()) {
@@ -126,7 +127,7 @@ void StepMenu::takeOther()
         return;
     }
     close();
-    adaptive ? m_session.editor().setTolerance(typed) : m_session.editor().setStepSize(typed);
+    adaptive ? m_editor.setTolerance(typed) : m_editor.setStepSize(typed);
 }
 
 }

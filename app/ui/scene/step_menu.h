@@ -1,6 +1,7 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/run_editor.h"
 
 #include <QMenu>
 
@@ -15,7 +16,7 @@ class StepMenu : public QMenu
     Q_OBJECT
 
 public:
-    explicit StepMenu(Session &session, QWidget *parent = nullptr);
+    explicit StepMenu(const OpenRun &run, RunEditor &editor, QWidget *parent = nullptr);
 
     /// Lists steps or tolerances, whichever the method takes, and checks the one in use.
     void follow();
@@ -29,7 +30,8 @@ private:
     void takeOther();
     bool isAdaptive() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
     QLineEdit *m_other = nullptr;
     QLabel *m_unit = nullptr; ///< of the field
     QLabel *m_why = nullptr;  ///< why the typed value is invalid

@@ -46,10 +46,10 @@ std::optional<sim::InputKind> signalOf(lessons::Interaction what)
 bool Tools::can(lessons::Interaction what) const
 {
     const std::optional<sim::InputKind> signal = signalOf(what);
-    if (!signal || !m_session.step().accepts(what))
+    if (!signal || !m_run.step().accepts(what))
         return false;
     // A step can show many scenes. Where nothing reads the pointer, a click must not become part of the run.
-    const std::vector<sim::EffectPtr> &effects = m_session.timeline().track().interval().scene.effects;
+    const std::vector<sim::EffectPtr> &effects = m_run.timeline().track().interval().scene.effects;
     return std::any_of(effects.begin(), effects.end(), [&](const sim::EffectPtr &one) {
         const auto *reader = dynamic_cast<const sim::InputReader *>(one.get());
         return reader && reader->reads(*signal);
@@ -66,10 +66,10 @@ bool Tools::press(sim::Vec2 place)
     if (can(lessons::Interaction::pointer)) {
         m_pointing = true;
         moveTo(place);
-        m_session.playback().reportIfPaused();
+        m_playback.reportIfPaused();
     } else if (can(lessons::Interaction::target)) {
-        m_session.input().setTarget(place);
-        m_session.playback().reportIfPaused();
+        m_input.setTarget(place);
+        m_playback.reportIfPaused();
     }
     return any();
 }
@@ -77,20 +77,19 @@ bool Tools::press(sim::Vec2 place)
 void Tools::moveTo(sim::Vec2 place)
 {
     if (m_pointing)
-        m_session.input().setPointer(place, true);
+        m_input.setPointer(place, true);
 }
 
 void Tools::release()
 {
     m_pointing = false;
-    m_session.input().releaseAll();
+    m_input.releaseAll();
 }
 
 bool Tools::wants(const QKeyEvent &key) const
 {
     const bool plain = (key.modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    return plain && steeringKey(key.key()) && can(lessons::Interaction::keys) &&
-           m_session.playback().isPlaying();
+    return plain && steeringKey(key.key()) && can(lessons::Interaction::keys) && m_playback.isPlaying();
 }
 
 bool Tools::key(const QKeyEvent &key, bool down)
@@ -99,27 +98,27 @@ bool Tools::key(const QKeyEvent &key, bool down)
     if (!steering || !can(lessons::Interaction::keys) || (down && !wants(key)))
         return false;
     if (!key.isAutoRepeat())
-        m_session.input().setKey(steering, down);
+        m_input.setKey(steering, down);
     return true;
 }
 
 sim::Vec2 Tools::pointer(sim::Vec2 middle) const
 {
-    return m_session.timeline().state().input.pointer.value_or(middle);
+    return m_run.timeline().state().input.pointer.value_or(middle);
 }
 
 bool Tools::isDown() const
 {
-    const sim::InputState &outside = m_session.timeline().state().input;
+    const sim::InputState &outside = m_run.timeline().state().input;
     return outside.pointer && outside.pointerDown;
 }
 
 bool Tools::nudge(sim::Vec2 by, sim::Vec2 middle)
 {
     if (can(lessons::Interaction::pointer))
-        m_session.input().setPointer(pointer(middle) + by, isDown());
+        m_input.setPointer(pointer(middle) + by, isDown());
     else if (can(lessons::Interaction::target))
-        m_session.input().setTarget(m_session.timeline().state().input.target + by);
+        m_input.setTarget(m_run.timeline().state().input.target + by);
     return any();
 }
 
@@ -127,7 +126,7 @@ bool Tools::togglePointer(sim::Vec2 middle)
 {
     if (!can(lessons::Interaction::pointer))
         return false;
-    m_session.input().setPointer(pointer(middle), !isDown());
+    m_input.setPointer(pointer(middle), !isDown());
     return true;
 }
 

@@ -12,7 +12,10 @@ namespace app {
 class Tools
 {
 public:
-    explicit Tools(Session &session) : m_session(session) {}
+    explicit Tools(const OpenRun &run, Playback &playback, UserInput &input)
+        : m_run(run), m_playback(playback), m_input(input)
+    {
+    }
 
     /// Handles a press at `place`, on no body or on the one that the pointer carries. Returns whether the scene uses it:
     /// the pointer is down then, or a target is set.
@@ -40,7 +43,9 @@ private:
     sim::Vec2 pointer(sim::Vec2 middle) const;
     bool isDown() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
+    UserInput &m_input;
     bool m_pointing = false;
 };
 

@@ -1,6 +1,7 @@
 #include "app/ui/stability/stability_gauge.h"
 
 #include "app/model/text/numbers.h"
+#include "app/ui/actions/command.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>
@@ -74,8 +75,9 @@ void installGaugeAccess()
 
 }
 
-StabilityGauge::StabilityGauge(const StabilityMonitor &monitor, const Theme &theme, QWidget *parent)
-    : QAbstractButton(parent), m_monitor(monitor), m_theme(theme)
+StabilityGauge::StabilityGauge(const StabilityMonitor &monitor, const Command &toggle, const Theme &theme,
+                               QWidget *parent)
+    : QAbstractButton(parent), m_monitor(monitor), m_keys(toggle.shortcut()), m_theme(theme)
 {
     installGaugeAccess();
     setObjectName("gauge");
@@ -117,7 +119,7 @@ void StabilityGauge::refresh()
     setAccessibleDescription(description());
     setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
                    .arg(reading() ? stabilityVerdict(*reading()) : QString(),
-                        tr("Click for the reasons and the remedies (Ctrl+L).")));
+                        withKeys(tr("Click for the reasons and the remedies"), m_keys)));
     if (grows)
         updateGeometry();
     update();

@@ -4,8 +4,11 @@
 #include "app/ui/theme/theme.h"
 
 #include <QAbstractButton>
+#include <QKeySequence>
 
 namespace app {
+
+class Command;
 
 /// A gauge of how near the step in use is to its limit: a bar with a tick at the limit, and words. During a preview it
 /// shows the moment of the preview, and is pale until that is computed. A click, Space or Enter asks for the reasons.
@@ -14,7 +17,9 @@ class StabilityGauge : public QAbstractButton
     Q_OBJECT
 
 public:
-    StabilityGauge(const StabilityMonitor &monitor, const Theme &theme, QWidget *parent = nullptr);
+    /// `toggle` shows and hides the reasons.
+    StabilityGauge(const StabilityMonitor &monitor, const Command &toggle, const Theme &theme,
+                   QWidget *parent = nullptr);
 
     /// Returns whether the reading of the previewed moment is late, so that the gauge shows an older one.
     bool isPale() const { return m_monitor.preview().isLate(); }
@@ -44,6 +49,7 @@ private:
     void paintBar(QPainter &painter, const QRectF &bar) const;
 
     const StabilityMonitor &m_monitor;
+    const QKeySequence m_keys; ///< that show and hide the reasons
     const Theme &m_theme;
     QString m_words;
 };

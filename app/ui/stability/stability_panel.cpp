@@ -2,6 +2,7 @@
 
 #include "app/model/analysis/growth_table.h"
 #include "app/model/run/run_program.h"
+#include "app/ui/actions/command.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/stability/growth_plot.h"
@@ -38,7 +39,8 @@ QString unbroken(QString text)
 
 }
 
-StabilityPanel::StabilityPanel(StabilityMonitor &monitor, const Theme &theme, QWidget *parent)
+StabilityPanel::StabilityPanel(StabilityMonitor &monitor, const Command &toggle, const Theme &theme,
+                               QWidget *parent)
     : QWidget(parent), m_monitor(monitor), m_theme(theme)
 {
     setObjectName("panel");
@@ -63,7 +65,7 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, const Theme &theme, QW
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(0);
-    all->addWidget(title());
+    all->addWidget(title(toggle));
     all->addWidget(area, 1);
     connect(&monitor, &StabilityMonitor::changed, this, &StabilityPanel::refresh);
     connect(&monitor, &StabilityMonitor::mapChanged, this, &StabilityPanel::refreshMap);
@@ -73,7 +75,7 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, const Theme &theme, QW
     refreshMap();
 }
 
-QWidget *StabilityPanel::title()
+QWidget *StabilityPanel::title(const Command &toggle)
 {
     m_title = new PanelTitle(tr("Stability"), PanelTitle::CaptionPlace::besideTitle, m_theme, this);
     m_plotMenu = m_export->makeButton(m_title);
@@ -83,7 +85,7 @@ QWidget *StabilityPanel::title()
     m_close->setFixedSize(28, 28);
     m_close->setFocusPolicy(Qt::TabFocus);
     m_close->setAccessibleName(tr("Close"));
-    m_close->setToolTip(tr("Close, and show the previous panel (Ctrl+L)"));
+    m_close->setToolTip(withKeys(tr("Close, and show the previous panel"), toggle.shortcut()));
     connect(m_close, &QToolButton::clicked, this, &StabilityPanel::closed);
     m_title->addAction(m_close);
     return m_title;
@@ -291,9 +293,9 @@ void StabilityPanel::refreshMap()
 
 QString StabilityPanel::whyNoMap() const
 {
-    if (!m_monitor.session().step().parameter(QStringLiteral("k")))
+    if (!m_monitor.run().step().parameter(QStringLiteral("k")))
         return tr("There is no map for this step: it has no stiffness k to change.");
-    if (programOf(m_monitor.session().timeline().script().method))
+    if (programOf(m_monitor.run().timeline().script().method))
         return tr("There is no map for your code: it may compute anything, whatever the stiffness is.");
     if (m_monitor.nothingSwings())
         return tr("There is no map here: no springs act, so every stiffness and every step is stable.");

@@ -15,6 +15,7 @@ class QToolButton;
 
 namespace app {
 
+class Command;
 class GrowthPlot;
 class PanelTitle;
 class PlotExport;
@@ -26,7 +27,9 @@ class StabilityPanel : public QWidget
     Q_OBJECT
 
 public:
-    StabilityPanel(StabilityMonitor &monitor, const Theme &theme, QWidget *parent = nullptr);
+    /// `toggle` shows and hides the panel.
+    StabilityPanel(StabilityMonitor &monitor, const Command &toggle, const Theme &theme,
+                   QWidget *parent = nullptr);
 
     QString verdict() const;
     QString leftOut() const;
@@ -44,7 +47,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QWidget *title();
+    QWidget *title(const Command &toggle);
     QWidget *card();
     QWidget *remedyRows();
     QWidget *map();

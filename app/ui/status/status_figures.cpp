@@ -16,8 +16,9 @@ constexpr int rightMargin = 14;
 
 }
 
-StatusFigures::StatusFigures(const Session &session, const AccuracyStudy &study, QWidget *parent)
-    : QWidget(parent), m_session(session), m_study(study)
+StatusFigures::StatusFigures(const OpenRun &run, const Playback &playback, const AccuracyStudy &study,
+                             QWidget *parent)
+    : QWidget(parent), m_run(run), m_playback(playback), m_study(study)
 {
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(leftMargin, 0, rightMargin, 0);
@@ -36,8 +37,8 @@ StatusFigures::StatusFigures(const Session &session, const AccuracyStudy &study,
     }
     m_refreshTimer.setSingleShot(true);
     connect(&m_refreshTimer, &QTimer::timeout, this, &StatusFigures::refresh);
-    session.onChange(ChangeKind::step | ChangeKind::playing, this, &StatusFigures::refresh);
-    session.onChange(ChangeKind::run | ChangeKind::cursor, this, &StatusFigures::refreshSoon);
+    run.onChange(ChangeKind::step | ChangeKind::playing, this, &StatusFigures::refresh);
+    run.onChange(ChangeKind::run | ChangeKind::cursor, this, &StatusFigures::refreshSoon);
     connect(&study, &AccuracyStudy::changed, this, &StatusFigures::refresh);
     refresh();
 }
@@ -54,7 +55,7 @@ QStringList StatusFigures::figures() const
 
 void StatusFigures::refreshSoon()
 {
-    if (!m_session.playback().isPlaying() || !m_since.isValid() || m_since.hasExpired(refreshMilliseconds))
+    if (!m_playback.isPlaying() || !m_since.isValid() || m_since.hasExpired(refreshMilliseconds))
         refresh();
     else if (!m_refreshTimer.isActive())
         m_refreshTimer.start(refreshMilliseconds - static_cast<int>(m_since.elapsed()));
@@ -64,7 +65,7 @@ void StatusFigures::refresh()
 {
     m_refreshTimer.stop();
     m_since.start();
-    const sim::State &state = m_session.timeline().track().state();
+    const sim::State &state = m_run.timeline().track().state();
     put(points, state.pointCount() == 1 ? tr("1 point") : tr("%1 points").arg(state.pointCount()));
     put(work, workWords());
     const sim::AccuracyRow *row = m_study.inUse();
@@ -80,7 +81,7 @@ void StatusFigures::refresh()
 
 QString StatusFigures::workWords() const
 {
-    const sim::Track &track = m_session.timeline().track();
+    const sim::Track &track = m_run.timeline().track();
     const sim::Script &script = track.script();
     const int each = script.method->evaluationsPerStep();
     if (each > 0) {

@@ -18,8 +18,9 @@ class StatusFigures : public QWidget
     Q_OBJECT
 
 public:
-    /// The session and the study must outlive this.
-    StatusFigures(const Session &session, const AccuracyStudy &study, QWidget *parent = nullptr);
+    /// All of them must outlive this.
+    StatusFigures(const OpenRun &run, const Playback &playback, const AccuracyStudy &study,
+                  QWidget *parent = nullptr);
 
     /// Returns the numbers that are shown, from left to right.
     QStringList figures() const;
@@ -39,7 +40,8 @@ private:
     void showWhatFits();
     QString workWords() const;
 
-    const Session &m_session;
+    const OpenRun &m_run;
+    const Playback &m_playback;
     const AccuracyStudy &m_study;
     QLabel *m_labels[count];
     int m_most = 0; ///< px

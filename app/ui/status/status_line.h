@@ -1,6 +1,8 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/playback.h"
+#include "app/model/session/preview.h"
 
 #include <QStatusBar>
 #include <QTimer>
@@ -8,6 +10,7 @@
 namespace app {
 
 class AccuracyStudy;
+class RunCommands;
 class StabilityGauge;
 class StabilityMonitor;
 class StatusFigures;
@@ -21,7 +24,8 @@ class StatusLine : public QStatusBar
 
 public:
     /// Takes ownership of `gauge`. The other arguments must outlive it.
-    StatusLine(const Session &session, const AccuracyStudy &study, const StabilityMonitor &stability,
+    StatusLine(const OpenRun &run, const Playback &playback, const Preview &preview,
+               const RunCommands &commands, const AccuracyStudy &study, const StabilityMonitor &stability,
                StabilityGauge *gauge, QWidget *parent = nullptr);
 
 protected:
@@ -39,7 +43,12 @@ private:
     /// Gives the sentence the width that it needs, and the numbers the rest.
     void share();
 
-    const Session &m_session;
+    const OpenRun &m_run;
+    const Playback &m_playback;
+    const Preview &m_preview;
+    QString m_playKeys;
+    QString m_frameKeys;
+    QString m_phaseKeys;
     StabilityGauge *m_gauge;
     StatusFigures *m_figures;
     StatusSentence *m_text;

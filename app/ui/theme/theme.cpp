@@ -32,7 +32,7 @@ Tokens lightTokens()
     t.keyword = "#7A3E9D", t.number = "#1D6F5B", t.type = "#2F5D8C", t.comment = "#6A7077",
     t.chip = "#EFECE5";
     t.spring = "#1450A8", t.gravity = "#A83200", t.damping = "#D058C4", t.contact = "#3A3E44";
-    t.driver = "#00A070", t.wind = "#6592A4", t.stick = "#A08C00";
+    t.driver = "#00A070", t.wind = "#6592A4", t.stick = "#A08C00", t.rule = "#7A30E8";
     t.methods = {{{"#7F674D", "#D01B4A", "#A13598"},
                   {"#2A7E6E", "#1A574D", "#548118"},
                   {"#6039EF", "#3B1EB8", "#8A71F4"},
@@ -58,7 +58,7 @@ Tokens darkTokens()
     t.keyword = "#CBA6F0", t.number = "#8FD0B4", t.type = "#8FBCE8", t.comment = "#858B91",
     t.chip = "#2A2E33";
     t.spring = "#3F97FF", t.gravity = "#EE7A2B", t.damping = "#BC86C2", t.contact = "#E6EBEE";
-    t.driver = "#3BA878", t.wind = "#4FD4FF", t.stick = "#E8DE5A";
+    t.driver = "#3BA878", t.wind = "#4FD4FF", t.stick = "#E8DE5A", t.rule = "#7A55FF";
     t.methods = {{{"#B9A38C", "#F08FA8", "#D070C8"},
                   {"#5CC8B4", "#2E9C8A", "#A8E05C"},
                   {"#B7A3FF", "#8A74E8", "#D9D0FF"},
@@ -83,7 +83,7 @@ Tokens highContrastTokens()
     t.keyword = t.number = t.type = t.comment = "#FFFFFF";
     t.chip = "#000000";
     t.spring = "#4FA3FF", t.gravity = "#FF8330", t.damping = "#D79BDD", t.contact = "#FFFFFF";
-    t.driver = "#35C88C", t.wind = "#6FE0FF", t.stick = "#F2EA60";
+    t.driver = "#35C88C", t.wind = "#6FE0FF", t.stick = "#F2EA60", t.rule = "#944DFF";
     t.methods = darkTokens().methods;
     return t;
 }
@@ -144,6 +144,8 @@ QColor Theme::kindColor(sim::EffectKind kind) const
         return m_tokens.wind;
     case sim::EffectKind::stick:
         return m_tokens.stick;
+    case sim::EffectKind::rule:
+        return m_tokens.rule;
     case sim::EffectKind::motion:
         break;
     }

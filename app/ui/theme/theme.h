@@ -31,7 +31,7 @@ struct Tokens
     QColor link, ok, near, past;                 ///< links, ticks, warnings, failures
     QColor body, bodyInk, ghost, dots;           ///< creature, its eyes, the comparison run, the grid
     QColor keyword, number, type, comment, chip; ///< code
-    QColor spring, gravity, damping, contact, driver, wind, stick; ///< kinds of effects
+    QColor spring, gravity, damping, contact, driver, wind, stick, rule; ///< kinds of effects
     /// Colours of the methods in plots, in three shades for each family: Euler, Verlet, Runge-Kutta,
     /// adaptive, implicit. Shapes and labels also tell the methods apart.
     std::array<std::array<QColor, 3>, 5> methods;

@@ -31,9 +31,11 @@ QString pixels(double value)
 
 }
 
-FootfallStrip::FootfallStrip(Session &session, const MeasureSeries &series, TimelineStrip &timeline,
-                             const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_series(series), m_timeline(timeline), m_theme(theme)
+FootfallStrip::FootfallStrip(const OpenRun &run, Playback &playback, Preview &preview,
+                             const MeasureSeries &series, TimelineStrip &timeline, const Theme &theme,
+                             QWidget *parent)
+    : QWidget(parent), m_run(run), m_playback(playback), m_preview(preview), m_series(series),
+      m_timeline(timeline), m_theme(theme)
 {
     setObjectName("footfall");
     setAccessibleName(tr("Feet on the ground"));
@@ -41,9 +43,9 @@ FootfallStrip::FootfallStrip(Session &session, const MeasureSeries &series, Time
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     connect(&series, &MeasureSeries::changed, this, &FootfallStrip::read);
-    session.onChange(ChangeKind::step | ChangeKind::run, this, &FootfallStrip::open);
-    session.onChange(ChangeKind::cursor | ChangeKind::preview, this, qOverload<>(&QWidget::update));
-    session.onChange(ChangeKind::cursor, this, &FootfallStrip::updateDescription);
+    run.onChange(ChangeKind::step | ChangeKind::run, this, &FootfallStrip::open);
+    run.onChange(ChangeKind::cursor | ChangeKind::preview, this, qOverload<>(&QWidget::update));
+    run.onChange(ChangeKind::cursor, this, &FootfallStrip::updateDescription);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     open();
 }
@@ -51,9 +53,9 @@ FootfallStrip::FootfallStrip(Session &session, const MeasureSeries &series, Time
 void FootfallStrip::open()
 {
     m_names.clear();
-    if (m_session.step().isFootDown) {
-        const sim::ComposedInterval &interval = m_session.timeline().track().interval();
-        for (const int foot : m_session.step().view(interval.scene, interval.values).feet)
+    if (m_run.step().isFootDown) {
+        const sim::ComposedInterval &interval = m_run.timeline().track().interval();
+        for (const int foot : m_run.step().view(interval.scene, interval.values).feet)
             m_names.push_back(QString::fromStdString(interval.scene.names[static_cast<std::size_t>(foot)]));
     }
     setVisible(!m_names.empty());
@@ -106,7 +108,7 @@ QString FootfallStrip::sentence() const
 
 void FootfallStrip::updateDescription()
 {
-    if (!m_session.playback().isPlaying() && isVisible())
+    if (!m_playback.isPlaying() && isVisible())
         setAccessibleDescription(sentence());
 }
 
@@ -218,7 +220,7 @@ bool FootfallStrip::event(QEvent *event)
 
 void FootfallStrip::mousePressEvent(QMouseEvent *event)
 {
-    m_session.preview().end(); // a press acts at the cursor of the run
+    m_preview.end(); // a press acts at the cursor of the run
     if (event->button() == Qt::LeftButton)
         m_timeline.scrubTo(m_timeline.axis().frameAt(event->position().x()));
 }
@@ -228,15 +230,15 @@ void FootfallStrip::mouseMoveEvent(QMouseEvent *event)
     const std::int64_t frame = m_timeline.axis().frameAt(event->position().x());
     if (event->buttons() & Qt::LeftButton)
         m_timeline.scrubTo(frame);
-    else if (frame <= m_session.timeline().computed())
-        m_session.preview().show({frame, 0});
+    else if (frame <= m_run.timeline().computed())
+        m_preview.show({frame, 0});
     else
-        m_session.preview().end();
+        m_preview.end();
 }
 
 void FootfallStrip::leaveEvent(QEvent *)
 {
-    m_session.preview().end();
+    m_preview.end();
 }
 
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "app/model/series/stances.h"
+#include "app/model/session/playback.h"
+#include "app/model/session/preview.h"
 #include "app/ui/theme/theme.h"
 
 #include <QWidget>
@@ -16,8 +18,8 @@ class FootfallStrip : public QWidget
     Q_OBJECT
 
 public:
-    FootfallStrip(Session &session, const MeasureSeries &series, TimelineStrip &timeline, const Theme &theme,
-                  QWidget *parent = nullptr);
+    FootfallStrip(const OpenRun &run, Playback &playback, Preview &preview, const MeasureSeries &series,
+                  TimelineStrip &timeline, const Theme &theme, QWidget *parent = nullptr);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return {280, sizeHint().height()}; }
@@ -44,7 +46,9 @@ private:
     void paintCursors(QPainter &painter) const;
     QString tipAt(const QPoint &place) const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
+    Preview &m_preview;
     const MeasureSeries &m_series;
     TimelineStrip &m_timeline;
     const Theme &m_theme;

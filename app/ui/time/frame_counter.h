@@ -49,7 +49,6 @@ private:
     void take();
     void refuse();
     void leave();
-    void placeEditor();
     double captionWidth() const;
     double digitWidth() const;
     double numberWidth() const;

@@ -19,8 +19,10 @@ QString plain(QString text)
 
 }
 
-RunsMenu::RunsMenu(Session &session, const Theme &theme, QWidget *parent)
-    : QMenu(tr("Other r&uns"), parent), m_session(session), m_theme(theme)
+RunsMenu::RunsMenu(const OpenRun &run, RunEditor &editor, ComparisonRuns &comparisons, const Theme &theme,
+                   QWidget *parent)
+    : QMenu(tr("Other r&uns"), parent), m_run(run), m_editor(editor), m_comparisons(comparisons),
+      m_theme(theme)
 {
     setObjectName("runs");
     setToolTipsVisible(true);
@@ -51,7 +53,7 @@ void RunsMenu::fill()
     for (QMenu *menu : findChildren<QMenu *>(QString(), Qt::FindDirectChildrenOnly))
         menu->deleteLater();
     clear();
-    const std::vector<Branch> &all = m_session.comparisons().branches().all();
+    const std::vector<Branch> &all = m_comparisons.branches().all();
     std::vector<const Branch *> shown;
     for (auto branch = all.rbegin(); branch != all.rend(); ++branch) {
         if (m_only.empty() || std::count(m_only.begin(), m_only.end(), branch->id) > 0)
@@ -70,8 +72,8 @@ void RunsMenu::fill()
         return;
     }
     addSeparator();
-    QAction *hide = addAction(tr("&Hide the other run"), this, [this] { m_session.comparisons().show(0); });
-    hide->setEnabled(m_session.comparisons().shown() != nullptr);
+    QAction *hide = addAction(tr("&Hide the other run"), this, [this] { m_comparisons.show(0); });
+    hide->setEnabled(m_comparisons.shown() != nullptr);
     hide->setToolTip(tr("Shows only this run; the others stay in this menu"));
     if (!isSignalConnected(QMetaMethod::fromSignal(&RunsMenu::compareWanted)))
         return; // they are already being compared
@@ -81,9 +83,9 @@ void RunsMenu::fill()
 
 void RunsMenu::addRun(const Branch &branch)
 {
-    auto *menu = new QMenu(plain(branchLine(branch, m_session.timeline().script())), this);
+    auto *menu = new QMenu(plain(branchLine(branch, m_run.timeline().script())), this);
     menu->setToolTipsVisible(true);
-    if (m_session.comparisons().shown() == &branch)
+    if (m_comparisons.shown() == &branch)
         menu->setIcon(m_theme.icon("show"));
     else if (branch.isKept)
         menu->setIcon(m_theme.icon("pin"));
@@ -94,40 +96,39 @@ void RunsMenu::addRun(const Branch &branch)
 void RunsMenu::addCommands(QMenu &menu, const Branch &branch)
 {
     const int id = branch.id;
-    const bool isShown = m_session.comparisons().shown() == &branch;
+    const bool isShown = m_comparisons.shown() == &branch;
     const auto add = [&](const QString &text, const QString &tip, auto command) {
         QAction *made = menu.addAction(text, this, command);
         made->setToolTip(tip);
         return made;
     };
     QAction *show = add(tr("&Show beside"), tr("As a ghost in the picture, and as dots in the timeline"),
-                        [this, id, isShown] { m_session.comparisons().show(isShown ? 0 : id); });
+                        [this, id, isShown] { m_comparisons.show(isShown ? 0 : id); });
     show->setCheckable(true);
     show->setChecked(isShown);
     add(tr("&Go back to it"),
         tr("Makes it the current run again, exactly as it was; this run becomes another run"),
-        [this, id] { m_session.editor().goBackTo(id); });
+        [this, id] { m_editor.goBackTo(id); });
     menu.addSeparator();
     QAction *keep = add(tr("&Keep"),
                         tr("Keeps this run until you delete it. Of the other runs, only the last %1 stay.")
                             .arg(Branches::mostPassing),
-                        [this, id, kept = branch.isKept] { m_session.comparisons().keep(id, !kept); });
+                        [this, id, kept = branch.isKept] { m_comparisons.keep(id, !kept); });
     keep->setCheckable(true);
     keep->setChecked(branch.isKept);
     add(tr("&Rename…"), tr("Give this run another name"), [this, id] { askName(id); });
-    add(tr("&Delete"), tr("Deletes this run; Undo brings it back"),
-        [this, id] { m_session.comparisons().remove(id); });
+    add(tr("&Delete"), tr("Deletes this run; Undo brings it back"), [this, id] { m_comparisons.remove(id); });
 }
 
 void RunsMenu::askName(int id)
 {
-    const Branch *branch = m_session.comparisons().branches().find(id);
+    const Branch *branch = m_comparisons.branches().find(id);
     if (!branch)
         return;
     QWidget *window = parentWidget() ? parentWidget()->window() : nullptr;
     auto *field = new NameField(branch->name, m_theme, window);
-    connect(field, &NameField::named, &m_session,
-            [session = &m_session, id](const QString &name) { session->comparisons().rename(id, name); });
+    connect(field, &NameField::named, &m_comparisons,
+            [runs = &m_comparisons, id](const QString &name) { runs->rename(id, name); });
     field->popupAt(pos());
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/comparison_runs.h"
+#include "app/model/session/open_run.h"
+#include "app/model/session/run_editor.h"
 #include "app/ui/theme/theme.h"
 
 #include <QMenu>
@@ -14,7 +16,8 @@ class RunsMenu : public QMenu
     Q_OBJECT
 
 public:
-    RunsMenu(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    RunsMenu(const OpenRun &run, RunEditor &editor, ComparisonRuns &comparisons, const Theme &theme,
+             QWidget *parent = nullptr);
 
     /// Shows only the commands for one branch.
     void showOnly(int branch);
@@ -33,7 +36,9 @@ private:
     void addCommands(QMenu &menu, const Branch &branch);
     void askName(int branch);
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
+    ComparisonRuns &m_comparisons;
     const Theme &m_theme;
     std::vector<int> m_only; ///< empty for all branches
 };

@@ -201,7 +201,7 @@ void TimelineStrip::press(const Fork &fork, const QPoint &onScreen)
 
 void TimelineStrip::showRuns(std::vector<int> branches, const QPoint &onScreen)
 {
-    auto *menu = new RunsMenu(m_session, m_theme, this);
+    auto *menu = new RunsMenu(m_session.run(), m_session.editor(), m_session.comparisons(), m_theme, this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->showOnly(std::move(branches));
     connect(menu, &RunsMenu::compareWanted, this, &TimelineStrip::compareWanted);

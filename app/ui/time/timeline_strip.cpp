@@ -34,7 +34,7 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
     setMouseTracking(true);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    connect(&session, &Session::changed, this, &TimelineStrip::follow);
+    session.onChange(everyChange, this, &TimelineStrip::follow);
     connect(&theme, &Theme::changed, this, &TimelineStrip::refresh);
     startNew();
 }

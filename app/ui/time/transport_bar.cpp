@@ -60,7 +60,7 @@ TransportBar::TransportBar(Session &session, const RunCommands &commands, const 
     connect(m_frame, &FrameCounter::refused, &session, &Session::showMessage);
     connect(m_frame, &FrameCounter::resized, this, &TransportBar::fit);
     connect(m_speed, &SpeedButton::chosen, &session.playback(), &Playback::setSpeed);
-    connect(&session, &Session::changed, this, &TransportBar::follow);
+    session.onChange(everyChange, this, &TransportBar::follow);
     connect(&theme, &Theme::changed, this, [this] {
         refresh();
         update();
@@ -88,7 +88,7 @@ void TransportBar::build()
     m_frame->setToolTip(m_commands.goToFrame->toolTip());
     m_layout->addWidget(m_frame);
     m_layout->addSpacerItem(new QSpacerItem(8, 0, QSizePolicy::Expanding));
-    m_runs = new RunsMenu(m_session, m_theme, this);
+    m_runs = new RunsMenu(m_session.run(), m_session.editor(), m_session.comparisons(), m_theme, this);
     m_runsButton = addButton("runsButton", *m_commands.chooseRun, {32, 28}, &Tokens::ink2);
     addSpace(6);
     m_speed = new SpeedButton(m_theme, this);
@@ -161,7 +161,7 @@ void TransportBar::showFrame()
         return;
     }
     if (const std::optional<std::int64_t> target = m_session.playback().goal()) {
-        detail = tr("going to %1… Esc stops").arg(*target);
+        detail = tr("going to %1… %2 stops").arg(QString::number(*target), keyText(RunCommands::cancelKey));
         brief = tr("going to %1…").arg(*target);
     }
     const auto dotted = [](const QString &text) { return text.isEmpty() ? text : tr("· %1").arg(text); };

@@ -56,7 +56,7 @@ bool ExperimentFiles::save(const QString &path)
     if (!attempt(m_notice, tr("Could not save the experiment: %1"), [&] { m_document.save(path); }))
         return false;
     addRecentFile(path);
-    emit messageRequested(tr("Saved as %1.").arg(shownPath(QFileInfo(path).fileName())));
+    m_session.showMessage(tr("Saved as %1.").arg(shownPath(QFileInfo(path).fileName())));
     return true;
 }
 
@@ -106,7 +106,7 @@ void ExperimentFiles::startNew()
 {
     const auto action = [this] {
         m_document.startNew();
-        emit messageRequested(tr("The step has its published state again."));
+        m_session.showMessage(tr("The step has its published state again."));
     };
     // Without a file nothing is lost, because undo brings the scene back.
     m_document.path().isEmpty() ? action() : unlessLost(action);
@@ -150,7 +150,7 @@ void ExperimentFiles::copyAsText()
                  [&] { line = experimentLine(m_session.experiment(), m_session.library()); }))
         return;
     QGuiApplication::clipboard()->setText(line);
-    emit messageRequested(
+    m_session.showMessage(
         tr("Copied: %n character(s), in one line.", nullptr, static_cast<int>(line.size())));
 }
 

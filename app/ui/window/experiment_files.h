@@ -54,8 +54,6 @@ public:
     bool opens(const std::function<void()> &action);
 
 signals:
-    /// A message for the status bar.
-    void messageRequested(const QString &sentence);
 
 private:
     void openRecent(const QString &path);

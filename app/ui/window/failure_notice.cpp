@@ -25,9 +25,9 @@ QString keyOf(const QString &label)
 
 }
 
-FailureNotice::FailureNotice(Session &session, const Theme &theme, QWidget *picture)
-    : QFrame(picture), m_session(session), m_theme(theme), m_search(session), m_text(new QLabel(this)),
-      m_hint(new QLabel(this)), m_buttons(new QWidget(this))
+FailureNotice::FailureNotice(const OpenRun &run, RunEditor &editor, const Theme &theme, QWidget *picture)
+    : QFrame(picture), m_run(run), m_editor(editor), m_theme(theme), m_search(run, editor),
+      m_text(new QLabel(this)), m_hint(new QLabel(this)), m_buttons(new QWidget(this))
 {
     setObjectName("stopNotice");
     m_text->setWordWrap(true);
@@ -57,8 +57,7 @@ void FailureNotice::refresh()
     setVisible(stop);
     if (!stop)
         return;
-    m_text->setText(m_session.timeline().stop() ? endSentence(m_session.timeline().track())
-                                                : sentenceFor(*stop));
+    m_text->setText(m_run.timeline().stop() ? endSentence(m_run.timeline().track()) : sentenceFor(*stop));
     setAccessibleName(m_text->text());
     const bool isEmpty = m_search.found().empty();
     m_hint->setVisible(isEmpty);
@@ -99,7 +98,7 @@ void FailureNotice::showRemedies()
 void FailureNotice::use(const sim::Remedy &remedy)
 {
     parentWidget()->setFocus(); // so that keys act on the run
-    m_session.editor().use(remedy);
+    m_editor.use(remedy);
 }
 
 void FailureNotice::place()

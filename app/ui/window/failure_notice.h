@@ -16,7 +16,7 @@ class FailureNotice : public QFrame
 
 public:
     /// The card lies at the top of `picture` and follows its size. All arguments must outlive it.
-    FailureNotice(Session &session, const Theme &theme, QWidget *picture);
+    FailureNotice(const OpenRun &run, RunEditor &editor, const Theme &theme, QWidget *picture);
 
     QString sentence() const;
     const RemedySearch &search() const { return m_search; }
@@ -31,7 +31,8 @@ private:
     void use(const sim::Remedy &remedy);
     void place();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
     const Theme &m_theme;
     RemedySearch m_search;
     QLabel *m_text;

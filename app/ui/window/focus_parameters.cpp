@@ -15,8 +15,9 @@ constexpr int refreshMilliseconds = 100;
 
 }
 
-FocusParameters::FocusParameters(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme)
+FocusParameters::FocusParameters(const OpenRun &run, RunEditor &editor, const Playback &playback,
+                                 const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_editor(editor), m_playback(playback), m_theme(theme)
 {
     setObjectName("focusParameters");
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
@@ -24,13 +25,13 @@ FocusParameters::FocusParameters(Session &session, const Theme &theme, QWidget *
     m_refreshTimer.setInterval(refreshMilliseconds);
     connect(&m_refreshTimer, &QTimer::timeout, this, &FocusParameters::refresh);
     const auto refreshSoon = [this] {
-        if (!m_session.playback().isPlaying())
+        if (!m_playback.isPlaying())
             refresh();
         else if (!m_refreshTimer.isActive())
             m_refreshTimer.start();
     };
-    session.onChange(ChangeKind::step, this, &FocusParameters::open);
-    session.onChange(ChangeKind::run | ChangeKind::cursor, this, refreshSoon);
+    run.onChange(ChangeKind::step, this, &FocusParameters::open);
+    run.onChange(ChangeKind::run | ChangeKind::cursor, this, refreshSoon);
     open();
 }
 
@@ -41,10 +42,11 @@ void FocusParameters::open()
         row->deleteLater(); // its own signal may have opened a step
     }
     m_rows.clear();
-    for (const lessons::Parameter *parameter : offeredParameters(m_session)) {
+    for (const lessons::Parameter *parameter : offeredParameters(m_run, m_editor)) {
         if (m_rows.size() == most)
             break;
-        m_rows.push_back(new ParameterRow(m_session, *parameter, m_theme, this, ParameterRow::Form::brief));
+        m_rows.push_back(
+            new ParameterRow(m_run, m_editor, *parameter, m_theme, this, ParameterRow::Form::brief));
         m_rows.back()->setColumns(m_rows.back()->wantedLabelWidth(), 0);
     }
     updateGeometry();

@@ -10,7 +10,9 @@
 namespace app {
 
 class ParameterRow;
-class Session;
+class OpenRun;
+class Playback;
+class RunEditor;
 
 /// The first parameters of a step in a bar, as many as fit.
 class FocusParameters : public QWidget
@@ -20,7 +22,8 @@ class FocusParameters : public QWidget
 public:
     static constexpr std::size_t most = 3;
 
-    FocusParameters(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    FocusParameters(const OpenRun &run, RunEditor &editor, const Playback &playback, const Theme &theme,
+                    QWidget *parent = nullptr);
 
     /// Returns the rows of the first parameters, including those that do not fit.
     const std::vector<ParameterRow *> &rows() const { return m_rows; }
@@ -36,7 +39,9 @@ private:
     void refresh();
     void fit();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
+    const Playback &m_playback;
     const Theme &m_theme;
     std::vector<ParameterRow *> m_rows;
     QTimer m_refreshTimer; ///< limits how often numbers change while the run plays

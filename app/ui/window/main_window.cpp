@@ -9,9 +9,7 @@
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/branches/branches_panel.h"
 #include "app/ui/code/code_pages.h"
-#include "app/ui/code/code_panel.h"
-#include "app/ui/code/listing_editor.h"
-#include "app/ui/code/listing_panel.h"
+#include "app/ui/code/rule_panel.h"
 #include "app/ui/dialogs/notice.h"
 #include "app/ui/dialogs/recovery_prompt.h"
 #include "app/ui/dock/arrange_menu.h"
@@ -76,9 +74,9 @@ void followCover(const QDockWidget &dock, Content *content)
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, CostFunction cost,
                        QWidget *parent)
     : QMainWindow(parent), m_session(session), m_theme(theme), m_commands(*this, session), m_layout(*this),
-      m_visit(session), m_measures(new MeasureSeries(session, this)),
-      m_study(new AccuracyStudy(session, std::move(study), m_measuringThread, this)),
-      m_stability(new StabilityMonitor(session, this)),
+      m_visit(session), m_measures(new MeasureSeries(session.run(), this)),
+      m_study(new AccuracyStudy(session.run(), session.editor(), std::move(study), m_measuringThread, this)),
+      m_stability(new StabilityMonitor(session.run(), session.editor(), session.preview(), this)),
       m_centre(new SceneColumn(session, *m_measures, m_commands.run, theme, this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
@@ -99,7 +97,8 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     makeFiles();
     connectCommands();
     makeMenus();
-    setStatusBar(new StatusLine(m_session, *m_study, *m_stability, m_gauge, this));
+    setStatusBar(new StatusLine(m_session.run(), m_session.playback(), m_session.preview(), m_commands.run,
+                                *m_study, *m_stability, m_gauge, this));
     if (!m_place.restore())
         resize(1280, 800);
     m_layouts->restoreAtStart();
@@ -111,21 +110,22 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
 MainWindow::~MainWindow()
 {
     qApp->disconnect(this);
-    m_code->disconnect(this); // it hides after the commands have been deleted
 }
 
 void MainWindow::makeDocks(CostFunction cost)
 {
     m_learn = new LearnPanel(m_session, m_theme, this);
-    m_accuracy = new AccuracyPanel(*m_study, m_theme, this);
-    m_energy = new EnergyPanel(m_session, m_theme, this);
+    m_learn->setKeys(m_commands.view.lessonRail->shortcut(), m_commands.run.previousStep->shortcut(),
+                     m_commands.run.nextStep->shortcut());
+    m_accuracy = new AccuracyPanel(*m_study, m_session.preview(), m_theme, this);
+    m_energy = new EnergyPanel(m_session.run(), m_session.playback(), m_session.preview(), m_theme, this);
     m_effects = new EffectsPanel(m_session, m_theme, std::move(cost), m_measuringThread, this);
     m_branches = new BranchesPanel(m_session, m_theme, this);
     m_code = new CodePages(m_session, m_theme, this);
     m_plots = new PlotsPanel(m_session, m_theme, this);
     m_numbers = new NumbersPanel(m_session, *m_measures, m_theme, this);
-    m_gauge = new StabilityGauge(*m_stability, m_theme, this);
-    m_stabilityPanel = new StabilityPanel(*m_stability, m_theme, this);
+    m_gauge = new StabilityGauge(*m_stability, *m_commands.view.stability, m_theme, this);
+    m_stabilityPanel = new StabilityPanel(*m_stability, *m_commands.view.stability, m_theme, this);
     auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
     codeTitle->setCaption(m_code->caption());
     codeTitle->addTabs(m_code->titleTabs());
@@ -161,9 +161,11 @@ void MainWindow::connectPanels()
     followCover(docks[Panel::branches], m_branches);
     followCover(docks[Panel::plots], m_plots);
     Notice *notice = &m_centre->notice();
-    connect(&m_code->engine(), &CodePanel::messageRequested, &m_session, &Session::showMessage);
-    connectListing();
-    connect(m_plots, &PlotsPanel::messageRequested, &m_session, &Session::showMessage);
+    m_code->attach(m_centre->scene(), m_commands.run);
+    connect(&m_learn->narration(), &Narration::listingRequested, this, [this](int line) {
+        m_layout.docks.show(Panel::code, true);
+        m_code->writeAt(line);
+    });
     connect(m_plots, &PlotsPanel::failed, notice, &Notice::showMessage);
     for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports(), &m_branches->exports(),
                                       &m_stabilityPanel->exports()}) {
@@ -173,7 +175,8 @@ void MainWindow::connectPanels()
     const auto compare = [this] { showBranches(true); };
     connect(&m_centre->transport().runs(), &RunsMenu::compareWanted, this, compare);
     connect(&m_centre->timeline(), &TimelineStrip::compareWanted, this, compare);
-    connectPreviews(m_session, {*m_centre, *m_plots, *m_energy, *m_branches, *m_accuracy});
+    connectPreviews(m_session.run(), m_session.preview(),
+                    {*m_centre, *m_plots, *m_energy, *m_branches, *m_accuracy});
     connect(qApp, &QApplication::focusChanged, this, [this](const QWidget *before, const QWidget *now) {
         // Qt passes the focus of a widget that was hidden to the next one, which Space would press.
         if (before && now && before->window() == this && now->window() == this && !before->isVisible())
@@ -181,32 +184,11 @@ void MainWindow::connectPanels()
     });
 }
 
-void MainWindow::connectListing()
-{
-    const ListingPanel &listing = m_code->listing();
-    SceneView *scene = &m_centre->scene();
-    connect(&listing, &ListingPanel::messageRequested, &m_session, &Session::showMessage);
-    connect(&listing, &ListingPanel::vectorPointedAt, scene, &SceneView::setVector);
-    connect(&listing, &ListingPanel::left, scene, qOverload<>(&QWidget::setFocus));
-    connect(scene, &SceneView::bodyPointedAt, &listing, &ListingPanel::setPointedBody);
-    const auto followPage = [this] { m_commands.run.setStepBy(m_code->stepBy()); };
-    connect(m_code, &CodePages::stepByChanged, this, followPage);
-    followPage();
-    connect(&m_learn->narration(), &Narration::listingRequested, this, [this](int line) {
-        m_layout.docks.show(Panel::code, true);
-        m_code->choose(CodePages::Page::listing);
-        ListingEditor &editor = m_code->listing().editor();
-        editor.setFocus(Qt::OtherFocusReason);
-        const QString text = editor.text(line - 1); // with its line break
-        editor.setCursorPosition(line - 1, static_cast<int>(text.size()) - 1);
-    });
-}
-
 void MainWindow::makeLayouts()
 {
     const auto fitHeights = [this] { m_sizes.fitHeights(); };
-    m_rail =
-        std::make_unique<RailChoice>(m_layout, *m_learn, m_session, m_sizes, *m_commands.view.lessonRail);
+    m_rail = std::make_unique<RailChoice>(m_layout, *m_learn, m_session.run(), m_sizes,
+                                          *m_commands.view.lessonRail);
     m_fitter = std::make_unique<DockFitter>(m_layout, *m_learn, m_centre->scene());
     m_stabilityDock = std::make_unique<StabilityDock>(m_layout, m_sizes);
     m_layouts = std::make_unique<WindowLayouts>(m_layout, *m_fitter, m_sizes, m_plotsDock, *m_rail);
@@ -240,10 +222,17 @@ void MainWindow::makeSandbox()
     new SceneBuilder(m_session, *editor, *guide, m_centre->scene(), m_theme); // owned by the scene
     m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
     m_centre->bar().addTool(*m_sandbox->take);
-    m_build = new BuildPanel(m_session, *editor, *guide, m_sandbox->tools(), m_theme, this);
+    m_build = new BuildPanel(m_session, *editor, *guide, *m_sandbox, m_commands, m_theme, this);
     m_leftPages = new LeftPages(m_learn, m_build, this);
     m_layout.docks[Panel::lessons].setWidget(m_leftPages);
     connect(m_build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
+    m_code->rule().addCommand(*m_sandbox->tools().back());
+    m_code->rule().addCommand(*m_sandbox->linkChosen);
+    connect(m_sandbox->rule, &QAction::triggered, this, [this] {
+        m_layout.docks.show(Panel::code, true);
+        m_code->choose(CodePages::Page::rule);
+        m_code->rule().setFocus(Qt::ShortcutFocusReason);
+    });
     connect(editor, &SandboxEditor::changed, this, &MainWindow::followSandbox);
     m_session.onChange(ChangeKind::step, this, &MainWindow::followSandbox);
     followSandbox();
@@ -263,11 +252,12 @@ void MainWindow::followSandbox()
 void MainWindow::makeFiles()
 {
     m_files = std::make_unique<ExperimentFiles>(m_session, m_centre->notice(), *this);
-    m_recovery = std::make_unique<RecoveryPrompt>(m_session, *m_files, m_centre->notice(), m_theme);
+    m_recovery =
+        std::make_unique<RecoveryPrompt>(m_session.run(), m_session.playback(), m_session.comparisons(),
+                                         *m_files, m_centre->notice(), m_theme);
     m_help = std::make_unique<HelpPages>(m_session, m_commands.list, m_learn->glossary(), m_theme, *this);
     m_export =
         std::make_unique<SceneExport>(m_session, m_centre->scene(), m_centre->notice(), m_theme, *this);
-    connect(m_files.get(), &ExperimentFiles::messageRequested, &m_session, &Session::showMessage);
     connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::updateTitle);
     m_session.onChange(ChangeKind::step | ChangeKind::texts, this, &MainWindow::updateTitle);
     m_session.onChange(ChangeKind::step, this, [this] { LastStep::store(m_session); });
@@ -431,7 +421,8 @@ void MainWindow::startTour()
     m_learn->setForm(LearnPanel::Form::whole);
     if (!m_tour) {
         m_tour =
-            new Tour(tourStops(*this, *m_centre, *m_learn, *m_code, m_numbers->parameters()), m_theme, this);
+            new Tour(tourStops(*this, *m_centre, *m_learn, *m_code, m_numbers->parameters(), m_commands.run),
+                     m_theme, this);
         connect(m_tour, &Tour::ended, &m_centre->scene(), qOverload<>(&QWidget::setFocus));
     }
     m_tour->start();

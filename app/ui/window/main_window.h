@@ -120,7 +120,6 @@ private:
     void makeMenus();
     void makeFiles();
     void connectPanels();
-    void connectListing();
     void connectCommands();
     void setSceneOnly(bool isOn);
     /// Shows the lessons or the tools of the sandbox, and chooses the mode to match.

@@ -42,6 +42,7 @@ public:
         menu->addAction(sandbox.take);
         menu->addSeparator();
         menu->addActions({sandbox.deleteChosen, sandbox.duplicateChosen, sandbox.chooseAll});
+        menu->addActions({sandbox.rule, sandbox.linkChosen});
     }
 
     void addRun(const RunCommands &run, QMenu *otherRuns) const

@@ -5,9 +5,10 @@ namespace app {
 class AccuracyPanel;
 class BranchesPanel;
 class EnergyPanel;
+class OpenRun;
 class PlotsPanel;
+class Preview;
 class SceneColumn;
-class Session;
 
 /// The parts of the window that preview a moment while the mouse points at it, or mark a moment that another part
 /// previews.
@@ -21,6 +22,6 @@ struct PreviewParts
 };
 
 /// Connects the parts, so that all show the moment that the mouse points at in one of them.
-void connectPreviews(Session &session, const PreviewParts &parts);
+void connectPreviews(const OpenRun &run, Preview &preview, const PreviewParts &parts);
 
 }

@@ -1,6 +1,7 @@
 #include "app/ui/window/scene_card.h"
 
 #include "app/model/session/session.h"
+#include "app/ui/actions/command.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/scene/hud/free_area.h"
 #include "app/ui/scene/scene_view.h"
@@ -31,9 +32,9 @@ QString firstSentence(const QString &text)
 
 }
 
-SceneCard::SceneCard(Session &session, const Theme &theme, SceneView &scene)
-    : QFrame(&scene), m_session(session), m_theme(theme), m_scene(scene), m_title(new QLabel(this)),
-      m_text(new QLabel(this))
+SceneCard::SceneCard(Session &session, const Command &nextStep, const Theme &theme, SceneView &scene)
+    : QFrame(&scene), m_session(session), m_nextKeys(nextStep.shortcut()), m_theme(theme), m_scene(scene),
+      m_title(new QLabel(this)), m_text(new QLabel(this))
 {
     setObjectName("sceneCard");
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -72,8 +73,9 @@ QString SceneCard::sentence() const
     }
     if (step.tries.empty())
         return firstSentence(plainText(step.narration));
-    return m_session.following() ? tr("Done! You have tried everything here. Page Down opens the next step.")
-                                 : tr("Done! You have tried everything here.");
+    return m_session.following()
+               ? tr("Done! You have tried everything here. %1 opens the next step.").arg(keyText(m_nextKeys))
+               : tr("Done! You have tried everything here.");
 }
 
 void SceneCard::refresh()

@@ -3,12 +3,14 @@
 #include "app/ui/theme/theme.h"
 
 #include <QFrame>
+#include <QKeySequence>
 
 class QLabel;
 
 namespace app {
 
 class SceneView;
+class Command;
 class Session;
 
 /// A card over the scene, for a window without panels: the step and the next thing to try. The mouse goes through it.
@@ -17,7 +19,8 @@ class SceneCard : public QFrame
     Q_OBJECT
 
 public:
-    SceneCard(Session &session, const Theme &theme, SceneView &scene);
+    /// All arguments must outlive it.
+    SceneCard(Session &session, const Command &nextStep, const Theme &theme, SceneView &scene);
 
     /// Returns the next thing to try, or that all are done and how to go on.
     QString sentence() const;
@@ -33,6 +36,7 @@ private:
     void place();
 
     Session &m_session;
+    const QKeySequence m_nextKeys; ///< that open the next step
     const Theme &m_theme;
     SceneView &m_scene;
     QLabel *m_title;

@@ -19,12 +19,15 @@ namespace app {
 
 SceneColumn::SceneColumn(Session &session, MeasureSeries &measures, const RunCommands &commands,
                          const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_notice(new Notice(theme, this)),
-      m_bar(new SceneBar(session, theme, this)), m_scene(new SceneView(session, theme, this)),
-      m_failure(new FailureNotice(session, theme, m_scene)),
+    : QWidget(parent), m_session(session), m_commands(commands), m_theme(theme),
+      m_notice(new Notice(theme, this)),
+      m_bar(new SceneBar(session.run(), session.editor(), session.code(), theme, this)),
+      m_scene(new SceneView(session, theme, this)),
+      m_failure(new FailureNotice(session.run(), session.editor(), theme, m_scene)),
       m_transport(new TransportBar(session, commands, theme, this)),
       m_timeline(new TimelineStrip(session, theme, this)),
-      m_footfall(new FootfallStrip(session, measures, *m_timeline, theme, this)),
+      m_footfall(new FootfallStrip(session.run(), session.playback(), session.preview(), measures,
+                                   *m_timeline, theme, this)),
       m_column(new QVBoxLayout(this))
 {
     setObjectName("panel");
@@ -48,9 +51,10 @@ void SceneColumn::showAlone()
     m_footfall->setMaximumHeight(0); // it belongs under the timeline, which moves
     m_transport->insertMiddle(m_timeline);
     m_timeline->setForm(TimelineStrip::Form::trackOnly);
-    m_bar->setMiddle(new FocusParameters(m_session, m_theme, m_bar));
+    m_bar->setMiddle(
+        new FocusParameters(m_session.run(), m_session.editor(), m_session.playback(), m_theme, m_bar));
     if (!m_card)
-        m_card = new SceneCard(m_session, m_theme, *m_scene);
+        m_card = new SceneCard(m_session, *m_commands.nextStep, m_theme, *m_scene);
     m_card->show();
     m_scene->setFocus();
 }

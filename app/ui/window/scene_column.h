@@ -45,6 +45,7 @@ public:
 
 private:
     Session &m_session;
+    const RunCommands &m_commands;
     const Theme &m_theme;
     Notice *m_notice;
     SceneBar *m_bar;

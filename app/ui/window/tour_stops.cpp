@@ -1,5 +1,7 @@
 #include "app/ui/window/tour_stops.h"
 
+#include "app/ui/actions/command.h"
+#include "app/ui/actions/run_commands.h"
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/scene/scene_view.h"
@@ -10,7 +12,8 @@
 namespace app {
 
 std::vector<TourStop> tourStops(const QWidget &window, const SceneColumn &centre, const LearnPanel &learn,
-                                const QWidget &code, const ParameterPanel &parameters)
+                                const QWidget &code, const ParameterPanel &parameters,
+                                const RunCommands &commands)
 {
     const auto whole = [&window](const QWidget &widget) {
         return [&window, &widget] { return QRect(widget.mapTo(&window, QPoint()), widget.size()); };
@@ -20,21 +23,23 @@ std::vector<TourStop> tourStops(const QWidget &window, const SceneColumn &centre
         return QRect(timeline.mapTo(&window, QPoint()), QSize(timeline.width(), timeline.height() / 2));
     };
     const auto lowerHalf = [upperHalf] { return upperHalf().translated(0, upperHalf().height()); };
+    const auto keys = [](const Command *command) { return keyText(command->shortcut()); };
     const QWidget *tries = learn.findChild<QWidget *>("tries");
     return {
         {Tour::tr("The picture"),
          Tour::tr("This is the scene of the lesson. Drag anything in it. Let go while moving to throw it."),
          whole(centre.scene())},
         {Tour::tr("Play and stop"),
-         Tour::tr("**Space** plays and stops the run. **→** goes one frame forward, **←** one frame back."),
+         Tour::tr("**%1** plays and stops the run. **%2** goes one frame forward, **%3** one frame back.")
+             .arg(keys(commands.play), keys(commands.frameForward), keys(commands.frameBack)),
          whole(centre.transport())},
         {Tour::tr("The whole run is kept"),
          Tour::tr("Drag here to go back in time. Change something there, and the old run stays as a ghost."),
          upperHalf},
         {Tour::tr("Inside a frame"),
-         Tour::tr("**Shift+→** runs one line of the code, and **Shift+←** takes it back. On the code's page "
-                  "**Engine** they go from phase to phase: springs pull, damping takes its share, things "
-                  "move."),
+         Tour::tr("**%1** runs one line of the code, and **%2** takes it back. On the code's page **Engine** "
+                  "they go from phase to phase: springs pull, damping takes its share, things move.")
+             .arg(keys(commands.phaseForward), keys(commands.phaseBack)),
          lowerHalf},
         {Tour::tr("The code that runs"),
          Tour::tr("These lines compute the scene. Beside them are the current values. Change a line, and the "

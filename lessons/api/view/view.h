@@ -44,6 +44,13 @@ struct StickView
     double width = 3.0;  ///< px
 };
 
+/// A link along which the learner's rule acts, drawn as a thin line.
+struct RuleLinkView
+{
+    int a = 0;
+    int b = 0;
+};
+
 /// A spring, drawn as a zigzag from point `a` to point `b` plus the offset `at`.
 struct SpringView
 {
@@ -119,6 +126,7 @@ struct View
     bool showsVelocities = false;
     bool showsOnionSkins = false;
     std::vector<SheetView> sheets;
+    std::vector<RuleLinkView> ruleLinks;
 };
 
 /// A thin explanatory drawing over the scene, computed for each state.

@@ -25,6 +25,7 @@ private slots:
     void badUseIsOneSentenceAndCodeTwo_data();
     void badUseIsOneSentenceAndCodeTwo();
     void aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo();
+    void codeThatStopsARunIsNamedWithItsLine();
     void interruptedItLeavesNoHalfFile_data();
     void interruptedItLeavesNoHalfFile();
 
@@ -124,6 +125,20 @@ void FilmCliTest::aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo()
     QCOMPARE(answer.err, trace.err);
     QCOMPARE(there("d_*").size(), 5);
     QVERIFY(QFile::exists(out(qPrintable(QString("d_%1.png").arg(last)))));
+}
+
+void FilmCliTest::codeThatStopsARunIsNamedWithItsLine()
+{
+    const QString from =
+        file("\"method\": \"listing\", \"code\": \"void frame()\\n{\\n    body.position.x += "
+             "1 / (6 - frame_number);\\n}\\n\", \"frames\": 20");
+    const Answer answer = springstep({"film", from, out("f_%d.png"), "--size", "200x150"});
+    QCOMPARE(answer.code, 1);
+    QVERIFY2(isOneLine(answer.err) && answer.err.contains("frame 5") &&
+                 answer.err.contains("Line 3 of your code"),
+             qPrintable(answer.err));
+    QCOMPARE(answer.err, springstep({"trace", from}).err);
+    QCOMPARE(there("f_*").size(), 6);
 }
 
 void FilmCliTest::interruptedItLeavesNoHalfFile_data()

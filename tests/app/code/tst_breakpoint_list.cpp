@@ -90,7 +90,7 @@ private slots:
         QTest::keyClick(&shown.view(), Qt::Key_F9);
         QVERIFY(shown.all().empty());
         shown.view().showPlace(shown.view().placeOf(shown.row("Scene scene")));
-        QSignalSpy said(shown.panel, &CodePanel::messageRequested);
+        QSignalSpy said(&shown.session.changes(), &ChangeNotifier::messageRequested);
         QTest::keyClick(&shown.view(), Qt::Key_F9);
         QVERIFY(shown.all().empty());
         QVERIFY(said[0][0].toString().contains("before the first frame"));

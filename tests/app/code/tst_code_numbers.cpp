@@ -90,7 +90,7 @@ private slots:
     {
         QFETCH(bool, keyboard);
         SteeringFixture shown;
-        QSignalSpy said(shown.panel, &CodePanel::messageRequested);
+        QSignalSpy said(&shown.session.changes(), &ChangeNotifier::messageRequested);
         const QPoint there = shown.middleOf("gravity = values", "values");
         if (keyboard) {
             shown.goToRow("gravity = values");

@@ -244,7 +244,7 @@ private slots:
         const LessonEntry &first = library().lessons.front();
         CodeFixture shown(first.id, first.steps.front().id);
         QVERIFY(shown.button("removed")->isHidden());
-        QSignalSpy said(shown.panel, &CodePanel::messageRequested);
+        QSignalSpy said(&shown.session.changes(), &ChangeNotifier::messageRequested);
         QTest::keyClick(&shown.view(), Qt::Key_F8);
         QCOMPARE(said.size(), 1);
         QCOMPARE(shown.view().gone(), Gone::hidden);

@@ -53,7 +53,7 @@ private slots:
     void aLineThatNoPhaseHasSaysSo()
     {
         SteeringFixture shown;
-        QSignalSpy said(shown.panel, &CodePanel::messageRequested);
+        QSignalSpy said(&shown.session.changes(), &ChangeNotifier::messageRequested);
         shown.goToRow("Scene scene");
         shown.key(Qt::Key_Return);
         QCOMPARE(said.count(), 1);

@@ -70,6 +70,7 @@ private slots:
     void aFilmIsAsWideAsIsTypedAndKeepsItsShape();
     void aFilmCanHaveTheShapeOfTheScene();
     void aFilmThatIsStoppedLeavesNoFile();
+    void theLineOfTheCodeThatEndsAFilmIsNamed();
     void aFilmThatIsThereIsWrittenOverWhenThatIsWanted();
     void picturesThatAreThereAreAskedAboutToo();
     void aFolderThatIsNotThereIsSaid();
@@ -160,6 +161,27 @@ void ExportTest::aFilmCanHaveTheShapeOfTheScene()
     const QSize scene = fixture.view.viewport()->size();
     size.width().setValue(scene.width());
     QCOMPARE(size.size(), scene);
+}
+
+void ExportTest::theLineOfTheCodeThatEndsAFilmIsNamed()
+{
+    WindowFixture fixture;
+    QString code = fixture.session.code().text();
+    const int line = static_cast<int>(code.section("foot.position +=", 0, 0).count('\n')) + 1;
+    code.replace("foot.position += foot.velocity;", "foot.position += foot.velocity / (5 - frame_number);");
+    fixture.session.code().write(code);
+    fixture.goTo(4);
+    FilmDialog &dialog = openDialog(fixture);
+    boxOf(dialog, "Last frame").setValue(20);
+    QLineEdit &file = fileOf(dialog);
+    file.selectAll();
+    QTest::keyClicks(&file, m_folder.filePath("ends.gif"));
+    QTest::keyClick(&file, Qt::Key_Return);
+    QTRY_VERIFY(!dialog.isMaking());
+    QVERIFY2(dialog.message().startsWith("ends.gif is saved") && dialog.message().contains("frame 4") &&
+                 dialog.message().contains(QString("Line %1 of your code").arg(line)),
+             qPrintable(dialog.message()));
+    QCOMPARE(decoded(m_folder.filePath("ends.gif")).pictures.size(), std::size_t(5));
 }
 
 void ExportTest::aFilmThatIsStoppedLeavesNoFile()

@@ -14,6 +14,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 
 using namespace app;
 using namespace support;
@@ -97,6 +98,10 @@ private slots:
     void eachNearMissIsToldApart();
     void anyRightFormulationPasses_data();
     void anyRightFormulationPasses();
+    void theTrialRunsVaryChoicesAndWholeNumbers_data() { addTaskRows(); }
+    void theTrialRunsVaryChoicesAndWholeNumbers();
+    void codeThatIgnoresAParameterIsNotRight_data();
+    void codeThatIgnoresAParameterIsNotRight();
     void theTrialRunsMoveBodies_data() { addTaskRows(); }
     void theTrialRunsMoveBodies();
     void anotherMistakeIsWrongAtItsFrameAndBody();
@@ -412,7 +417,7 @@ void frame()
         if (foot.position.y <= ground)
             continue;
         foot.position.y = ground;
-        foot.velocity = Vec2(0, -bounce * foot.velocity.y);
+        foot.velocity = Vec2(traction == 0 ? 0.0 : foot.velocity.x, -bounce * foot.velocity.y);
     }
     if (!body.held)
         go(body);
@@ -530,6 +535,57 @@ void CodeJudgeTest::anyRightFormulationPasses()
     QVERIFY(!row.task.id.isEmpty());
     const Verdict verdict = row.judged(code);
     QVERIFY2(verdict.kind == Verdict::Kind::right, qPrintable(described(verdict, row.task)));
+}
+
+void CodeJudgeTest::theTrialRunsVaryChoicesAndWholeNumbers()
+{
+    const auto [step, task] = assignmentOfRow();
+    const std::vector<sim::Script> scripts = judgeScripts(step);
+    for (const lessons::Parameter &parameter : step.parameters) {
+        QList<double> tried;
+        for (const sim::Script &script : scripts) {
+            const double value = script.values[parameter.id.toStdString()];
+            QVERIFY(value >= parameter.min && value <= parameter.max);
+            if (!tried.contains(value))
+                tried << value;
+        }
+        QVERIFY(tried.contains(parameter.defaultValue));
+        const qsizetype choices = parameter.choices.size();
+        if (!parameter.isInteger)
+            continue;
+        QCOMPARE(tried.size(), choices == 0 ? 3 : std::min<qsizetype>(3, choices));
+        for (const double value : tried)
+            QCOMPARE(value, std::round(value));
+    }
+}
+
+void CodeJudgeTest::codeThatIgnoresAParameterIsNotRight_data()
+{
+    addTaskColumns();
+    QTest::addColumn<QString>("code");
+    QTest::newRow("traction") << "walking_gait"
+                              << "ground"
+                              << "ground"
+                              << R"(if (me != body && me.position.y > ground)
+{
+    me.position.y = ground;
+    me.velocity.y *= -bounce;
+    me.velocity.x = 0;
+})";
+    QTest::newRow("feet") << "multi_foot"
+                          << "any_number"
+                          << "loop"
+                          << "for (int i = 0; i < min(5, feet.count); i++)\n"
+                             "    body.velocity += pull(body, feet[i]);";
+}
+
+void CodeJudgeTest::codeThatIgnoresAParameterIsNotRight()
+{
+    QFETCH(QString, code);
+    const Assignment row = assignmentOfRow();
+    const Verdict verdict = row.judged(code);
+    QVERIFY2(verdict.kind == Verdict::Kind::wrong || verdict.kind == Verdict::Kind::nearMiss,
+             qPrintable(described(verdict, row.task)));
 }
 
 void CodeJudgeTest::theTrialRunsMoveBodies()

@@ -3,14 +3,20 @@
 #include "app/model/listing/learner_code.h"
 #include "app/model/listing/task_desk.h"
 #include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/lesson_list.h"
+#include "app/ui/learn/lesson_model.h"
 #include "app/ui/learn/narration.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/task_box.h"
+#include "app/ui/learn/try_box.h"
 #include "app/ui/learn/why_box.h"
 #include "lessons/api/listing.h"
 #include "tests/app/support/panel_fixture.h"
+#include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
@@ -60,6 +66,38 @@ struct DeskFixture : SessionFixture
 
     TaskDesk desk{session};
 };
+
+/// Windows of 1280 x 800 px: with text of 100 % and of 125 %.
+void addWindows()
+{
+    QTest::addColumn<QSize>("size");
+    QTest::addColumn<QString>("language");
+    QTest::newRow("English") << QSize(1280, 800) << "en";
+    QTest::newRow("German") << QSize(1280, 800) << "de";
+    QTest::newRow("English, large text") << QSize(1024, 640) << "en";
+    QTest::newRow("German, large text") << QSize(1024, 640) << "de";
+}
+
+/// Checks that these buttons of a task are whole and in view.
+void checkButtons(const TaskBox &box, const QStringList &names)
+{
+    for (const QString &name : names) {
+        const auto *button = box.findChild<QToolButton *>(name);
+        QVERIFY2(button->isVisible(), qPrintable(name));
+        QCOMPARE(button->visibleRegion().boundingRect(), button->rect());
+        QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
+    }
+}
+
+/// Scrolls the text so that `y` px of the box are above its upper edge.
+void scrollTo(const TaskBox &box, int y)
+{
+    const QWidget *above = box.parentWidget();
+    while (!qobject_cast<const QScrollArea *>(above))
+        above = above->parentWidget();
+    qobject_cast<const QScrollArea *>(above)->verticalScrollBar()->setValue(box.y() + y);
+    settle();
+}
 
 struct TaskPanelFixture : PanelFixture<LearnPanel>
 {
@@ -111,10 +149,17 @@ private slots:
     void theSolutionTicksNothing();
     void typingTheListingsOwnLineTicks();
     void hintsComeOneByOne();
+    void everyJudgementSaysThatItIsAtWork();
+    void aTaskCountsForTheStep();
     void aTaskWaitsWhileAnotherStepIsOpen();
     void theWholeFrameBeginsWithAnEmptyFunction();
     void tasksAreUnfoldedAndStartedWithTheMouse();
     void thePanelShowsWhatIsWrongAndThenTheTick();
+    void theStepIsTickedInTheListOfLessons();
+    void theButtonsOfATaskStayInView_data();
+    void theButtonsOfATaskStayInView();
+    void nothingIsCutOffInASmallWindow_data();
+    void nothingIsCutOffInASmallWindow();
 };
 
 void CodeTasksTest::aListingHidesTheMarkersOfItsGaps()
@@ -148,8 +193,7 @@ void CodeTasksTest::aGapIsReplacedWithItsIndentation()
              QString("void frame()\n{\n    // First\n    // and second\n    foot.position += "
                      "foot.velocity;\n}\n"));
     task.comment = "A comment that is too long for a narrow panel is broken between two words.";
-    QVERIFY(listing.emptied(task).contains(
-        "    // A comment that is too long for a narrow panel is\n    // broken"));
+    QVERIFY(listing.emptied(task).contains("    // A comment that is too long for a\n    // narrow panel"));
 }
 
 void CodeTasksTest::wrongMarkersAreRejected_data()
@@ -190,7 +234,7 @@ void CodeTasksTest::startingEmptiesThePlace()
     QVERIFY(!world.desk.task());
     world.desk.start("pull");
     QCOMPARE(world.desk.task(), &world.pull());
-    QCOMPARE(world.session.code().text(), world.with("// " + world.pull().comment));
+    QCOMPARE(world.session.code().text(), world.session.step().listing.emptied(world.pull()));
     QVERIFY(world.desk.sentence().isEmpty());
     QVERIFY(!world.desk.verdict());
     world.desk.start("no such task");
@@ -309,6 +353,45 @@ void CodeTasksTest::hintsComeOneByOne()
     QCOMPARE(world.desk.hintsShown(), 0);
 }
 
+void CodeTasksTest::everyJudgementSaysThatItIsAtWork()
+{
+    DeskFixture world;
+    world.desk.start("pull");
+    for (const char *code :
+         {"foot.velocity -= (centre - foot.position) * k;", rightPull, "foot.velocity.x += 1;"}) {
+        world.session.code().write(world.with(code));
+        QVERIFY(world.desk.isJudging());
+        QVERIFY(!world.desk.verdict());
+        QVERIFY2(world.desk.sentence().startsWith("Trying your code"), qPrintable(world.desk.sentence()));
+        world.waitForJudge();
+        QVERIFY(!world.desk.sentence().startsWith("Trying your code"));
+    }
+}
+
+void CodeTasksTest::aTaskCountsForTheStep()
+{
+    DeskFixture world;
+    const lessons::Step &step = world.session.step();
+    const auto isDone = [&] { return world.session.isStepDone(world.session.lesson(), step); };
+    QVERIFY(!step.tries.empty());
+    // A file of progress from before there were tasks.
+    QStringList ticks;
+    for (int i = 0; i < static_cast<int>(step.tries.size()); ++i)
+        ticks << QString("single_spring/fixed_centre/%1").arg(i);
+    world.session.progress().giveBack(ticks);
+    QVERIFY(world.session.progress().isDone("single_spring", "fixed_centre", 0));
+    QVERIFY(!isDone());
+    world.desk.start("pull");
+    world.write(rightPull);
+    QVERIFY(isDone());
+    const Session restarted(world.library);
+    QVERIFY(restarted.isStepDone(*world.library.lesson("single_spring"), step));
+    const QStringList forgotten = world.session.progress().forgetLesson("single_spring");
+    QVERIFY(!isDone());
+    world.session.progress().giveBack(forgotten);
+    QVERIFY(isDone());
+}
+
 void CodeTasksTest::aTaskWaitsWhileAnotherStepIsOpen()
 {
     DeskFixture world;
@@ -346,8 +429,11 @@ void CodeTasksTest::tasksAreUnfoldedAndStartedWithTheMouse()
     QSignalSpy requests(&world.panel.narration(), &Narration::listingRequested);
     world.press("startTask");
     QCOMPARE(requests.count(), 1);
-    const QString text = world.session.code().text();
-    QVERIFY(text.split('\n')[requests[0][0].toInt() - 1].contains("// The spring pulls the foot"));
+    const QStringList lines = world.session.code().text().split('\n');
+    const int before = requests[0][0].toInt() - 1; // the second line of the comment, which is the last one
+    QCOMPARE(lines[before - 1].trimmed(), QString("// The spring pulls the foot towards the"));
+    QCOMPARE(lines[before].trimmed(), QString("// centre."));
+    QVERIFY(!lines[before + 1].contains("//"));
     QVERIFY(world.session.code().text() != world.session.step().listing.text);
     QVERIFY(!world.button("startTask").isVisible());
     world.press("taskHintButton");
@@ -374,6 +460,82 @@ void CodeTasksTest::thePanelShowsWhatIsWrongAndThenTheTick()
     QVERIFY(
         QTest::qWaitFor([&] { return world.box().findChild<WhyButton *>()->text().endsWith("✓"); }, 30'000));
     QVERIFY(world.texts("taskSentence").join("").startsWith("Right"));
+}
+
+void CodeTasksTest::theStepIsTickedInTheListOfLessons()
+{
+    TaskPanelFixture world;
+    const LessonModel &lessons = world.panel.findChild<LessonList *>()->lessons();
+    const QModelIndex row = lessons.openRow();
+    for (int i = 0; i < static_cast<int>(world.session.step().tries.size()); ++i)
+        world.session.progress().markDone("single_spring", "fixed_centre", i);
+    QVERIFY(!lessons.data(row, LessonModel::doneRole).toBool());
+    QCOMPARE(lessons.stepsDone(), 0);
+    world.session.progress().markWritten("single_spring", "fixed_centre", "pull");
+    QVERIFY(lessons.data(row, LessonModel::doneRole).toBool());
+    QCOMPARE(lessons.stepsDone(), 1);
+    QVERIFY(lessons.data(row, Qt::AccessibleTextRole).toString().contains(", done"));
+}
+
+void CodeTasksTest::theButtonsOfATaskStayInView_data()
+{
+    addWindows();
+}
+
+void CodeTasksTest::theButtonsOfATaskStayInView()
+{
+    QFETCH(QSize, size);
+    QFETCH(QString, language);
+    WindowFixture shown({.lesson = "walking_gait", .step = "ground", .size = size, .language = language});
+    shown.window.findChild<LearnPanel *>()->setForm(LearnPanel::Form::whole);
+    for (std::size_t i = 0; i < shown.session.step().codeTasks.size(); ++i) {
+        auto &narration = shown.part<Narration>();
+        TaskBox &box = *narration.findChildren<TaskBox *>()[static_cast<qsizetype>(i)];
+        settle();
+        QTest::mouseClick(box.findChild<WhyButton *>(), Qt::LeftButton);
+        settle();
+        checkButtons(box, {"startTask"});
+        QTest::mouseClick(box.findChild<QToolButton *>("startTask"), Qt::LeftButton);
+        settle();
+        checkButtons(box, {"taskHintButton", "taskSolution", "stopTask"});
+        for (int hint = 0; hint < 3; ++hint) {
+            QTest::mouseClick(box.findChild<QToolButton *>("taskHintButton"), Qt::LeftButton);
+            settle();
+            checkButtons(box, {"taskSolution", "stopTask"});
+        }
+        scrollTo(box, 0); // its title is at the top, its end is out of view
+        checkButtons(box, {"taskSolution", "stopTask"});
+        QTest::mouseClick(box.findChild<QToolButton *>("taskSolution"), Qt::LeftButton);
+        settle();
+        checkButtons(box, {"startTask", "stopTask"});
+        QTest::mouseClick(box.findChild<QToolButton *>("stopTask"), Qt::LeftButton);
+        settle();
+    }
+}
+
+void CodeTasksTest::nothingIsCutOffInASmallWindow_data()
+{
+    addWindows();
+}
+
+void CodeTasksTest::nothingIsCutOffInASmallWindow()
+{
+    QFETCH(QSize, size);
+    QFETCH(QString, language);
+    WindowFixture shown({.lesson = "walking_gait", .step = "ground", .size = size, .language = language});
+    shown.window.findChild<LearnPanel *>()->setForm(LearnPanel::Form::whole);
+    settle();
+    // Each thing to try has the height that its text needs.
+    const auto rows = shown.part<Narration>().findChildren<TryBox *>();
+    QCOMPARE(rows.size(), static_cast<qsizetype>(shown.session.step().tries.size()));
+    for (const TryBox *row : rows)
+        QVERIFY2(row->height() >= row->heightForWidth(row->width()), qPrintable(row->accessibleName()));
+    // The last one can be scrolled into view, if it is not there.
+    auto &area = *shown.part<Narration>().findChild<QScrollArea *>();
+    area.verticalScrollBar()->setValue(area.verticalScrollBar()->maximum());
+    settle();
+    QVERIFY(!rows.back()->visibleRegion().isEmpty());
+    QVERIFY(rows.back()->visibleRegion().boundingRect().bottom() >= rows.back()->height() - 1);
 }
 
 SUITE(tst_code_tasks, CodeTasksTest)

@@ -248,6 +248,74 @@ private slots:
         QVERIFY(conditionNames(session.step(), session.timeline()).variables.count("centre") == 1);
     }
 
+    void whatTheSceneRemembersHasValuesToo()
+    {
+        Opened opened("walking_gait", "steering");
+        Session &session = opened.session;
+        opened.goTo(3);
+        session.code().write(Opened::with(opened.listing(), "    gait += gait_speed;",
+                                          "    gait_speed = 0.25;\n    gait += gait_speed;"));
+        const double gait = session.timeline().state().gait[0];
+        QVERIFY(session.lines().runTo(opened.lineOf("gait += gait_speed;")));
+        QCOMPARE(chipAt(opened, "gait_speed = 0.25").text, QString("gait_speed = 0.25"));
+        const LineStepper::Shown before = session.lines().shown();
+        QVERIFY(before.frame->valueOf("gait", before.index) == listing::Value(gait));
+        opened.goTo(4);
+        QCOMPARE(chipAt(opened, "gait += gait_speed;").text,
+                 "gait = " + shownText(session.timeline().state().gait[0]));
+        QVERIFY(std::abs(session.timeline().state().gait[0] - gait - 0.25) < 1e-12);
+    }
+
+    void theGaitOfEachCreatureHasAValue()
+    {
+        Opened opened("walking_gait", "company");
+        Session &session = opened.session;
+        opened.goTo(5);
+        const LineStepper::Shown shown = session.lines().shown();
+        const Eigen::ArrayXd &gait = session.timeline().state().gait;
+        QCOMPARE(gait.rows(), 2);
+        for (int i = 0; i < 2; ++i) {
+            QVERIFY(shown.frame->valueOf(QString("creatures[%1].gait").arg(i), shown.index) ==
+                    listing::Value(gait[i]));
+            QVERIFY(shown.frame->valueOf(QString("creatures[%1].gait_speed").arg(i), shown.index) ==
+                    listing::Value(session.timeline().state().gaitSpeed[i]));
+        }
+        QVERIFY(chipAt(opened, "me.gait += me.gait_speed").text.startsWith("me.gait = "));
+        QVERIFY(!shown.frame->valueOf("gait", shown.index)); // no such name here
+    }
+
+    void theGustHasValues()
+    {
+        Opened opened("swaying_tree", "real_sway");
+        Session &session = opened.session;
+        sim::Script script = session.step().script();
+        script.input = {{2, sim::Pointer{{200, 200}, true}}, {5, sim::Pointer{{200, 200}, false}}};
+        session.open({"swaying_tree", "real_sway", 20, script, {}, {}});
+        opened.goTo(10);
+        const LineStepper::Shown shown = session.lines().shown();
+        const sim::GustExtent gust = session.timeline().state().gustExtent;
+        QVERIFY(gust.front > gust.tail && gust.tail > 0.0);
+        QVERIFY(shown.frame->valueOf("gust_front", shown.index) == listing::Value(gust.front));
+        QVERIFY(shown.frame->valueOf("gust_tail", shown.index) == listing::Value(gust.tail));
+        QCOMPARE(chipAt(opened, "gust_tail += gust_speed").text, "gust_tail = " + shownText(gust.tail));
+        QCOMPARE(chipAt(opened, "gust_front += gust_speed").text, "gust_front = " + shownText(gust.front));
+    }
+
+    void theTurbulenceOfTheInputHasAValue()
+    {
+        Opened opened("swaying_tree", "turbulence");
+        Session &session = opened.session;
+        sim::Script script = session.step().script();
+        script.input = {{5, sim::Gust{7.5}}}; // for the frame after the fourth
+        session.open({"swaying_tree", "turbulence", 20, script, {}, {}});
+        for (const int frame : {4, 5}) {
+            opened.goTo(frame);
+            const std::shared_ptr<const ListingFrame> next = session.lines().nextFrame();
+            QVERIFY(next->valueOf("gust_known", 0) == listing::Value(frame == 4));
+            QVERIFY(next->valueOf("gust", 0) == listing::Value(frame == 4 ? 7.5 : 0.0));
+        }
+    }
+
     void betweenTwoFramesTheValuesAreThoseOfTheLastOne()
     {
         Opened opened("single_spring", "radial");

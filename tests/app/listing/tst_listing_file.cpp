@@ -267,7 +267,7 @@ private slots:
         {
             Opened opened("single_spring", "radial");
             Document document(opened.session);
-            Autosave autosave(opened.session, document, folder.path());
+            Autosave autosave(opened.session.run(), opened.session.comparisons(), document, folder.path());
             QVERIFY(!document.isChanged());
             left = opened.listing() + "void half";
             opened.session.code().write(left);

@@ -338,7 +338,7 @@ private slots:
         session.comparisons().show(branch);
         QVERIFY(session.comparisons().isComputing());
         QVERIFY(!session.timeline().comparison());
-        QSignalSpy said(&session, &Session::messageRequested);
+        QSignalSpy said(&session.changes(), &ChangeNotifier::messageRequested);
         session.cancelComputing();
         QVERIFY(!session.comparisons().isComputing() && !session.comparisons().shown());
         QVERIFY(said.back().front().toString().contains("not shown"));

@@ -74,7 +74,8 @@ void ChangesTest::eachEditIsAnnouncedOnce()
     Session &session = fixture.session;
     prepare(session);
     std::vector<Change> changes;
-    connect(&session, &Session::changed, this, [&](const Change &change) { changes.push_back(change); });
+    connect(&session.changes(), &ChangeNotifier::changed, this,
+            [&](const Change &change) { changes.push_back(change); });
     edit(session);
     QCOMPARE(changes.size(), std::size_t(1));
     QCOMPARE(changes.front().firstFrame, firstFrame);
@@ -96,7 +97,7 @@ void ChangesTest::statesBeforeTheFirstChangedFrameKeepTheirBits()
     };
     const std::vector<sim::State> before = statesOf(session.timeline().script());
     std::int64_t firstFrame = Change::noFrame;
-    connect(&session, &Session::changed, this,
+    connect(&session.changes(), &ChangeNotifier::changed, this,
             [&](const Change &change) { firstFrame = std::min(firstFrame, change.firstFrame); });
     edit(session);
     if (session.step().id != step)
@@ -113,8 +114,8 @@ void ChangesTest::messagesComeAfterTheChangeTheyTellOf()
     tests::SessionFixture fixture;
     prepare(fixture.session);
     QStringList heard;
-    connect(&fixture.session, &Session::messageRequested, this, [&] { heard << "message"; });
-    connect(&fixture.session, &Session::changed, this, [&] { heard << "change"; });
+    connect(&fixture.session.changes(), &ChangeNotifier::messageRequested, this, [&] { heard << "message"; });
+    connect(&fixture.session.changes(), &ChangeNotifier::changed, this, [&] { heard << "change"; });
     fixture.session.editor().undo();
     QVERIFY(heard.size() >= 2);
     QCOMPARE(heard.front(), "change");

@@ -43,7 +43,7 @@ private slots:
         World world;
         world.fork(60, fork, "gravity", gravity);
         world.session.playback().goTo({60, 0});
-        DifferenceSeries series(world.session);
+        DifferenceSeries series(world.session.run(), world.session.comparisons());
         series.setActive(true);
         QTRY_VERIFY(series.next() > series.end());
         QCOMPARE(series.shared(), fork);
@@ -62,7 +62,7 @@ private slots:
         World world;
         world.fork(60, 30, "gravity", 0.75);
         world.session.playback().goTo({60, 0});
-        DifferenceSeries series(world.session);
+        DifferenceSeries series(world.session.run(), world.session.comparisons());
         series.setActive(true);
         series.setOf(DifferenceSeries::Of::selected);
         world.session.select("body"); // it stands still in both
@@ -78,7 +78,7 @@ private slots:
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);
-        DifferenceSeries series(world.session);
+        DifferenceSeries series(world.session.run(), world.session.comparisons());
         series.setActive(true);
         for (int frame = 31; frame <= 40; ++frame) {
             world.session.playback().frameForward();
@@ -102,7 +102,7 @@ private slots:
         world.session.playback().goTo({40, 0});
         world.session.editor().setParameter("gravity", 0.125); // it falls back, meets the other and passes it
         world.session.playback().goTo({52, 0});
-        DifferenceSeries series(world.session);
+        DifferenceSeries series(world.session.run(), world.session.comparisons());
         series.setActive(true);
         QTRY_VERIFY(series.next() > series.end());
         double most = 0.0;
@@ -128,7 +128,7 @@ private slots:
         world.session.playback().goTo({0, 0});
         world.session.editor().setStepSize(4.0);
         world.session.playback().goTo({60, 0});
-        DifferenceSeries series(world.session);
+        DifferenceSeries series(world.session.run(), world.session.comparisons());
         series.setActive(true);
         QTRY_VERIFY(series.next() > series.end());
         QCOMPARE(series.samples().size(), std::size_t(16));
@@ -145,7 +145,7 @@ private slots:
         world.fork(60, 30, "gravity", 0.75);
         world.session.playback().goTo({20'000, 0});
         QTRY_VERIFY_WITH_TIMEOUT(!world.session.playback().goal(), 20'000);
-        DifferenceSeries series(world.session);
+        DifferenceSeries series(world.session.run(), world.session.comparisons());
         series.setActive(true);
         QTRY_VERIFY_WITH_TIMEOUT(series.next() > series.end(), 20'000);
         QVERIFY(series.samples().size() < DifferenceSeries::mostSamples);
@@ -161,7 +161,7 @@ private slots:
     {
         World world;
         world.fork(60, 30, "gravity", 0.75);
-        DifferenceSeries series(world.session);
+        DifferenceSeries series(world.session.run(), world.session.comparisons());
         world.session.playback().goTo({60, 0});
         QVERIFY(series.samples().empty());
         series.setActive(true);

@@ -104,7 +104,7 @@ struct Fixture
         return made;
     }();
     Session session{library};
-    MeasureSeries series{session};
+    MeasureSeries series{session.run()};
     Theme theme{Scheme::light};
 
     /// Goes there, and waits until all is measured.
@@ -213,7 +213,8 @@ private slots:
     {
         Fixture fixture;
         TimelineStrip timeline(fixture.session, fixture.theme);
-        FootfallStrip strip(fixture.session, fixture.series, timeline, fixture.theme);
+        FootfallStrip strip(fixture.session.run(), fixture.session.playback(), fixture.session.preview(),
+                            fixture.series, timeline, fixture.theme);
         timeline.resize(600, 98);
         strip.resize(600, strip.sizeHint().height());
         strip.show();
@@ -238,7 +239,8 @@ private slots:
     void theMeasuresStandAtTheCursor()
     {
         Fixture fixture;
-        MeasurePanel panel(fixture.session, fixture.series, fixture.theme);
+        MeasurePanel panel(fixture.session.run(), fixture.session.playback(), fixture.session.preview(),
+                           fixture.series, fixture.theme);
         panel.resize(400, 300);
         panel.show();
         const QList<MeasureRow *> rows = panel.findChildren<MeasureRow *>();

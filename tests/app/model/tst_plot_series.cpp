@@ -51,7 +51,7 @@ struct Fixture
 
     LessonLibrary lessons = library();
     Session session{lessons};
-    PlotSeries series{session};
+    PlotSeries series{session.run(), session.playback(), session.comparisons()};
 };
 
 }

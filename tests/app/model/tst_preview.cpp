@@ -191,7 +191,7 @@ private slots:
         run.session.preview().show({7, 0});
         QCOMPARE(run.session.preview().marked(), (sim::Cursor{7, 0}));
         QVERIFY(!run.session.preview().isActive());
-        QSignalSpy changed(&run.session, &Session::changed);
+        QSignalSpy changed(&run.session.changes(), &ChangeNotifier::changed);
         QVERIFY(changed.wait());
         QCOMPARE(run.session.preview().marked(), (sim::Cursor{7, 0})); // as long as the mouse is there
     }
@@ -218,7 +218,7 @@ private slots:
     void theSameMomentAgainChangesNothing()
     {
         Run run("multi_foot", "two_feet");
-        QSignalSpy changes(&run.session, &Session::changed);
+        QSignalSpy changes(&run.session.changes(), &ChangeNotifier::changed);
         for (int i = 0; i < 5; ++i)
             run.session.preview().show({7, 0});
         QCOMPARE(changes.size(), 1);

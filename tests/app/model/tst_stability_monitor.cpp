@@ -1,5 +1,6 @@
 // The stability monitor of a session: readings, remedies, maps and texts, for the installed lessons.
 
+#include "app/model/session/session.h"
 #include "app/model/text/stability_text.h"
 
 #include "sim/methods/methods.h"
@@ -20,7 +21,7 @@ struct Fixture
 {
     LessonLibrary library = LessonLibrary::load({LESSON_DIR});
     Session session{library};
-    StabilityMonitor monitor{session};
+    StabilityMonitor monitor{session.run(), session.editor(), session.preview()};
 
     explicit Fixture(const char *lesson = "two_body", const char *step = "mutual")
     {

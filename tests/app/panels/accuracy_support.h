@@ -44,8 +44,8 @@ struct AccuracyFixture
 
     Puppet puppet;
     tests::SessionFixture world;
-    app::AccuracyStudy study{world.session, puppet.function()};
-    app::AccuracyPanel panel{study, world.theme};
+    app::AccuracyStudy study{world.session.run(), world.session.editor(), puppet.function()};
+    app::AccuracyPanel panel{study, world.session.preview(), world.theme};
 };
 
 }

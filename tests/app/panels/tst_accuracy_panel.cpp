@@ -87,14 +87,14 @@ void AccuracyPanelTest::allMethodsAreAClickAwayAndThatIsRemembered()
     QTest::mouseClick(all, Qt::LeftButton);
     QCOMPARE(methodsOf(fixture, fixture.plot()).size(), sim::allMethods().size());
     QVERIFY(fixture.panel.findChild<QLabel *>("failure")->isVisible());
-    const AccuracyPanel next(fixture.study, fixture.world.theme);
+    const AccuracyPanel next(fixture.study, fixture.world.session.preview(), fixture.world.theme);
     QVERIFY(next.showsAll());
     auto *fewer = fixture.panel.findChild<QPushButton *>("fewerMethods");
     QVERIFY(fewer->isVisible() && !all->isVisible());
     fewer->setFocus();
     QTest::keyClick(fewer, Qt::Key_Space);
     QCOMPARE(methodsOf(fixture, fixture.plot()).size(), std::size_t(3));
-    const AccuracyPanel again(fixture.study, fixture.world.theme);
+    const AccuracyPanel again(fixture.study, fixture.world.session.preview(), fixture.world.theme);
     QVERIFY(!again.showsAll());
 }
 

@@ -17,7 +17,7 @@ struct ActiveStudy
 {
     Puppet puppet;
     SessionFixture world;
-    AccuracyStudy study{world.session, puppet.function()};
+    AccuracyStudy study{world.session.run(), world.session.editor(), puppet.function()};
 
     ActiveStudy() { study.setActive(true); }
     bool ends()
@@ -49,7 +49,7 @@ void AccuracyStudyTest::nothingRunsUntilSomebodyWatches()
 {
     Puppet puppet;
     SessionFixture world;
-    AccuracyStudy study(world.session, puppet.function());
+    AccuracyStudy study(world.session.run(), world.session.editor(), puppet.function());
     world.session.editor().setParameter("k", 0.3);
     settle();
     QVERIFY(!study.isDue());
@@ -118,7 +118,7 @@ void AccuracyStudyTest::closingWaitsForTheThread()
     Puppet puppet;
     SessionFixture world;
     {
-        AccuracyStudy study(world.session, puppet.function());
+        AccuracyStudy study(world.session.run(), world.session.editor(), puppet.function());
         puppet.held = true;
         study.setActive(true);
         QTRY_COMPARE(puppet.begun.load(), 1);
@@ -130,7 +130,7 @@ void AccuracyStudyTest::whatASceneIsRefusedForIsSaid()
 {
     SessionFixture world;
     AccuracyStudy study(
-        world.session,
+        world.session.run(), world.session.editor(),
         [](const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &) -> sim::Accuracy {
             throw sim::Error("nothing-moves", {});
         });

@@ -222,9 +222,10 @@ void AccuracyViewsTest::remarksSayWhatTheNumbersDependOn()
     QFETCH(sim::Accuracy, accuracy);
     QFETCH(QString, part);
     SessionFixture world;
-    AccuracyStudy study(world.session, [&](const sim::Script &, const sim::StudyPlan &,
-                                           const sim::StudyProgress &) { return accuracy; });
-    AccuracyPanel panel(study, world.theme);
+    AccuracyStudy study(
+        world.session.run(), world.session.editor(),
+        [&](const sim::Script &, const sim::StudyPlan &, const sim::StudyProgress &) { return accuracy; });
+    AccuracyPanel panel(study, world.session.preview(), world.theme);
     show(panel, {560, 560});
     QTRY_COMPARE(study.stage(), AccuracyStudy::Stage::done);
     QVERIFY2(panel.remarks().contains(part), qPrintable(panel.remarks()));

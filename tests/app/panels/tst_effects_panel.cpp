@@ -209,7 +209,7 @@ private slots:
         EffectsFixture fixture;
         fixture.session.openStep("legs", "puppet");
         QVERIFY(fixture.settle());
-        const QSignalSpy said(&fixture.session, &Session::messageRequested);
+        const QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
         fixture.clickSwitch("pointer");
         QCOMPARE(said.count(), 1);
         QVERIFY(!said.front().front().toString().isEmpty());

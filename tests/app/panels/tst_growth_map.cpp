@@ -22,6 +22,21 @@ GrowthPlot &openMap(StabilityFixture &fixture, int plane)
     return fixture.panel.plot();
 }
 
+/// Returns how much of the ink there is in 9 px of a row of the plot, in px of full ink. Antialiasing spreads a line over
+/// more pixels, but keeps this sum.
+double inkAcross(GrowthPlot &plot, QPointF middle, const Tokens &tokens)
+{
+    const QImage image = plot.grab().toImage();
+    const double ratio = image.devicePixelRatio();
+    const QPoint at = (middle * ratio).toPoint();
+    const int reach = qRound(4.5 * ratio);
+    const double ground = tokens.scene.lightnessF(), ink = tokens.ink.lightnessF();
+    double sum = 0.0;
+    for (int x = at.x() - reach; x <= at.x() + reach; ++x)
+        sum += (ground - image.pixelColor(x, at.y()).lightnessF()) / (ground - ink);
+    return sum / ratio;
+}
+
 }
 
 class GrowthMapTest : public QObject
@@ -31,6 +46,8 @@ class GrowthMapTest : public QObject
 private slots:
     void theMapIsDrawnOnRequest();
     void theMapShowsWhereTheLearnerIsAndWas();
+    void theWayBetweenTwoPlacesIsDrawn_data();
+    void theWayBetweenTwoPlacesIsDrawn();
     void theMapTellsWhatIsUnderThePointer();
     void aClickOnTheMapGoesThere_data();
     void aClickOnTheMapGoesThere();
@@ -81,13 +98,38 @@ void GrowthMapTest::theMapShowsWhereTheLearnerIsAndWas()
     QVERIFY(here.x() < first.x() && here.y() > first.y());
     QVERIFY(isNear(colourAt(plot, here), fixture.theme.tokens().now));
     QVERIFY(!isNear(colourAt(plot, first), fixture.theme.tokens().now));
-    // The way between: down along k = 0.02.
-    bool drawn = false;
-    for (const double beside : {-1.0, 0.0, 1.0}) {
-        const QPointF between(here.x() + beside, 0.5 * (first.y() + here.y()));
-        drawn = drawn || isNear(colourAt(plot, between), fixture.theme.tokens().ink);
-    }
-    QVERIFY(drawn);
+}
+
+void GrowthMapTest::theWayBetweenTwoPlacesIsDrawn_data()
+{
+    QTest::addColumn<int>("width");
+    for (const int width : {1280, 1281, 1283, 1286, 1366})
+        QTest::addRow("%d px", width) << width;
+}
+
+void GrowthMapTest::theWayBetweenTwoPlacesIsDrawn()
+{
+    QFETCH(int, width);
+    StabilityFixture fixture;
+    QTest::mouseClick(&fixture.gauge, Qt::LeftButton);
+    QTest::mouseClick(fixture.plane(1), Qt::LeftButton);
+    fixture.waitForMap();
+    fixture.window.resize(width, 800);
+    GrowthPlot &plot = fixture.panel.plot();
+    const double top = plot.onScreen(fixture.window.stability().tried().back()).y();
+    const auto between = [&] {
+        const QPointF here = plot.onScreen(fixture.window.stability().tried().back());
+        return QPointF(here.x(), 0.5 * (top + here.y()));
+    };
+    fixture.session.editor().setParameter("k", 0.02);
+    fixture.session.editor().setParameter("damp", 0.4);
+    tests::settle();
+    // Down along k = 0.02. The line has its width of 1.5 px wherever it lies between the pixels.
+    const double wide = inkAcross(plot, between(), fixture.theme.tokens());
+    QVERIFY2(std::abs(wide - 1.5) < 0.15, qPrintable(QString::number(wide)));
+    // Beside it there is nothing.
+    const double beside = inkAcross(plot, between() + QPointF(12.0, 0.0), fixture.theme.tokens());
+    QVERIFY2(std::abs(beside) < 0.15, qPrintable(QString::number(beside)));
 }
 
 void GrowthMapTest::theMapTellsWhatIsUnderThePointer()

@@ -65,7 +65,8 @@ struct BesidePicture
     SessionFixture world;
     QWidget window;
     QWidget picture{&window};
-    ParameterPanel panel{world.session, world.theme, &window};
+    ParameterPanel panel{world.session.run(), world.session.editor(), world.session.playback(), world.theme,
+                         &window};
     QShortcut space{Qt::Key_Space, &window};
     QSignalSpy played{&space, &QShortcut::activated};
 
@@ -147,7 +148,7 @@ void ParameterFieldsTest::aTypedNumberIsSet()
 void ParameterFieldsTest::aNumberOutOfRangeIsBroughtIntoItWithASentence()
 {
     PanelFixture<ParameterPanel> fixture({400, 192});
-    QSignalSpy said(&fixture.session, &Session::messageRequested);
+    QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
     auto *box = rowOf(fixture.panel, "damp")->findChild<NumberBox *>();
     typeInto(*box, "1.4");
     QCOMPARE(fixture.session.editor().parameter("damp"), 1.0);
@@ -204,7 +205,7 @@ void ParameterFieldsTest::aChoiceIsChosenByName()
 {
     SessionFixture world;
     world.session.openStep("two", "many");
-    ParameterPanel panel(world.session, world.theme);
+    ParameterPanel panel(world.session.run(), world.session.editor(), world.session.playback(), world.theme);
     show(panel, {400, 400});
     auto *choice = rowOf(panel, "formula")->findChild<QComboBox *>();
     QCOMPARE(choice->currentText(), QString("corrected"));
@@ -220,7 +221,7 @@ void ParameterFieldsTest::aListOfChoicesHasRoomForFingersAndNames()
 {
     SessionFixture world;
     world.session.openStep("two", "many");
-    ParameterPanel panel(world.session, world.theme);
+    ParameterPanel panel(world.session.run(), world.session.editor(), world.session.playback(), world.theme);
     show(panel, {400, 400});
     auto *choice = rowOf(panel, "formula")->findChild<QComboBox *>();
     choice->showPopup();
@@ -235,7 +236,7 @@ void ParameterFieldsTest::aCountMovesByWholeNumbers()
 {
     SessionFixture world;
     world.session.openStep("two", "many");
-    ParameterPanel panel(world.session, world.theme);
+    ParameterPanel panel(world.session.run(), world.session.editor(), world.session.playback(), world.theme);
     show(panel, {400, 400});
     auto *slider = rowOf(panel, "feet")->findChild<ParameterSlider *>();
     auto *box = rowOf(panel, "feet")->findChild<NumberBox *>();

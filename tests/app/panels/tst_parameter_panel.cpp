@@ -102,7 +102,7 @@ void ParameterPanelTest::theRestUnfolds()
 {
     SessionFixture world;
     world.session.openStep("two", "many");
-    ParameterPanel panel(world.session, world.theme);
+    ParameterPanel panel(world.session.run(), world.session.editor(), world.session.playback(), world.theme);
     show(panel, {400, panel.sizeHint().height()});
     auto *more = panel.findChild<QToolButton *>("disclosure");
     QCOMPARE(more->text(), QString("Offset, radius"));
@@ -121,7 +121,7 @@ void ParameterPanelTest::thePanelUnfoldsWhenThereIsRoom()
 {
     SessionFixture world;
     world.session.openStep("two", "many");
-    ParameterPanel panel(world.session, world.theme);
+    ParameterPanel panel(world.session.run(), world.session.editor(), world.session.playback(), world.theme);
     show(panel, {400, 500});
     QVERIFY(rowOf(panel, "radius")->isVisible());
     panel.resize(400, 200);
@@ -132,7 +132,7 @@ void ParameterPanelTest::tabVisitsTheFieldsInOrder()
 {
     SessionFixture world;
     world.session.editor().setParameter("k", 0.4);
-    ParameterPanel panel(world.session, world.theme);
+    ParameterPanel panel(world.session.run(), world.session.editor(), world.session.playback(), world.theme);
     show(panel, {400, 192});
     const QList<QWidget *> order = {panel.findChild<QToolButton *>("resetAll"),
                                     rowOf(panel, "k")->findChild<ParameterSlider *>(),

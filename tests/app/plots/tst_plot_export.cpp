@@ -35,7 +35,7 @@ private slots:
         fixture.goTo(60);
         const QTemporaryDir folder;
         PlotExport &exports = fixture.panel.cards()[0]->exports();
-        QSignalSpy said(&fixture.panel, &PlotsPanel::messageRequested);
+        QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
         QVERIFY(exports.savePicture(folder.filePath(name)));
         QCOMPARE(said.size(), 1);
         const QStringList files = QDir(folder.path()).entryList(QDir::Files);
@@ -81,7 +81,7 @@ private slots:
         fixture.panel.add({{QuantityKind::velocityY}, {QuantityKind::placeY}});
         fixture.goTo(50);
         const QTemporaryDir folder;
-        QSignalSpy said(&fixture.panel, &PlotsPanel::messageRequested);
+        QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
         fixture.panel.cards()[1]->exports().saveNumbers(folder.filePath("a.csv"));
         QTRY_COMPARE(said.size(), 1);
         QFile file(folder.filePath("a.csv"));
@@ -99,7 +99,7 @@ private slots:
         PlotsFixture fixture;
         fixture.goTo(20'000); // so that they are not written at once
         const QTemporaryDir folder;
-        QSignalSpy said(&fixture.panel, &PlotsPanel::messageRequested);
+        QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
         PlotCard *card = fixture.panel.cards()[0];
         card->exports().saveNumbers(folder.filePath("a.csv"));
         QVERIFY(card->exports().table());

@@ -6,6 +6,8 @@
 
 #include <QTest>
 
+#include <numeric>
+
 using namespace app;
 
 namespace {
@@ -134,6 +136,47 @@ private slots:
         QVERIFY(plan.springs[2].a == 3 && plan.springs[2].b == 4);
         QCOMPARE(plan.feet.size(), std::size_t(2));
         QVERIFY(plan.feet[1].foot == 4 && plan.feet[1].body == 3);
+    }
+
+    void twoPointsHaveAtMostOneRuleLink()
+    {
+        sim::Blueprint plan = triangle();
+        QCOMPARE(addRuleLink(plan, 0, 1), std::optional(0));
+        QVERIFY(!addRuleLink(plan, 1, 0));
+        QVERIFY(!addRuleLink(plan, 2, 2));
+        QCOMPARE(addRuleLinksAmong(plan, {0, 1, 2}), std::optional(2)); // the other two sides of the triangle
+        QCOMPARE(addRuleLinksAmong(plan, {0, 1, 2}), std::optional(0));
+        QCOMPARE(plan.ruleLinks.size(), std::size_t(3));
+    }
+
+    void ruleLinksGoWithTheirPointsAndAreCopiedWithThem()
+    {
+        sim::Blueprint plan = triangle();
+        addRuleLink(plan, 0, 1);
+        addRuleLink(plan, 1, 2);
+        const std::optional<Selection> copy = duplicate(plan, {{0, 1}, {}, {}}, {10, 0});
+        QVERIFY(copy);
+        QVERIFY(*copy == (Selection{{3, 4}, {}, {}, {2}}));
+        QVERIFY(inBox(plan, {5, 0}, {45, 50}) == (Selection{{1, 3, 4}, {}, {}, {2}}));
+        erase(plan, {{1}, {}, {}});
+        QCOMPARE(plan.ruleLinks.size(), std::size_t(1));
+        QCOMPARE(plan.ruleLinks[0].a, 2); // that of the copies, which have moved up
+        QCOMPARE(plan.ruleLinks[0].b, 3);
+        erase(plan, {{}, {}, {}, {0}});
+        QVERIFY(plan.ruleLinks.empty());
+        QCOMPARE(plan.points.size(), std::size_t(4));
+    }
+
+    void noRuleLinkIsAddedIfNotAllHaveRoom()
+    {
+        sim::Blueprint plan;
+        plan.points.resize(142); // 142 * 141 / 2 = 10,011 pairs
+        std::vector<int> all(plan.points.size());
+        std::iota(all.begin(), all.end(), 0);
+        QVERIFY(!addRuleLinksAmong(plan, all));
+        QVERIFY(plan.ruleLinks.empty());
+        all.pop_back(); // 141 * 140 / 2 = 9,870
+        QCOMPARE(addRuleLinksAmong(plan, all), std::optional(9870));
     }
 
     void aBoxChoosesWhatIsInIt()

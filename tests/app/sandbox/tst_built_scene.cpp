@@ -138,7 +138,7 @@ private slots:
         row("unknown field", withPair("\"ropes\": []"),
             "line 6: \"scene\" has no field \"ropes\"; there is \"bodies\", \"springs\", \"sticks\", "
             "\"feet\", "
-            "\"gaits\", \"effects\".");
+            "\"gaits\", \"effects\", \"rule\", \"rule_links\".");
         row("bad name", with("\"scene\": { \"bodies\": { \"1 a\": { \"x\": 1, \"y\": 2 } } }"),
             "line 5: a body cannot be called \"1 a\"; a name is a letter, then up to 39 letters, digits, "
             "dots and _.");

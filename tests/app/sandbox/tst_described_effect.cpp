@@ -138,7 +138,8 @@ struct World
     }
     bool offersStrength() const
     {
-        const std::vector<const lessons::Parameter *> all = offeredParameters(session);
+        const std::vector<const lessons::Parameter *> all =
+            offeredParameters(session.run(), session.editor());
         return std::any_of(all.begin(), all.end(), [](const auto *one) { return one->id == "strength"; });
     }
     QByteArray text() const { return experimentText(session.experiment(), library()); }

@@ -27,7 +27,7 @@ struct World
 
     Session session{library()};
     SandboxEditor editor{session};
-    QSignalSpy said{&session, &Session::messageRequested};
+    QSignalSpy said{&session.changes(), &ChangeNotifier::messageRequested};
 };
 
 /// A triangle of points without anything else.
@@ -96,7 +96,7 @@ private slots:
                                      "room", "walls",   "ramp",   "ground"};
         for (int i = 0; i < 90; ++i) {
             const int points = static_cast<int>(world.plan().points.size());
-            world.editor.setTool(BuildTool(upTo(5)));
+            world.editor.setTool(BuildTool(upTo(6)));
             const sim::Vec2 at{double(upTo(500)), double(upTo(380))};
             switch (upTo(6)) {
             case 0:

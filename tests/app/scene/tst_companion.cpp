@@ -239,7 +239,7 @@ void CompanionTest::aRefusedChoiceLeavesTheRunAsItWas()
     };
     const LessonLibrary library = libraryOf(step);
     Session session(library);
-    QSignalSpy said(&session, &Session::messageRequested);
+    QSignalSpy said(&session.changes(), &ChangeNotifier::messageRequested);
     for (int i = 0; i < 4; ++i)
         session.playback().frameForward();
     session.editor().setParameter("which", 1);

@@ -76,7 +76,7 @@ void SceneBarTest::stepsAreReadAsTyped()
 void SceneBarTest::theBarSetsMethodAndStep()
 {
     SceneFixture fixture;
-    SceneBar bar(fixture.session, fixture.theme);
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
     bar.attach(fixture.view, fixture.fit);
     QVERIFY(entry(bar, "1 frame")->isChecked());
     entry(bar, "1/4 frame")->trigger();
@@ -97,7 +97,7 @@ void SceneBarTest::theBarSetsMethodAndStep()
 void SceneBarTest::theBarTakesATypedStep()
 {
     SceneFixture fixture;
-    SceneBar bar(fixture.session, fixture.theme);
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
     bar.attach(fixture.view, fixture.fit);
     bar.show();
     auto *field = bar.findChild<QLineEdit *>();
@@ -114,7 +114,7 @@ void SceneBarTest::theBarTakesATypedStep()
 void SceneBarTest::theBarOffersTolerancesToAdaptiveMethods()
 {
     SceneFixture fixture;
-    SceneBar bar(fixture.session, fixture.theme);
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
     bar.attach(fixture.view, fixture.fit);
     bar.show();
     const QString tolerance = QString("0.1\u2009px");
@@ -142,7 +142,7 @@ void SceneBarTest::theBarOffersTolerancesToAdaptiveMethods()
 void SceneBarTest::theBarZoomsTheView()
 {
     SceneFixture fixture;
-    SceneBar bar(fixture.session, fixture.theme);
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
     bar.attach(fixture.view, fixture.fit);
     bar.show();
     fixture.view.zoomIn();
@@ -172,7 +172,7 @@ void SceneBarTest::theBarFitsInEveryWidth()
     SceneFixture fixture;
     fixture.session.editor().setMethod("semi_implicit_euler");
     fixture.session.editor().setStepSize(1.0 / 64.0);
-    SceneBar bar(fixture.session, fixture.theme);
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
     bar.attach(fixture.view, fixture.fit);
     bar.resize(width, bar.height());
     bar.show();

@@ -391,7 +391,7 @@ void SceneOutdoorsTest::whatAStepShowsIsTheLearnersChoiceAfterAll()
         return step;
     };
     SceneFixture fixture({showing("plain", false), showing("full", true), showing("other", true)});
-    SceneBar bar(fixture.session, fixture.theme);
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
     bar.attach(fixture.view, fixture.fit);
     const auto isChecked = [&bar](const QString &text) {
         for (const QMenu *menu : bar.findChildren<QMenu *>()) {

@@ -147,7 +147,7 @@ void SceneViewTest::aHandThatTakesSomethingStartsTime()
     SceneFixture fixture;
     fixture.goTo(computed);
     fixture.session.playback().goTo({frame, phase});
-    const QSignalSpy said(&fixture.session, &Session::messageRequested);
+    const QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
     const QPoint at = fixture.onScreen("foot0");
     fixture.press(at);
     QVERIFY(!fixture.session.playback().isPlaying()); // a click changes nothing

@@ -8,6 +8,9 @@
 
 #include <QSize>
 
+#include <type_traits>
+#include <utility>
+
 namespace tests {
 
 /// Shows a widget as a window of its own and waits until it is active.
@@ -16,6 +19,19 @@ void show(QWidget &widget, QSize size);
 /// Returns the row of a parameter; null if there is none.
 app::ParameterRow *rowOf(const app::ParameterPanel &panel, const QString &id);
 
+/// Returns a panel with the parts of `session` that it takes.
+template <class Panel, class... More>
+Panel panelOf(app::Session &session, const app::Theme &theme, More &&...more)
+{
+    if constexpr (std::is_constructible_v<Panel, app::Session &, const app::Theme &, More...>)
+        return Panel(session, theme, std::forward<More>(more)...);
+    else if constexpr (std::is_same_v<Panel, app::ParameterPanel>)
+        return Panel(session.run(), session.editor(), session.playback(), theme, std::forward<More>(more)...);
+    else
+        return Panel(session.run(), session.playback(), session.preview(), theme,
+                     std::forward<More>(more)...);
+}
+
 /// One panel of the window, shown alone. Further arguments go to the constructor of the panel.
 template <class Panel>
 struct PanelFixture : SessionFixture
@@ -23,7 +39,8 @@ struct PanelFixture : SessionFixture
     explicit PanelFixture(QSize size) : PanelFixture(twoLessons(), size) {}
     template <class... More>
     PanelFixture(app::LessonLibrary lessons, QSize size, More &&...more)
-        : SessionFixture(std::move(lessons)), panel(session, theme, std::forward<More>(more)...)
+        : SessionFixture(std::move(lessons)),
+          panel(panelOf<Panel>(session, theme, std::forward<More>(more)...))
     {
         show(panel, size);
     }

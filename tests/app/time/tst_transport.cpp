@@ -139,7 +139,7 @@ void TestTransport::aTypedFrameThatIsNoneIsRefused()
     QFETCH(QString, typed);
     TimeFixture fixture;
     fixture.goTo(30, 2);
-    const QSignalSpy said(&fixture.session, &Session::messageRequested);
+    const QSignalSpy said(&fixture.session.changes(), &ChangeNotifier::messageRequested);
     QTest::mouseClick(fixture.counter(), Qt::LeftButton);
     QVERIFY(fixture.editor());
     fixture.editor()->clear();
@@ -190,7 +190,7 @@ void TestTransport::manyGoalsDoNotHoldTheWindowUp()
     for (int i = 0; i < 100; ++i)
         fixture.session.playback().goTo({9'000'000 + i, 0});
     QCoreApplication::processEvents();
-    const QSignalSpy slices(&fixture.session, &Session::changed);
+    const QSignalSpy slices(&fixture.session.changes(), &ChangeNotifier::changed);
     QCoreApplication::processEvents();
     QCoreApplication::processEvents();
     // Two slices of the way, not two hundred.

@@ -80,7 +80,7 @@ void StatusBarTest::figuresGiveWayToASentenceThatNeedsTheirRoom()
     QTRY_COMPARE(fixture.window.study().stage(), AccuracyStudy::Stage::done);
     const QStringList all = figures.figures();
     const auto &sentence = *fixture.window.statusBar()->findChild<QLabel *>();
-    emit fixture.session.messageRequested(QString("Such a long sentence. ").repeated(6).trimmed());
+    fixture.session.showMessage(QString("Such a long sentence. ").repeated(6).trimmed());
     QTRY_VERIFY(sentence.width() >= sentence.sizeHint().width());
     const QStringList some = figures.figures();
     QVERIFY(some.size() < all.size());
@@ -96,9 +96,9 @@ void StatusBarTest::aSentenceIsThereWhileTheRunPlaysOn()
 {
     WindowFixture fixture;
     fixture.session.playback().play();
-    emit fixture.session.messageRequested("Saved as a.json.");
+    fixture.session.showMessage("Saved as a.json.");
     QCOMPARE(shownIn(fixture), QString("Saved as a.json."));
-    QSignalSpy changed(&fixture.session, &Session::changed);
+    QSignalSpy changed(&fixture.session.changes(), &ChangeNotifier::changed);
     QTRY_VERIFY(changed.size() > 5);
     QCOMPARE(shownIn(fixture), QString("Saved as a.json."));
     QTRY_VERIFY_WITH_TIMEOUT(shownIn(fixture).startsWith("Playing."), 20'000);

@@ -109,6 +109,8 @@ ArrowStyle styleOf(sim::EffectKind kind, const Theme &theme)
         style.line = Line::twofold;
     else if (kind == sim::EffectKind::stick)
         style.line = Line::capped;
+    else if (kind == sim::EffectKind::rule)
+        style.line = Line::dashDots;
     return style;
 }
 
@@ -143,6 +145,8 @@ void drawArrow(QPainter &painter, const Arrow &arrow, const QColor &ground)
         pen = dashed(style.color, style.width, {6.0, 3.0});
     else if (style.line == ArrowStyle::Line::dots)
         pen = dashed(style.color, style.width, {2.0 + style.width / 2, 4.0});
+    else if (style.line == ArrowStyle::Line::dashDots)
+        pen = dashed(style.color, style.width, {8.0, 4.0, 2.0, 4.0});
     painter.setPen(pen);
     const QLineF shaft(arrow.from, tip - (style.openHead ? 0.0 : a * (isFaint ? 1.0 : 0.7)) * u);
     painter.drawLine(shaft);

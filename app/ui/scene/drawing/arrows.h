@@ -9,7 +9,7 @@ namespace app {
 /// The line style of an arrow. Kinds of arrow differ in more than colour.
 struct ArrowStyle
 {
-    enum class Line { plain, dashes, dots, twofold, capped };
+    enum class Line { plain, dashes, dots, twofold, capped, dashDots };
     QColor color;
     double width = 3.0;
     Line line = Line::plain;

@@ -111,7 +111,7 @@ void drawBody(const Canvas &canvas, int point)
 
 }
 
-void LegLayer::draw(const Canvas &canvas) const
+void drawLegs(const Canvas &canvas, Stencil &stencil)
 {
     const QColor color = faded(canvas.tokens().body, 0.85);
     const double width = legWidth(canvas.camera.zoom);
@@ -128,24 +128,24 @@ void LegLayer::draw(const Canvas &canvas) const
     canvas.painter.setPen(pen);
     const Figure figure{canvas.shown.view(), canvas.shown.state()};
     if (canvas.shown.isCrowd()) {
-        begin(m_stencil, canvas);
-        addLegs(m_stencil, canvas, figure, legWidthInCrowd(canvas.camera.zoom));
-        m_stencil.paint(canvas.painter, color);
+        begin(stencil, canvas);
+        addLegs(stencil, canvas, figure, legWidthInCrowd(canvas.camera.zoom));
+        stencil.paint(canvas.painter, color);
     } else {
         canvas.painter.drawLines(straightLegs(canvas, figure));
     }
     canvas.painter.drawPath(curvedLegs(canvas, figure));
 }
 
-void BodyLayer::draw(const Canvas &canvas) const
+void drawBodies(const Canvas &canvas, Stencil &stencil)
 {
     const SceneContent &shown = canvas.shown;
     QPainter &p = canvas.painter;
     p.setPen(Qt::NoPen);
     if (shown.isCrowd()) {
-        begin(m_stencil, canvas);
-        addDiscs(m_stencil, canvas, {shown.view(), shown.state()}, smallestFace);
-        m_stencil.paint(p, canvas.tokens().body);
+        begin(stencil, canvas);
+        addDiscs(stencil, canvas, {shown.view(), shown.state()}, smallestFace);
+        stencil.paint(p, canvas.tokens().body);
     }
     for (int i = 0; i < shown.points(); ++i) {
         if (!isInCrowd(canvas, i))

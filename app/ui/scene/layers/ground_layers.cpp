@@ -141,7 +141,7 @@ void drawRamp(const Canvas &canvas, const sim::Incline &edge)
 
 }
 
-void RoomLayer::draw(const Canvas &canvas) const
+void drawRoom(const Canvas &canvas)
 {
     const std::optional<sim::Room> &room = canvas.shown.view().room;
     if (!room)
@@ -174,7 +174,7 @@ void RoomLayer::draw(const Canvas &canvas) const
         QPolygonF{QPointF(left, top), QPointF(left, floor), QPointF(right, floor), QPointF(right, top)});
 }
 
-void RampLayer::draw(const Canvas &canvas) const
+void drawRamps(const Canvas &canvas)
 {
     for (const sim::EffectPtr &effect : canvas.shown.picture.interval->scene.effects) {
         if (const auto *ramp = dynamic_cast<const sim::Ramp *>(effect.get()))
@@ -182,7 +182,7 @@ void RampLayer::draw(const Canvas &canvas) const
     }
 }
 
-void GroundLayer::draw(const Canvas &canvas) const
+void drawGround(const Canvas &canvas)
 {
     const lessons::View &view = canvas.shown.view();
     if (!view.ground || view.sky != lessons::View::Sky::paper)
@@ -203,7 +203,7 @@ void GroundLayer::draw(const Canvas &canvas) const
     p.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
 }
 
-void MeadowLayer::draw(const Canvas &canvas) const
+void drawNearGround(const Canvas &canvas, TreePainter &tree)
 {
     const lessons::View &view = canvas.shown.view();
     if (view.sky != lessons::View::Sky::dusk)
@@ -218,7 +218,7 @@ void MeadowLayer::draw(const Canvas &canvas) const
     outline.addPolygon(meadow);
     canvas.painter.save();
     canvas.painter.setClipPath(outline, Qt::IntersectClip);
-    m_tree.draw(canvas, canvas.shown.picture.view, state, colors.buried);
+    tree.draw(canvas, canvas.shown.picture.view, state, colors.buried);
     canvas.painter.restore();
 }
 

@@ -1,17 +1,22 @@
 #include "app/ui/scene/layers/layers.h"
 
+#include "app/model/session/user_input.h"
 #include "app/ui/scene/drawing/arrows.h"
 #include "app/ui/scene/drawing/overlay_labels.h"
 
+#include <QGraphicsScene>
 #include <QStyleOptionGraphicsItem>
+
+#include <utility>
 
 namespace app {
 
-Layer::Layer(const SceneContent &shown, const Theme &theme, Height height) : m_shown(shown), m_theme(theme)
+Layer::Layer(const SceneContent &shown, const Theme &theme, double z, Draw draw)
+    : m_shown(shown), m_theme(theme), m_draw(std::move(draw))
 {
     setFlag(ItemUsesExtendedStyleOption);
     setAcceptedMouseButtons(Qt::NoButton);
-    setZValue(static_cast<int>(height));
+    setZValue(z);
 }
 
 QRectF Layer::boundingRect() const
@@ -31,17 +36,89 @@ void Layer::paint(QPainter *painter, const QStyleOptionGraphicsItem *option, QWi
     if (painter->hasClipping()) // when the scene is exported as an image, Qt exposes the whole item
         area &= painter->clipBoundingRect();
     painter->setBrush(Qt::NoBrush);
-    draw({*painter, m_shown, m_theme, Camera(toView), area});
+    m_draw({*painter, m_shown, m_theme, Camera(toView), area});
     painter->restore();
 }
 
-void TreeLayer::draw(const Canvas &canvas) const
+namespace {
+
+/// Which figures have a layer.
+enum class Of { run, both };
+
+struct LayerEntry
 {
-    if (canvas.shown.view().tree)
-        m_tree.draw(canvas, canvas.shown.picture.view, canvas.shown.state());
+    Layer::Draw draw;
+    Of of;
+};
+
+/// Returns a layer that keeps its painter's memory between two paints.
+template <typename Painter>
+Layer::Draw with(void (*draw)(const Canvas &, Painter &))
+{
+    return [draw, painter = Painter()](const Canvas &canvas) mutable { draw(canvas, painter); };
 }
 
-void NameLayer::draw(const Canvas &canvas) const
+/// Returns the layers that both figures can have, and those of the run. Later ones are above earlier ones.
+std::vector<LayerEntry> layerTable()
+{
+    return {{drawRoom, Of::both},
+            {drawRamps, Of::run},
+            {drawGround, Of::run},
+            {drawShadows, Of::both},
+            {with(drawComparison), Of::run},
+            {with(drawOnion), Of::run},
+            {drawTrail, Of::run},
+            {with(drawTree), Of::run},
+            {with(drawNearGround), Of::run},
+            {drawLimbs, Of::both},
+            {drawSkins, Of::both},
+            {drawSheets, Of::run},
+            {drawChains, Of::both},
+            {with(drawLegs), Of::both},
+            {drawSprings, Of::both},
+            {drawSticks, Of::both},
+            {drawRuleLinks, Of::both},
+            {with(drawBodies), Of::both},
+            {drawRests, Of::both},
+            {drawReference, Of::run},
+            {drawOverlays, Of::both},
+            {drawArrows, Of::run},
+            {drawVector, Of::run},
+            {drawName, Of::both}};
+}
+
+/// Adds the layers, and returns the z value above them.
+double addTable(QGraphicsScene &scene, const SceneContent &shown, const Theme &theme, Of least)
+{
+    double z = 0.0;
+    for (LayerEntry &entry : layerTable()) {
+        if (entry.of == Of::both || least == Of::run)
+            scene.addItem(new Layer(shown, theme, z, std::move(entry.draw)));
+        z += 1.0;
+    }
+    return z;
+}
+
+}
+
+void addLayers(QGraphicsScene &scene, const SceneContent &shown, const Theme &theme, const UserInput &input)
+{
+    const double z = addTable(scene, shown, theme, Of::run);
+    scene.addItem(new Layer(shown, theme, z, [&input](const Canvas &canvas) { drawPointer(canvas, input); }));
+}
+
+void addCompanionLayers(QGraphicsScene &scene, const SceneContent &shown, const Theme &theme)
+{
+    addTable(scene, shown, theme, Of::both);
+}
+
+void drawTree(const Canvas &canvas, TreePainter &tree)
+{
+    if (canvas.shown.view().tree)
+        tree.draw(canvas, canvas.shown.picture.view, canvas.shown.state());
+}
+
+void drawName(const Canvas &canvas)
 {
     const SceneContent &shown = canvas.shown;
     if (shown.name.isEmpty())
@@ -73,9 +150,9 @@ QPainterPath handShape(QPointF tip)
 
 }
 
-void RecordedPointerLayer::draw(const Canvas &canvas) const
+void drawPointer(const Canvas &canvas, const UserInput &input)
 {
-    const std::optional<sim::Vec2> place = m_session.input().recordedPointer();
+    const std::optional<sim::Vec2> place = input.recordedPointer();
     if (!place)
         return;
     canvas.painter.setPen(QPen(canvas.tokens().scene, 4.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
@@ -86,7 +163,7 @@ void RecordedPointerLayer::draw(const Canvas &canvas) const
     canvas.painter.drawPath(hand);
 }
 
-void ArrowLayer::draw(const Canvas &canvas) const
+void drawArrows(const Canvas &canvas)
 {
     for (const Arrow &arrow : velocityArrows(canvas.shown, canvas.camera, canvas.theme))
         drawArrow(canvas.painter, arrow, canvas.tokens().scene);

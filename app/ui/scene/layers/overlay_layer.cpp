@@ -72,7 +72,7 @@ void drawLabel(const Canvas &canvas, const OverlayLabel &label)
 
 }
 
-void OverlayLayer::draw(const Canvas &canvas) const
+void drawOverlays(const Canvas &canvas)
 {
     if (!canvas.shown.extras.overlays)
         return;

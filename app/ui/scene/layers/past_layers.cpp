@@ -12,18 +12,18 @@ constexpr double latestSkin = 0.55; ///< opacity of the latest onion skin
 
 }
 
-void ComparisonLayer::draw(const Canvas &canvas) const
+void drawComparison(const Canvas &canvas, TreePainter &tree)
 {
     const std::optional<Picture> &comparison = canvas.shown.comparison;
     if (!comparison || !canvas.shown.extras.comparison)
         return;
     const QColor color = faded(canvas.tokens().ghost, comparisonAlpha);
     if (comparison->view->tree)
-        m_tree.drawOutline(canvas, comparison->view, comparison->state, color);
+        tree.drawOutline(canvas, comparison->view, comparison->state, color);
     drawOutlines(canvas, {*comparison->view, comparison->state}, {color});
 }
 
-void OnionLayer::draw(const Canvas &canvas) const
+void drawOnion(const Canvas &canvas, TreePainter &tree)
 {
     const SceneContent &shown = canvas.shown;
     // Earliest first, so that later ones are painted over it.
@@ -34,18 +34,18 @@ void OnionLayer::draw(const Canvas &canvas) const
         const double alpha = latestSkin * (1.0 - static_cast<double>(k) / onionSkins);
         const QColor color = faded(canvas.tokens().body, alpha);
         if (shown.view().tree)
-            m_tree.drawOutline(canvas, shown.picture.view, state, color);
+            tree.drawOutline(canvas, shown.picture.view, state, color);
         drawOutlines(canvas, {shown.view(), state},
                      {color, 1.2, false, faded(canvas.tokens().body, alpha * 0.22)});
     }
     if (!shown.past || shown.past->state.pointCount() != shown.points())
         return;
     if (shown.past->view->tree)
-        m_tree.drawOutline(canvas, shown.past->view, shown.past->state, canvas.tokens().ink2);
+        tree.drawOutline(canvas, shown.past->view, shown.past->state, canvas.tokens().ink2);
     drawOutlines(canvas, {*shown.past->view, shown.past->state}, {canvas.tokens().ink2, 1.8, false});
 }
 
-void TrailLayer::draw(const Canvas &canvas) const
+void drawTrail(const Canvas &canvas)
 {
     const SceneContent &shown = canvas.shown;
     const std::deque<Trail::Mark> &marks = shown.trail.marks();

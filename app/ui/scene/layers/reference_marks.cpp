@@ -54,7 +54,7 @@ QString referenceSentence(const ReferencePlaces &reference)
     return ReferenceMarksText::tr("%1 off the reference here").arg(pixels(reference.distance));
 }
 
-void ReferenceLayer::draw(const Canvas &canvas) const
+void drawReference(const Canvas &canvas)
 {
     const SceneContent &shown = canvas.shown;
     if (!shown.reference || !shown.extras.reference)

@@ -71,7 +71,7 @@ void drawStrokes(QPainter &painter, const Strokes &strokes, const QColor &color,
 
 }
 
-void RestLayer::draw(const Canvas &canvas) const
+void drawRests(const Canvas &canvas)
 {
     const SceneContent &shown = canvas.shown;
     if (!shown.extras.rests)

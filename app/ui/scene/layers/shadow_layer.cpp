@@ -49,7 +49,7 @@ void drawUnder(const Canvas &canvas, sim::Vec2 place, double radius)
 
 }
 
-void ShadowLayer::draw(const Canvas &canvas) const
+void drawShadows(const Canvas &canvas)
 {
     const SceneContent &shown = canvas.shown;
     const lessons::View &view = shown.view();

@@ -42,13 +42,13 @@ void drawFace(const Canvas &canvas, const lessons::SkinView &skin)
 
 }
 
-void ChainLayer::draw(const Canvas &canvas) const
+void drawChains(const Canvas &canvas)
 {
     for (const lessons::ChainView &chain : canvas.shown.view().chains)
         canvas.painter.fillPath(chainPath(canvas, canvas.shown.state(), chain), canvas.tokens().body);
 }
 
-void SkinLayer::draw(const Canvas &canvas) const
+void drawSkins(const Canvas &canvas)
 {
     for (const lessons::SkinView &skin : canvas.shown.view().skins) {
         const QPainterPath path = skinPath(canvas, canvas.shown.state(), skin);

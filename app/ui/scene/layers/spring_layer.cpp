@@ -132,7 +132,7 @@ void drawFine(const Canvas &canvas, const std::vector<lessons::SpringView> &spri
 
 }
 
-void SheetLayer::draw(const Canvas &canvas) const
+void drawSheets(const Canvas &canvas)
 {
     const std::vector<lessons::SheetView> &sheets = canvas.shown.view().sheets;
     if (sheets.empty() || isFlat(canvas.theme))
@@ -151,7 +151,7 @@ void SheetLayer::draw(const Canvas &canvas) const
     canvas.painter.fillPath(path, faded(canvas.tokens().spring, matterShare));
 }
 
-void SpringLayer::draw(const Canvas &canvas) const
+void drawSprings(const Canvas &canvas)
 {
     const std::vector<lessons::SpringView> &springs = canvas.shown.view().springs;
     if (springs.empty())

@@ -1,4 +1,4 @@
-// Layers of sticks, and of the limbs around them.
+// Layers of sticks, of the limbs around them, and of rule links.
 
 #include "app/ui/scene/layers/layers.h"
 #include "app/ui/scene/layers/material.h"
@@ -14,15 +14,19 @@ namespace app {
 
 namespace {
 
-constexpr double calm = 0.01;      ///< the strain up to which a stick counts as correct
-constexpr double worst = 0.20;     ///< the strain at which a stick has the full warning colour
-constexpr double thinnest = 0.5;   ///< of a stick's width, at +worst
-constexpr double thickest = 1.7;   ///< of a stick's width, at −worst
-constexpr double finest = 1.2;     ///< screen px
-constexpr double besideJoint = 2.; ///< px between a joint's disc and the end cap
-constexpr double leastRound = 5.0; ///< screen px; thinner sticks have no sheen
-constexpr double sheenWidth = 0.2; ///< as a fraction of the rod's width
-constexpr double sheenUp = 0.24;   ///< offset from the middle, as a fraction of the rod's width
+constexpr double calm = 0.01;            ///< the strain up to which a stick counts as correct
+constexpr double worst = 0.20;           ///< the strain at which a stick has the full warning colour
+constexpr double thinnest = 0.5;         ///< of a stick's width, at +worst
+constexpr double thickest = 1.7;         ///< of a stick's width, at −worst
+constexpr double finest = 1.2;           ///< screen px
+constexpr double besideJoint = 2.;       ///< px between a joint's disc and the end cap
+constexpr double leastRound = 5.0;       ///< screen px; thinner sticks have no sheen
+constexpr double sheenWidth = 0.2;       ///< as a fraction of the rod's width
+constexpr double ruleLinkWidth = 1.2;    ///< screen px
+constexpr double ruleLinkShare = 0.75;   ///< opacity
+constexpr std::size_t crowdedLinks = 60; ///< so many rule links are drawn paler, because most of them cross
+constexpr double crowdedShare = 0.3;     ///< opacity of so many
+constexpr double sheenUp = 0.24;         ///< offset from the middle, as a fraction of the rod's width
 
 /// Returns 0 up to `calm` and 1 from `worst` on.
 double badness(double strain)
@@ -96,7 +100,7 @@ double stickSwelling(double strain)
     return 1.0 + badness(strain) * ((strain > 0.0 ? thinnest : thickest) - 1.0);
 }
 
-void LimbLayer::draw(const Canvas &canvas) const
+void drawLimbs(const Canvas &canvas)
 {
     const sim::State &state = canvas.shown.state();
     const QColor color = canvas.tokens().body;
@@ -109,10 +113,21 @@ void LimbLayer::draw(const Canvas &canvas) const
     }
 }
 
-void StickLayer::draw(const Canvas &canvas) const
+void drawSticks(const Canvas &canvas)
 {
     for (const lessons::StickView &stick : canvas.shown.view().sticks)
         drawStick(canvas, stick);
+}
+
+void drawRuleLinks(const Canvas &canvas)
+{
+    const sim::State &state = canvas.shown.state();
+    const std::vector<lessons::RuleLinkView> &links = canvas.shown.view().ruleLinks;
+    const double share = links.size() < crowdedLinks ? ruleLinkShare : crowdedShare;
+    canvas.painter.setPen(dashed(faded(canvas.tokens().rule, share), ruleLinkWidth, {8.0, 4.0, 1.0, 4.0}));
+    for (const lessons::RuleLinkView &link : links)
+        canvas.painter.drawLine(canvas.cut(canvas.camera.at(state.positionOf(link.a)),
+                                           canvas.camera.at(state.positionOf(link.b))));
 }
 
 }

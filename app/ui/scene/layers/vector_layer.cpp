@@ -39,7 +39,7 @@ void drawPlace(const Canvas &canvas, QPointF at)
 
 }
 
-void VectorLayer::draw(const Canvas &canvas) const
+void drawVector(const Canvas &canvas)
 {
     const std::optional<VectorMark> &vector = canvas.shown.vector;
     if (!vector || !std::isfinite(vector->to.x) || !std::isfinite(vector->to.y))

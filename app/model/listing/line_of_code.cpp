@@ -1,0 +1,35 @@
+#include "app/model/listing/line_of_code.h"
+
+#include "app/listing/tokens.h"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+int lineOfCodeFrom(const QString &text, int line)
+{
+    const std::string source = text.toStdString();
+    const listing::Tokens tokens(source);
+    std::vector<bool> endsHead(tokens.size() + 1, false); // the bracket behind the head of an `if` or a loop
+    int depth = 0;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        if (tokens.is(i, "if") || tokens.is(i, "for") || tokens.is(i, "while"))
+            endsHead[tokens.closing(i + 1)] = true;
+        if (tokens.is(i, "{")) {
+            ++depth;
+        } else if (tokens.is(i, "}")) {
+            if (--depth == 0 && tokens[i].line >= line) // the end of a function runs, too
+                return tokens[i].line;
+        } else if (depth > 0 && tokens[i].line >= line && !tokens.is(i, "else")) {
+            const bool isBehindHead = endsHead[i - 1] || tokens.is(i - 1, "else") || tokens.is(i - 1, "do");
+            const bool isBehindStatement = (tokens.is(i - 1, ";") && tokens.isInBlock(i)) ||
+                                           tokens.is(i - 1, "{") || tokens.is(i - 1, "}");
+            if (isBehindHead || isBehindStatement)
+                return tokens[i].line;
+        }
+    }
+    return 0;
+}
+
+}

@@ -1,0 +1,223 @@
+#include "app/ui/code/rule_panel.h"
+
+#include "app/model/listing/listing_names.h"
+#include "app/model/run/rule_error.h"
+#include "app/ui/actions/command.h"
+#include "app/ui/code/listing_editor.h"
+#include "app/ui/code/mistake_row.h"
+#include "app/ui/code/parameter_drag.h"
+#include "app/ui/theme/theme.h"
+#include "sim/run/script/composed_interval.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace app {
+
+namespace {
+
+const QString ruleEffect = QStringLiteral("rule");
+
+}
+
+RulePanel::RulePanel(Session &session, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_session(session), m_theme(theme),
+      m_editor(new ListingEditor(theme, ListingEditor::Kind::rule, this)),
+      m_parameters(new ParameterDrag(*m_editor, session.run(), session.editor())),
+      m_mistake(new MistakeRow(this)), m_state(new QLabel(this)), m_switchOn(new QPushButton(this))
+{
+    setObjectName("panel");
+    setAttribute(Qt::WA_StyledBackground);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_editor, 1);
+    layout->addWidget(m_mistake);
+    layout->addWidget(makeFoot());
+    setFocusProxy(m_editor);
+    makeActions();
+    connect(m_editor, &ListingEditor::written, this,
+            [this](const QString &text) { m_session.rule().write(text); });
+    connect(m_editor, &ListingEditor::completionsWanted, this, [this](int line, int column) {
+        m_editor->showCompletions(completionsAt(m_editor->text(), line, column, listing::ruleVocabulary()));
+    });
+    connect(m_editor, &ListingEditor::left, this, &RulePanel::left);
+    connect(m_editor, &ListingEditor::resetRequested, m_delete, &QToolButton::click);
+    applyTheme();
+    connect(&theme, &Theme::changed, this, &RulePanel::applyTheme);
+    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
+                         ChangeKind::code,
+                     this, &RulePanel::follow);
+    refresh();
+}
+
+RulePanel::~RulePanel()
+{
+    // The actions have no parent if nobody put them into a title.
+    if (m_actions && !m_actions->parent())
+        delete m_actions;
+}
+
+void RulePanel::makeActions()
+{
+    m_actions = new QWidget;
+    auto *row = new QHBoxLayout(m_actions);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_delete = new QToolButton;
+    m_delete->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_delete->setText(tr("Delete rule"));
+    m_delete->setObjectName("deleteRule");
+    m_delete->setIconSize({16, 16});
+    m_delete->setFixedHeight(28);
+    m_delete->setFocusPolicy(Qt::TabFocus);
+    row->addWidget(m_delete);
+    connect(m_delete, &QToolButton::clicked, this, [this] {
+        m_editor->dropPending();
+        m_session.rule().remove();
+    });
+}
+
+QWidget *RulePanel::makeFoot()
+{
+    auto *foot = new QWidget(this);
+    auto *divider = new QWidget(foot);
+    divider->setObjectName("divider");
+    divider->setAttribute(Qt::WA_StyledBackground);
+    divider->setFixedHeight(1);
+    m_state->setObjectName("caption");
+    m_state->setWordWrap(true);
+    m_switchOn->setText(tr("Switch on"));
+    m_switchOn->setObjectName("switchRuleOn");
+    m_switchOn->setToolTip(tr("Let your rule act again, from frame 0 on"));
+    m_switchOn->setFocusPolicy(Qt::TabFocus);
+    connect(m_switchOn, &QPushButton::clicked, this,
+            [this] { m_session.editor().setEffect(ruleEffect, true); });
+    auto *words = new QHBoxLayout;
+    words->setContentsMargins(16, 8, 12, 4);
+    words->setSpacing(12);
+    words->addWidget(m_state, 1);
+    words->addWidget(m_switchOn);
+    m_commands = new QHBoxLayout;
+    m_commands->setContentsMargins(12, 0, 12, 8);
+    m_commands->setSpacing(6);
+    m_commands->addStretch(1);
+    auto *column = new QVBoxLayout(foot);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(divider);
+    column->addLayout(words);
+    column->addLayout(m_commands);
+    return foot;
+}
+
+void RulePanel::addCommand(Command &command)
+{
+    auto *button = new QToolButton(this);
+    button->setDefaultAction(&command);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({16, 16});
+    button->setFixedHeight(28);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setAccessibleName(command.iconText());
+    m_commands->insertWidget(m_commands->count() - 1, button);
+}
+
+void RulePanel::applyTheme()
+{
+    m_delete->setIcon(m_theme.icon(QStringLiteral("close")));
+}
+
+QString RulePanel::sentence() const
+{
+    return m_mistake->sentence();
+}
+
+QString RulePanel::state() const
+{
+    return m_state->text();
+}
+
+void RulePanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    refresh();
+}
+
+void RulePanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_editor->flush();
+}
+
+void RulePanel::follow(const Change &change)
+{
+    if (change.isAny(ChangeKind::step))
+        m_editor->dropPending(); // it belongs to the step before
+    if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::code)) {
+        refresh();
+        if (m_step != &m_session.step())
+            m_editor->showTop();
+        m_step = &m_session.step();
+        return;
+    }
+    if (isVisible() && !m_session.playback().isPlaying())
+        showMistakes();
+}
+
+void RulePanel::refresh()
+{
+    const RuleCode &rule = m_session.rule();
+    if (!rule.isOffered())
+        return;
+    m_parameters->offer();
+    const QString text = rule.text();
+    if (!m_editor->isPending())
+        m_editor->setListing(text);
+    const bool isThere = text != RuleCode::startingText();
+    m_delete->setEnabled(isThere);
+    m_delete->setToolTip(isThere ? tr("Delete your rule and begin anew (Undo brings it back)")
+                                 : tr("There is no rule yet."));
+    m_switchOn->setVisible(rule.hasRule() && m_session.editor().isOff(ruleEffect));
+    m_state->setText(stateText());
+    showMistakes();
+}
+
+QString RulePanel::stateText() const
+{
+    const RuleCode &rule = m_session.rule();
+    if (!rule.hasRule())
+        return tr("No rule acts yet. What you write acts as soon as you pause.");
+    if (m_session.editor().isOff(ruleEffect))
+        return tr("Your rule is switched off.");
+    if (!rule.isActing())
+        return tr("Your last rule without a mistake goes on.");
+    const sim::Blueprint &plan = *m_session.editor().blueprint();
+    QStringList words;
+    if (plan.rule.program->hasForce())
+        words << tr("force acts on every body.");
+    if (plan.rule.program->hasPull())
+        words << (plan.ruleLinks.empty() ? tr("pull acts along rule links, and there are none yet.")
+                                         : tr("pull acts along %n rule links.", nullptr,
+                                              static_cast<int>(plan.ruleLinks.size())));
+    return words.join(' ');
+}
+
+void RulePanel::showMistakes()
+{
+    const RuleCode &rule = m_session.rule();
+    const std::vector<CodeMistake> mistakes = rule.mistakes();
+    m_editor->setMistakes(mistakes);
+    QString sentence = mistakeSentence(mistakes);
+    LineMarks marks;
+    if (const std::optional<listing::RuleError> error = rule.runError(); error && sentence.isEmpty()) {
+        sentence = ruleMistakeSentence(*error, m_session.timeline().track().interval().scene);
+        marks.failed = rule.isActing() ? error->error.line : 0;
+    }
+    m_editor->setMarks(marks);
+    m_mistake->setSentence(sentence);
+}
+
+}

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "app/model/session/session.h"
+
+#include <QPointer>
+#include <QWidget>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+class QHBoxLayout;
+
+namespace app {
+
+class Command;
+class ListingEditor;
+class MistakeRow;
+class ParameterDrag;
+class Theme;
+
+/// A panel with the learner's rule for the scene of the sandbox. Each change is compiled after a short pause, and the run
+/// is computed again. Below are the mistake, what the rule acts on, and the commands that choose where `pull` acts.
+class RulePanel : public QWidget
+{
+    Q_OBJECT
+
+public:
+    RulePanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    ~RulePanel() override;
+
+    ListingEditor &editor() { return *m_editor; }
+    /// Returns the buttons for the right end of the title. The code that creates the title must place them.
+    QWidget *titleActions() { return m_actions; }
+    /// Returns the sentence under the editor; empty if the rule has no mistake.
+    QString sentence() const;
+    /// Returns what the rule acts on.
+    QString state() const;
+    /// Adds a button for a command to the last row.
+    void addCommand(Command &command);
+
+signals:
+    /// Emitted when the learner leaves the editor by keyboard.
+    void left();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    void makeActions();
+    QWidget *makeFoot();
+    void applyTheme();
+    void follow(const Change &change);
+    void refresh();
+    void showMistakes();
+    QString stateText() const;
+
+    Session &m_session;
+    const Theme &m_theme;
+    ListingEditor *m_editor;
+    ParameterDrag *m_parameters;
+    MistakeRow *m_mistake;
+    QLabel *m_state;
+    QPushButton *m_switchOn;
+    QHBoxLayout *m_commands = nullptr;
+    QPointer<QWidget> m_actions;
+    QToolButton *m_delete = nullptr;
+    const lessons::Step *m_step = nullptr; ///< the step that is shown
+};
+
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QWidget>
+
+#include <vector>
+
+class QAbstractButton;
+
+namespace app {
+
+/// A row of buttons that continues in a second line where the width does not suffice. Inside a scroll area it stays in
+/// view: while its place in the layout is below the visible part, the buttons are at the bottom edge of that part.
+class ButtonFlow : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `box` is the widget that the buttons stay inside. It must have the layout of this widget.
+    explicit ButtonFlow(QWidget *box);
+
+    /// Returns the parent for the buttons.
+    QWidget *strip() const { return m_strip; }
+    /// Adds a button behind the others. Its parent must be strip().
+    void add(QAbstractButton *button);
+    /// Fits the buttons again. Call it after one of them was shown or hidden, or has another text.
+    void refresh();
+
+    bool hasHeightForWidth() const override { return true; }
+    int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    bool event(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    /// Calls `set` with each button that is not hidden and its place, for this width. Returns the height.
+    template <class Set>
+    int arrange(int width, Set set) const;
+    /// Moves the buttons to where they are in view.
+    void place();
+    void watchScrolling();
+
+    QWidget *m_strip;
+    std::vector<QAbstractButton *> m_buttons;
+    QWidget *m_viewport = nullptr; ///< of the scroll area around; null: none
+};
+
+}
