@@ -90,10 +90,10 @@ sim::Script scriptOf(const sim::Blueprint &plan, const std::string &method, doub
     return script;
 }
 
-sim::State stateAfterFrames(const sim::Script &script, std::int64_t frames)
+sim::State stateAfterFrames(const sim::Script &script, std::int64_t frameCount)
 {
     sim::Track track(script, std::size_t{1} << 20);
-    track.seek({frames, 0});
+    track.seek({frameCount, 0});
     return track.state();
 }
 
@@ -102,12 +102,12 @@ double largestDifference(const sim::State &a, const sim::State &b)
     return (a.position - b.position).abs().maxCoeff();
 }
 
-sim::Balance balanceOf(const sim::Script &script, std::int64_t frames)
+sim::Balance balanceOf(const sim::Script &script, std::int64_t frameCount)
 {
     sim::Track track(script, std::size_t{1} << 20);
     sim::Ledger ledger;
     sim::Balance balance;
-    for (std::int64_t frame = 1; frame <= frames; ++frame) {
+    for (std::int64_t frame = 1; frame <= frameCount; ++frame) {
         track.seek({frame, 0});
         const sim::Balance row = *ledger.row(track, frame);
         if (frame == 1)
