@@ -84,9 +84,9 @@ private slots:
 
 void Accuracy::bigStepErrorMatchesText()
 {
-    QVERIFY(narrationContains("big_step", u"once in 14.05 frames"_qs));
+    QVERIFY(narrationContains("big_step", u"once in 14.05 frames"_qs));
     QVERIFY(std::abs(2 * std::numbers::pi / std::sqrt(0.2) - 14.05) < 0.005);
-    QVERIFY(narrationContains("big_step", u"after 100 frames it is 66 px off"_qs));
+    QVERIFY(narrationContains("big_step", u"after 100 frames it is 66 px off"_qs));
     const sim::Script script = step("big_step").script();
     const double error =
         std::abs(stateAfter(script, 100).positionOf(0).x - 270.0 - springDisplacement(130.0, 0.2, 100));
@@ -121,7 +121,7 @@ void Accuracy::explicitEulerEnergyGrowsAsTextSays()
 
 void Accuracy::energyOfOtherMethodsOscillatesAsTextSays()
 {
-    QVERIFY(narrationContains("energy", u"swings 7 % round"_qs) &&
+    QVERIFY(narrationContains("energy", u"swings 7 % round"_qs) &&
             narrationContains("energy", u"half a percent"_qs));
     const auto range = [&](const char *method) {
         const std::vector<double> drift = measured("energy", 0, scriptOf(step("energy"), method, 1.0), 1000);
@@ -166,10 +166,10 @@ void Accuracy::halvingTheStepReducesErrorsByOrder()
 
 void Accuracy::errorsAtEqualCostMatchText()
 {
-    QVERIFY(narrationContains("halve", u"the one is 0.13 px off at frame 60, and the other 0.44 px"_qs));
+    QVERIFY(narrationContains("halve", u"the one is 0.13 px off at frame 60, and the other 0.44 px"_qs));
     QVERIFY(std::abs(errorAt("halve", "rk4", 1.0 / 2, 60) - 0.13) < 0.005);
     QVERIFY(std::abs(errorAt("halve", "semi_implicit_euler", 1.0 / 8, 60) - 0.44) < 0.005);
-    QVERIFY(narrationContains("halve", u"it is 0.00003 px against 0.05"_qs));
+    QVERIFY(narrationContains("halve", u"it is 0.00003 px against 0.05"_qs));
     QVERIFY(std::abs(errorAt("halve", "rk4", 1.0 / 16, 60) - 0.00003) < 0.000005);
     QVERIFY(std::abs(errorAt("halve", "semi_implicit_euler", 1.0 / 64, 60) - 0.05) < 0.005);
     for (const auto &[method, h] : {std::pair{"rk4", 0.5}, std::pair{"semi_implicit_euler", 0.125}})
@@ -180,7 +180,7 @@ void Accuracy::errorsAtEqualCostMatchText()
 
 void Accuracy::adaptiveStepsShortenOnlyNearTheCentre()
 {
-    QVERIFY(narrationContains("adapt", u"almost 4 frames far out, less than half a frame in the middle"_qs));
+    QVERIFY(narrationContains("adapt", u"almost 4 frames far out, less than half a frame in the middle"_qs));
     const sim::Script script = step("adapt").script();
     QCOMPARE(script.step.tolerance, 1e-3);
     const std::vector<double> length = measured("adapt", 1, script, 150);
@@ -213,7 +213,7 @@ void Accuracy::adaptiveStepsCostLess()
 
 void Accuracy::fixedStepThroughABounceHasOrderOne()
 {
-    QVERIFY(narrationContains("bounce", u"after 30.66 frames"_qs));
+    QVERIFY(narrationContains("bounce", u"after 30.66 frames"_qs));
     QVERIFY(std::abs(std::sqrt(2 * 235.0 / 0.5) - 30.66) < 0.005);
     // The error is zero before the first bounce. Then it depends on how far the step ends below the floor.
     QVERIFY(errorAt("bounce", "rk4", 1.0, 30) < 1e-9);
@@ -236,7 +236,7 @@ void Accuracy::contactEventsKeepTheParabolas()
 
 void Accuracy::ballComesToRestInFiniteTime()
 {
-    QVERIFY(narrationContains("bounce", u"Infinitely many fit into 92 frames"_qs));
+    QVERIFY(narrationContains("bounce", u"Infinitely many fit into 92 frames"_qs));
     const double first = std::sqrt(2 * 235.0 / 0.5);
     QCOMPARE(std::round(first + 2 * first * 0.5 / (1 - 0.5)), 92.0);
     sim::Script script = withTolerance("bounce", 1e-3);

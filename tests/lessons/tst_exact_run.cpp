@@ -243,7 +243,7 @@ void ExactRun::onlySuitableMethodsKeepTheBudget()
     const auto free = [](const sim::Script &, std::int64_t) { return 0.0; };
     QCOMPARE(lessons::staysWithin(*step("budget").tries[1].budget, script, free), isWithin);
     if (h == 1.0 && method == u"semi_implicit_euler") {
-        QVERIFY(step("budget").narration.contains(u"15 px off"_qs));
+        QVERIFY(step("budget").narration.contains(u"15 px off"_qs));
         QCOMPARE(std::round(worstError(script, 200)), 15.0);
     }
 }

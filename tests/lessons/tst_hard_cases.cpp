@@ -165,7 +165,7 @@ void HardCases::softerPairRestsWhereTextSays()
     const sim::State end = stateAfter(scriptFor("runaway", "published", 1.0, {{"k", 0.2}}), 3000);
     QVERIFY(maxSpeed(end) < 1e-6);
     QVERIFY(std::abs(distanceBetween(end, 0, 1) - 50.0) < 1e-6);
-    QVERIFY(step("runaway").tries[1].text.contains(u"157\u2009px"_qs));
+    QVERIFY(step("runaway").tries[1].text.contains(u"157\u202fpx"_qs));
     QCOMPARE(std::round(sim::length(centroidOf(end) - sim::Vec2{300.0, 230.0})), 157.0);
 }
 
