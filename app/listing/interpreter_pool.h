@@ -7,7 +7,7 @@
 
 namespace listing {
 
-/// Interpreters of one text. Each thread that runs it takes one of its own.
+/// A pool of interpreters for one program text. Each thread takes a different interpreter while it runs the text.
 template <class Type>
 class InterpreterPool
 {

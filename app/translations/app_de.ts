@@ -7074,7 +7074,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Deine Regel ist ausgeschaltet.</translation>
     </message>
     <message>
-        <source>Your last rule without a mistake goes on.</source>
+        <source>Your last rule without a mistake still acts.</source>
         <translation>Deine letzte Regel ohne Fehler wirkt weiter.</translation>
     </message>
     <message>

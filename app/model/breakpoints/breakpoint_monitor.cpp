@@ -254,7 +254,7 @@ std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor t
         hit = hitAt(run);
         if (run.cursor().phase == 0)
             m_rowsOver = run.isFinished() ? m_rowsOver + 1 : 0;
-        // The first line is next at the target. The others are checked when the run goes on.
+        // The run arrives before the first line. The later lines are checked when the run continues.
         if (!hit)
             hit = hitInLines(run, run.cursor() < target ? Lines::all : Lines::first);
     }

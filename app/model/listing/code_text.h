@@ -20,7 +20,7 @@ struct CodeMistake
     int line = 1;     ///< from 1
     int column = 1;   ///< from 1, in characters
     int length = 1;   ///< characters, of the word that is wrong
-    QString sentence; ///< says what is wrong and which names exist, in the learner's language
+    QString sentence; ///< the mistake and the names that exist, translated
     friend bool operator==(const CodeMistake &, const CodeMistake &) = default;
 };
 
@@ -30,7 +30,7 @@ std::vector<CodeMistake> mistakesOf(const std::vector<listing::CompileError> &er
 /// Returns the first line of `text` that `other` does not have, as part of the name of a run.
 QString firstNewLine(const QString &other, const QString &text);
 
-/// Tells which texts are undone together: those that follow each other without a pause.
+/// Groups edits for undo: edits without a pause between them are one entry.
 class TypingPause
 {
 public:

@@ -52,8 +52,8 @@ public:
     std::optional<listing::RunError> runError() const;
 
     /// Replaces the text. If the listing is in use and the text compiles, the run is computed again up to the cursor, and
-    /// the run as it was becomes the ghost. Texts that follow each other without a TypingPause are undone together,
-    /// unless RunEditor::endGesture() was called between them. A text of more than listing::maxTextBytes is a mistake.
+    /// the previous run becomes the ghost. Edits without a TypingPause between them are one undo entry, unless
+    /// RunEditor::endGesture() was called between them. A text of more than listing::maxTextBytes is a mistake.
     void write(const QString &text);
     /// Replaces the text by the step's listing. If the text was in use, the step's own method computes the run then. It can
     /// be undone.

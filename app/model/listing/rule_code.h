@@ -18,8 +18,8 @@ class RunEditor;
 /// run, because the effects of the scene do not act then.
 bool hasRuleDraft(const OpenRun &run);
 
-/// The rule of a sandbox scene, as the learner has written it. It acts like any effect, under every method. A text that
-/// does not compile is kept as a draft, while the last one that did goes on acting.
+/// The rule of a sandbox scene, as the learner has written it. It acts like any effect, under every method. While the
+/// text does not compile, it is kept as a draft and the last rule that compiled still acts.
 ///
 /// ChangeKind::code announces each change of the text, also together with other kinds.
 class RuleCode
@@ -44,9 +44,9 @@ public:
     /// Returns the mistake that ended the run, if the rule did. Its line is one of text() if isActing().
     std::optional<listing::RuleError> runError() const;
 
-    /// Replaces the text. If it compiles, the run is computed again up to the cursor, and the run as it was becomes the
-    /// ghost. Texts that follow each other without a TypingPause are undone together, unless RunEditor::endGesture() was
-    /// called between them.
+    /// Replaces the text. If it compiles, the run is computed again up to the cursor, and the previous run becomes the
+    /// ghost. Edits without a TypingPause between them are one undo entry, unless RunEditor::endGesture() was called
+    /// between them.
     void write(const QString &text);
     /// Deletes the rule, so that text() is the starting text again. It can be undone.
     void remove();

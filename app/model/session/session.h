@@ -14,7 +14,7 @@
 namespace app {
 
 /// The open step of a lesson, and the parts that show and change its run. It opens steps and experiments, and keeps the
-/// steps that were open before. Widgets change nothing but these parts, take those that they need, and follow
+/// steps that were open before. A widget takes the parts that it needs, changes the run only through them, and follows
 /// onChange().
 class Session : public QObject
 {

@@ -57,7 +57,7 @@ CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
 
 CodePanel::~CodePanel()
 {
-    // The actions have no parent if nobody put them into a title.
+    // A title owns the actions once they are in it. Without a title, nothing else deletes them.
     if (m_actions && !m_actions->parent())
         delete m_actions;
 }

@@ -63,7 +63,7 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
 
 ListingPanel::~ListingPanel()
 {
-    // The actions have no parent if nobody put them into a title.
+    // A title owns the actions once they are in it. Without a title, nothing else deletes them.
     if (m_actions && !m_actions->parent())
         delete m_actions;
 }

@@ -8,7 +8,7 @@ class QLabel;
 
 namespace app {
 
-/// The row under an editor of code that says what is wrong. It is hidden while nothing is.
+/// A row below a code editor that shows the first mistake. It is hidden while the code has no mistake.
 class MistakeRow : public QWidget
 {
     Q_OBJECT

@@ -56,7 +56,7 @@ RulePanel::RulePanel(Session &session, const Theme &theme, QWidget *parent)
 
 RulePanel::~RulePanel()
 {
-    // The actions have no parent if nobody put them into a title.
+    // A title owns the actions once they are in it. Without a title, nothing else deletes them.
     if (m_actions && !m_actions->parent())
         delete m_actions;
 }
@@ -193,7 +193,7 @@ QString RulePanel::stateText() const
     if (m_session.editor().isOff(ruleEffect))
         return tr("Your rule is switched off.");
     if (!rule.isActing())
-        return tr("Your last rule without a mistake goes on.");
+        return tr("Your last rule without a mistake still acts.");
     const sim::Blueprint &plan = *m_session.editor().blueprint();
     QStringList words;
     if (plan.rule.program->hasForce())

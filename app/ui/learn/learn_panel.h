@@ -30,8 +30,7 @@ public:
     LearnPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
 
     void setForm(Form form);
-    /// Sets the keys that change the form, and those that go to the previous and to the next step. The tooltips name
-    /// them.
+    /// Sets the keys for changing the form and for the previous and the next step, as the tooltips show them.
     void setKeys(const QKeySequence &form, const QKeySequence &back, const QKeySequence &next);
     Form form() const { return m_form; }
     const Glossary &glossary() const { return m_glossary; }
