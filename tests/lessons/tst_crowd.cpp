@@ -205,7 +205,7 @@ void Crowd::analysesOfTooManyPointsAreRejected()
 
 void Crowd::numbersOfTheTextHold()
 {
-    const QString text = QString(step().narration).replace(QChar(0x2009), ' ');
+    const QString text = QString(step().narration).replace(QChar(0x202f), ' ');
     QVERIFY(text.contains("6 points, and 10 pulls in every step"));
     QVERIFY(text.contains("At 30 frames a second there are 33 ms"));
     QCOMPARE(std::lround(1000.0 / 30.0), 33l);
