@@ -9,7 +9,7 @@
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/branches/branches_panel.h"
 #include "app/ui/code/code_pages.h"
-#include "app/ui/code/rule_panel.h"
+#include "app/ui/code/listing/rule_panel.h"
 #include "app/ui/dialogs/notice.h"
 #include "app/ui/dialogs/recovery_prompt.h"
 #include "app/ui/dock/arrange_menu.h"

@@ -2,8 +2,8 @@
 
 #include "app/model/catalog/lesson_library.h"
 #include "app/model/session/session.h"
-#include "app/ui/code/code_panel.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_panel.h"
+#include "app/ui/code/engine/code_view.h"
 #include "app/ui/theme/theme.h"
 #include "tests/app/code/listing_support.h"
 

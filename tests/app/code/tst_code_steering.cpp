@@ -1,6 +1,6 @@
 #include "app/model/code/code_values.h"
 #include "app/ui/code/breakpoint_list.h"
-#include "app/ui/code/code_card.h"
+#include "app/ui/code/engine/code_card.h"
 #include "tests/app/code/steering_support.h"
 #include "tests/app/support/waiting.h"
 #include "tests/suite.h"

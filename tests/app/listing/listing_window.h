@@ -4,9 +4,9 @@
 
 #include "app/ui/code/breakpoint_list.h"
 #include "app/ui/code/code_pages.h"
-#include "app/ui/code/code_panel.h"
-#include "app/ui/code/listing_editor.h"
-#include "app/ui/code/listing_panel.h"
+#include "app/ui/code/engine/code_panel.h"
+#include "app/ui/code/listing/listing_editor.h"
+#include "app/ui/code/listing/listing_panel.h"
 #include "app/ui/time/timeline_strip.h"
 
 #include <QPushButton>

@@ -2,7 +2,7 @@
 
 #include "app/model/listing/changed_lines.h"
 #include "app/model/listing/line_of_code.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 #include "tests/app/listing/code_session.h"
 #include "tests/app/listing/listing_window.h"
 #include "tests/suite.h"

@@ -1,7 +1,7 @@
 #include "tests/app/listing/listing_window.h"
 #include "tests/suite.h"
 
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <QLineEdit>

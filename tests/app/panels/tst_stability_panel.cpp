@@ -3,7 +3,7 @@
 #include "tests/app/panels/stability_panel_support.h"
 
 #include "app/ui/accuracy/accuracy_panel.h"
-#include "app/ui/code/code_panel.h"
+#include "app/ui/code/engine/code_panel.h"
 #include "tests/suite.h"
 
 #include <QAccessible>

@@ -3,8 +3,8 @@
 #include "app/model/analysis/energy_lines.h"
 #include "app/model/sandbox/sandbox.h"
 #include "app/ui/code/code_pages.h"
-#include "app/ui/code/listing_editor.h"
-#include "app/ui/code/rule_panel.h"
+#include "app/ui/code/listing/listing_editor.h"
+#include "app/ui/code/listing/rule_panel.h"
 #include "tests/app/sandbox/sandbox_support.h"
 #include "tests/suite.h"
 

@@ -2,8 +2,8 @@
 
 #include "tests/app/support/window_fixture.h"
 
-#include "app/ui/code/code_panel.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_panel.h"
+#include "app/ui/code/engine/code_view.h"
 #include "app/ui/energy/energy_panel.h"
 #include "app/ui/energy/energy_plot.h"
 #include "app/ui/plots/plot_card.h"

@@ -2,7 +2,7 @@
 // when the files were saved; see tests/app/fixtures/saved/README.md.
 
 #include "app/model/files/recent_files.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 #include "app/ui/dialogs/recovery_list.h"
 #include "app/ui/learn/narration.h"
 #include "app/ui/learn/try_row.h"

@@ -1,11 +1,11 @@
-#include "app/ui/code/code_panel.h"
+#include "app/ui/code/engine/code_panel.h"
 
 #include "app/model/text/sentences.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/code/breakpoint_list.h"
-#include "app/ui/code/code_card.h"
 #include "app/ui/code/code_keys.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_card.h"
+#include "app/ui/code/engine/code_view.h"
 #include "app/ui/theme/theme.h"
 #include "sim/run/script/composed_interval.h"
 

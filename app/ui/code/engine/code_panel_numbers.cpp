@@ -3,9 +3,9 @@
 #include "app/model/code/code_targets.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
-#include "app/ui/code/code_card.h"
-#include "app/ui/code/code_panel.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_card.h"
+#include "app/ui/code/engine/code_panel.h"
+#include "app/ui/code/engine/code_view.h"
 #include "app/ui/theme/theme.h"
 #include "sim/run/script/composed_interval.h"
 

@@ -1,9 +1,9 @@
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 
 #include "app/ui/actions/command.h"
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/code_view_styles.h"
+#include "app/ui/code/engine/code_view_styles.h"
 #include "app/ui/theme/theme.h"
 
 #include <QScrollBar>

@@ -1,7 +1,7 @@
-#include "app/ui/code/parameter_drag.h"
+#include "app/ui/code/listing/parameter_drag.h"
 
 #include "app/model/code/code_targets.h"
-#include "app/ui/code/listing_editor.h"
+#include "app/ui/code/listing/listing_editor.h"
 
 namespace app {
 

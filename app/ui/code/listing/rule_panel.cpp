@@ -1,11 +1,11 @@
-#include "app/ui/code/rule_panel.h"
+#include "app/ui/code/listing/rule_panel.h"
 
 #include "app/model/listing/listing_names.h"
 #include "app/model/run/rule_error.h"
 #include "app/ui/actions/command.h"
-#include "app/ui/code/listing_editor.h"
-#include "app/ui/code/mistake_row.h"
-#include "app/ui/code/parameter_drag.h"
+#include "app/ui/code/listing/listing_editor.h"
+#include "app/ui/code/listing/mistake_row.h"
+#include "app/ui/code/listing/parameter_drag.h"
 #include "app/ui/theme/theme.h"
 #include "sim/run/script/composed_interval.h"
 

@@ -1,4 +1,4 @@
-#include "app/ui/code/code_card.h"
+#include "app/ui/code/engine/code_card.h"
 
 #include "app/model/code/code_values.h"
 #include "app/ui/theme/theme.h"

@@ -1,10 +1,10 @@
-#include "app/ui/code/listing_editor.h"
+#include "app/ui/code/listing/listing_editor.h"
 
 #include "app/ui/actions/command.h"
 #include "app/ui/code/code_colors.h"
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/listing_editor_styles.h"
+#include "app/ui/code/listing/listing_editor_styles.h"
 #include "app/ui/code/scintilla_style.h"
 #include "app/ui/theme/theme.h"
 

@@ -1,5 +1,5 @@
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 
 #include <QSettings>
 

@@ -1,4 +1,4 @@
-#include "app/ui/code/mistake_row.h"
+#include "app/ui/code/listing/mistake_row.h"
 
 #include <QLabel>
 #include <QVBoxLayout>

@@ -1,7 +1,7 @@
 // The lines that this step removed, struck through at their old places.
 
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 
 #include <algorithm>
 

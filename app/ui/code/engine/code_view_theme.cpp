@@ -2,8 +2,8 @@
 
 #include "app/ui/code/code_colors.h"
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/code_view.h"
-#include "app/ui/code/code_view_styles.h"
+#include "app/ui/code/engine/code_view.h"
+#include "app/ui/code/engine/code_view_styles.h"
 #include "app/ui/code/scintilla_style.h"
 #include "app/ui/theme/theme.h"
 

@@ -2,9 +2,9 @@
 
 #include "app/model/code/code_targets.h"
 #include "app/ui/code/breakpoint_list.h"
-#include "app/ui/code/code_card.h"
-#include "app/ui/code/code_panel.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_card.h"
+#include "app/ui/code/engine/code_panel.h"
+#include "app/ui/code/engine/code_view.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,4 +1,4 @@
-#include "app/ui/code/listing_panel.h"
+#include "app/ui/code/listing/listing_panel.h"
 
 #include "app/model/listing/changed_lines.h"
 #include "app/model/listing/line_of_code.h"
@@ -6,9 +6,9 @@
 #include "app/model/listing/listing_names.h"
 #include "app/model/run/run_program.h"
 #include "app/ui/code/breakpoint_list.h"
-#include "app/ui/code/listing_editor.h"
-#include "app/ui/code/mistake_row.h"
-#include "app/ui/code/parameter_drag.h"
+#include "app/ui/code/listing/listing_editor.h"
+#include "app/ui/code/listing/mistake_row.h"
+#include "app/ui/code/listing/parameter_drag.h"
 #include "app/ui/theme/theme.h"
 
 #include <QHBoxLayout>

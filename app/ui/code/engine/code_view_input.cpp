@@ -1,4 +1,4 @@
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 
 #include "app/ui/actions/command.h"
 #include "app/ui/code/code_keys.h"

@@ -1,4 +1,4 @@
-#include "app/ui/code/code_rows.h"
+#include "app/ui/code/engine/code_rows.h"
 
 #include "app/ui/code/code_colors.h"
 

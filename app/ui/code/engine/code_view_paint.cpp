@@ -1,6 +1,6 @@
 #include "app/ui/code/code_colors.h"
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 #include "app/ui/theme/theme.h"
 
 #include <QPaintEvent>

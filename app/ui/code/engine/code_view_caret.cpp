@@ -1,7 +1,7 @@
 // Keyboard navigation in the code, and positions of words.
 
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/code_view.h"
+#include "app/ui/code/engine/code_view.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #include "app/model/breakpoints/breakpoints.h"
 #include "app/model/code/code_marks.h"
 #include "app/model/code/code_symbols.h"
-#include "app/ui/code/code_rows.h"
+#include "app/ui/code/engine/code_rows.h"
 #include "app/ui/code/value_chip.h"
 
 #include <Qsci/qsciscintilla.h>

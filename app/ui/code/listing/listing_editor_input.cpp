@@ -2,7 +2,7 @@
 
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/listing_editor.h"
+#include "app/ui/code/listing/listing_editor.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>

@@ -4,7 +4,7 @@
 #include "app/ui/code/code_colors.h"
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
-#include "app/ui/code/listing_editor.h"
+#include "app/ui/code/listing/listing_editor.h"
 #include "app/ui/theme/theme.h"
 
 #include <QPaintEvent>
