@@ -43,6 +43,16 @@ bool runOutputStep(State &state, const Pipeline &pipeline, const ShouldContinue 
     return runPhases(state, pipeline, shouldContinue);
 }
 
+/// Returns the output steps in which every island takes at least one step of an adaptive method, about two of the present
+/// length. Between two steps, frames only read off positions, and no effect is computed. Returns 0 for other methods.
+int outputStepsOfAdaptive(const State &state, const StepSize &size)
+{
+    double longest = 0.0; // frames
+    for (const AdaptiveStep &step : state.adaptiveSteps)
+        longest = std::max({longest, step.end - step.start, step.nextLength});
+    return std::min(maxOutputSteps, static_cast<int>(std::ceil(2.0 * longest / size.framesPerOutput)));
+}
+
 double readingOf(const Clock &clock)
 {
     std::vector<double> gaps;
@@ -81,7 +91,8 @@ bool TimingBatch::choose(const Pipeline &pipeline, const ShouldContinue &shouldC
     const std::size_t fit = cacheBytes / byteSize(state);
     const auto lanes =
         std::clamp<std::size_t>(fit, 1, static_cast<std::size_t>(std::min<double>(outputSteps, maxLanes)));
-    m_outputSteps = std::clamp(static_cast<int>(outputSteps / static_cast<double>(lanes)), 1, maxOutputSteps);
+    m_outputSteps = std::clamp(static_cast<int>(outputSteps / static_cast<double>(lanes)),
+                               std::max(1, outputStepsOfAdaptive(state, pipeline.step)), maxOutputSteps);
     while (m_starts.size() < lanes) {
         state = m_starts.back();
         if (!runOutputStep(state, pipeline, shouldContinue))

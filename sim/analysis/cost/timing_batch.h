@@ -28,7 +28,8 @@ struct PhaseTimes
 /// The frames that are measured: several copies of a run (lanes), each one output step ahead of the one
 /// before, over the same number of output steps. One reading of the clock therefore times many calls of a
 /// phase. Each call works on a state that really occurs in the run, never on the result of the previous call.
-/// There are few enough lanes to fit the fastest cache, if a single run does.
+/// There are few enough lanes to fit the fastest cache, if a single run does. The output steps of an adaptive method
+/// contain whole steps, which can be several frames long.
 class TimingBatch
 {
 public:

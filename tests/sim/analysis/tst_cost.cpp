@@ -2,6 +2,7 @@
 #include "sim/base/error.h"
 #include "sim/effects/fields/gravity.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/run_step.h"
 #include "tests/sim/support/support.h"
 #include "tests/suite.h"
 
@@ -269,6 +270,28 @@ private slots:
         QCOMPARE(fresh.result().rounds, 0);
         QVERIFY(fresh.round());
         QVERIFY(near(fresh.result().effects[1].ns, 1500));
+    }
+
+    /// An adaptive step of ten frames computes effects in one of them only.
+    void adaptiveStepsOfSeveralFramesAreMeasuredWhole()
+    {
+        FakeTime time;
+        sim::Scene scene = scenes::creature(2);
+        scene.effects = {std::make_shared<SlowForce>("slow", 1e6, time)};
+        const sim::MethodPtr method = sim::findMethod("dop853");
+        const auto step = sim::StepSize::withTolerance(1e-3);
+        const sim::Pipeline pipeline = sim::compose(scene, *method, step);
+        sim::State state = scene.start;
+        method->prepareState(state);
+        for (int frame = 0; frame < 40; ++frame) {
+            sim::CostMeter meter(scene, method, step, state, time.clock());
+            QVERIFY(meter.round());
+            const sim::FrameCost cost = meter.result();
+            QVERIFY2(cost.effects[0].evaluations > 0.0, qPrintable(QString("from frame %1").arg(frame)));
+            QVERIFY(std::abs(cost.effects[0].ns - cost.ns) < 0.01 * cost.ns);
+            sim::runStep(pipeline, state);
+        }
+        QVERIFY(state.adaptiveSteps[0].nextLength > 5.0);
     }
 
     void methodThatDoesNotFitIsRefused()
