@@ -15,7 +15,7 @@ using namespace app;
 
 namespace {
 
-constexpr std::int64_t computed = 40;
+constexpr std::int64_t computedFrames = 40;
 
 using Edit = std::function<void(Session &)>;
 
@@ -37,7 +37,7 @@ void prepare(Session &session)
 {
     session.playback().goTo({10, 0});
     session.editor().setParameter("k", 0.3);
-    session.playback().goTo({computed, 0});
+    session.playback().goTo({computedFrames, 0});
     session.playback().goTo({20, 0});
 }
 
@@ -91,7 +91,7 @@ void ChangesTest::statesBeforeTheFirstChangedFrameKeepTheirBits()
     const auto statesOf = [](const sim::Script &script) {
         sim::Track track(script, 0);
         std::vector<sim::State> states;
-        for (std::int64_t frame = 0; frame <= computed; ++frame)
+        for (std::int64_t frame = 0; frame <= computedFrames; ++frame)
             states.push_back(track.stateAt(frame));
         return states;
     };
@@ -103,7 +103,7 @@ void ChangesTest::statesBeforeTheFirstChangedFrameKeepTheirBits()
     if (session.step().id != step)
         return; // other states altogether
     const std::vector<sim::State> after = statesOf(session.timeline().script());
-    for (std::int64_t frame = 0; frame < std::min(firstFrame, computed + 1); ++frame)
+    for (std::int64_t frame = 0; frame < std::min(firstFrame, computedFrames + 1); ++frame)
         QVERIFY2(
             sim::sameBits(before[static_cast<std::size_t>(frame)], after[static_cast<std::size_t>(frame)]),
             qPrintable(QString::number(frame)));

@@ -20,15 +20,15 @@ using namespace app;
 
 namespace {
 
-constexpr double speed = 3.0; ///< px/frame
-constexpr int stride = 10;    ///< frames that a foot stands, then flies
-constexpr double start = 100.0;
+constexpr double glideSpeed = 3.0; ///< px/frame
+constexpr int glideStride = 10;    ///< frames that a foot stands, then flies
+constexpr double glideStart = 100.0;
 
 /// Two feet that glide to the right. Foot p0 stands in frames 0 to 9, 20 to 29...; p1 in the others.
 lessons::Step glide()
 {
-    sim::Scene scene = scenes::pointsAt({{start, 100}, {start, 150}});
-    drawn_scenes::letGlide(scene, {speed, 0.0});
+    sim::Scene scene = scenes::pointsAt({{glideStart, 100}, {glideStart, 150}});
+    drawn_scenes::letGlide(scene, {glideSpeed, 0.0});
     lessons::View view = drawn_scenes::feetOnly(scene);
     view.feet = {0, 1};
     lessons::Step step = drawn_scenes::step("glide", scene, view);
@@ -58,22 +58,22 @@ lessons::Step glide()
          }},
     };
     step.isFootDown = [](const sim::Scene &, const sim::State &state, const sim::Values &, int point) {
-        return state.frame / stride % 2 == point;
+        return state.frame / glideStride % 2 == point;
     };
     return step;
 }
 
 lessons::Step plain()
 {
-    const sim::Scene scene = scenes::pointsAt({{start, 100}});
+    const sim::Scene scene = scenes::pointsAt({{glideStart, 100}});
     return drawn_scenes::step("plain", scene, drawn_scenes::feetOnly(scene));
 }
 
 /// A step that looks at its run as a whole. Its run is exact, so that only the price decides.
 lessons::Step whole()
 {
-    sim::Scene scene = scenes::pointsAt({{start, 100}});
-    drawn_scenes::letGlide(scene, {speed, 0.0});
+    sim::Scene scene = scenes::pointsAt({{glideStart, 100}});
+    drawn_scenes::letGlide(scene, {glideSpeed, 0.0});
     lessons::Step step = drawn_scenes::step("whole", scene, drawn_scenes::feetOnly(scene));
     lessons::Measure measure = {
         .name = "Step", .unit = "frames", .help = "The step of the run.", .decimals = 2};
@@ -93,7 +93,7 @@ lessons::Step whole()
     return step;
 }
 
-struct Fixture
+struct MeasuredRun
 {
     LessonLibrary library = [] {
         LessonEntry entry;
@@ -133,7 +133,7 @@ private slots:
     void everyComputedRowIsMeasured()
     {
         QFETCH(double, h);
-        Fixture fixture;
+        MeasuredRun fixture;
         fixture.session.editor().setStepSize(h);
         QVERIFY(fixture.goTo(99));
         const std::int64_t row = fixture.series.rowFrames();
@@ -141,9 +141,9 @@ private slots:
         for (std::int64_t frame = 0; frame <= 99; frame += row) {
             const Sample *sample = fixture.series.at(frame);
             QVERIFY(sample);
-            QCOMPARE(sample->measures[0], start + speed * double(frame));
+            QCOMPARE(sample->measures[0], glideStart + glideSpeed * double(frame));
             if (frame > 0)
-                QCOMPARE(sample->measures[1], speed * double(row));
+                QCOMPARE(sample->measures[1], glideSpeed * double(row));
         }
         QVERIFY(std::isnan(fixture.series.at(0)->measures[1]));
         QVERIFY(!fixture.series.at(99 + row));
@@ -151,7 +151,7 @@ private slots:
 
     void whatAChangeMakesWrongIsMeasuredAgain()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         QVERIFY(fixture.goTo(60));
         fixture.session.playback().goTo({30, 0});
         fixture.session.editor().setParameter("k", 0.5);
@@ -159,7 +159,7 @@ private slots:
         QCOMPARE(fixture.series.last(), std::int64_t(50));
         QCOMPARE(fixture.series.at(30)->measures[2], 0.0);
         QCOMPARE(fixture.series.at(31)->measures[2], 0.5);
-        QCOMPARE(fixture.series.at(31)->measures[1], speed);
+        QCOMPARE(fixture.series.at(31)->measures[1], glideSpeed);
         fixture.session.playback().goTo({0, 0});
         fixture.session.editor().setParameter("k", 0.25);
         QVERIFY(fixture.goTo(20));
@@ -168,23 +168,23 @@ private slots:
 
     void stancesAndSlipsAreThoseOfTheRun()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         QVERIFY(fixture.goTo(45));
         Stances stances;
         stances.follow(fixture.series, 2);
         const std::vector<Stance> &first = stances.of(0);
         QCOMPARE(first.size(), std::size_t(3));
         QCOMPARE(first[0].from, std::int64_t(0));
-        QCOMPARE(first[0].to, std::int64_t(stride - 1));
-        QCOMPARE(first[0].slip, (stride - 1) * speed);
+        QCOMPARE(first[0].to, std::int64_t(glideStride - 1));
+        QCOMPARE(first[0].slip, (glideStride - 1) * glideSpeed);
         QCOMPARE(first[2].from, std::int64_t(40));
         QCOMPARE(first[2].to, std::int64_t(45));
-        QCOMPARE(stances.of(1).front().from, std::int64_t(stride));
+        QCOMPARE(stances.of(1).front().from, std::int64_t(glideStride));
     }
 
     void stancesThatAreReadAsTheyComeAreTheSame()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         Stances followed;
         QObject::connect(&fixture.series, &MeasureSeries::changed, &fixture.series,
                          [&] { followed.follow(fixture.series, 2); });
@@ -211,7 +211,7 @@ private slots:
 
     void theFeetDiagramTellsWhoStandsAndGoesThere()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         TimelineStrip timeline(fixture.session, fixture.theme);
         FootfallStrip strip(fixture.session.run(), fixture.session.playback(), fixture.session.preview(),
                             fixture.series, timeline, fixture.theme);
@@ -238,7 +238,7 @@ private slots:
 
     void theMeasuresStandAtTheCursor()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         MeasurePanel panel(fixture.session.run(), fixture.session.playback(), fixture.session.preview(),
                            fixture.series, fixture.theme);
         panel.resize(400, 300);
@@ -259,7 +259,7 @@ private slots:
 
     void whatLooksAtTheWholeRunIsGivenItsScript()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         fixture.session.openStep("lesson", "whole");
         fixture.session.editor().setStepSize(0.5);
         QVERIFY(fixture.goTo(20));
@@ -271,7 +271,7 @@ private slots:
 
     void aTryWithABudgetIsDoneByARunThatKeepsIt()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         fixture.session.progress().forgetAll();
         fixture.session.openStep("lesson", "whole");
         const auto done = [&](int number) {
@@ -288,7 +288,7 @@ private slots:
 
     void nothingIsMeasuredWhereNothingIsAsked()
     {
-        Fixture fixture;
+        MeasuredRun fixture;
         fixture.session.openStep("lesson", "plain");
         fixture.session.playback().goTo({30, 0});
         QTRY_VERIFY(!fixture.session.playback().goal());

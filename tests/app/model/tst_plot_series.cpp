@@ -16,15 +16,15 @@ using namespace plots_support;
 
 namespace {
 
-const Quantity y{QuantityKind::placeY, {}, {}};
-const Quantity across{QuantityKind::accelerationX, "foot", {}};
+const Quantity heightOfBodies{QuantityKind::placeY, {}, {}};
+const Quantity sidewaysAcceleration{QuantityKind::accelerationX, "foot", {}};
 
-struct Fixture
+struct PlottedRun
 {
-    explicit Fixture(const char *step = "pair")
+    explicit PlottedRun(const char *step = "pair")
     {
         session.openStep("plots", step);
-        series.setQuantities({y, across, {}});
+        series.setQuantities({heightOfBodies, sidewaysAcceleration, {}});
         series.setActive(true);
     }
     bool isThere(std::int64_t frame)
@@ -167,7 +167,7 @@ private slots:
 
     void samplesAreTheRunItself()
     {
-        Fixture fixture;
+        PlottedRun fixture;
         QVERIFY(fixture.isThere(300));
         QCOMPARE(fixture.series.run().size(), 301);
         QVERIFY(fixture.isRight());
@@ -180,7 +180,7 @@ private slots:
 
     void aChangeIsReadAnewAndLeavesTheGhost()
     {
-        Fixture fixture;
+        PlottedRun fixture;
         QVERIFY(fixture.isThere(200));
         QVERIFY(fixture.series.comparison().isEmpty());
         QVERIFY(fixture.isThere(80));
@@ -199,7 +199,7 @@ private slots:
 
     void aHandThatDragsWhileTheRunStandsIsFollowed()
     {
-        Fixture fixture;
+        PlottedRun fixture;
         QVERIFY(fixture.isThere(100));
         QVERIFY(fixture.isThere(50));
         fixture.session.input().grab("foot");
@@ -218,7 +218,7 @@ private slots:
 
     void insideAFrameTheNumbersAreThoseOfTheMoment()
     {
-        Fixture fixture("fall");
+        PlottedRun fixture("fall");
         QVERIFY(fixture.isThere(10));
         const double before = fixture.series.now()[0];
         fixture.session.playback().phaseForward(); // forces
@@ -231,7 +231,7 @@ private slots:
 
     void whatFollowsTheSelectedBodyIsReadAnew()
     {
-        Fixture fixture;
+        PlottedRun fixture;
         QVERIFY(fixture.isThere(60));
         fixture.session.select("body");
         QTRY_VERIFY(!fixture.series.isReading());
@@ -243,7 +243,7 @@ private slots:
 
     void aLongRunTakesNoMoreMemory()
     {
-        Fixture fixture("swing");
+        PlottedRun fixture("swing");
         fixture.series.setMostRows(PlotSeries::allRows);
         QVERIFY(fixture.isThere(60'000));
         const Samples &samples = fixture.series.run();
@@ -266,7 +266,7 @@ private slots:
 
     void nothingIsReadWhileNobodyLooks()
     {
-        Fixture fixture;
+        PlottedRun fixture;
         QVERIFY(fixture.isThere(50));
         fixture.series.setActive(false);
         const quint64 revision = fixture.series.revision();
@@ -306,7 +306,7 @@ private slots:
 
     void plotsAreKeptUntilTheyAreRemoved()
     {
-        const sim::Script script = Fixture("pair").session.timeline().script();
+        const sim::Script script = PlottedRun("pair").session.timeline().script();
         {
             PlotList list;
             list.open(script);

@@ -12,18 +12,18 @@ using namespace app;
 
 namespace {
 
-constexpr std::int64_t computed = 60, currentFrame = 40;
+constexpr std::int64_t lastFrame = 60, leftAtFrame = 40;
 
-const LessonLibrary &library()
+const LessonLibrary &installedLessons()
 {
     static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
     return loaded;
 }
 
 /// A run of 60 frames in which a body was carried, left at frame 40.
-struct Run
+struct DraggedRun
 {
-    Run(const QString &lesson, const QString &step)
+    DraggedRun(const QString &lesson, const QString &step)
     {
         session.openStep(lesson, step);
         session.playback().goTo({10, 0});
@@ -34,8 +34,8 @@ struct Run
         session.input().moveTo(at + sim::Vec2{12.0, -7.0});
         session.playback().frameForward();
         session.input().release();
-        goTo(computed);
-        goTo(currentFrame);
+        goTo(lastFrame);
+        goTo(leftAtFrame);
     }
     void goTo(std::int64_t frame)
     {
@@ -50,7 +50,7 @@ struct Run
         return track.state();
     }
 
-    Session session{library()};
+    Session session{installedLessons()};
 };
 
 /// All that a glance must leave alone.
@@ -87,13 +87,13 @@ class TestPreview : public QObject
     Q_OBJECT
 
 private slots:
-    void initTestCase() { QVERIFY(!library().lessons.empty()); }
+    void initTestCase() { QVERIFY(!installedLessons().lessons.empty()); }
 
     void aPreviewShowsTheBitsOfItsMomentAndLeavesTheRunAlone_data()
     {
         QTest::addColumn<QString>("lesson");
         QTest::addColumn<QString>("step");
-        for (const LessonEntry &lesson : library().lessons) {
+        for (const LessonEntry &lesson : installedLessons().lessons) {
             for (const std::size_t i : {std::size_t{0}, lesson.steps.size() - 1}) {
                 const QString step = lesson.steps[i].id;
                 QTest::addRow("%s/%s", qPrintable(lesson.id), qPrintable(step)) << lesson.id << step;
@@ -104,7 +104,7 @@ private slots:
     {
         QFETCH(QString, lesson);
         QFETCH(QString, step);
-        Run run(lesson, step);
+        DraggedRun run(lesson, step);
         const SessionSnapshot before(run.session);
         int changes = 0;
         run.session.onChange(ChangeKind::cursor | ChangeKind::run, this, [&] { ++changes; });
@@ -153,7 +153,7 @@ private slots:
     void whateverIsDoneIsDoneWhereTheRunStands()
     {
         QFETCH(std::function<void(Session &)>, edit);
-        Run plain("multi_foot", "two_feet"), previewed("multi_foot", "two_feet");
+        DraggedRun plain("multi_foot", "two_feet"), previewed("multi_foot", "two_feet");
         previewed.session.preview().show({7, 0});
         QVERIFY(previewed.session.preview().isActive());
         edit(plain.session);
@@ -164,12 +164,12 @@ private slots:
 
     void whatIsDoneIsSaidOfTheRunAndNotOfThePreview()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         run.session.preview().show({7, 0});
         bool wasThere = false;
         run.session.onChange(ChangeKind::cursor, this, [&] {
             wasThere = !run.session.preview().isActive() &&
-                       run.session.presentation().picture().state.frame == currentFrame + 1;
+                       run.session.presentation().picture().state.frame == leftAtFrame + 1;
         });
         run.session.playback().frameForward();
         QVERIFY(wasThere);
@@ -177,7 +177,7 @@ private slots:
 
     void anotherStepHasNothingMarked()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         run.session.preview().show({7, 0});
         run.session.openStep("single_spring", "drag");
         QVERIFY(!run.session.preview().marked());
@@ -186,7 +186,7 @@ private slots:
 
     void whileTheRunPlaysAMomentIsOnlyMarked()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         run.session.playback().play();
         run.session.preview().show({7, 0});
         QCOMPARE(run.session.preview().marked(), (sim::Cursor{7, 0}));
@@ -198,7 +198,7 @@ private slots:
 
     void aMomentThatTakesLongIsOnlyMarked()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         run.goTo(0);
         run.session.editor().setStepSize(1e-6);
         run.session.preview().show({0, 1}); // in a row of a million steps
@@ -208,16 +208,16 @@ private slots:
 
     void theCurrentMomentNeedsNoPreview()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         run.session.preview().show({7, 0});
-        run.session.preview().show({currentFrame, 0});
+        run.session.preview().show({leftAtFrame, 0});
         QVERIFY(run.session.preview().marked() && !run.session.preview().isActive());
         QCOMPARE(&run.session.preview().run(), &run.session.timeline());
     }
 
     void theSameMomentAgainChangesNothing()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         QSignalSpy changes(&run.session.changes(), &ChangeNotifier::changed);
         for (int i = 0; i < 5; ++i)
             run.session.preview().show({7, 0});
@@ -232,17 +232,17 @@ private slots:
 
     void afterTheLastFrameTheLastIsShown()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         run.session.preview().show({5000, 0});
-        QCOMPARE(run.session.preview().marked(), (sim::Cursor{computed, 0}));
-        QCOMPARE(run.session.timeline().computed(), computed);
+        QCOMPARE(run.session.preview().marked(), (sim::Cursor{lastFrame, 0}));
+        QCOMPARE(run.session.timeline().computed(), lastFrame);
         run.session.preview().show({-3, 0});
         QCOMPARE(run.session.preview().run().cursor(), (sim::Cursor{0, 0}));
     }
 
     void theOldRunIsShownAtTheSameMoment()
     {
-        Run run("multi_foot", "two_feet");
+        DraggedRun run("multi_foot", "two_feet");
         run.goTo(20);
         run.session.editor().setParameter("k", 0.4);
         run.goTo(50);

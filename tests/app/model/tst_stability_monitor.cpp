@@ -17,13 +17,13 @@ using namespace app;
 
 namespace {
 
-struct Fixture
+struct MonitoredRun
 {
     LessonLibrary library = LessonLibrary::load({LESSON_DIR});
     Session session{library};
     StabilityMonitor monitor{session.run(), session.editor(), session.preview()};
 
-    explicit Fixture(const char *lesson = "two_body", const char *step = "mutual")
+    explicit MonitoredRun(const char *lesson = "two_body", const char *step = "mutual")
     {
         session.openStep(lesson, step);
     }
@@ -81,7 +81,7 @@ private slots:
 
 void StabilityMonitorTest::theReadingFollowsTheSession()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     // The pair drifts off where k h^2 = 2 (damp^-h - 1): a little past one frame at k = 0.2, damp = 0.9.
     const sim::Stability &first = fixture.settled().stability;
     QVERIFY(first.share() > 0.88 && first.share() < 0.91);
@@ -100,12 +100,12 @@ void StabilityMonitorTest::theReadingFollowsTheSession()
 /// The row to come has more points than the moment itself.
 void StabilityMonitorTest::whatWasComputedLaterChangesNoReading()
 {
-    Fixture pending("walking_gait", "company"), computed("walking_gait", "company");
-    const auto go = [](Fixture &fixture, std::int64_t frame) {
+    MonitoredRun pending("walking_gait", "company"), computed("walking_gait", "company");
+    const auto go = [](MonitoredRun &fixture, std::int64_t frame) {
         fixture.session.playback().goTo({frame, 0});
         QTRY_VERIFY(!fixture.session.playback().goal());
     };
-    for (Fixture *one : {&pending, &computed}) {
+    for (MonitoredRun *one : {&pending, &computed}) {
         go(*one, 20);
         one->session.editor().setParameter("creatures", 5);
     }
@@ -120,7 +120,7 @@ void StabilityMonitorTest::whatWasComputedLaterChangesNoReading()
 
 void StabilityMonitorTest::aBurstOfChangesGivesFewReadingsAndTheLastIsRight()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     fixture.settled();
     const QSignalSpy readings(&fixture.monitor, &StabilityMonitor::changed);
     for (int i = 1; i <= 300; ++i) {
@@ -133,7 +133,7 @@ void StabilityMonitorTest::aBurstOfChangesGivesFewReadingsAndTheLastIsRight()
 
 void StabilityMonitorTest::nothingIsReadWhileNothingChanges()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     fixture.settled();
     const QSignalSpy readings(&fixture.monitor, &StabilityMonitor::changed);
     tests::settle();
@@ -146,7 +146,7 @@ void StabilityMonitorTest::nothingIsReadWhileNothingChanges()
 
 void StabilityMonitorTest::remediesAreComputedOnlyWhileTheyAreShown()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     fixture.session.editor().setParameter("k", 0.3);
     QVERIFY(fixture.settled().remedies.empty());
     fixture.monitor.setDetailed(true);
@@ -177,18 +177,18 @@ void StabilityMonitorTest::adoptingARemedyMends()
     QFETCH(QString, lesson);
     QFETCH(QString, step);
     QFETCH(QString, method);
-    const auto begin = [&](Fixture &fixture) {
+    const auto begin = [&](MonitoredRun &fixture) {
         fixture.session.editor().setMethod(method);
         fixture.session.editor().setParameter("k", method == "midpoint" ? 1.0 : 0.4);
         fixture.monitor.setDetailed(true);
         return fixture.settled().remedies;
     };
-    Fixture asked(qPrintable(lesson), qPrintable(step));
+    MonitoredRun asked(qPrintable(lesson), qPrintable(step));
     const std::vector<sim::Remedy> remedies = begin(asked);
     QVERIFY(!asked.settled().stability.holds());
     QVERIFY(remedies.size() >= 3);
     for (const sim::Remedy &one : remedies) {
-        Fixture fixture(qPrintable(lesson), qPrintable(step));
+        MonitoredRun fixture(qPrintable(lesson), qPrintable(step));
         begin(fixture);
         fixture.monitor.adopt(one);
         const sim::Stability &found = fixture.settled().stability;
@@ -259,7 +259,7 @@ void StabilityMonitorTest::wordsSayWhatBoundsTheStep()
     QFETCH(double, damp);
     QFETCH(QString, gauge);
     QFETCH(QStringList, verdict);
-    Fixture fixture(qPrintable(lesson), qPrintable(step));
+    MonitoredRun fixture(qPrintable(lesson), qPrintable(step));
     fixture.session.editor().setMethod(method);
     fixture.session.editor().setParameter("k", k);
     fixture.session.editor().setParameter("damp", damp);
@@ -287,14 +287,14 @@ void StabilityMonitorTest::aStepThatHoldsWhereShorterOnesGrowIsSaid()
 
 void StabilityMonitorTest::jumpsAreNamed()
 {
-    Fixture walls("gravity_walls", "gravity");
+    MonitoredRun walls("gravity_walls", "gravity");
     QVERIFY2(leftOutWords(walls.settled()).contains("walls"), qPrintable(leftOutWords(walls.settled())));
     QVERIFY(!leftOutWords(walls.settled()).contains("smaller steps"));
-    Fixture sticks("rigid_constraint", "list");
+    MonitoredRun sticks("rigid_constraint", "list");
     QCOMPARE(sticks.settled().stability.bound, sim::Bound::noSprings);
     QVERIFY(leftOutWords(sticks.settled()).contains("sticks"));
     QVERIFY(leftOutWords(sticks.settled()).contains("smaller steps"));
-    Fixture free;
+    MonitoredRun free;
     QVERIFY(leftOutWords(free.settled()).isEmpty());
 }
 
@@ -308,7 +308,7 @@ void StabilityMonitorTest::theMapHoldsWhereReadingsHold_data()
 void StabilityMonitorTest::theMapHoldsWhereReadingsHold()
 {
     QFETCH(MapPlane, plane);
-    Fixture fixture;
+    MonitoredRun fixture;
     QVERIFY(fixture.monitor.canMap(plane));
     fixture.monitor.requestMap(plane);
     const sim::GrowthMap map = fixture.mapped();
@@ -330,7 +330,7 @@ void StabilityMonitorTest::theMapHoldsWhereReadingsHold()
 
 void StabilityMonitorTest::theMapEndsWhenItIsNoLongerRequested()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     fixture.monitor.requestMap(MapPlane::step);
     fixture.mapped();
     fixture.monitor.requestMap(std::nullopt);
@@ -343,11 +343,11 @@ void StabilityMonitorTest::theMapEndsWhenItIsNoLongerRequested()
 
 void StabilityMonitorTest::thereIsNoMapWithoutStiffnessOrLimit()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     QVERIFY(fixture.monitor.canMap(MapPlane::step));
     fixture.session.editor().setMethod("backward_euler");
     QVERIFY(!fixture.monitor.canMap(MapPlane::step));
-    Fixture sticks("rigid_constraint", "list");
+    MonitoredRun sticks("rigid_constraint", "list");
     QVERIFY(!sticks.monitor.canMap(MapPlane::step));
     sticks.monitor.requestMap(MapPlane::step);
     QVERIFY(!sticks.monitor.isMapping());
@@ -355,7 +355,7 @@ void StabilityMonitorTest::thereIsNoMapWithoutStiffnessOrLimit()
 
 void StabilityMonitorTest::whatALearnerTriesIsKept()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     fixture.session.editor().setParameter("k", 0.3);
     fixture.session.editor().setParameter("damp", 0.8);
     fixture.session.editor().setStepSize(0.5);
@@ -368,7 +368,7 @@ void StabilityMonitorTest::whatALearnerTriesIsKept()
 
 void StabilityMonitorTest::everyStepOfEveryLessonHasAReading()
 {
-    Fixture fixture;
+    MonitoredRun fixture;
     for (const LessonEntry &lesson : fixture.library.lessons) {
         for (const lessons::Step &step : lesson.steps) {
             fixture.session.openStep(lesson.id, step.id);

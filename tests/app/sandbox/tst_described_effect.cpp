@@ -102,15 +102,15 @@ LessonLibrary libraryWithSail()
     return library;
 }
 
-const LessonLibrary &library()
+const LessonLibrary &sailLibrary()
 {
     static const LessonLibrary known = libraryWithSail();
     return known;
 }
 
-struct World
+struct SailWorld
 {
-    World()
+    SailWorld()
     {
         session.openStep("sandbox", "build");
         editor.change("Set up", [](sim::Blueprint &plan) {
@@ -142,9 +142,9 @@ struct World
             offeredParameters(session.run(), session.editor());
         return std::any_of(all.begin(), all.end(), [](const auto *one) { return one->id == "strength"; });
     }
-    QByteArray text() const { return experimentText(session.experiment(), library()); }
+    QByteArray text() const { return experimentText(session.experiment(), sailLibrary()); }
 
-    Session session{library()};
+    Session session{sailLibrary()};
     SandboxEditor editor{session};
 };
 
@@ -175,7 +175,7 @@ class DescribedEffect : public QObject
 private slots:
     void itsSettingsAreOfferedWhileItIsInTheScene()
     {
-        World world;
+        SailWorld world;
         world.editor.choose({{0}, {}, {}});
         QVERIFY(!world.property() && !world.offersStrength());
         world.editor.setEffect("sail", true);
@@ -190,7 +190,7 @@ private slots:
 
     void aPropertyOfPointsIsSetOfAllThatIsChosenAndUndone()
     {
-        World world;
+        SailWorld world;
         world.editor.setEffect("sail", true);
         const sim::Blueprint before = world.plan();
         world.setArea({{0, 2}, {}, {}}, 3.0);
@@ -208,7 +208,7 @@ private slots:
 
     void copiesHaveIt()
     {
-        World world;
+        SailWorld world;
         world.editor.setEffect("sail", true);
         world.setArea({{0}, {}, {}}, 1.5);
         world.editor.duplicateChosen();
@@ -219,22 +219,22 @@ private slots:
 
     void filesKeepIt()
     {
-        World world;
+        SailWorld world;
         world.editor.setEffect("sail", true);
         world.session.editor().setParameter("strength", 0.7);
         world.setArea({{1}, {}, {}}, 0.1 + 0.2);
         const QByteArray text = world.text();
         QVERIFY(text.contains("\"area\": 0.30000000000000004") && text.count("\"area\"") == 1);
-        const Experiment back = parseExperiment(text, "x.json", library());
+        const Experiment back = parseExperiment(text, "x.json", sailLibrary());
         QVERIFY(*back.script.values.blueprint == world.plan());
         QCOMPARE(back.script.values["strength"], 0.7);
-        QCOMPARE(experimentText(back, library()), text);
+        QCOMPARE(experimentText(back, sailLibrary()), text);
     }
 
     void filesRefuseWhatItCannotBe()
     {
-        QVERIFY(errorOf(fileWith("\"area\": -4"), library()).isEmpty());
-        QCOMPARE(errorOf(fileWith("\"area\": 5"), library()),
+        QVERIFY(errorOf(fileWith("\"area\": -4"), sailLibrary()).isEmpty());
+        QCOMPARE(errorOf(fileWith("\"area\": 5"), sailLibrary()),
                  QString("x.json: line 5: \"area\" is 5; it can be -4 to 4."));
         const QString unknown = errorOf(fileWith("\"area\": 1"), LessonLibrary::load({LESSON_DIR}));
         QVERIFY2(unknown.contains("has no field \"area\""), qPrintable(unknown));
@@ -243,7 +243,7 @@ private slots:
     /// By x = a t^2 / 2 with a = strength * area / mass.
     void pointsThatHaveItMove()
     {
-        World world;
+        SailWorld world;
         world.session.editor().setMethod("velocity_verlet");
         world.editor.setEffect("sail", true);
         world.setArea({{0}, {}, {}}, 3.0);
@@ -255,7 +255,7 @@ private slots:
 
     void aSceneThatHasItCanBeTakenOver()
     {
-        World world;
+        SailWorld world;
         world.editor.setEffect("sail", true);
         world.setArea({{2}, {}, {}}, -2.5);
         const Picture picture = world.session.presentation().picture();
@@ -268,7 +268,7 @@ private slots:
 
     void theListOfEffectsOffersIt()
     {
-        World world;
+        SailWorld world;
         EffectFacts facts;
         facts.offered = world.session.step().availableEffects;
         const std::vector<EffectLine> lines = effectLines(facts);

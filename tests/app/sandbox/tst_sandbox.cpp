@@ -2,6 +2,7 @@
 
 #include "app/model/sandbox/sandbox.h"
 #include "app/model/sandbox/sandbox_editor.h"
+#include "tests/app/experiment/experiment_support.h"
 #include "tests/suite.h"
 
 #include <QSignalSpy>
@@ -10,18 +11,13 @@
 #include <random>
 
 using namespace app;
+using experiment_support::library;
 
 namespace {
 
-const LessonLibrary &library()
+struct SandboxWorld
 {
-    static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
-    return loaded;
-}
-
-struct World
-{
-    World() { session.openStep("sandbox", "build"); }
+    SandboxWorld() { session.openStep("sandbox", "build"); }
     const sim::Blueprint &plan() const { return editor.plan(); }
     QString lastSaid() const { return said.isEmpty() ? QString() : said.last().first().toString(); }
 
@@ -30,8 +26,8 @@ struct World
     QSignalSpy said{&session.changes(), &ChangeNotifier::messageRequested};
 };
 
-/// A triangle of points without anything else.
-sim::Blueprint triangle()
+/// A bareTriangle of points without anything else.
+sim::Blueprint bareTriangle()
 {
     sim::Blueprint plan;
     plan.points = {{"p0", {0, 0}, {}}, {"p1", {30, 40}, {}}, {"p2", {0, 100}, {}}};
@@ -59,7 +55,7 @@ class SandboxTest : public QObject
 private slots:
     void eachEditIsOneEntryAndComesBackWithTheSameBits()
     {
-        World world;
+        SandboxWorld world;
         const sim::Blueprint start = world.plan();
         world.editor.setTool(BuildTool::spring);
         world.editor.use({100, 100}, -1); // a point, where the spring begins
@@ -88,7 +84,7 @@ private slots:
 
     void randomEditsAreAllUndone()
     {
-        World world;
+        SandboxWorld world;
         std::mt19937 random(11);
         const auto upTo = [&](int most) { return std::uniform_int_distribution<int>(0, most)(random); };
         const sim::Blueprint start = world.plan();
@@ -129,7 +125,7 @@ private slots:
 
     void whereThereIsNoRoomForALinkThatIsSaidAndNothingChanges()
     {
-        World world;
+        SandboxWorld world;
         sim::Blueprint full = world.plan();
         addPoint(full, {300, 300});
         while (addSpring(full, 0, 1))
@@ -157,8 +153,8 @@ private slots:
     void whereNotAllOfACopyHasRoomNothingIsCopiedAndThatIsSaid()
     {
         QFETCH(QString, full);
-        World world;
-        sim::Blueprint plan = triangle();
+        SandboxWorld world;
+        sim::Blueprint plan = bareTriangle();
         addSpring(plan, 0, 1);
         addStick(plan, 0, 1);
         while (full == "points" && plan.points.size() < 998)
@@ -191,7 +187,7 @@ private slots:
 
     void aLinkIsNoLongerThanAFileCanHold()
     {
-        World world;
+        SandboxWorld world;
         world.editor.setTool(BuildTool::stick);
         world.editor.use({-1e6, -1e6}, -1);
         world.editor.use({1e6, 1e6}, -1);
@@ -205,7 +201,7 @@ private slots:
 
     void buildingHappensAtTheStart()
     {
-        World world;
+        SandboxWorld world;
         world.session.playback().goTo({5, 0});
         QVERIFY(!world.editor.canBuild());
         const sim::Blueprint before = world.plan();
@@ -222,7 +218,7 @@ private slots:
 
     void whatCannotMoveIsNotLeftAlone()
     {
-        World world;
+        SandboxWorld world;
         const sim::Blueprint before = world.plan();
         world.editor.choose({{1}, {}, {}}); // the only one that can move
         world.editor.eraseChosen();
@@ -235,7 +231,7 @@ private slots:
 
     void anEffectThatIsTakenAwayIsNotLeftSwitchedOff()
     {
-        World world;
+        SandboxWorld world;
         world.session.editor().setEffect("gravity", false);
         world.editor.setEffect("gravity", false);
         QVERIFY(world.session.timeline().script().effectsOff.empty());
@@ -346,7 +342,7 @@ private slots:
 
     void takingASceneCanBeUndone()
     {
-        World world;
+        SandboxWorld world;
         world.editor.setTool(BuildTool::point);
         world.editor.use({50, 60}, -1);
         const sim::Blueprint mine = world.plan();
@@ -360,7 +356,7 @@ private slots:
 
     void anExampleAndANewSceneCanBeUndone()
     {
-        World world;
+        SandboxWorld world;
         const sim::Blueprint mine = world.plan();
         QVERIFY(takeExample(world.session, world.session.step().examples.front()));
         QVERIFY(!(world.plan() == mine));
