@@ -269,6 +269,45 @@ Slip slipOutside(const Tokens &tokens)
     return {};
 }
 
+/// Returns the index of the token that ends the calculation which begins at token `i`.
+std::size_t endOfCalculation(const Tokens &tokens, std::size_t i)
+{
+    while (i < tokens.size() && !isAnyOf(tokens[i].text, {";", ","}) && !closes(tokens[i].text))
+        i = opens(tokens[i].text) ? tokens.closing(i) + 1 : i + 1;
+    return std::min(i, tokens.size());
+}
+
+/// Returns whether the word at token `i` is a whole number, or a part of the path to one.
+bool isWholeWord(const Tokens &tokens, std::size_t i)
+{
+    if (tokens.is(i + 1, ".") || tokens.is(i + 1, "["))
+        return true; // the last member decides
+    if (tokens.is(i - 1, "."))
+        return isAnyOf(tokens[i].text, {"count", "number"});
+    if (tokens.is(i + 1, "("))
+        return isAnyOf(tokens[i].text, {"abs", "min", "max", "clamp"});
+    for (std::size_t other = 0; other < tokens.size(); ++other) {
+        if (tokens.is(other, "int") && tokens.is(other + 1, tokens[i].text))
+            return true;
+    }
+    return tokens.is(i, "frame_number");
+}
+
+/// Returns whether token `i` leaves a calculation with whole numbers one without a fraction.
+bool isWhole(const Tokens &tokens, std::size_t i)
+{
+    const std::string_view text = tokens[i].text;
+    switch (tokens[i].kind) {
+    case Token::Kind::number:
+        return text.find_first_not_of("0123456789") == std::string_view::npos;
+    case Token::Kind::sign:
+        return isAnyOf(text, {"+", "-", "*", "%", "(", ")", "[", "]", ",", "."});
+    case Token::Kind::word:
+        break;
+    }
+    return isWholeWord(tokens, i);
+}
+
 Slip slipAt(const Tokens &tokens, std::size_t i)
 {
     if (Slip found = lineEndSlip(tokens, i))
@@ -300,6 +339,23 @@ std::optional<CompileError> commonSlip(const Tokens &tokens)
             return found;
     }
     return {};
+}
+
+bool setsFraction(const Tokens &tokens, std::size_t i)
+{
+    if (i == 0 || !(tokens.is(i - 1, "=") || tokens.is(i - 1, "return")))
+        return false;
+    const std::size_t end = endOfCalculation(tokens, i);
+    while (i < end) {
+        if (tokens.is(i, "floor") && tokens.is(i + 1, "(")) {
+            i = tokens.closing(i + 1) + 1;
+            continue;
+        }
+        if (!isWhole(tokens, i))
+            return true;
+        ++i;
+    }
+    return false;
 }
 
 }

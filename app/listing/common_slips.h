@@ -11,4 +11,8 @@ namespace listing {
 /// mistake, or on another line: a decimal comma, `(x, y)` for a Vec2, code outside of functions, `if` without brackets.
 std::optional<CompileError> commonSlip(const Tokens &tokens);
 
+/// Returns whether token `i` begins a value that is set or returned and may have a fraction. As far as its words tell,
+/// a calculation has none if it consists of whole numbers, `int` variables, counts and `floor(...)`.
+bool setsFraction(const Tokens &tokens, std::size_t i);
+
 }

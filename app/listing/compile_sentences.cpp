@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string_view>
 
 namespace listing {
@@ -285,6 +286,14 @@ std::string noFunction(const Gaps &gaps, const MarkedPlace &)
            " here, not a function. To multiply, write '*'.";
 }
 
+std::string droppedFraction(const Gaps &, const MarkedPlace &place)
+{
+    const bool canRound =
+        !has(place.vocabulary.parameters, "floor"); // the place of a floor hides the function
+    return std::string("An 'int' keeps no fraction, and this value may have one. Write 'double'") +
+           (canRound ? ", or round down with 'floor(...)'." : ".");
+}
+
 /// A message of the interpreter, with `*` in place of names, and its sentence.
 struct Rule
 {
@@ -298,6 +307,11 @@ constexpr Rule changeRules[] = {
     {"Expression is not an l-value*", noChange},
     {"Not a valid lvalue*", noChange},
     {"Not a valid reference*", noChange},
+};
+
+constexpr Rule fractionRules[] = {
+    {"Float value truncated*", droppedFraction},
+    {"Implicit conversion of value is not exact*", droppedFraction},
 };
 
 constexpr Rule rules[] = {
@@ -331,12 +345,22 @@ constexpr Rule rules[] = {
     {"Non-terminated string*", nullptr, "Texts in quotes are not part of this language."},
 };
 
+bool matchesAny(const std::string &message, std::span<const Rule> some)
+{
+    return std::any_of(some.begin(), some.end(),
+                       [&](const Rule &rule) { return gapsOf(message, rule.pattern).has_value(); });
+}
+
 }
 
 bool isAboutChange(const std::string &message)
 {
-    return std::any_of(std::begin(changeRules), std::end(changeRules),
-                       [&](const Rule &rule) { return gapsOf(message, rule.pattern).has_value(); });
+    return matchesAny(message, changeRules);
+}
+
+bool isAboutFraction(const std::string &message)
+{
+    return matchesAny(message, fractionRules);
 }
 
 bool isAboutGap(const std::string &message)
@@ -348,6 +372,8 @@ std::string plainSentence(const std::string &message, const MarkedPlace &place)
 {
     if (isAboutChange(message))
         return noChange({}, place);
+    if (isAboutFraction(message))
+        return droppedFraction({}, place);
     for (const Rule &rule : rules) {
         if (const std::optional<Gaps> gaps = gapsOf(message, rule.pattern))
             return rule.sentence ? rule.sentence(*gaps, place) : rule.fixed;

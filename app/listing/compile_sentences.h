@@ -21,6 +21,9 @@ struct MarkedPlace
 /// Translates an error message of the interpreter into one or two plain sentences: what is wrong, and which names exist.
 std::string plainSentence(const std::string &message, const MarkedPlace &place);
 
+/// Returns whether a message of the interpreter says that an `int` gets a number with a fraction.
+bool isAboutFraction(const std::string &message);
+
 /// Returns whether a message of the interpreter says that something cannot be changed. Its position is behind that.
 bool isAboutChange(const std::string &message);
 

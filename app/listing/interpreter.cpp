@@ -212,7 +212,7 @@ std::string Interpreter::firstNonFinite() const
     if (!name.empty())
         return name;
     for (const Global &global : m_globals) {
-        const std::optional<Value> value = cells().valueAt(addressOf(global), global.type);
+        const std::optional<Value> value = cells().values().valueAt(addressOf(global), global.type);
         const auto *number = value ? std::get_if<double>(&*value) : nullptr;
         const auto *vector = value ? std::get_if<sim::Vec2>(&*value) : nullptr;
         if ((number && !std::isfinite(*number)) ||
@@ -226,7 +226,7 @@ std::vector<Variable> Interpreter::variables() const
 {
     std::vector<Variable> all = ScriptRunner::variables();
     for (const Global &global : m_globals) {
-        if (const std::optional<Value> value = cells().valueAt(addressOf(global), global.type))
+        if (const std::optional<Value> value = cells().values().valueAt(addressOf(global), global.type))
             all.push_back({global.name, *value, true});
     }
     return all;

@@ -83,10 +83,9 @@ asIScriptFunction *RuleInterpreter::find(const std::string &name, const std::str
     return found;
 }
 
-SceneCells::BodyCell &RuleInterpreter::loadBody(const sim::RuleScene &scene, const sim::State &state,
-                                                int point)
+BodyCell &RuleInterpreter::loadBody(const sim::RuleScene &scene, const sim::State &state, int point)
 {
-    SceneCells::BodyCell &cell = cells().cellOfFirstArray(static_cast<std::size_t>(point));
+    BodyCell &cell = cells().cellOfFirstArray(static_cast<std::size_t>(point));
     cell.position = cell.before = state.positionOf(point);
     cell.velocity = state.velocityOf(point);
     cell.mass = scene.mass[point];
@@ -115,22 +114,22 @@ void RuleInterpreter::load(const sim::RuleScene &scene, const sim::State &state)
 sim::Vec2 RuleInterpreter::run(const sim::RuleScene &scene, const sim::State &state,
                                const sim::RuleCall &call)
 {
-    const auto cellOf = [&](int point) -> SceneCells::BodyCell & {
+    const auto cellOf = [&](int point) -> BodyCell & {
         return m_facts.use.bodies ? cells().cellOfFirstArray(static_cast<std::size_t>(point))
                                   : loadBody(scene, state, point);
     };
-    SceneCells::BodyCell &me = cellOf(call.me);
-    SceneCells::BodyCell *other = call.other < 0 ? nullptr : &cellOf(call.other);
+    BodyCell &me = cellOf(call.me);
+    BodyCell *other = call.other < 0 ? nullptr : &cellOf(call.other);
     if (call.moved < 0)
         return execute(me, other);
-    SceneCells::BodyCell &moved = cells().cellOfFirstArray(static_cast<std::size_t>(call.moved));
+    BodyCell &moved = cells().cellOfFirstArray(static_cast<std::size_t>(call.moved));
     moved.position = moved.position + call.by;
     const sim::Vec2 force = execute(me, other);
     moved.position = state.positionOf(call.moved);
     return force;
 }
 
-sim::Vec2 RuleInterpreter::execute(SceneCells::BodyCell &me, SceneCells::BodyCell *other)
+sim::Vec2 RuleInterpreter::execute(BodyCell &me, BodyCell *other)
 {
     restartCount();
     m_lineBefore = 0;

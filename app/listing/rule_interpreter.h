@@ -46,9 +46,9 @@ private:
     asIScriptFunction *find(const std::string &name, const std::string &declaration);
     void load(const sim::RuleScene &scene, const sim::State &state);
     /// Reads a body into its cell.
-    SceneCells::BodyCell &loadBody(const sim::RuleScene &scene, const sim::State &state, int point);
+    BodyCell &loadBody(const sim::RuleScene &scene, const sim::State &state, int point);
     sim::Vec2 run(const sim::RuleScene &scene, const sim::State &state, const sim::RuleCall &call);
-    sim::Vec2 execute(SceneCells::BodyCell &me, SceneCells::BodyCell *other);
+    sim::Vec2 execute(BodyCell &me, BodyCell *other);
     void onNewLine(int line, int column, int depth) override;
 
     const RuleFacts &m_facts;

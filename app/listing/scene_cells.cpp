@@ -8,8 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <functional>
 
 namespace listing {
 
@@ -22,11 +20,6 @@ using sim::Vec2;
 bool isFiniteVector(Vec2 v)
 {
     return std::isfinite(v.x) && std::isfinite(v.y);
-}
-
-std::string cellName(const std::string &array, std::size_t index)
-{
-    return array + "[" + std::to_string(index) + "]";
 }
 
 /// Stops the program with the error that the array `name` with `count` elements has no element `index`.
@@ -69,35 +62,13 @@ Vec2 directionOf(Vec2 from, Vec2 to, int fromPoint, int toPoint)
     return sim::direction(to - from, fromPoint, toPoint).out;
 }
 
-/// Returns the index of `cell` in `cells`, if it is one of them.
-template <class Cell>
-std::optional<std::size_t> indexOf(const Cell *cell, const std::vector<Cell> &cells)
-{
-    const std::less<const Cell *> isBefore;
-    if (!cell || cells.empty() || isBefore(cell, cells.data()) ||
-        !isBefore(cell, cells.data() + cells.size()))
-        return {};
-    return static_cast<std::size_t>(cell - cells.data());
-}
-
-}
-
-std::string typeName(const Value &value)
-{
-    static const char *const names[] = {"double", "int", "bool", "Vec2", "Body"};
-    const auto *reference = std::get_if<BodyReference>(&value);
-    if (reference && reference->kind == BodyReference::Kind::creature)
-        return "Creature";
-    if (reference && reference->kind == BodyReference::Kind::stick)
-        return "Stick";
-    return names[value.index()];
 }
 
 SceneCells::SceneCells(asIScriptEngine &engine, const Vocabulary &vocabulary, BodyAccess access)
     : m_engine(engine), m_vocabulary(vocabulary)
 {
     registerFunctions(m_engine, m_vocabulary.parameters);
-    m_vec2Type = m_engine.GetTypeIdByDecl("Vec2");
+    m_types.vec2 = m_engine.GetTypeIdByDecl("Vec2");
     registerBodies(access);
     if (m_vocabulary.hasTree)
         registerBranches();
@@ -114,7 +85,7 @@ void SceneCells::registerBodies(BodyAccess access)
 {
     // Variables of this type are references, so `Body foot = feet[i]` names the same body and copies nothing.
     m_engine.RegisterObjectType("Body", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
-    m_bodyType = m_engine.GetTypeIdByDecl("Body") & asTYPEID_MASK_SEQNBR;
+    m_types.body = m_engine.GetTypeIdByDecl("Body") & asTYPEID_MASK_SEQNBR;
     const auto property = [this](const char *declaration, std::size_t offset) {
         m_engine.RegisterObjectProperty("Body", declaration, static_cast<int>(offset));
     };
@@ -140,7 +111,7 @@ void SceneCells::registerBodies(BodyAccess access)
 void SceneCells::registerCreatures()
 {
     m_engine.RegisterObjectType("Creature", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
-    m_creatureType = m_engine.GetTypeIdByDecl("Creature") & asTYPEID_MASK_SEQNBR;
+    m_types.creature = m_engine.GetTypeIdByDecl("Creature") & asTYPEID_MASK_SEQNBR;
     const auto property = [this](const char *declaration, std::size_t offset) {
         m_engine.RegisterObjectProperty("Creature", declaration, static_cast<int>(offset));
     };
@@ -181,7 +152,7 @@ void SceneCells::registerBranches()
 void SceneCells::registerSticks()
 {
     m_engine.RegisterObjectType("Stick", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
-    m_stickType = m_engine.GetTypeIdByDecl("Stick") & asTYPEID_MASK_SEQNBR;
+    m_types.stick = m_engine.GetTypeIdByDecl("Stick") & asTYPEID_MASK_SEQNBR;
     const auto property = [this](const char *declaration, std::size_t offset) {
         m_engine.RegisterObjectProperty("Stick", declaration, static_cast<int>(offset));
     };
@@ -238,18 +209,18 @@ void SceneCells::registerNames()
         m_engine.RegisterGlobalProperty(declaration.c_str(), address);
     };
     for (const std::string &name : m_vocabulary.bodies) {
-        m_bodies.emplace_back();
-        m_handles.push_back(nullptr);
-        global("Body @const " + name, &m_handles.back());
+        m_cells.bodies.emplace_back();
+        m_cells.handles.push_back(nullptr);
+        global("Body @const " + name, &m_cells.handles.back());
     }
     for (const Vocabulary::Array &array : m_vocabulary.arrays) {
-        m_arrays.emplace_back().name = array.name;
-        global("Bodies " + array.name, &m_arrays.back());
+        m_cells.arrays.emplace_back().name = array.name;
+        global("Bodies " + array.name, &m_cells.arrays.back());
     }
     if (m_vocabulary.hasCreatures)
-        global("Creatures creatures", &m_creatures);
+        global("Creatures creatures", &m_cells.creatures);
     if (m_vocabulary.hasSticks)
-        global("Sticks sticks", &m_sticks);
+        global("Sticks sticks", &m_cells.sticks);
     for (const std::string &name : m_vocabulary.parameters) {
         m_parameters.push_back(0.0);
         global("const double " + name, &m_parameters.back());
@@ -279,7 +250,7 @@ void SceneCells::registerNames()
 
 std::size_t SceneCells::sizeOf(int type) const
 {
-    if (type == m_vec2Type)
+    if (type == m_types.vec2)
         return sizeof(Vec2);
     if ((type & ~asTYPEID_MASK_SEQNBR) != 0 || type > asTYPEID_DOUBLE)
         return 0;
@@ -289,22 +260,22 @@ std::size_t SceneCells::sizeOf(int type) const
 template <class Visit>
 void SceneCells::forEachCell(Visit &&visit) const
 {
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        if (m_handles[i])
-            visit(m_bodies[i], [&] { return m_vocabulary.bodies[i]; });
+    for (std::size_t i = 0; i < m_cells.bodies.size(); ++i) {
+        if (m_cells.handles[i])
+            visit(m_cells.bodies[i], [&] { return m_vocabulary.bodies[i]; });
     }
-    for (const BodyArray &array : m_arrays) {
+    for (const BodyArray &array : m_cells.arrays) {
         for (std::size_t i = 0; i < array.cells.size(); ++i)
             visit(array.cells[i], [&] { return cellName(array.name, i); });
     }
-    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i) {
-        const CreatureCell &creature = m_creatures.cells[i];
+    for (std::size_t i = 0; i < m_cells.creatures.cells.size(); ++i) {
+        const CreatureCell &creature = m_cells.creatures.cells[i];
         visit(creature.body, [&] { return cellName("creatures", i) + ".body"; });
         for (std::size_t j = 0; j < creature.feet.cells.size(); ++j)
             visit(creature.feet.cells[j], [&] { return cellName(creature.feet.name, j); });
     }
-    for (const BodyCell &cell : m_otherBodies)
-        visit(cell, [&] { return nameBySticks(&cell); });
+    for (const BodyCell &cell : m_cells.others)
+        visit(cell, [&] { return values().nameBySticks(&cell); });
 }
 
 void SceneCells::load(const sim::State &state, const Binding &binding)
@@ -322,11 +293,11 @@ void SceneCells::load(const sim::State &state, const Binding &binding)
         cell.held = held;
         cell.point = point;
     };
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
+    for (std::size_t i = 0; i < m_cells.bodies.size(); ++i) {
         const int point = binding.bodies[i];
-        m_handles[i] = point < 0 ? nullptr : &m_bodies[i];
+        m_cells.handles[i] = point < 0 ? nullptr : &m_cells.bodies[i];
         if (point >= 0)
-            fill(m_bodies[i], point);
+            fill(m_cells.bodies[i], point);
     }
     const auto fillArray = [&](BodyArray &array, const std::vector<int> &points) {
         array.cells.resize(points.size());
@@ -334,20 +305,20 @@ void SceneCells::load(const sim::State &state, const Binding &binding)
         for (std::size_t i = 0; i < points.size(); ++i)
             fill(array.cells[i], points[i]);
     };
-    for (std::size_t i = 0; i < m_arrays.size(); ++i)
-        fillArray(m_arrays[i], binding.arrays[i]);
+    for (std::size_t i = 0; i < m_cells.arrays.size(); ++i)
+        fillArray(m_cells.arrays[i], binding.arrays[i]);
     resizeCreatures(binding.creatures.size());
     for (std::size_t i = 0; i < binding.creatures.size(); ++i) {
-        CreatureCell &creature = m_creatures.cells[i];
+        CreatureCell &creature = m_cells.creatures.cells[i];
         fill(creature.body, binding.creatures[i].body);
         fillArray(creature.feet, binding.creatures[i].feet);
         const auto clock = static_cast<Eigen::Index>(i);
         creature.gait = clock < state.gait.rows() ? state.gait[clock] : 0.0;
         creature.gaitSpeed = clock < state.gaitSpeed.rows() ? state.gaitSpeed[clock] : 0.0;
     }
-    m_otherBodies.resize(binding.otherBodies.size());
-    for (std::size_t i = 0; i < m_otherBodies.size(); ++i)
-        fill(m_otherBodies[i], binding.otherBodies[i]);
+    m_cells.others.resize(binding.otherBodies.size());
+    for (std::size_t i = 0; i < m_cells.others.size(); ++i)
+        fill(m_cells.others[i], binding.otherBodies[i]);
     loadBranches(binding);
     loadSticks(state, binding);
     std::copy(binding.parameters.begin(), binding.parameters.end(), m_parameters.begin());
@@ -379,7 +350,7 @@ void SceneCells::loadInput(const sim::State &state)
 
 void SceneCells::loadBranches(const Binding &binding)
 {
-    for (BodyArray &array : m_arrays) {
+    for (BodyArray &array : m_cells.arrays) {
         if (binding.branches.size() != array.cells.size())
             continue;
         for (std::size_t i = 0; i < array.cells.size(); ++i) {
@@ -404,38 +375,39 @@ void SceneCells::loadSticks(const sim::State &state, const Binding &binding)
     forEachCell([&](const BodyCell &cell, const auto &) {
         cellOf[static_cast<std::size_t>(cell.point)] = const_cast<BodyCell *>(&cell);
     });
-    m_sticks.count = static_cast<int>(binding.sticks.size());
-    m_sticks.cells.clear();
+    m_cells.sticks.count = static_cast<int>(binding.sticks.size());
+    m_cells.sticks.cells.clear();
     for (const sim::Stick &stick : binding.sticks)
-        m_sticks.cells.push_back({cellOf[static_cast<std::size_t>(stick.a)],
-                                  cellOf[static_cast<std::size_t>(stick.b)], stick.length, stick.share});
+        m_cells.sticks.cells.push_back({cellOf[static_cast<std::size_t>(stick.a)],
+                                        cellOf[static_cast<std::size_t>(stick.b)], stick.length,
+                                        stick.share});
 }
 
 void SceneCells::resizeFirstArray(std::size_t count)
 {
-    m_arrays.front().cells.resize(count);
-    m_arrays.front().count = static_cast<int>(count);
+    m_cells.arrays.front().cells.resize(count);
+    m_cells.arrays.front().count = static_cast<int>(count);
 }
 
 void SceneCells::loadPlaceholders()
 {
     for (std::size_t i = 0; i < m_parameters.size(); ++i)
         m_parameters[i] = 0.7310585786300049 + 0.0137 * static_cast<double>(i);
-    for (std::size_t i = 0; i < m_handles.size(); ++i)
-        m_handles[i] = &m_bodies[i];
+    for (std::size_t i = 0; i < m_cells.handles.size(); ++i)
+        m_cells.handles[i] = &m_cells.bodies[i];
     const auto fillUp = [](BodyArray &array, std::size_t count) {
         array.cells.resize(count);
         array.count = static_cast<int>(count);
     };
-    for (BodyArray &array : m_arrays)
+    for (BodyArray &array : m_cells.arrays)
         fillUp(array, 1000);
     if (m_vocabulary.hasCreatures)
         resizeCreatures(100);
-    for (CreatureCell &creature : m_creatures.cells)
+    for (CreatureCell &creature : m_cells.creatures.cells)
         fillUp(creature.feet, 100);
     BodyCell end;
-    m_sticks.cells.assign(1000, {&end, &end, 1.0, 0.5});
-    m_sticks.count = 1000;
+    m_cells.sticks.cells.assign(1000, {&end, &end, 1.0, 0.5});
+    m_cells.sticks.count = 1000;
 }
 
 void SceneCells::readMotions(std::vector<BodyMotion> &into) const
@@ -448,11 +420,11 @@ void SceneCells::readMotions(std::vector<BodyMotion> &into) const
 
 void SceneCells::resizeCreatures(std::size_t count)
 {
-    const std::size_t named = m_creatures.cells.size();
-    m_creatures.cells.resize(count);
-    m_creatures.count = static_cast<int>(count);
+    const std::size_t named = m_cells.creatures.cells.size();
+    m_cells.creatures.cells.resize(count);
+    m_cells.creatures.count = static_cast<int>(count);
     for (std::size_t i = named; i < count; ++i)
-        m_creatures.cells[i].feet.name = cellName("creatures", i) + ".feet";
+        m_cells.creatures.cells[i].feet.name = cellName("creatures", i) + ".feet";
 }
 
 void SceneCells::store(sim::State &state) const
@@ -473,8 +445,9 @@ void SceneCells::store(sim::State &state) const
     };
     if (!m_vocabulary.hasCreatures && state.gait.rows() == 1)
         storeGait(0, m_gait, m_gaitSpeed);
-    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i)
-        storeGait(static_cast<Eigen::Index>(i), m_creatures.cells[i].gait, m_creatures.cells[i].gaitSpeed);
+    for (std::size_t i = 0; i < m_cells.creatures.cells.size(); ++i)
+        storeGait(static_cast<Eigen::Index>(i), m_cells.creatures.cells[i].gait,
+                  m_cells.creatures.cells[i].gaitSpeed);
     if (m_vocabulary.hasGust)
         state.gustExtent = {m_gustFront, m_gustTail};
 }
@@ -498,85 +471,11 @@ std::string SceneCells::firstNonFinite() const
         return "'gait'";
     if (!std::isfinite(m_gustFront) || !std::isfinite(m_gustTail))
         return "'gust_front' or 'gust_tail'";
-    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i) {
-        if (!std::isfinite(m_creatures.cells[i].gait) || !std::isfinite(m_creatures.cells[i].gaitSpeed))
+    for (std::size_t i = 0; i < m_cells.creatures.cells.size(); ++i) {
+        if (!std::isfinite(m_cells.creatures.cells[i].gait) ||
+            !std::isfinite(m_cells.creatures.cells[i].gaitSpeed))
             return "The gait of " + cellName("creatures", i);
     }
-    return {};
-}
-
-Value SceneCells::valueOf(const BodyCell *cell) const
-{
-    if (!cell)
-        return BodyReference();
-    for (std::size_t i = 0; i < m_bodies.size(); ++i) {
-        if (cell == &m_bodies[i])
-            return BodyReference{m_vocabulary.bodies[i], cell->point};
-    }
-    for (const BodyArray &array : m_arrays) {
-        if (const auto index = indexOf(cell, array.cells))
-            return BodyReference{cellName(array.name, *index), cell->point};
-    }
-    for (std::size_t i = 0; i < m_creatures.cells.size(); ++i) {
-        const CreatureCell &creature = m_creatures.cells[i];
-        if (cell == &creature.body)
-            return BodyReference{cellName("creatures", i) + ".body", cell->point};
-        if (const auto index = indexOf(cell, creature.feet.cells))
-            return BodyReference{cellName(creature.feet.name, *index), cell->point};
-    }
-    return BodyReference{nameBySticks(cell), cell->point};
-}
-
-std::string SceneCells::nameBySticks(const BodyCell *cell) const
-{
-    for (std::size_t i = 0; i < m_sticks.cells.size(); ++i) {
-        const StickCell &stick = m_sticks.cells[i];
-        if (cell == stick.a || cell == stick.b)
-            return cellName("sticks", i) + (cell == stick.a ? ".a" : ".b");
-    }
-    return {};
-}
-
-Value SceneCells::valueOf(const CreatureCell *cell) const
-{
-    const std::optional<std::size_t> index = indexOf(cell, m_creatures.cells);
-    constexpr auto kind = BodyReference::Kind::creature;
-    return index ? BodyReference{cellName("creatures", *index), cell->body.point, kind}
-                 : BodyReference{{}, -1, kind};
-}
-
-Value SceneCells::valueOf(const StickCell *cell) const
-{
-    const std::optional<std::size_t> index = indexOf(cell, m_sticks.cells);
-    return BodyReference{index ? cellName("sticks", *index) : std::string(), -1, BodyReference::Kind::stick};
-}
-
-std::optional<Value> SceneCells::valueAt(const void *address, int type) const
-{
-    if (!address)
-        return {};
-    const auto number = [address]<class Number>(Number value) {
-        std::memcpy(&value, address, sizeof value);
-        return value;
-    };
-    switch (type) {
-    case asTYPEID_BOOL:
-        return Value(number(char{}) != 0);
-    case asTYPEID_INT32:
-        return Value(std::int64_t{number(std::int32_t{})});
-    case asTYPEID_DOUBLE:
-        return Value(number(double{}));
-    default:
-        break;
-    }
-    if (type == m_vec2Type)
-        return Value(number(Vec2{}));
-    if ((type & asTYPEID_MASK_SEQNBR) == m_bodyType)
-        return valueOf(number(static_cast<const BodyCell *>(nullptr)));
-    if ((type & asTYPEID_MASK_SEQNBR) == m_creatureType)
-        return valueOf(number(static_cast<const CreatureCell *>(nullptr)));
-    if ((type & asTYPEID_MASK_SEQNBR) == m_stickType)
-        return valueOf(number(static_cast<const StickCell *>(nullptr)));
     return {};
 }
 
@@ -602,22 +501,22 @@ bool SceneCells::isSameCreature(const CreatureCell *a, const CreatureCell *b)
     return a == b;
 }
 
-SceneCells::BodyCell *SceneCells::bodyAt(int index, BodyArray *array)
+BodyCell *SceneCells::bodyAt(int index, BodyArray *array)
 {
     return cellAt(index, array->cells, array->name);
 }
 
-SceneCells::CreatureCell *SceneCells::creatureAt(int index, CreatureArray *array)
+CreatureCell *SceneCells::creatureAt(int index, CreatureArray *array)
 {
     return cellAt(index, array->cells, "creatures");
 }
 
-SceneCells::BodyCell *SceneCells::bodyOf(CreatureCell *creature)
+BodyCell *SceneCells::bodyOf(CreatureCell *creature)
 {
     return &creature->body;
 }
 
-SceneCells::BodyCell *SceneCells::childAt(int index, ChildArray *array)
+BodyCell *SceneCells::childAt(int index, ChildArray *array)
 {
     if (index >= 0 && index < array->count)
         return array->first + index;
@@ -625,7 +524,7 @@ SceneCells::BodyCell *SceneCells::childAt(int index, ChildArray *array)
     return nullptr;
 }
 
-SceneCells::StickCell *SceneCells::stickAt(int index, StickArray *array)
+StickCell *SceneCells::stickAt(int index, StickArray *array)
 {
     return cellAt(index, array->cells, "sticks");
 }

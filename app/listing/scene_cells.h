@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/listing/cell_values.h"
 #include "app/listing/script_functions.h"
 #include "app/listing/values.h"
 #include "app/listing/vocabulary.h"
@@ -8,7 +9,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,26 +22,6 @@ enum class BodyAccess { write, read };
 class SceneCells
 {
 public:
-    struct BodyCell;
-    /// Bodies that are neighbours in an array: the children of a branch.
-    struct ChildArray
-    {
-        int count = 0;
-        BodyCell *first = nullptr;
-    };
-    /// A body as the interpreter sees it.
-    struct BodyCell
-    {
-        sim::Vec2 position, velocity, before;
-        double mass = 0.0, radius = 0.0, angle = 0.0, spin = 0.0;
-        bool held = false;
-        int point = -1;
-        // of a branch
-        int number = 0;
-        double rest = 0.0, scale = 0.0, length = 0.0, inertia = 0.0;
-        ChildArray children;
-    };
-
     /// Registers the language and the names of `vocabulary` with `engine`. Both must outlive this object.
     SceneCells(AngelScript::asIScriptEngine &engine, const Vocabulary &vocabulary, BodyAccess access);
     SceneCells(const SceneCells &) = delete;
@@ -59,13 +39,13 @@ public:
     /// Gives the first array of the vocabulary `count` cells.
     void resizeFirstArray(std::size_t count);
     /// Returns the cell with this index of the first array.
-    BodyCell &cellOfFirstArray(std::size_t index) { return m_arrays.front().cells[index]; }
+    BodyCell &cellOfFirstArray(std::size_t index) { return m_cells.arrays.front().cells[index]; }
     /// Sets parameter `index` of the vocabulary.
     void setParameter(std::size_t index, double value) { m_parameters[index] = value; }
     void setSeed(std::uint64_t seed) { m_seed = seed; }
 
-    /// Returns the value of a variable at `address`. Empty if a listing cannot have variables of this type.
-    std::optional<Value> valueAt(const void *address, int type) const;
+    /// Returns the reader of variables that programs of this scene have.
+    CellValues values() const { return {m_cells, m_types, m_vocabulary}; }
     /// Returns the bytes of a number, a bool or a Vec2; 0 for other types.
     std::size_t sizeOf(int type) const;
     /// Reads the motion of all bodies.
@@ -74,33 +54,6 @@ public:
     std::string firstNonFinite() const;
 
 private:
-    struct BodyArray
-    {
-        int count = 0;
-        std::string name;
-        std::vector<BodyCell> cells;
-    };
-    struct CreatureCell
-    {
-        BodyCell body;
-        BodyArray feet;
-        double gait = 0.0, gaitSpeed = 0.0;
-    };
-    struct CreatureArray
-    {
-        int count = 0;
-        std::vector<CreatureCell> cells;
-    };
-    struct StickCell
-    {
-        BodyCell *a = nullptr, *b = nullptr;
-        double length = 0.0, share = 0.0;
-    };
-    struct StickArray
-    {
-        int count = 0;
-        std::vector<StickCell> cells;
-    };
     struct TargetArray
     {
         int count = 0;
@@ -121,11 +74,6 @@ private:
     void loadBranches(const Binding &binding);
     void loadSticks(const sim::State &state, const Binding &binding);
     void resizeCreatures(std::size_t count);
-    Value valueOf(const BodyCell *cell) const;
-    Value valueOf(const CreatureCell *cell) const;
-    Value valueOf(const StickCell *cell) const;
-    /// Returns the name of a body that has none in the scene, by a stick that ends there: "sticks[3].b".
-    std::string nameBySticks(const BodyCell *cell) const;
     double random(int i) const;
     double randomInFrame(int i, int frame) const;
     double sine(double rad) const { return m_angleFunctions.sin(rad); }
@@ -149,18 +97,10 @@ private:
 
     AngelScript::asIScriptEngine &m_engine;
     const Vocabulary &m_vocabulary;
-    int m_vec2Type = 0;
-    int m_bodyType = 0;
-    int m_creatureType = -1; ///< -1: this scene has no creatures
-    int m_stickType = -1;    ///< -1: this scene has no sticks
+    CellTypes m_types;
 
     // The addresses of these are registered, so the containers keep their size.
-    std::deque<BodyCell> m_bodies;
-    std::deque<BodyCell *> m_handles; ///< one per single body; null if the scene does not have it
-    std::deque<BodyArray> m_arrays;
-    CreatureArray m_creatures;
-    std::vector<BodyCell> m_otherBodies; ///< without a name
-    StickArray m_sticks;
+    NamedCells m_cells;
     TargetArray m_newTargets;
     std::deque<double> m_parameters;
     AngleFunctions m_angleFunctions;

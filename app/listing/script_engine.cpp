@@ -1,5 +1,6 @@
 #include "app/listing/script_engine.h"
 
+#include "app/listing/common_slips.h"
 #include "app/listing/compile_sentences.h"
 
 #include <angelscript.h>
@@ -59,8 +60,8 @@ void ScriptEngine::messageCallback(const asSMessageInfo *message, void *self)
     const SourceScan &scan = engine.m_scan;
     const std::string text = message->message;
     // A variable without a value would hold what an earlier call left behind.
-    const bool isWarning =
-        message->type == asMSGTYPE_WARNING && text.find("is not initialized") == std::string::npos;
+    const bool isWarning = message->type == asMSGTYPE_WARNING &&
+                           text.find("is not initialized") == std::string::npos && !isAboutFraction(text);
     if (message->type == asMSGTYPE_INFORMATION || isWarning || text.starts_with("Instead found"))
         return;
     const int line = std::max(1, message->row), column = std::max(1, message->col);
@@ -69,6 +70,8 @@ void ScriptEngine::messageCallback(const asSMessageInfo *message, void *self)
     auto marked = std::find_if(tokens.begin(), tokens.end(), [&](const Token &token) {
         return offset >= token.offset && offset < token.end();
     });
+    if (isAboutFraction(text) && !setsFraction(tokens, static_cast<std::size_t>(marked - tokens.begin())))
+        return; // the value of an index or of an argument
     MarkedPlace place = {{}, engine.m_vocabulary, scan.declaredNames()};
     if (marked == tokens.end())
         return engine.addError(line, column, plainSentence(text, place));

@@ -168,8 +168,8 @@ std::vector<Variable> ScriptRunner::variables() const
             !m_context->IsVarInScope(static_cast<asUINT>(i), 0))
             continue;
         const std::optional<Value> value =
-            m_cells.valueAt(m_context->GetAddressOfVar(static_cast<asUINT>(i), 0),
-                            m_context->GetVarTypeId(static_cast<asUINT>(i), 0));
+            m_cells.values().valueAt(m_context->GetAddressOfVar(static_cast<asUINT>(i), 0),
+                                     m_context->GetVarTypeId(static_cast<asUINT>(i), 0));
         if (value)
             all.push_back({name, *value, false});
     }

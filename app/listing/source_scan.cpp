@@ -221,6 +221,16 @@ std::vector<std::string> SourceScan::declaredNames() const
     return names;
 }
 
+bool SourceScan::declares(std::string_view name, std::size_t offset) const
+{
+    const auto isIt = [&](const Declaration &one) {
+        return one.name == name && (one.offset == offset || one.scope.contains(offset));
+    };
+    const FunctionText *function = functionAt(offset);
+    return std::any_of(m_globals.begin(), m_globals.end(), isIt) ||
+           (function && std::any_of(function->declarations.begin(), function->declarations.end(), isIt));
+}
+
 bool SourceScan::uses(std::string_view name) const
 {
     return std::any_of(m_tokens.begin(), m_tokens.end(),

@@ -67,6 +67,9 @@ public:
     std::vector<std::string> declaredNames() const;
     /// Returns whether there are variables outside of functions.
     bool hasGlobals() const { return !m_globals.empty(); }
+    /// Returns whether the word `name` at a byte is a variable of the text, or a parameter of one of its functions: there it
+    /// is declared, or in scope.
+    bool declares(std::string_view name, std::size_t offset) const;
     /// Returns whether the word `name` is used.
     bool uses(std::string_view name) const;
     /// Returns the function around `offset`, or null.

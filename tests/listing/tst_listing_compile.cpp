@@ -108,6 +108,21 @@ void ListingCompile::mistakeIsSaidInOneSentence_data()
     row("second number without a value", "int a = 1, b; body.velocity *= b;",
         "3:12+1 'b' has no value yet. Give it one: 'int b = 0;'.");
     row("letter outside ASCII", "double größe = 1;", "3:10+2 'ö' is not part of this language.");
+    row("fraction for a whole number", "int a = atan2(1, 2);",
+        "3:9+5 An 'int' keeps no fraction, and this value may have one. Write 'double', or round down with "
+        "'floor(...)'.");
+    row("fraction added to a whole number", "int a = 1; a += 0.5;",
+        "3:17+3 An 'int' keeps no fraction, and this value may have one. Write 'double', or round down with "
+        "'floor(...)'.");
+    row("number with a fraction for a whole number", "int a = 2.5;",
+        "3:9+3 An 'int' keeps no fraction, and this value may have one. Write 'double', or round down with "
+        "'floor(...)'.");
+    row("least of a whole number and another one", "int n = 3; int a = min(n, k);",
+        "3:20+3 An 'int' keeps no fraction, and this value may have one. Write 'double', or round down with "
+        "'floor(...)'.");
+    row("whole numbers",
+        "int n = 2.0; int a = min(n + 1, feet.count - 1) % 2; a = frame_number; a += 2 * floor(k);", "");
+    row("large whole number", "double a = 9007199254740993;", "");
     row("name twice", "int a = 1; int a = 2;", "3:16+1 There already is 'a' here. Use another name.");
     row("single ampersand", "if (k > 1 & damp > 0) body.velocity.x = 1;",
         "3:11+1 '&' is not part of this language. Did you mean '&&'?");

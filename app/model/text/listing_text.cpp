@@ -58,6 +58,8 @@ constexpr const char *patterns[] = {
     QT_TRANSLATE_NOOP("ListingText", "Both values of a choice with ? need the same type."),
     QT_TRANSLATE_NOOP("ListingText", "Write %1 for %2 beside a double."),
     QT_TRANSLATE_NOOP("ListingText", "Between whole numbers, '/' drops the fraction: this is %1."),
+    QT_TRANSLATE_NOOP("ListingText", "An 'int' keeps no fraction, and this value may have one."),
+    QT_TRANSLATE_NOOP("ListingText", "Write %1, or round down with %2."),
     QT_TRANSLATE_NOOP("ListingText", "A value is missing at the end of this line."),
     QT_TRANSLATE_NOOP("ListingText", "A name is missing at the end of this line."),
     QT_TRANSLATE_NOOP("ListingText", "%1 is missing at the end of this line."),
