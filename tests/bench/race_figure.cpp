@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bench {
 
@@ -17,7 +18,7 @@ namespace {
 
 constexpr QSize size(960, 528);
 constexpr int left = 84, right = 170, top = 48, bottom = 130; ///< px, the margins around the axes
-constexpr double solverLine = 20.0;                           ///< px, height of a line of solvers
+constexpr double solverLine = 20.0;                           ///< px, height of a line of solvers or names
 
 /// The time of one team at each error.
 struct Series
@@ -88,6 +89,7 @@ public:
         m_plot.yAxis->rescale();
         const QCPRange times = m_plot.yAxis->range();
         m_plot.yAxis->setRange(times.lower / 1.5, times.upper * 1.5);
+        addNames();
     }
 
     QByteArray svg()
@@ -142,18 +144,49 @@ private:
             solver.position->setTypeX(QCPItemPosition::ptPlotCoords);
             solver.position->setCoords(air::errors[i], y);
         }
-        const auto last = std::find_if(series.microseconds.rbegin(), series.microseconds.rend(),
-                                       [](double time) { return time > 0.0; });
-        const auto end = std::size_t(series.microseconds.rend() - last) - 1;
-        QCPItemText &name = addText(series.title, {}, Qt::AlignLeft | Qt::AlignVCenter);
-        name.position->setType(QCPItemPosition::ptPlotCoords);
-        name.position->setCoords(air::errors[end], series.microseconds[end]);
-        name.setPadding({14, 0, 0, 0});
-        name.setColor(series.color);
-        name.setFont(m_theme.ui(12, QFont::DemiBold));
     }
 
-    /// Adds lines between two series, each with the ratio of the longer time to the shorter one.
+    /// Returns the index of the last error at which a team was measured.
+    static std::size_t lastOf(const Series &series)
+    {
+        const auto last = std::find_if(series.microseconds.rbegin(), series.microseconds.rend(),
+                                       [](double time) { return time > 0.0; });
+        return std::size_t(series.microseconds.rend() - last) - 1;
+    }
+
+    /// Adds the names of the teams beside the ends of their lines, below one another.
+    void addNames()
+    {
+        const QCPRange times = m_plot.yAxis->range();
+        const double height = size.height() - top - bottom;
+        std::vector<std::pair<double, const Series *>> names; // px from the upper edge
+        for (const Series &one : m_all) {
+            const double share =
+                std::log(times.upper / one.microseconds[lastOf(one)]) / std::log(times.upper / times.lower);
+            names.emplace_back(top + share * height, &one);
+        }
+        std::sort(names.begin(), names.end());
+        double least = 0.0;
+        for (const auto &[y, series] : names) {
+            QCPItemText &name = addText(series->title, {}, Qt::AlignLeft | Qt::AlignVCenter);
+            name.position->setTypeX(QCPItemPosition::ptPlotCoords);
+            name.position->setCoords(air::errors[lastOf(*series)], std::max(y, least));
+            name.setPadding({14, 0, 0, 0});
+            name.setColor(series->color);
+            name.setFont(m_theme.ui(12, QFont::DemiBold));
+            least = std::max(y, least) + solverLine;
+        }
+    }
+
+    /// Returns the time on the line of a team a tenth of the way from one error to another: at the middle of a label.
+    static double timeTowards(const Series &series, std::size_t from, std::size_t to)
+    {
+        const double a = series.microseconds[from], b = series.microseconds[to];
+        return b > 0.0 ? a * std::pow(b / a, 0.1) : a;
+    }
+
+    /// Adds lines between two series, each with the ratio of the longer time to the shorter one. The last ratio is on the
+    /// left of its line.
     void addRatios(const Series &ours, const Series &other)
     {
         for (std::size_t i = 0; i < air::errors.size(); ++i) {
@@ -165,11 +198,14 @@ private:
             line->end->setCoords(air::errors[i], b);
             line->setPen(QPen(other.color, 1.0));
             const double times = std::max(a / b, b / a);
+            const bool isLast = i + 1 == air::errors.size(); // the names are on its right
             QCPItemText &text = addText(QString::number(times, 'f', times < 9.95 ? 1 : 0) + QChar(0x00d7), {},
-                                        Qt::AlignLeft | Qt::AlignVCenter);
+                                        (isLast ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
             text.position->setType(QCPItemPosition::ptPlotCoords);
-            text.position->setCoords(air::errors[i], std::sqrt(a * b));
-            text.setPadding({6, 0, 0, 0});
+            const std::size_t to = isLast ? i - 1 : i + 1; // the side of the label
+            text.position->setCoords(air::errors[i],
+                                     std::sqrt(timeTowards(ours, i, to) * timeTowards(other, i, to)));
+            text.setPadding(isLast ? QMargins{0, 0, 6, 0} : QMargins{6, 0, 0, 0});
             text.setFont(m_theme.ui(12, QFont::DemiBold));
         }
     }
