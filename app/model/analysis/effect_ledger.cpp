@@ -7,10 +7,10 @@
 
 namespace app {
 
-EffectLedger::EffectLedger(Session &session, CostFunction function, std::shared_ptr<QThreadPool> thread,
-                           QObject *parent)
-    : QObject(parent), m_session(session),
-      m_costs(session.run(), session.playback(), std::move(function), std::move(thread))
+EffectLedger::EffectLedger(const OpenRun &run, RunEditor &editor, const Playback &playback,
+                           CostFunction function, std::shared_ptr<QThreadPool> thread, QObject *parent)
+    : QObject(parent), m_run(run), m_editor(editor), m_playback(playback),
+      m_costs(run, playback, std::move(function), std::move(thread))
 {
     connect(&m_costs, &CostMonitor::changed, this, &EffectLedger::changed);
 }
@@ -25,7 +25,7 @@ void EffectLedger::setActive(bool isActive)
 void EffectLedger::requestKnownEffects()
 {
     m_request.start(
-        [&library = m_session.library()](const BackgroundJob::Context &job) {
+        [&library = m_run.library()](const BackgroundJob::Context &job) {
             return effectsKnownBy(library, job.shouldContinue());
         },
         [this](std::future<std::vector<KnownEffect>> known) {
@@ -37,9 +37,9 @@ void EffectLedger::requestKnownEffects()
 
 const std::vector<sim::EffectPtr> &EffectLedger::listed() const
 {
-    const std::shared_ptr<const sim::ComposedInterval> interval = m_session.timeline().track().nextInterval();
+    const std::shared_ptr<const sim::ComposedInterval> interval = m_run.timeline().track().nextInterval();
     if (m_listedIn.lock() != interval) {
-        m_listed = m_session.editor().listedEffects();
+        m_listed = m_editor.listedEffects();
         m_listedIn = interval;
     }
     return m_listed;
@@ -49,11 +49,11 @@ std::vector<EffectLine> EffectLedger::lines() const
 {
     EffectFacts facts;
     facts.listed = listed();
-    facts.off = m_session.timeline().script().effectsOff;
-    facts.leftOut = m_session.timeline().track().nextInterval()->pipeline.idleEffects;
+    facts.off = m_run.timeline().script().effectsOff;
+    facts.leftOut = m_run.timeline().track().nextInterval()->pipeline.idleEffects;
     facts.cost = m_costs.cost();
     facts.known = m_known;
-    facts.offered = m_session.step().availableEffects;
+    facts.offered = m_run.step().availableEffects;
     return effectLines(facts);
 }
 
@@ -65,7 +65,7 @@ QString EffectLedger::caption() const
     const QString frame = frameWords(*m_costs.cost());
     if (stage != CostMonitor::Stage::done)
         return tr("%1, measuring…").arg(frame);
-    return m_session.timeline().cursor().frame == m_costs.frame()
+    return m_run.timeline().cursor().frame == m_costs.frame()
                ? tr("%1, measured now").arg(frame)
                : tr("%1, measured at frame %2").arg(frame).arg(m_costs.frame());
 }
@@ -76,9 +76,9 @@ void EffectLedger::switchEffect(const QString &id, bool on)
     const bool isThere = std::any_of(
         now.begin(), now.end(), [&](const sim::EffectPtr &one) { return one->id() == id.toStdString(); });
     if (isThere)
-        m_session.editor().setEffect(id, on);
+        m_editor.setEffect(id, on);
     else
-        setBuiltEffect(m_session, id, on);
+        setBuiltEffect(m_run, m_editor, m_playback, id, on);
 }
 
 }

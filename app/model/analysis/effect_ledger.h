@@ -2,11 +2,11 @@
 
 #include "app/model/analysis/cost_monitor.h"
 #include "app/model/analysis/effect_lines.h"
-#include "app/model/session/session.h"
+#include "app/model/session/run_editor.h"
 
 namespace app {
 
-/// The effects of the session's scene with their costs, and the effects that other lessons know. Measures while a view
+/// The effects of the open scene with their costs, and the effects that other lessons know. Measures while a view
 /// shows it.
 class EffectLedger : public QObject
 {
@@ -14,8 +14,9 @@ class EffectLedger : public QObject
 
 public:
     /// Measures costs on `thread`.
-    explicit EffectLedger(Session &session, CostFunction function = measureCost,
-                          std::shared_ptr<QThreadPool> thread = makeJobThread(), QObject *parent = nullptr);
+    EffectLedger(const OpenRun &run, RunEditor &editor, const Playback &playback,
+                 CostFunction function = measureCost, std::shared_ptr<QThreadPool> thread = makeJobThread(),
+                 QObject *parent = nullptr);
 
     /// Sets whether any view shows the effects.
     void setActive(bool isActive);
@@ -35,7 +36,9 @@ private:
     void requestKnownEffects();
     const std::vector<sim::EffectPtr> &listed() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
+    const Playback &m_playback;
     CostMonitor m_costs;
     /// All effects of the interval at the cursor. They are cached because a large scene takes time to set up.
     mutable std::vector<sim::EffectPtr> m_listed;

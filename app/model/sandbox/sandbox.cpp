@@ -150,29 +150,30 @@ bool takeExample(Session &session, const lessons::Example &example)
     }
 }
 
-bool canBuild(const Session &session)
+bool canBuild(const OpenRun &run, const RunEditor &editor, const Playback &playback)
 {
-    return session.isSandbox() && session.editor().blueprint() && !session.playback().isPlaying() &&
-           session.timeline().cursor() == sim::Cursor{};
+    return run.isSandbox() && editor.blueprint() && !playback.isPlaying() &&
+           run.timeline().cursor() == sim::Cursor{};
 }
 
-bool setBuiltEffect(Session &session, const QString &id, bool present)
+bool setBuiltEffect(const OpenRun &run, RunEditor &editor, const Playback &playback, const QString &id,
+                    bool present)
 {
     const sim::EffectDescription *effect =
-        sim::findDescription(session.step().availableEffects, id.toStdString());
-    if (!effect || !session.editor().blueprint())
+        sim::findDescription(run.step().availableEffects, id.toStdString());
+    if (!effect || !editor.blueprint())
         return false;
-    if (!canBuild(session)) {
-        session.showMessage(
+    if (!canBuild(run, editor, playback)) {
+        run.showMessage(
             SandboxText::tr("You can only build at the start of the run. Press Home to go there."));
         return false;
     }
-    sim::Blueprint plan = *session.editor().blueprint();
+    sim::Blueprint plan = *editor.blueprint();
     std::erase(plan.effects, effect->id);
     if (present)
         plan.effects.push_back(effect->id);
     const QString title = phrase(effect->title);
-    return session.editor().build(
+    return editor.build(
         {present ? SandboxText::tr("Add %1").arg(title) : SandboxText::tr("Remove %1").arg(title), {}, {}},
         std::move(plan));
 }

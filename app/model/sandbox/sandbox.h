@@ -27,11 +27,12 @@ void takeToSandbox(Session &session);
 bool takeExample(Session &session, const lessons::Example &example);
 
 /// Returns whether the open scene can be edited now: it is a sandbox scene at the start of its run.
-bool canBuild(const Session &session);
+bool canBuild(const OpenRun &run, const RunEditor &editor, const Playback &playback);
 
 /// Adds an effect of the sandbox's catalogue to the scene, or removes it. If that is not possible now, a message says
 /// so. Returns whether the scene was changed.
-bool setBuiltEffect(Session &session, const QString &id, bool present);
+bool setBuiltEffect(const OpenRun &run, RunEditor &editor, const Playback &playback, const QString &id,
+                    bool present);
 
 /// Starts a scene that has only one point.
 bool startEmpty(Session &session);

@@ -43,7 +43,7 @@ SandboxEditor::SandboxEditor(Session &session, QObject *parent) : QObject(parent
 
 bool SandboxEditor::canBuild() const
 {
-    return app::canBuild(m_session);
+    return app::canBuild(m_session.run(), m_session.editor(), m_session.playback());
 }
 
 void SandboxEditor::follow()

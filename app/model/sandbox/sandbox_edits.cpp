@@ -268,7 +268,7 @@ bool SandboxEditor::has(const QString &effect) const
 void SandboxEditor::setEffect(const QString &id, bool present)
 {
     if (has(id) != present)
-        setBuiltEffect(m_session, id, present);
+        setBuiltEffect(m_session.run(), m_session.editor(), m_session.playback(), id, present);
 }
 
 void SandboxEditor::addGaitFor(int foot)

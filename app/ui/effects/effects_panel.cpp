@@ -14,9 +14,11 @@
 
 namespace app {
 
-EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction function,
-                           std::shared_ptr<QThreadPool> thread, QWidget *parent)
-    : LivePanel(parent), m_session(session), m_ledger(session, std::move(function), std::move(thread)),
+EffectsPanel::EffectsPanel(const OpenRun &run, RunEditor &editor, const Playback &playback,
+                           const Theme &theme, CostFunction function, std::shared_ptr<QThreadPool> thread,
+                           QWidget *parent)
+    : LivePanel(parent), m_run(run), m_playback(playback),
+      m_ledger(run, editor, playback, std::move(function), std::move(thread)),
       m_title(new PanelTitle(tr("Effects"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_list(new EffectList(theme, this)), m_remark(new QLabel(this)), m_rest(new QLabel(this)),
       m_again(new Command(tr("&Measure the effects again"), {QKeySequence("Ctrl+M")}, this))
@@ -49,7 +51,7 @@ EffectsPanel::EffectsPanel(Session &session, const Theme &theme, CostFunction fu
     connect(&m_list->lines(), &EffectListModel::switched, &m_ledger, &EffectLedger::switchEffect,
             Qt::QueuedConnection);
     connect(&m_ledger, &EffectLedger::changed, this, &EffectsPanel::refreshNow);
-    session.onChange(ChangeKind::cursor | ChangeKind::playing, this, &EffectsPanel::refresh);
+    run.onChange(ChangeKind::cursor | ChangeKind::playing, this, &EffectsPanel::refresh);
 }
 
 QString EffectsPanel::caption() const
@@ -70,7 +72,7 @@ void EffectsPanel::setActive(bool isActive)
 
 bool EffectsPanel::isChanging() const
 {
-    return m_session.playback().isPlaying();
+    return m_playback.isPlaying();
 }
 
 void EffectsPanel::showContents()
@@ -96,7 +98,7 @@ void EffectsPanel::refreshRemark()
     if (!line || line->saving.isEmpty())
         line = costliest();
     m_remark->setText(line ? line->saving : QString());
-    m_rest->setText(restSentence(m_session.timeline().track()));
+    m_rest->setText(restSentence(m_run.timeline().track()));
     m_rest->setToolTip(m_rest->text());
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/model/analysis/effect_ledger.h"
-#include "app/model/session/session.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
@@ -21,8 +20,9 @@ class EffectsPanel : public LivePanel
 
 public:
     /// Measures costs on `thread`.
-    EffectsPanel(Session &session, const Theme &theme, CostFunction function = measureCost,
-                 std::shared_ptr<QThreadPool> thread = makeJobThread(), QWidget *parent = nullptr);
+    EffectsPanel(const OpenRun &run, RunEditor &editor, const Playback &playback, const Theme &theme,
+                 CostFunction function = measureCost, std::shared_ptr<QThreadPool> thread = makeJobThread(),
+                 QWidget *parent = nullptr);
 
     const EffectLedger &ledger() const { return m_ledger; }
     EffectList &list() const { return *m_list; }
@@ -46,7 +46,8 @@ private:
     void refreshRemark();
     const EffectLine *costliest() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const Playback &m_playback;
     EffectLedger m_ledger;
     PanelTitle *m_title;
     EffectList *m_list;

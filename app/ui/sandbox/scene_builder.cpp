@@ -58,9 +58,9 @@ double distanceTo(QPointF at, QPointF a, QPointF b)
 
 }
 
-SceneBuilder::SceneBuilder(Session &session, SandboxEditor &editor, const BuildGuide &guide, SceneView &view,
-                           const Theme &theme)
-    : QObject(&view), m_session(session), m_editor(editor), m_view(view)
+SceneBuilder::SceneBuilder(const OpenRun &run, RunEditor &changes, Preview &preview, SandboxEditor &editor,
+                           const BuildGuide &guide, SceneView &view, const Theme &theme)
+    : QObject(&view), m_changes(changes), m_preview(preview), m_editor(editor), m_view(view)
 {
     m_marks.editor = &editor;
     m_marks.guide = &guide;
@@ -71,7 +71,7 @@ SceneBuilder::SceneBuilder(Session &session, SandboxEditor &editor, const BuildG
     connect(&guide, &BuildGuide::changed, this, &SceneBuilder::refresh);
     connect(&editor, &SandboxEditor::replaced, &view,
             &SceneView::fit); // the view may have followed the previous scene
-    session.onChange(ChangeKind::selection, this, [this] {
+    run.onChange(ChangeKind::selection, this, [this] {
         // The keys that select a body also move the keyboard cursor.
         const int point = m_view.shown().selected;
         if (m_marks.cursor && m_editor.isOpen() && point >= 0)
@@ -102,7 +102,7 @@ bool SceneBuilder::eventFilter(QObject *watched, QEvent *event)
     if (!isInput(*event) || !m_editor.isOpen())
         return QObject::eventFilter(watched, event);
     if (event->type() != QEvent::MouseMove)
-        m_session.preview().end(); // edits act at the cursor of the run
+        m_preview.end(); // edits act at the cursor of the run
     if (watched == m_view.viewport() && mouse(*event))
         return true;
     if (watched == &m_view && event->type() == QEvent::ShortcutOverride &&
@@ -258,7 +258,7 @@ bool SceneBuilder::release(const QMouseEvent &event)
         return false;
     const QPointF pressed = *std::exchange(m_pressed, std::nullopt);
     if (m_isDragging)
-        m_session.editor().endGesture();
+        m_changes.endGesture();
     if (m_isBoxing)
         chooseWithBox();
     m_isDragging = m_isBoxing = false;
@@ -339,7 +339,7 @@ bool SceneBuilder::arrow(sim::Vec2 way, Qt::KeyboardModifiers modifiers)
         if (m_editor.chosen().points.empty() || !m_editor.canBuild())
             return false;
         m_editor.moveChosen(far * way);
-        m_session.editor().endGesture();
+        m_changes.endGesture();
         return true;
     }
     m_marks.cursor = cursor() + far * way;

@@ -49,8 +49,8 @@ class SceneBuilder : public QObject
     Q_OBJECT
 
 public:
-    SceneBuilder(Session &session, SandboxEditor &editor, const BuildGuide &guide, SceneView &view,
-                 const Theme &theme);
+    SceneBuilder(const OpenRun &run, RunEditor &changes, Preview &preview, SandboxEditor &editor,
+                 const BuildGuide &guide, SceneView &view, const Theme &theme);
 
     const BuildMarks &marks() const { return m_marks; }
 
@@ -84,7 +84,8 @@ private:
     Selection linkAt(QPointF at) const;
     sim::Vec2 cursor() const;
 
-    Session &m_session;
+    RunEditor &m_changes;
+    Preview &m_preview;
     SandboxEditor &m_editor;
     SceneView &m_view;
     BuildMarks m_marks;

@@ -1,6 +1,6 @@
 #include "app/ui/time/run_view.h"
 
-#include "app/model/session/session.h"
+#include "app/model/session/comparison_runs.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
@@ -92,13 +92,13 @@ void goOn(RunView &view)
     }
 }
 
-std::vector<Fork> forksOf(const Session &session, const Branch *shown)
+std::vector<Fork> forksOf(const sim::Timeline &timeline, const Branches &branches, const Branch *shown)
 {
     std::map<std::int64_t, Fork> byFrame;
-    for (const Branch &branch : session.comparisons().branches().all()) {
+    for (const Branch &branch : branches.all()) {
         if (&branch == shown)
             continue;
-        const std::int64_t at = lastShared(session.timeline().script(), *branch.script);
+        const std::int64_t at = lastShared(timeline.script(), *branch.script);
         Fork &fork = byFrame[at];
         fork.at = at;
         fork.branches.push_back(branch.id);
@@ -111,29 +111,27 @@ std::vector<Fork> forksOf(const Session &session, const Branch *shown)
 
 }
 
-RunView runViewOf(const Session &session)
+RunView runViewOf(const sim::Timeline &timeline, const ComparisonRuns &comparisons, bool isPlaying)
 {
-    const sim::Timeline &timeline = session.timeline();
     RunView view;
     view.at = timeline.cursor().frame;
     view.computed = timeline.computed();
     view.input = InputReader(timeline).read();
     goOn(view);
-    view.playing = session.playback().isPlaying();
+    view.playing = isPlaying;
     const sim::Track *comparison = timeline.comparison();
-    const Branch *branch = session.comparisons().shown();
+    const Branch *branch = comparisons.shown();
     if (comparison && branch) {
         const std::int64_t shared = timeline.forkFrame() - timeline.track().framesPerOutput();
         view.comparison = ComparisonRun{std::max<std::int64_t>(0, shared), comparison->computed(),
                                         branch->name, branch->id, branch->isKept};
     }
-    view.forks = forksOf(session, view.comparison ? branch : nullptr);
+    view.forks = forksOf(timeline, comparisons.branches(), view.comparison ? branch : nullptr);
     return view;
 }
 
-void follow(RunView &view, const Session &session)
+void follow(RunView &view, const sim::Timeline &timeline)
 {
-    const sim::Timeline &timeline = session.timeline();
     view.at = timeline.cursor().frame;
     view.computed = timeline.computed();
     goOn(view);

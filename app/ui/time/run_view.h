@@ -4,12 +4,12 @@
 
 namespace app {
 
-class Session;
+class ComparisonRuns;
 
-/// Returns what the timeline shows of the session's run.
-RunView runViewOf(const Session &session);
+/// Returns what the timeline shows of a run and its branches.
+RunView runViewOf(const sim::Timeline &timeline, const ComparisonRuns &comparisons, bool isPlaying);
 
 /// Updates `view` after only the cursor has moved.
-void follow(RunView &view, const Session &session);
+void follow(RunView &view, const sim::Timeline &timeline);
 
 }

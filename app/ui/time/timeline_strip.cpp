@@ -92,7 +92,7 @@ bool TimelineStrip::coverRun()
 
 void TimelineStrip::refresh()
 {
-    m_view = runViewOf(m_session);
+    m_view = runViewOf(m_session.timeline(), m_session.comparisons(), m_session.playback().isPlaying());
     coverRun();
     readPhases();
     update();
@@ -149,7 +149,7 @@ void TimelineStrip::followCursor()
 {
     const RunView was = m_view;
     const Position before = m_position;
-    app::follow(m_view, m_session);
+    app::follow(m_view, m_session.timeline());
     const bool grown = coverRun();
     Position now = positionOf(m_session.timeline());
     const bool isPlaying = m_session.playback().isPlaying();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/files/document.h"
+#include "app/model/session/session.h"
 #include "app/ui/dock/window_mode.h"
 
 #include <cstdint>
@@ -18,5 +19,11 @@ struct Handover
     bool isPlaying = false;
     bool isSceneOnly = false; ///< without panels
 };
+
+/// Stops all that moves in `session`, so that no time passes between two windows. Returns what the next window needs.
+Handover handOver(Session &session, const Document &document, WindowMode mode, bool isSceneOnly);
+
+/// Lets `session` and its files go on as `from` says: with the same saved state, goal and playback.
+void takeOver(const Handover &from, Session &session, Document &document);
 
 }

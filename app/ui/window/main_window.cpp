@@ -119,7 +119,8 @@ void MainWindow::makeDocks(CostFunction cost)
                      m_commands.run.nextStep->shortcut());
     m_accuracy = new AccuracyPanel(*m_study, m_session.preview(), m_theme, this);
     m_energy = new EnergyPanel(m_session.run(), m_session.playback(), m_session.preview(), m_theme, this);
-    m_effects = new EffectsPanel(m_session, m_theme, std::move(cost), m_measuringThread, this);
+    m_effects = new EffectsPanel(m_session.run(), m_session.editor(), m_session.playback(), m_theme,
+                                 std::move(cost), m_measuringThread, this);
     m_branches = new BranchesPanel(m_session, m_theme, this);
     m_code = new CodePages(m_session, m_theme, this);
     m_plots = new PlotsPanel(m_session, m_theme, this);
@@ -219,7 +220,8 @@ void MainWindow::makeSandbox()
 {
     auto *editor = new SandboxEditor(m_session, this);
     auto *guide = new BuildGuide(m_session, *editor, this);
-    new SceneBuilder(m_session, *editor, *guide, m_centre->scene(), m_theme); // owned by the scene
+    new SceneBuilder(m_session.run(), m_session.editor(), m_session.preview(), *editor, *guide,
+                     m_centre->scene(), m_theme); // owned by the scene
     m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
     m_centre->bar().addTool(*m_sandbox->take);
     m_build = new BuildPanel(m_session, *editor, *guide, *m_sandbox, m_commands, m_theme, this);
@@ -461,13 +463,7 @@ void MainWindow::restartUnlessFilming(const QString &sentence)
 
 void MainWindow::startAgain()
 {
-    const bool isPlaying = m_session.playback().isPlaying();
-    const auto goal = m_session.playback().goal();
-    m_session.input().releaseAll();
-    m_session.preview().end();
-    m_session.cancelComputing(); // no time passes between two windows
-    m_handover = Handover{m_files->document().saved(), mode(), goal, isPlaying,
-                          m_commands.view.sceneOnly->isChecked()};
+    m_handover = handOver(m_session, m_files->document(), mode(), m_commands.view.sceneOnly->isChecked());
     close();
 }
 
@@ -475,14 +471,10 @@ void MainWindow::goOn(const Handover &from)
 {
     const LastStep last = LastStep::load();
     m_visit.comeBackTo(last.lesson, last.step);
-    m_files->document().setSaved(from.saved);
     m_layouts->setMode(from.mode); // the session is there already
     m_sizes.fitHeights();
     m_commands.view.sceneOnly->setChecked(from.isSceneOnly);
-    if (from.goal)
-        m_session.playback().goTo({*from.goal, 0});
-    if (from.isPlaying)
-        m_session.playback().play();
+    takeOver(from, m_session, m_files->document());
 }
 
 bool MainWindow::event(QEvent *event)

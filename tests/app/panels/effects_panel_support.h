@@ -109,7 +109,7 @@ struct EffectsFixture : SessionFixture
     }
 
     Meter meter;
-    EffectsPanel panel{session, theme, meter.function()};
+    EffectsPanel panel{session.run(), session.editor(), session.playback(), theme, meter.function()};
 };
 
 inline const char *springFile = "sim/effects/pairs/spring.h";

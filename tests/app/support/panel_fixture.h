@@ -25,7 +25,8 @@ Panel panelOf(app::Session &session, const app::Theme &theme, More &&...more)
 {
     if constexpr (std::is_constructible_v<Panel, app::Session &, const app::Theme &, More...>)
         return Panel(session, theme, std::forward<More>(more)...);
-    else if constexpr (std::is_same_v<Panel, app::ParameterPanel>)
+    else if constexpr (std::is_constructible_v<Panel, const app::OpenRun &, app::RunEditor &, app::Playback &,
+                                               const app::Theme &, More...>)
         return Panel(session.run(), session.editor(), session.playback(), theme, std::forward<More>(more)...);
     else
         return Panel(session.run(), session.playback(), session.preview(), theme,
