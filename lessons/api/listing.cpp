@@ -13,6 +13,7 @@ const QString wholeFrame = QStringLiteral("frame");
 const QString gapBegin = QStringLiteral("//>");
 const QString gapEnd = QStringLiteral("//<");
 const QString commentSign = QStringLiteral("// ");
+constexpr qsizetype indentOfFunction = 4;
 constexpr qsizetype commentWidth = 38; ///< characters: fits into the code panel of a window of 1280 px
 
 [[noreturn]] void rejectLine(int line, const QString &why)
@@ -50,6 +51,11 @@ qsizetype sharedIndent(const QStringList &lines)
             shared = shared < 0 ? indentOf(line) : std::min(shared, indentOf(line));
     }
     return std::max<qsizetype>(0, shared);
+}
+
+qsizetype indentOfGap(const QStringList &lines, const Gap &gap)
+{
+    return sharedIndent(lines.mid(gap.firstLine - 1, gap.lineCount));
 }
 
 /// Returns `text` as a comment, with further line breaks between words.
@@ -105,7 +111,7 @@ QString Listing::with(const QString &id, const QString &code) const
     if (!place)
         return text;
     const QStringList lines = linesOf(text);
-    const QString indent(sharedIndent(lines.mid(place->firstLine - 1, place->lineCount)), ' ');
+    const QString indent(indentOfGap(lines, *place), ' ');
     QStringList result = lines.mid(0, place->firstLine - 1);
     for (const QString &line : linesOf(code))
         result << (line.isEmpty() ? line : indent + line);
@@ -117,8 +123,22 @@ QString Listing::emptied(const CodeTask &task) const
 {
     const QStringList comment = asComment(task.comment);
     if (task.isWholeFrame())
-        return textOf(comment + QStringList{"void frame()", "{", "}"});
-    return with(task.id, textOf(comment));
+        return textOf(comment + QStringList{"void frame()", "{", QString(indentOfFunction, ' '), "}"});
+    const Gap *place = gap(task.id);
+    if (!place)
+        return text;
+    QStringList lines = linesOf(with(task.id, textOf(comment)));
+    lines.insert(lineToWrite(task) - 1, QString(indentOfGap(linesOf(text), *place), ' '));
+    return textOf(lines);
+}
+
+int Listing::lineToWrite(const CodeTask &task) const
+{
+    const auto commentLines = static_cast<int>(asComment(task.comment).size());
+    if (task.isWholeFrame())
+        return commentLines + 3; // behind the head of the function and its brace
+    const Gap *place = gap(task.id);
+    return place ? place->firstLine + commentLines : 0;
 }
 
 Listing parseListing(const QString &source)

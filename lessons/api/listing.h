@@ -53,8 +53,12 @@ struct Listing
     /// Returns the text with `code` in place of a gap, and as far indented. For "frame" returns `code`. An unknown
     /// gap returns the text.
     QString with(const QString &id, const QString &code) const;
-    /// Returns the text with which a task begins: a comment in place of its gap, or an empty function `frame`.
+    /// Returns the text with which a task begins: a comment in place of its gap, or an empty function `frame`, with an
+    /// empty line where the learner writes.
     QString emptied(const CodeTask &task) const;
+    /// Returns the line of emptied() where the learner writes, from 1. It has nothing but its indentation. 0 if there is
+    /// no such gap.
+    int lineToWrite(const CodeTask &task) const;
 };
 
 /// Separates the text of a listing from its gaps. In `source` a line `//> id` stands before each gap and a line `//<`

@@ -13,11 +13,14 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace app {
 
 namespace {
+
+constexpr int allLines = std::numeric_limits<int>::max();
 
 struct BreakpointMonitorText
 {
@@ -207,7 +210,7 @@ bool BreakpointMonitor::holdsBeforeLine(const Watched &one, const sim::State &st
     return !one.condition || one.condition->holds({state, frame.frame(), nullptr, number});
 }
 
-std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, Lines lines)
+std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, Lines lines, int mostLines)
 {
     fit(run);
     const auto isWatched = [](const Watched &one) { return one.isInForce && one.isOfLines; };
@@ -217,7 +220,7 @@ std::optional<BreakHit> BreakpointMonitor::hitInLines(const sim::Timeline &run, 
     if (!ahead.frame)
         return std::nullopt;
     const int begin = lines == Lines::behindCursor ? ahead.index : 0;
-    const int end = std::min(ahead.frame->count(), lines == Lines::first ? 1 : ahead.frame->count());
+    const int end = std::min(ahead.frame->count(), lines == Lines::first ? 1 : mostLines);
     sim::State state = ahead.frame->stateAfter(begin);
     for (int i = begin; i < end; ++i) {
         if (i > begin)
@@ -243,7 +246,7 @@ std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor t
     checkBreakpoints(run);
     target.frame =
         target.frame / run.track().framesPerOutput() * run.track().framesPerOutput(); // rounded as in seek()
-    std::optional<BreakHit> hit = hitInLines(run, Lines::behindCursor);
+    std::optional<BreakHit> hit = hitInLines(run, Lines::behindCursor, allLines);
     while (!hit && run.cursor() < target) {
         const sim::Cursor wanted = nextPlace(run, target);
         run.seek(wanted);
@@ -256,10 +259,15 @@ std::optional<BreakHit> BreakpointMonitor::run(sim::Timeline &run, sim::Cursor t
             m_rowsOver = run.isFinished() ? m_rowsOver + 1 : 0;
         // The run arrives before the first line. The later lines are checked when the run continues.
         if (!hit)
-            hit = hitInLines(run, run.cursor() < target ? Lines::all : Lines::first);
+            hit = hitInLines(run, run.cursor() < target ? Lines::all : Lines::first, allLines);
     }
     m_last = run.cursor();
     return hit;
+}
+
+std::optional<BreakHit> BreakpointMonitor::hitBeforeLine(const sim::Timeline &run, int lines)
+{
+    return isWatching() ? hitInLines(run, Lines::behindCursor, lines) : std::nullopt;
 }
 
 bool BreakpointMonitor::mayStillStop(const sim::Timeline &run) const

@@ -52,6 +52,9 @@ public:
     /// Advances `run` to `target`, to the end of the run, or to the next breakpoint. Returns the breakpoint if the run
     /// stopped at one.
     std::optional<BreakHit> run(sim::Timeline &run, sim::Cursor target);
+    /// Returns the breakpoint that stops the run inside its next frame, after the line that runs next and before `lines`
+    /// lines of the frame have run.
+    std::optional<BreakHit> hitBeforeLine(const sim::Timeline &run, int lines);
     /// Returns whether a finished run (see Timeline::isOver()) can still reach a breakpoint when it continues.
     bool mayStillStop(const sim::Timeline &run) const;
 
@@ -78,7 +81,7 @@ private:
     std::optional<BreakHit> hitAt(const sim::Timeline &run);
     /// Checks the lines of the next frame: those after the one that runs next, all of them, or the first one alone.
     enum class Lines { behindCursor, all, first };
-    std::optional<BreakHit> hitInLines(const sim::Timeline &run, Lines lines);
+    std::optional<BreakHit> hitInLines(const sim::Timeline &run, Lines lines, int mostLines);
 
     const lessons::Step *m_step = nullptr;
     std::vector<Watched> m_watched;

@@ -209,7 +209,7 @@ bool LineStepper::runTo(int line)
     };
     const int here = find(*frame, m_index + 1);
     if (here >= 0) {
-        set(here);
+        m_playback.runToLine(here);
         return true;
     }
     if (!frame->error() && frame->isComplete()) {
@@ -221,8 +221,8 @@ bool LineStepper::runTo(int line)
         if (there >= 0) {
             m_playback.frameForward();
             // A breakpoint or the end of the run can come first.
-            if (m_run.timeline().cursor() == sim::Cursor{frame->frame() + 1, 0})
-                set(there);
+            if (m_run.timeline().cursor() == sim::Cursor{frame->frame() + 1, 0} && !m_playback.breakHit())
+                m_playback.runToLine(there);
             return true;
         }
     }

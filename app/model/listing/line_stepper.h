@@ -60,8 +60,8 @@ public:
     void stepOver();
     /// Runs to the end of the function, or to the end of the frame.
     void stepOut();
-    /// Runs on until `line` of the text (from 1) is next: in this frame, or else in the frame after it. Returns whether
-    /// it runs in one of them; if not, says so.
+    /// Runs on until `line` of the text (from 1) is next, in this frame or else in the frame after it, or to a breakpoint
+    /// before. Returns whether the line runs in one of these frames; if not, says so.
     bool runTo(int line);
     /// Goes to a line of the next frame by the number of lines before it, 0 to count(). count() is the next frame.
     void goTo(int index);

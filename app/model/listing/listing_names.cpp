@@ -122,4 +122,23 @@ QStringList completionsAt(const QString &text, int line, int column, const listi
     return completions;
 }
 
+std::vector<TextRange> usesOfParameters(const QString &text, const QStringList &parameters)
+{
+    const QByteArray bytes = text.toUtf8();
+    const QList<QByteArray> lines = bytes.split('\n');
+    const listing::SourceScan scan(bytes.toStdString());
+    const Tokens &tokens = scan.tokens();
+    std::vector<TextRange> uses;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const listing::Token &token = tokens[i];
+        const bool isAlone = tokens.isWord(i) && !(i > 0 && tokens.is(i - 1, ".")) && !tokens.is(i + 1, "(");
+        const QString word = QString::fromUtf8(token.text.data(), static_cast<qsizetype>(token.text.size()));
+        if (!isAlone || !parameters.contains(word) || scan.declares(token.text, token.offset))
+            continue;
+        const QString before = QString::fromUtf8(lines[token.line - 1].left(token.column - 1));
+        uses.push_back({token.line, static_cast<int>(before.size()) + 1, static_cast<int>(word.size())});
+    }
+    return uses;
+}
+
 }

@@ -181,6 +181,17 @@ void Playback::runTo(sim::Cursor cursor)
     seekSlice();
 }
 
+void Playback::runToLine(int lines)
+{
+    const ChangeNotifier::Batch batch(m_run.changes());
+    pause();
+    m_hit.reset();
+    if (const std::optional<BreakHit> hit = m_monitor.hitBeforeLine(m_run.timeline(), lines))
+        stopAt(*hit);
+    else if (m_stopAtLine)
+        m_stopAtLine(lines);
+}
+
 void Playback::stopSeeking()
 {
     const auto *seeking = std::get_if<Seeking>(&m_state);

@@ -47,6 +47,9 @@ public:
     /// Goes on to a moment after the cursor as playback does: it stops at breakpoints on the way.
     void runTo(sim::Cursor cursor);
 
+    /// Goes on inside the next frame until `lines` lines of the listing have run, or to a breakpoint before.
+    void runToLine(int lines);
+
     /// Goes to a moment. A distant one is approached in slices, so that the window never waits; see goal(). Playback
     /// goes on from there.
     void goTo(sim::Cursor cursor);

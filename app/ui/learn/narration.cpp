@@ -34,17 +34,6 @@ constexpr int leastTask = 240; ///< the same while the learner writes a task
 constexpr int todoMilliseconds =
     300; ///< between two updates of the missing tasks: faster changes cannot be read
 
-/// Returns the line of Listing::emptied() after which the learner writes, from 1.
-int lineBefore(const lessons::Listing &listing, const lessons::CodeTask &task)
-{
-    const auto lines = [](const QString &text) { return static_cast<int>(text.count('\n')); };
-    const QString text = listing.emptied(task);
-    const lessons::Gap *place = listing.gap(task.id);
-    if (!place) // the opening brace of an empty function is the last line but one
-        return lines(text) - 1;
-    return place->firstLine + place->lineCount - 1 + lines(text) - lines(listing.text);
-}
-
 }
 
 Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
@@ -229,7 +218,7 @@ void Narration::addTasks()
         m_taskColumn->addWidget(box);
         connect(box, &TaskBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
         connect(box, &TaskBox::started, this,
-                [this, &task] { emit listingRequested(lineBefore(m_session.step().listing, task)); });
+                [this, &task] { emit listingRequested(m_session.step().listing.lineToWrite(task)); });
     }
     m_taskHeading->setVisible(!m_tasks.empty());
     const int above = m_whys.empty() ? belowText : belowWhys;

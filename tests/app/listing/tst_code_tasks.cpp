@@ -2,25 +2,13 @@
 
 #include "app/model/listing/learner_code.h"
 #include "app/model/listing/task_desk.h"
-#include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/lesson_list.h"
-#include "app/ui/learn/lesson_model.h"
-#include "app/ui/learn/narration.h"
-#include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/task_box.h"
-#include "app/ui/learn/try_box.h"
-#include "app/ui/learn/why_box.h"
 #include "lessons/api/listing.h"
-#include "tests/app/support/panel_fixture.h"
-#include "tests/app/support/window_fixture.h"
+#include "tests/app/support/session_fixture.h"
 #include "tests/suite.h"
 
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
-#include <QToolButton>
 
 using namespace app;
 using namespace tests;
@@ -67,65 +55,6 @@ struct DeskFixture : SessionFixture
     TaskDesk desk{session};
 };
 
-/// Windows of 1280 x 800 px: with text of 100 % and of 125 %.
-void addWindows()
-{
-    QTest::addColumn<QSize>("size");
-    QTest::addColumn<QString>("language");
-    QTest::newRow("English") << QSize(1280, 800) << "en";
-    QTest::newRow("German") << QSize(1280, 800) << "de";
-    QTest::newRow("English, large text") << QSize(1024, 640) << "en";
-    QTest::newRow("German, large text") << QSize(1024, 640) << "de";
-}
-
-/// Checks that these buttons of a task are whole and in view.
-void checkButtons(const TaskBox &box, const QStringList &names)
-{
-    for (const QString &name : names) {
-        const auto *button = box.findChild<QToolButton *>(name);
-        QVERIFY2(button->isVisible(), qPrintable(name));
-        QCOMPARE(button->visibleRegion().boundingRect(), button->rect());
-        QVERIFY2(button->width() >= button->sizeHint().width(), qPrintable(button->text()));
-    }
-}
-
-/// Scrolls the text so that `y` px of the box are above its upper edge.
-void scrollTo(const TaskBox &box, int y)
-{
-    const QWidget *above = box.parentWidget();
-    while (!qobject_cast<const QScrollArea *>(above))
-        above = above->parentWidget();
-    qobject_cast<const QScrollArea *>(above)->verticalScrollBar()->setValue(box.y() + y);
-    settle();
-}
-
-struct TaskPanelFixture : PanelFixture<LearnPanel>
-{
-    TaskPanelFixture() : PanelFixture(LessonLibrary::load({LESSON_DIR}), QSize(280, 732))
-    {
-        session.openStep("single_spring", "fixed_centre");
-        settle();
-    }
-
-    TaskBox &box() const { return *panel.findChild<TaskBox *>(); }
-    QToolButton &button(const char *name) const { return *box().findChild<QToolButton *>(name); }
-    /// Returns the visible texts of the box with this name.
-    QStringList texts(const char *name) const
-    {
-        QStringList all;
-        for (const NarrationText *text : box().findChildren<NarrationText *>(name)) {
-            if (text->isVisible())
-                all << text->toPlainText();
-        }
-        return all;
-    }
-    void press(const char *name)
-    {
-        QVERIFY(button(name).isVisible());
-        QTest::mouseClick(&button(name), Qt::LeftButton);
-    }
-};
-
 }
 
 class CodeTasksTest : public QObject
@@ -153,13 +82,6 @@ private slots:
     void aTaskCountsForTheStep();
     void aTaskWaitsWhileAnotherStepIsOpen();
     void theWholeFrameBeginsWithAnEmptyFunction();
-    void tasksAreUnfoldedAndStartedWithTheMouse();
-    void thePanelShowsWhatIsWrongAndThenTheTick();
-    void theStepIsTickedInTheListOfLessons();
-    void theButtonsOfATaskStayInView_data();
-    void theButtonsOfATaskStayInView();
-    void nothingIsCutOffInASmallWindow_data();
-    void nothingIsCutOffInASmallWindow();
 };
 
 void CodeTasksTest::aListingHidesTheMarkersOfItsGaps()
@@ -189,9 +111,9 @@ void CodeTasksTest::aGapIsReplacedWithItsIndentation()
     lessons::CodeTask task;
     task.id = "pull";
     task.comment = "First\nand second";
-    QCOMPARE(listing.emptied(task),
-             QString("void frame()\n{\n    // First\n    // and second\n    foot.position += "
-                     "foot.velocity;\n}\n"));
+    QCOMPARE(listing.emptied(task), QString("void frame()\n{\n    // First\n    // and second\n    \n    "
+                                            "foot.position += foot.velocity;\n}\n"));
+    QCOMPARE(listing.lineToWrite(task), 5);
     task.comment = "A comment that is too long for a narrow panel is broken between two words.";
     QVERIFY(listing.emptied(task).contains("    // A comment that is too long for a\n    // narrow panel"));
 }
@@ -412,130 +334,9 @@ void CodeTasksTest::theWholeFrameBeginsWithAnEmptyFunction()
     world.session.openStep("single_spring", "radial");
     world.desk.start("frame");
     QVERIFY(world.desk.task()->isWholeFrame());
-    QVERIFY(world.session.code().text().endsWith("\nvoid frame()\n{\n}\n"));
+    QVERIFY(world.session.code().text().endsWith("\nvoid frame()\n{\n    \n}\n"));
     QVERIFY(world.session.code().text().startsWith("// "));
     QVERIFY(world.session.code().program());
-}
-
-void CodeTasksTest::tasksAreUnfoldedAndStartedWithTheMouse()
-{
-    TaskPanelFixture world;
-    auto *title = world.box().findChild<WhyButton *>();
-    QVERIFY(title->text().contains("pull"));
-    QVERIFY(world.texts("taskText").isEmpty());
-    QTest::mouseClick(title, Qt::LeftButton);
-    QCOMPARE(world.texts("taskText").size(), 1);
-    QVERIFY(!world.button("stopTask").isVisible());
-    QSignalSpy requests(&world.panel.narration(), &Narration::listingRequested);
-    world.press("startTask");
-    QCOMPARE(requests.count(), 1);
-    const QStringList lines = world.session.code().text().split('\n');
-    const int before = requests[0][0].toInt() - 1; // the second line of the comment, which is the last one
-    QCOMPARE(lines[before - 1].trimmed(), QString("// The spring pulls the foot towards the"));
-    QCOMPARE(lines[before].trimmed(), QString("// centre."));
-    QVERIFY(!lines[before + 1].contains("//"));
-    QVERIFY(world.session.code().text() != world.session.step().listing.text);
-    QVERIFY(!world.button("startTask").isVisible());
-    world.press("taskHintButton");
-    world.press("taskHintButton");
-    QCOMPARE(world.texts("taskHint").size(), 2);
-    QCOMPARE(world.button("taskHintButton").text(), QString("Hint 3 of 3"));
-    world.press("taskSolution");
-    QCOMPARE(world.session.code().text(), world.session.step().listing.text);
-    QCOMPARE(world.texts("taskSentence").size(), 1);
-    world.press("stopTask");
-    QVERIFY(world.texts("taskHint").isEmpty() && world.texts("taskSentence").isEmpty());
-}
-
-void CodeTasksTest::thePanelShowsWhatIsWrongAndThenTheTick()
-{
-    TaskPanelFixture world;
-    QTest::mouseClick(world.box().findChild<WhyButton *>(), Qt::LeftButton);
-    world.press("startTask");
-    const auto with = [&](const QString &code) { return world.session.step().listing.with("pull", code); };
-    world.session.code().write(with("foot.velocity += k * (foot.position - centre);"));
-    QVERIFY(QTest::qWaitFor([&] { return world.texts("taskSentence").join("").contains("points away"); },
-                            30'000));
-    world.session.code().write(with(rightPull));
-    QVERIFY(
-        QTest::qWaitFor([&] { return world.box().findChild<WhyButton *>()->text().endsWith("✓"); }, 30'000));
-    QVERIFY(world.texts("taskSentence").join("").startsWith("Right"));
-}
-
-void CodeTasksTest::theStepIsTickedInTheListOfLessons()
-{
-    TaskPanelFixture world;
-    const LessonModel &lessons = world.panel.findChild<LessonList *>()->lessons();
-    const QModelIndex row = lessons.openRow();
-    for (int i = 0; i < static_cast<int>(world.session.step().tries.size()); ++i)
-        world.session.progress().markDone("single_spring", "fixed_centre", i);
-    QVERIFY(!lessons.data(row, LessonModel::doneRole).toBool());
-    QCOMPARE(lessons.stepsDone(), 0);
-    world.session.progress().markWritten("single_spring", "fixed_centre", "pull");
-    QVERIFY(lessons.data(row, LessonModel::doneRole).toBool());
-    QCOMPARE(lessons.stepsDone(), 1);
-    QVERIFY(lessons.data(row, Qt::AccessibleTextRole).toString().contains(", done"));
-}
-
-void CodeTasksTest::theButtonsOfATaskStayInView_data()
-{
-    addWindows();
-}
-
-void CodeTasksTest::theButtonsOfATaskStayInView()
-{
-    QFETCH(QSize, size);
-    QFETCH(QString, language);
-    WindowFixture shown({.lesson = "walking_gait", .step = "ground", .size = size, .language = language});
-    shown.window.findChild<LearnPanel *>()->setForm(LearnPanel::Form::whole);
-    for (std::size_t i = 0; i < shown.session.step().codeTasks.size(); ++i) {
-        auto &narration = shown.part<Narration>();
-        TaskBox &box = *narration.findChildren<TaskBox *>()[static_cast<qsizetype>(i)];
-        settle();
-        QTest::mouseClick(box.findChild<WhyButton *>(), Qt::LeftButton);
-        settle();
-        checkButtons(box, {"startTask"});
-        QTest::mouseClick(box.findChild<QToolButton *>("startTask"), Qt::LeftButton);
-        settle();
-        checkButtons(box, {"taskHintButton", "taskSolution", "stopTask"});
-        for (int hint = 0; hint < 3; ++hint) {
-            QTest::mouseClick(box.findChild<QToolButton *>("taskHintButton"), Qt::LeftButton);
-            settle();
-            checkButtons(box, {"taskSolution", "stopTask"});
-        }
-        scrollTo(box, 0); // its title is at the top, its end is out of view
-        checkButtons(box, {"taskSolution", "stopTask"});
-        QTest::mouseClick(box.findChild<QToolButton *>("taskSolution"), Qt::LeftButton);
-        settle();
-        checkButtons(box, {"startTask", "stopTask"});
-        QTest::mouseClick(box.findChild<QToolButton *>("stopTask"), Qt::LeftButton);
-        settle();
-    }
-}
-
-void CodeTasksTest::nothingIsCutOffInASmallWindow_data()
-{
-    addWindows();
-}
-
-void CodeTasksTest::nothingIsCutOffInASmallWindow()
-{
-    QFETCH(QSize, size);
-    QFETCH(QString, language);
-    WindowFixture shown({.lesson = "walking_gait", .step = "ground", .size = size, .language = language});
-    shown.window.findChild<LearnPanel *>()->setForm(LearnPanel::Form::whole);
-    settle();
-    // Each thing to try has the height that its text needs.
-    const auto rows = shown.part<Narration>().findChildren<TryBox *>();
-    QCOMPARE(rows.size(), static_cast<qsizetype>(shown.session.step().tries.size()));
-    for (const TryBox *row : rows)
-        QVERIFY2(row->height() >= row->heightForWidth(row->width()), qPrintable(row->accessibleName()));
-    // The last one can be scrolled into view, if it is not there.
-    auto &area = *shown.part<Narration>().findChild<QScrollArea *>();
-    area.verticalScrollBar()->setValue(area.verticalScrollBar()->maximum());
-    settle();
-    QVERIFY(!rows.back()->visibleRegion().isEmpty());
-    QVERIFY(rows.back()->visibleRegion().boundingRect().bottom() >= rows.back()->height() - 1);
 }
 
 SUITE(tst_code_tasks, CodeTasksTest)

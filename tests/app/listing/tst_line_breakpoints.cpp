@@ -135,6 +135,38 @@ private slots:
         QVERIFY(!playTo(session, 30));
     }
 
+    void runningToALineStopsAtABreakpointBefore()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        const int last = opened.lineOf("foot.position += foot.velocity;");
+        const int stop = opened.lineOf("foot.velocity *= damp");
+        setStop(opened, "foot.velocity *= damp");
+        for (std::int64_t frame = 0; frame < 3; ++frame) { // the second time through the end of a frame
+            QVERIFY(session.lines().runTo(last));
+            QCOMPARE(session.timeline().cursor(), (sim::Cursor{frame, 0}));
+            QCOMPARE(session.lines().nextLine(), stop);
+            QVERIFY(session.playback().breakHit());
+            QVERIFY(session.lines().runTo(last));
+            QCOMPARE(session.timeline().cursor(), (sim::Cursor{frame, 0}));
+            QCOMPARE(session.lines().nextLine(), last);
+            QVERIFY(!session.playback().breakHit());
+        }
+    }
+
+    void runningToALineStopsAtTheFirstLineOfTheNextFrame()
+    {
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        const int last = opened.lineOf("foot.position += foot.velocity;"), first = session.lines().nextLine();
+        QVERIFY(session.lines().runTo(last));
+        session.playback().breakpoints().toggle(inListing(first));
+        QVERIFY(session.lines().runTo(last));
+        QCOMPARE(session.timeline().cursor(), (sim::Cursor{1, 0}));
+        QCOMPARE(session.lines().nextLine(), first);
+        QVERIFY(session.playback().breakHit());
+    }
+
     void oneThatIsOffOrOfAnotherMethodStopsNothing()
     {
         Opened opened("single_spring", "radial");

@@ -1,6 +1,7 @@
 #include "tests/app/listing/listing_window.h"
 #include "tests/suite.h"
 
+#include "app/model/listing/listing_names.h"
 #include "app/ui/code/engine/code_view.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -294,6 +295,29 @@ private slots:
         QCOMPARE(shown.editor.text(), before);
         QTest::keyClick(&shown.view, Qt::Key_Z, Qt::ControlModifier);
         QCOMPARE(shown.session.editor().parameter("k"), k);
+    }
+
+    void aVariableWithTheNameOfAParameterIsNotDragged()
+    {
+        ListingFixture shown;
+        const double damp = shown.session.editor().parameter("damp");
+        shown.session.code().write(shown.editor.text().replace(
+            "    foot.velocity *= damp",
+            "    // grün\n    foot.velocity *= damp;\n    double damp = 0.5;\n    "
+            "foot.velocity.x *= damp"));
+        tests::settle();
+        QVERIFY(shown.session.code().program());
+        const QString text = shown.editor.text();
+        const QStringList parameters = {"k", "damp", "centre"};
+        const std::vector<TextRange> uses = usesOfParameters(text, parameters);
+        QCOMPARE(uses,
+                 (std::vector<TextRange>{shown.range("+= k *", "k"), shown.range("y *= damp", "damp")}));
+        QCOMPARE(usesOfParameters("void frame() { floor(1); a.k = k; }", {"floor", "k"}),
+                 (std::vector<TextRange>{{1, 32, 1}}));
+        tests::dragMouse(*shown.editor.viewport(), shown.middleOf("x *= damp", "damp"), {40, 0});
+        QCOMPARE(shown.session.editor().parameter("damp"), damp);
+        tests::dragMouse(*shown.editor.viewport(), shown.middleOf("y *= damp", "damp"), {-40, 0});
+        QVERIFY(shown.session.editor().parameter("damp") < damp);
     }
 
     void aNumberIsDraggedInTheText()

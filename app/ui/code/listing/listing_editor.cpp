@@ -1,5 +1,6 @@
 #include "app/ui/code/listing/listing_editor.h"
 
+#include "app/model/listing/listing_names.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/code/code_colors.h"
 #include "app/ui/code/code_keys.h"
@@ -184,6 +185,7 @@ void ListingEditor::styleText()
 
 void ListingEditor::underlineSpots()
 {
+    m_parameterUses = usesOfParameters(text(), m_parameters);
     send(*this, SCI_SETINDICATORCURRENT, dragIndicator);
     send(*this, SCI_INDICATORCLEARRANGE, 0, send(*this, SCI_GETLENGTH));
     for (int line = 1; line <= lines(); ++line) {
@@ -197,17 +199,20 @@ void ListingEditor::underlineSpots()
 
 std::vector<ListingEditor::Spot> ListingEditor::spotsOf(int line) const
 {
-    static const QRegularExpression tokens(
-        QStringLiteral(R"(//.*|(?<![\w.\[])\d+(?:\.\d+)?(?![\w.])|(?<![\w.])[A-Za-z_]\w*)"));
+    static const QRegularExpression tokens(QStringLiteral(R"(//.*|(?<![\w.\[])\d+(?:\.\d+)?(?![\w.]))"));
+    const QString code = text(line - 1);
     std::vector<Spot> spots;
-    for (auto found = tokens.globalMatch(text(line - 1)); found.hasNext();) {
+    for (auto found = tokens.globalMatch(code); found.hasNext();) {
         const QRegularExpressionMatch match = found.next();
         const QString token = match.captured();
-        const bool isNumber = token[0].isDigit();
-        if (!isNumber && !m_parameters.contains(token))
-            continue;
+        if (!token[0].isDigit())
+            continue; // a comment
         const auto start = static_cast<int>(match.capturedStart());
-        spots.push_back({{line, start + 1, static_cast<int>(token.size())}, token, isNumber});
+        spots.push_back({{line, start + 1, static_cast<int>(token.size())}, token, true});
+    }
+    for (const TextRange &use : m_parameterUses) {
+        if (use.line == line)
+            spots.push_back({use, code.mid(use.column - 1, use.length), false});
     }
     return spots;
 }

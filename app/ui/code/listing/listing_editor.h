@@ -200,6 +200,7 @@ private:
     std::vector<LineStop> m_stops;
     ChangedLines m_changed;
     QStringList m_parameters;
+    std::vector<TextRange> m_parameterUses; ///< where the text reads them
     std::vector<CodeMistake> m_mistakes;
     std::optional<Drag> m_drag;
     bool m_isPassedThrough = false; ///< whether the focus came by Tab and no other key was pressed since
