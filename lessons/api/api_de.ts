@@ -59,8 +59,8 @@
         <translation>Die Erzählung fehlt. Schreib sie unter den Titel.</translation>
     </message>
     <message>
-        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Task: title {#id}”, “## Word: name”, “## Why: question” or “## Learnt”.</source>
-        <translation>%1 ist keine Überschrift einer Lektion. Schreib „## Try {#id}“, „## Task: Titel {#id}“, „## Word: Name“, „## Why: Frage“ oder „## Learnt“.</translation>
+        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict {#id}”, “## Task: title {#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.</source>
+        <translation>%1 ist keine Überschrift einer Lektion. Schreib „## Try {#id}“, „## Predict {#id}“, „## Task: Titel {#id}“, „## Word: Name“, „## Concept: Titel {#id}“, „## Why: Frage“ oder „## Learnt“.</translation>
     </message>
     <message>
         <source>there is no text below %1. Write it there, or remove the heading.</source>
@@ -139,6 +139,18 @@
         <source>the file is missing. Write it, and configure the build again.</source>
         <translation>Die Datei fehlt. Schreib sie und konfiguriere den Build neu.</translation>
     </message>
+    <message>
+        <source>the thing to try “%1” has choices, but no answer. Write it below an “### Answer”.</source>
+        <translation>die Aufgabe „%1“ hat Antworten zur Wahl, aber keine Auflösung. Schreib sie unter ein „### Answer“.</translation>
+    </message>
+    <message>
+        <source>the title of the concept “%1” has %2 characters. Write 1 to %3, as in “## Concept: title {#%1}”.</source>
+        <translation>Der Titel des Begriffs „%1“ hat %2 Zeichen. Schreib 1 bis %3, wie in „## Concept: title {#%1}“.</translation>
+    </message>
+    <message>
+        <source>the concept “%1” needs one paragraph besides “Rests on: …”. Write one sentence there.</source>
+        <translation>Der Begriff „%1“ braucht einen Absatz neben „Rests on: …“. Schreib dort einen Satz.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentScan</name>
@@ -157,6 +169,21 @@
     <message>
         <source>the code has no end. Write ``` on a line of its own after it.</source>
         <translation>Der Code hat kein Ende. Schreib dahinter ``` auf eine eigene Zeile.</translation>
+    </message>
+</context>
+<context>
+    <name>Formula</name>
+    <message>
+        <source>braces belong behind a formula, which is a paragraph of its own in backticks. Write them there, or remove them.</source>
+        <translation>geschweifte Klammern gehören hinter eine Formel, also einen eigenen Absatz in Backticks. Schreib sie dorthin oder lösch sie.</translation>
+    </message>
+    <message>
+        <source>“%1” is nothing that a formula can highlight. Write the name of a body or a parameter, “a -&gt; b”, “a -&gt; b x”, “a -&gt; b y”, “a.velocity”, or “circle a parameter”, with commas between them.</source>
+        <translation>„%1“ kann eine Formel nicht markieren. Schreib den Namen eines Körpers oder eines Parameters, „a -&gt; b“, „a -&gt; b x“, „a -&gt; b y“, „a.velocity“ oder „circle a parameter“, mit Kommas dazwischen.</translation>
+    </message>
+    <message>
+        <source>“%1” in the braces is not there in this step. It has the bodies %2, and the parameters %3.</source>
+        <translation>„%1“ in den geschweiften Klammern gibt es in diesem Schritt nicht. Er hat die Körper %2 und die Parameter %3.</translation>
     </message>
 </context>
 <context>
@@ -243,6 +270,198 @@
     <message>
         <source>How far down the cross is.</source>
         <translation>Wie weit unten das Kreuz ist.</translation>
+    </message>
+</context>
+<context>
+    <name>Predict</name>
+    <message>
+        <source>the question of the prediction “%1” is missing. Write it below the heading.</source>
+        <translation>die Frage der Vorhersage „%1“ fehlt. Schreib sie unter die Überschrift.</translation>
+    </message>
+    <message>
+        <source>“### %1” does not belong here. Here you can write “### Run”, “### Ask”, “### Other curve”, “### Answer”.</source>
+        <translation>„### %1“ gehört nicht hierher. Hier kannst du „### Run“, „### Ask“, „### Other curve“ und „### Answer“ schreiben.</translation>
+    </message>
+    <message>
+        <source>“### %1” is there twice. Remove one of them.</source>
+        <translation>„### %1“ steht zweimal da. Nimm eins davon heraus.</translation>
+    </message>
+    <message>
+        <source>“%1” does not belong here. A prediction asks one question, and can have a “- unit: px” after it.</source>
+        <translation>„%1“ gehört nicht hierher. Eine Vorhersage stellt eine Frage, und danach kann „- unit: px“ stehen.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be asked. Write “- place: body”, “- number: frames”, “- number: foot.x” or “- curve: foot.x”.</source>
+        <translation>Nach „%1“ kann man nicht fragen. Schreib „- place: body“, „- number: frames“, „- number: foot.x“ oder „- curve: foot.x“.</translation>
+    </message>
+    <message>
+        <source>the prediction “%1” is incomplete. Write “### %2” and what belongs below it.</source>
+        <translation>die Vorhersage „%1“ ist unvollständig. Schreib „### %2“ und darunter, was dazugehört.</translation>
+    </message>
+    <message>
+        <source>this run has no end. Write “- frames: ” and the frame at which it ends at the latest.</source>
+        <translation>dieser Lauf hat kein Ende. Schreib „- frames: “ und das Bild, bei dem er spätestens endet.</translation>
+    </message>
+    <message>
+        <source>the number of frames is given away by the run. Write “- until: ” and the condition at which it ends.</source>
+        <translation>der Lauf verrät die Anzahl der Bilder. Schreib „- until: “ und die Bedingung, bei der er endet.</translation>
+    </message>
+    <message>
+        <source>the number of other curves of the prediction “%1” is %2, not 2. Write each below an “### Other curve”.</source>
+        <translation>die Vorhersage „%1“ hat %2 andere Kurven statt 2. Schreib jede unter ein „### Other curve“.</translation>
+    </message>
+    <message>
+        <source>“### Other curve” does not belong here. Remove it, or ask for a “- curve: ”.</source>
+        <translation>„### Other curve“ gehört nicht hierher. Nimm es heraus oder frag nach einer „- curve: “.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a choice. Write “- [ ] text”, or “- [x] text” if it is right.</source>
+        <translation>„%1“ ist keine Antwort zur Wahl. Schreib „- [ ] Text“ oder „- [x] Text“, wenn sie stimmt.</translation>
+    </message>
+    <message>
+        <source>the number of choices is %1. Write two to four.</source>
+        <translation>es gibt %1 Antworten zur Wahl. Schreib zwei bis vier.</translation>
+    </message>
+    <message>
+        <source>the number of right choices is %1, not 1. Write “- [x] ” before the right one.</source>
+        <translation>%1 Antworten sind als richtig markiert statt 1. Schreib „- [x] “ vor die richtige.</translation>
+    </message>
+</context>
+<context>
+    <name>Project</name>
+    <message>
+        <source>the brief is missing. Write it below the title.</source>
+        <translation>die Aufgabe fehlt. Schreib sie unter den Titel.</translation>
+    </message>
+    <message>
+        <source>the number of levels is %1, not 3. Write each below a “## Level: title {#id}”.</source>
+        <translation>die Zahl der Stufen ist %1, nicht 3. Schreib jede unter ein „## Level: Titel {#id}“.</translation>
+    </message>
+    <message>
+        <source>“## %1” is not a heading of a project. Write “## Level: title {#id}”.</source>
+        <translation>„## %1“ ist keine Überschrift eines Projekts. Schreib „## Level: Titel {#id}“.</translation>
+    </message>
+    <message>
+        <source>the id “%1” was used above. Choose another one.</source>
+        <translation>die Kennung „%1“ kommt oben schon vor. Nimm eine andere.</translation>
+    </message>
+    <message>
+        <source>“### %1” is there twice. Remove one of them.</source>
+        <translation>„### %1“ steht zweimal da. Entferne eines davon.</translation>
+    </message>
+    <message>
+        <source>“### %1” does not belong here. Here you can write “### Run”, “### Holds”, “### Hint”.</source>
+        <translation>„### %1“ gehört nicht hierher. Hier kannst du „### Run“, „### Holds“, „### Hint“ schreiben.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a list of names. Write “- %2: one, other”.</source>
+        <translation>„%1“ ist keine Liste von Namen. Schreib „- %2: eins, anderes“.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a condition. Write “- always `condition`: sentence”, or “once”, “at the start” or “at the end” in place of “always”.</source>
+        <translation>„%1“ ist keine Bedingung. Schreib „- always `Bedingung`: Satz“, oder „once“, „at the start“ oder „at the end“ statt „always“.</translation>
+    </message>
+    <message>
+        <source>the level “%1” does not say what it asks. Write it below the heading.</source>
+        <translation>die Stufe „%1“ sagt nicht, was sie verlangt. Schreib es unter die Überschrift.</translation>
+    </message>
+    <message>
+        <source>the level “%1” is incomplete. Write “### %2” and what belongs below it.</source>
+        <translation>die Stufe „%1“ ist unvollständig. Schreib „### %2“ und was darunter gehört.</translation>
+    </message>
+    <message>
+        <source>this run has no end. Write “- frames: ” and the number of frames to judge.</source>
+        <translation>dieser Lauf hat kein Ende. Schreib „- frames: “ und die Zahl der Bilder, die beurteilt werden.</translation>
+    </message>
+    <message>
+        <source>the run of a level has no “until” and no “step”. Remove them.</source>
+        <translation>der Lauf einer Stufe hat kein „until“ und kein „step“. Entferne sie.</translation>
+    </message>
+</context>
+<context>
+    <name>Recall</name>
+    <message>
+        <source>there is no text below the title. Write one sentence there.</source>
+        <translation>Unter dem Titel steht kein Text. Schreib dort einen Satz.</translation>
+    </message>
+    <message>
+        <source>there is no question. Write “## Question {#id}” and its text.</source>
+        <translation>Es gibt keine Frage. Schreib „## Question {#id}“ und ihren Text.</translation>
+    </message>
+    <message>
+        <source>“## %1” is not a heading of a recall question. Write “## Question {#id}”, where id is made of a to z, 0 to 9 and _.</source>
+        <translation>„## %1“ ist keine Überschrift einer Frage. Schreib „## Question {#id}“. Die id besteht aus a bis z, 0 bis 9 und _.</translation>
+    </message>
+    <message>
+        <source>the id “%1” was used above. Choose another one.</source>
+        <translation>Die id „%1“ kam oben schon vor. Nimm eine andere.</translation>
+    </message>
+    <message>
+        <source>there is no text below “%1 %2”. Write it there, or remove the heading.</source>
+        <translation>Unter „%1 %2“ steht kein Text. Schreib ihn dorthin oder entferne die Überschrift.</translation>
+    </message>
+    <message>
+        <source>“### %1” does not belong here. Here you can write “### Right” and “### Wrong”, or “### Do” and “### Answer”.</source>
+        <translation>„### %1“ gehört nicht hierher. Hier kannst du „### Right“ und „### Wrong“ schreiben oder „### Do“ und „### Answer“.</translation>
+    </message>
+    <message>
+        <source>“### %1” is there twice. Remove one of them.</source>
+        <translation>„### %1“ steht zweimal da. Entferne eins davon.</translation>
+    </message>
+    <message>
+        <source>the question “%1” is incomplete. Write one “### Right” and one to three “### Wrong”, or “### Do” and “### Answer”.</source>
+        <translation>Die Frage „%1“ ist unvollständig. Schreib ein „### Right“ und ein bis drei „### Wrong“ oder „### Do“ und „### Answer“.</translation>
+    </message>
+    <message>
+        <source>the question “%1” has %2 choices. Keep four at most.</source>
+        <translation>Die Frage „%1“ hat %2 Antworten zur Wahl. Behalte höchstens vier.</translation>
+    </message>
+    <message>
+        <source>the choice begins with ```. Write its code in backticks.</source>
+        <translation>Die Antwort beginnt mit ```. Schreib ihren Code zwischen einfache Gravis-Zeichen.</translation>
+    </message>
+    <message>
+        <source>the choice has %1 characters. Make its first paragraph %2 or shorter, and explain it in the next one.</source>
+        <translation>Die Antwort hat %1 Zeichen. Kürze ihren ersten Absatz auf %2 oder weniger und erkläre sie im nächsten.</translation>
+    </message>
+    <message>
+        <source>this choice is not explained. Write why it is wrong below it, after a blank line.</source>
+        <translation>Diese Antwort ist nicht erklärt. Schreib darunter, nach einer Leerzeile, warum sie falsch ist.</translation>
+    </message>
+    <message>
+        <source>the scene is missing. Write “- step: lesson/step” in the list.</source>
+        <translation>Die Szene fehlt. Schreib „- step: lesson/step“ in die Liste.</translation>
+    </message>
+    <message>
+        <source>nothing says when this is done. Write “- until: condition” in the list.</source>
+        <translation>Nichts sagt, wann es getan ist. Schreib „- until: condition“ in die Liste.</translation>
+    </message>
+</context>
+<context>
+    <name>RunSetupReaderText</name>
+    <message>
+        <source>“%1” is there twice. Remove one of them.</source>
+        <translation>„%1“ steht zweimal da. Nimm eins davon heraus.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number of frames. Write a whole number from 1 to %2.</source>
+        <translation>„%1“ ist keine Anzahl von Bildern. Schreib eine ganze Zahl von 1 bis %2.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a place. Write x and y in px, as in “- %2: 300, 220”.</source>
+        <translation>„%1“ ist kein Ort. Schreib x und y in px wie in „- %2: 300, 220“.</translation>
+    </message>
+    <message>
+        <source>“%1” is incomplete. Write x and y in px and the number of frames, as in “- %2: 300, 220, 10”.</source>
+        <translation>„%1“ ist unvollständig. Schreib x und y in px und die Anzahl der Bilder wie in „- %2: 300, 220, 10“.</translation>
+    </message>
+    <message>
+        <source>“%1” does not belong into this list. Write “- name: value”, on one line.</source>
+        <translation>„%1“ gehört nicht in diese Liste. Schreib „- Name: Wert“ in eine Zeile.</translation>
+    </message>
+    <message>
+        <source>there is no list below “### %1”. Write “- name: value” there, or remove the heading.</source>
+        <translation>unter „### %1“ steht keine Liste. Schreib dort „- Name: Wert“ oder nimm die Überschrift heraus.</translation>
     </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 #include "lessons/api/step.h"
 
+#include "lessons/api/text/formula_reader.h"
 #include "lessons/api/text/join.h"
 #include "lessons/api/view/view.h"
 #include "sim/methods/methods.h"
@@ -29,11 +30,14 @@ void Step::readTexts(const std::vector<Check> &tests)
 void Step::setTexts(const Document &document)
 {
     checkGaps(document, listing);
+    if (scene) // not yet while a plugin puts the step together
+        checkHighlights(document, *this);
     tries = joinedTries(document, checks);
     title = document.title;
     narration = document.story;
     explanation = document.explanation;
     codeTasks = document.tasks;
+    predictions = document.predictions;
 }
 
 const Parameter *Step::parameter(const QString &parameterId) const

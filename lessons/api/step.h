@@ -3,6 +3,7 @@
 #include "lessons/api/explanation.h"
 #include "lessons/api/listing.h"
 #include "lessons/api/parameter.h"
+#include "lessons/api/prediction.h"
 #include "lessons/api/text/document.h"
 #include "lessons/api/try.h"
 #include "sim/base/vec2.h"
@@ -100,6 +101,7 @@ struct Step
     /// The program of a frame, which learners read and change. Empty if the step has none.
     Listing listing = {};
     std::vector<CodeTask> codeTasks = {}; ///< tasks to write a part of the listing
+    std::vector<Prediction> predictions = {};
     std::function<sim::Scene(const sim::Values &)> scene;
     sim::Region sceneSource; ///< the source code of `scene`
     std::function<View(const sim::Scene &, const sim::Values &)> view;

@@ -4,6 +4,7 @@
 #include "lessons/api/checks/condition.h"
 
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 
@@ -17,6 +18,15 @@ struct Check
     Conditions conditions = {};
     std::optional<Budget> budget = {};
     bool onlyWhilePaused = false;
+};
+
+/// Answers to choose from. Empty, or two to four.
+struct Choices
+{
+    QStringList texts = {}; ///< Markdown
+    int right = 0;          ///< index
+
+    bool isEmpty() const { return texts.isEmpty(); }
 };
 
 /// A thing to try, and the test that shows whether it is done.
@@ -39,6 +49,8 @@ struct Try
     QString answer = {};
     /// Made of a to z, 0 to 9 and _. No other thing to try of the step has it.
     QString id = {};
+    /// What a learner can answer before she tries. Only with an `answer`.
+    Choices choices = {};
 
     /// Returns whether all conditions hold at the cursor.
     bool isDone(const sim::Timeline &run) const { return conditions.hold(run); }

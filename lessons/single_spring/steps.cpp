@@ -73,6 +73,7 @@ Step radialStep()
     step.addParameters({lessons::radius()});
     step.readTexts(radialChecks());
     step.scene = radial::setUp;
+    step.view = discsWithAngle;
     step.overlays = ringAndAngle;
     return step;
 }

@@ -41,6 +41,13 @@ lessons::View discsAndSprings(const sim::Scene &scene, const sim::Values &)
     return view;
 }
 
+lessons::View discsWithAngle(const sim::Scene &scene, const sim::Values &values)
+{
+    lessons::View view = discsAndSprings(scene, values);
+    view.angle = lessons::AngleView{.from = body, .to = foot};
+    return view;
+}
+
 std::vector<Overlay> inactivePull(const sim::Scene &, const sim::State &state, const sim::Values &values)
 {
     const sim::Vec2 centre = centreOf(values);

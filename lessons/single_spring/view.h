@@ -10,6 +10,8 @@ namespace single_spring {
 
 /// Returns a view of discs and of the springs that act.
 lessons::View discsAndSprings(const sim::Scene &scene, const sim::Values &values);
+/// Returns the same with the angle of the foot as the body sees it.
+lessons::View discsWithAngle(const sim::Scene &scene, const sim::Values &values);
 
 /// Returns a cross at the centre, and an arrow for the pull that a spring to the centre would have.
 std::vector<lessons::Overlay> inactivePull(const sim::Scene &scene, const sim::State &state,

@@ -27,6 +27,16 @@ Step treeStep(const char *id, sim::Tree (*grow)(const sim::Values &))
     return step;
 }
 
+/// Adds the angle of the trunk to the view of a step.
+void addAngle(Step &step)
+{
+    step.view = [view = step.view](const sim::Scene &scene, const sim::Values &values) {
+        View shown = view(scene, values);
+        shown.angle = AngleView{.from = 0, .to = -1};
+        return shown;
+    };
+}
+
 /// Returns a step whose tree bends. The parameters `first` precede those of the tree.
 Step bentStep(const char *id, const std::vector<Parameter> &first)
 {
@@ -48,6 +58,7 @@ Step trunkStep()
     step.addParameters({baseLength(), formula()});
     step.readTexts(trunkChecks());
     step.scene = trunk::setUp;
+    addAngle(step);
     step.overlays = trunkEnd;
     return step;
 }

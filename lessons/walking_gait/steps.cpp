@@ -46,7 +46,7 @@ Step bonesStep()
     Step step = newStep("bones");
     step.readTexts(bonesChecks());
     step.scene = bones::setUp;
-    step.view = plainView;
+    step.view = bonesView;
     step.overlays = boneLines;
     return step;
 }

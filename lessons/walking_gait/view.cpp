@@ -101,10 +101,11 @@ double pushesOf(const Scene &scene, const State &state, const State *, const Val
 
 }
 
-View plainView(const Scene &scene, const Values &)
+View bonesView(const Scene &scene, const Values &)
 {
     View view = creatureView(scene);
     view.springs = actingSprings(scene);
+    view.angle = lessons::AngleView{.from = scene.find("foot0"), .to = scene.find("body")};
     return view;
 }
 

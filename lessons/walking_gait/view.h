@@ -10,8 +10,8 @@ namespace walking_gait {
 
 using Overlays = std::vector<lessons::Overlay>;
 
-/// Returns a view of discs and of the springs that act.
-lessons::View plainView(const sim::Scene &scene, const sim::Values &values);
+/// Returns a view of discs and of the springs that act, with the angle of the first bone, from its foot to the body.
+lessons::View bonesView(const sim::Scene &scene, const sim::Values &values);
 /// Returns a view with straight legs.
 lessons::View straightLegsView(const sim::Scene &scene, const sim::Values &values);
 /// Returns a view with legs that are bent by the parameter `curve`.

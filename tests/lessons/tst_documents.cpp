@@ -1,6 +1,7 @@
 // The documents of the steps: their format, and that all languages say the same.
 
 #include "lessons/api/text/document.h"
+#include "lessons/api/text/recall.h"
 #include "tests/lessons/support/support.h"
 #include "tests/suite.h"
 
@@ -48,6 +49,12 @@ std::vector<DocumentPlace> placesIn(const Document &document)
         all.insert(all.end(), {{name, one.text}, {name + " hint", one.hint}, {name + " answer", one.answer}});
         for (auto at = one.missing.begin(); at != one.missing.end(); ++at)
             all.push_back({name + " missing " + at.key(), at.value()});
+        for (const QString &choice : one.choices.texts)
+            all.push_back({name + " choice", choice});
+    }
+    for (const lessons::Prediction &one : document.predictions) {
+        const QString name = "prediction " + one.id;
+        all.insert(all.end(), {{name, one.text}, {name + " answer", one.answer}});
     }
     for (const lessons::CodeTask &task : document.tasks) {
         const QString name = "task " + task.id;
@@ -60,9 +67,66 @@ std::vector<DocumentPlace> placesIn(const Document &document)
     }
     for (const lessons::Term &term : document.explanation.terms)
         all.push_back({"word " + term.name, term.text});
+    for (const lessons::Concept &one : document.explanation.concepts)
+        all.insert(all.end(), {{"concept " + one.id + " title", one.title}, {"concept " + one.id, one.text}});
     for (const lessons::Why &why : document.explanation.whys)
         all.insert(all.end(), {{"why", why.question}, {"answer of " + why.question, why.answer}});
     all.push_back({"learnt", document.explanation.learnt});
+    return all;
+}
+
+/// Returns what a run says, in a few lines.
+QStringList linesOf(const lessons::RunSetup &run)
+{
+    QStringList all{run.step, run.method, run.until, QString::number(run.frames)};
+    const auto place = [](sim::Vec2 at) { return QStringLiteral("%1, %2").arg(at.x).arg(at.y); };
+    for (const auto &[id, value] : run.values)
+        all << id + ": " + value;
+    for (const lessons::RunSetup::Place &one : run.places)
+        all << one.body + ": " + place(one.at);
+    for (const lessons::RunSetup::Drag &one : run.drags)
+        all << QStringLiteral("drag %1: %2, %3").arg(one.body, place(one.to)).arg(one.frames);
+    if (run.press)
+        all << QStringLiteral("press: %1, %2").arg(place(run.press->at)).arg(run.press->frames);
+    if (run.click)
+        all << "click: " + place(*run.click);
+    return all;
+}
+
+/// Returns the questions of a lesson in a language. Empty if there are none.
+lessons::Recall recallOf(const QString &lesson, const QString &language)
+{
+    const QString name = language == u"en" ? QStringLiteral("recall") : "recall." + language;
+    QFile file(QStringLiteral("%1%2/%3.md").arg(documentFolder, lesson, name));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    return lessons::parseRecall(file.readAll(), file.fileName());
+}
+
+/// Returns all texts of the questions of a lesson in order.
+std::vector<DocumentPlace> placesIn(const lessons::Recall &recall)
+{
+    std::vector<DocumentPlace> all = {{"title", recall.title}, {"text", recall.text}};
+    for (const lessons::RecallQuestion &question : recall.questions) {
+        all.push_back({"question " + question.id, question.text});
+        for (const lessons::RecallChoice &choice : question.choices)
+            all.insert(all.end(), {{"choice of " + question.id, choice.text},
+                                   {"explanation in " + question.id, choice.explanation}});
+        if (question.task)
+            all.push_back({"answer of " + question.id, question.task->answer});
+    }
+    return all;
+}
+
+/// Returns the ids and scenes of questions.
+QStringList headingsOf(const lessons::Recall &recall)
+{
+    QStringList all;
+    for (const lessons::RecallQuestion &question : recall.questions) {
+        all << QStringLiteral("%1, %2 choices").arg(question.id).arg(question.choices.size());
+        if (question.task)
+            all << linesOf(question.task->setup);
+    }
     return all;
 }
 
@@ -74,6 +138,15 @@ QStringList headingsOf(const Document &document)
         all << "try " + one.id + (one.hint.isEmpty() ? "" : " hint") +
                    (one.answer.isEmpty() ? "" : " answer");
         all << one.missing.keys();
+        if (!one.choices.isEmpty())
+            all << QStringLiteral("%1 choices, right: %2")
+                       .arg(one.choices.texts.size())
+                       .arg(one.choices.right);
+    }
+    for (const lessons::Prediction &one : document.predictions) {
+        all << "prediction " + one.id + ": " + one.question.of << linesOf(one.run);
+        for (const lessons::RunSetup &other : one.otherCurves)
+            all << linesOf(other);
     }
     for (const lessons::CodeTask &task : document.tasks) {
         all << QStringLiteral("task %1, %2 hints").arg(task.id).arg(task.hints.size());
@@ -85,6 +158,8 @@ QStringList headingsOf(const Document &document)
         if (document.explanation.terms[i].forms.isEmpty())
             all << QString::number(i);
     }
+    for (const lessons::Concept &one : document.explanation.concepts)
+        all << "concept " + one.id + " rests on " + one.restsOn.join(' ');
     all << QStringLiteral("%1 whys").arg(document.explanation.whys.size());
     all << (document.explanation.learnt.isEmpty() ? "nothing learnt" : "learnt");
     return all;
@@ -148,6 +223,10 @@ private slots:
     void germanNumbersHaveACommaInProse();
     void wordsAreExplainedBeforeTheyAreUsed_data();
     void wordsAreExplainedBeforeTheyAreUsed();
+    void everyLessonHasThreeToFiveQuestions();
+    void questionsAreAboutThisLessonOrTheTwoBefore();
+    void languagesHaveTheSameQuestions_data();
+    void languagesHaveTheSameQuestions();
     void linksLeadSomewhere_data() { addTranslationRows(); }
     void linksLeadSomewhere();
 
@@ -219,7 +298,7 @@ void DocumentsTest::everyStepHasADocumentInEveryLanguage()
 void DocumentsTest::everyDocumentBelongsToAStep()
 {
     for (const LoadedLesson &lesson : allLessons()) {
-        QStringList ids;
+        QStringList ids = {"project", "recall"}; // of the whole lesson
         for (const lessons::Step &step : lesson.steps)
             ids << step.id;
         for (const QString &name : QDir(documentFolder + idOf(lesson)).entryList({"*.md"}))
@@ -342,9 +421,13 @@ struct EarlyWord
 
 const EarlyWord earlyWords[] = {
     {"en", "Coincident points", "walking_gait/bones", "“one place” means a single place there"},
+    {"en", "Curve", "single_spring/drag", "predictions ask for the curve in a plot, not for a Bézier curve"},
+    {"en", "Energy drift", "two_body/mutual", "the name of a row in the energy table"},
     {"en", "Stick", "walking_gait/ground", "the verb: feet stick to the ground"},
     {"en", "Energy", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
     {"en", "Stiff", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
+    {"de", "Bogen", "single_spring/drag", "“Kurve” is the curve in a plot there, as in English"},
+    {"de", "Energiedrift", "two_body/mutual", "the name of a row in the energy table"},
     {"de", "Energie", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
     {"de", "Steif", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
 };
@@ -403,6 +486,56 @@ void DocumentsTest::wordsAreExplainedBeforeTheyAreUsed()
     std::sort(allowed.begin(), allowed.end());
     QVERIFY2(early == allowed,
              qPrintable("\nUsed too early:\n" + early.join('\n') + "\nAllowed:\n" + allowed.join('\n')));
+}
+
+void DocumentsTest::everyLessonHasThreeToFiveQuestions()
+{
+    for (const LoadedLesson &lesson : allLessons()) {
+        const bool isSandbox = lesson.steps.front().points == lessons::PointSource::scene;
+        const std::size_t count = recallOf(idOf(lesson), "en").questions.size();
+        QVERIFY2(isSandbox ? count == 0 : count >= 3 && count <= 5, qPrintable(idOf(lesson)));
+    }
+}
+
+void DocumentsTest::questionsAreAboutThisLessonOrTheTwoBefore()
+{
+    QStringList ids;
+    for (const LoadedLesson &lesson : allLessons()) {
+        ids << idOf(lesson);
+        const QStringList last = ids.mid(std::max(qsizetype{0}, ids.size() - 3));
+        for (const lessons::RecallQuestion &question : recallOf(idOf(lesson), "en").questions) {
+            if (!question.task)
+                continue;
+            const QString step = question.task->setup.step;
+            QVERIFY2(last.contains(step.section('/', 0, 0)), qPrintable(idOf(lesson) + ": " + step));
+        }
+    }
+}
+
+void DocumentsTest::languagesHaveTheSameQuestions_data()
+{
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<QString>("language");
+    for (const LoadedLesson &lesson : allLessons()) {
+        if (recallOf(idOf(lesson), "en").questions.empty())
+            continue;
+        for (const QString &code : languages())
+            QTest::addRow("%s.%s", qPrintable(idOf(lesson)), qPrintable(code)) << idOf(lesson) << code;
+    }
+}
+
+void DocumentsTest::languagesHaveTheSameQuestions()
+{
+    QFETCH(QString, lesson);
+    QFETCH(QString, language);
+    const lessons::Recall english = recallOf(lesson, "en"), other = recallOf(lesson, language);
+    QCOMPARE(headingsOf(other), headingsOf(english));
+    const std::vector<DocumentPlace> source = placesIn(english), told = placesIn(other);
+    for (std::size_t i = 0; i < source.size(); ++i) {
+        QVERIFY2(emphasisOf(told[i].text) == emphasisOf(source[i].text), qPrintable(told[i].where));
+        QVERIFY2(codeIn(told[i].text) == codeIn(source[i].text), qPrintable(told[i].where));
+        QCOMPARE(told[i].text.isEmpty(), source[i].text.isEmpty());
+    }
 }
 
 void DocumentsTest::linksLeadSomewhere()

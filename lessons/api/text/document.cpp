@@ -1,6 +1,8 @@
 #include "lessons/api/text/document.h"
 
 #include "lessons/api/text/document_scan.h"
+#include "lessons/api/text/formula_reader.h"
+#include "lessons/api/text/predict_reader.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -70,18 +72,24 @@ private:
         const Heading heading = parsedHeading(section.part.heading);
         if (heading.kind == u"Try")
             readTry(section, heading);
+        else if (heading.kind == u"Predict")
+            readPredict(section, heading);
         else if (heading.kind == u"Task")
             readTask(section, heading);
         else if (heading.kind == u"Word")
             readWord(section, heading);
+        else if (heading.kind == u"Concept")
+            readConcept(section, heading);
         else if (heading.kind == u"Why")
             readWhy(section, heading);
         else if (heading.kind == u"Learnt")
             readLearnt(section);
         else
             reject(section.part.line,
-                   DocumentText::tr("%1 is not a heading of a lesson. Write “## Try {#id}”, “## Task: title "
-                                    "{#id}”, “## Word: name”, “## Why: question” or “## Learnt”.")
+                   DocumentText::tr("%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict "
+                                    "{#id}”, “## Task: title "
+                                    "{#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” "
+                                    "or “## Learnt”.")
                        .arg(shown(section.part, QStringLiteral("##"))));
     }
 
@@ -163,9 +171,16 @@ private:
                 setOnce(one.answer, field);
             else if (field.heading == u"Missing")
                 readMissing(one, field);
+            else if (field.heading == u"Choices")
+                readChoices(one, field);
             else
-                rejectField(field, QStringLiteral("“### Hint”, “### Answer”, “### Missing”"));
+                rejectField(field, QStringLiteral("“### Choices”, “### Hint”, “### Answer”, “### Missing”"));
         }
+        if (!one.choices.isEmpty() && one.answer.isEmpty())
+            reject(one.line,
+                   DocumentText::tr("the thing to try “%1” has choices, but no answer. Write it below an "
+                                    "“### Answer”.")
+                       .arg(one.id));
         if (one.hint.isEmpty())
             reject(one.line,
                    DocumentText::tr("the thing to try “%1” has no hint. Write it below a “### Hint”.")
@@ -194,6 +209,20 @@ private:
                            .arg(match.captured(1)));
             one.missing.insert(match.captured(1), match.captured(2));
         }
+    }
+
+    void readChoices(TryText &one, const DocumentPart &field) const
+    {
+        if (!one.choices.isEmpty())
+            reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
+                                   .arg(shown(field, QStringLiteral("###"))));
+        one.choices = parseChoices(field, m_document.file);
+    }
+
+    void readPredict(const DocumentSection &section, const Heading &heading)
+    {
+        checkId(section, heading);
+        m_document.predictions.push_back(parsePrediction(section, heading.id, m_document.file));
     }
 
     void readTask(const DocumentSection &section, const Heading &heading)
@@ -273,11 +302,40 @@ private:
         m_document.explanation.terms.push_back(term);
     }
 
+    void readConcept(const DocumentSection &section, const Heading &heading)
+    {
+        static const QString restsSign = QStringLiteral("Rests on:");
+        checkId(section, heading);
+        checkNoFields(section);
+        const int line = section.part.line;
+        if (heading.name.isEmpty() || heading.name.size() > Concept::longestTitle)
+            reject(line, DocumentText::tr("the title of the concept “%1” has %2 characters. Write 1 to %3, "
+                                          "as in “## Concept: title {#%1}”.")
+                             .arg(heading.id)
+                             .arg(heading.name.size())
+                             .arg(Concept::longestTitle));
+        Concept one{.id = heading.id, .title = heading.name, .file = m_document.file, .line = line};
+        QStringList paragraphs = textOf(section).split(QStringLiteral("\n\n"));
+        if (paragraphs.first().startsWith(restsSign)) {
+            for (const QString &id : paragraphs.takeFirst().mid(restsSign.size()).split(','))
+                one.restsOn << id.trimmed();
+        }
+        if (paragraphs.size() != 1)
+            reject(line, DocumentText::tr("the concept “%1” needs one paragraph besides “Rests on: …”. Write "
+                                          "one sentence there.")
+                             .arg(one.id));
+        one.text = paragraphs.first();
+        m_document.explanation.concepts.push_back(one);
+    }
+
     void readWhy(const DocumentSection &section, const Heading &heading)
     {
         checkName(section, heading);
         checkNoFields(section);
-        m_document.explanation.whys.push_back({heading.name, textOf(section)});
+        DocumentPart part = section.part;
+        std::vector<Formula> formulas = takeFormulas(part.body, part.line + 1, m_document.file);
+        m_document.explanation.whys.push_back(
+            {heading.name, textOf(part, QStringLiteral("##")), std::move(formulas)});
     }
 
     void readLearnt(const DocumentSection &section)

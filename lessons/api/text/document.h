@@ -2,6 +2,8 @@
 
 #include "lessons/api/explanation.h"
 #include "lessons/api/listing.h"
+#include "lessons/api/prediction.h"
+#include "lessons/api/try.h"
 
 #include <QByteArray>
 #include <QMap>
@@ -21,6 +23,7 @@ struct TryText
     QString answer; ///< Markdown; may be empty
     /// The sentences about what is missing, by name; see Condition::sentence.
     QMap<QString, QString> missing = {};
+    Choices choices = {};
     int line = 0;        ///< of its heading, from 1
     int missingLine = 0; ///< of the heading of `missing`; 0 if there is none
 };
@@ -32,6 +35,7 @@ struct Document
     QString title;
     QString story; ///< Markdown
     std::vector<TryText> tries = {};
+    std::vector<Prediction> predictions = {};
     std::vector<CodeTask> tasks = {};
     std::vector<int> taskLines = {}; ///< of the headings of `tasks`, from 1
     Explanation explanation = {};

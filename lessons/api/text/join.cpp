@@ -74,6 +74,7 @@ std::vector<Try> joinedTries(const Document &document, const std::vector<Check> 
             .hint = text.hint,
             .answer = text.answer,
             .id = text.id,
+            .choices = text.choices,
         });
     }
     for (const Check &check : checks) {

@@ -100,6 +100,13 @@ struct TreeView
     std::vector<double> width;  ///< px, at the start of the branch
 };
 
+/// An arrow whose angle, sine and cosine the unit circle shows.
+struct AngleView
+{
+    int from = 0; ///< a point
+    int to = -1;  ///< a point; -1: the end of the branch that begins at `from`
+};
+
 /// The appearance of a scene, by point indices. It is the same for all states of the scene.
 struct View
 {
@@ -127,6 +134,7 @@ struct View
     bool showsOnionSkins = false;
     std::vector<SheetView> sheets;
     std::vector<RuleLinkView> ruleLinks;
+    std::optional<AngleView> angle; ///< empty: no unit circle
 };
 
 /// A thin explanatory drawing over the scene, computed for each state.
