@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace app {
 
@@ -31,6 +32,10 @@ double read(const Condition::Operation &operation, const ConditionMoment &moment
         return state.angle[operation.point];
     case Kind::spin:
         return state.spin[operation.point];
+    case Kind::distance:
+        return sim::length(state.positionOf(operation.point) - state.positionOf(operation.other));
+    case Kind::speed:
+        return sim::length(state.velocityOf(operation.point));
     case Kind::phaseIs:
         return moment.next && std::find(operation.phases.begin(), operation.phases.end(),
                                         moment.next->id + '/' + moment.next->title) != operation.phases.end();
@@ -83,20 +88,13 @@ double ofTwo(Kind kind, double a, double b)
     }
 }
 
-}
-
-Condition Condition::parse(const QString &text, const ConditionNames &names)
-{
-    Condition condition;
-    condition.m_program = ConditionParser(text, names).parse();
-    return condition;
-}
-
-bool Condition::holds(const ConditionMoment &moment) const
+/// Returns the result of a program; empty where a variable of the listing has no value.
+std::optional<double> evaluated(const std::vector<Condition::Operation> &program,
+                                const ConditionMoment &moment)
 {
     std::vector<double> stack;
-    stack.reserve(m_program.size());
-    for (const Operation &operation : m_program) {
+    stack.reserve(program.size());
+    for (const Condition::Operation &operation : program) {
         if (operation.kind >= Kind::add && operation.kind <= Kind::either) {
             const double right = stack.back();
             stack.pop_back();
@@ -108,13 +106,28 @@ bool Condition::holds(const ConditionMoment &moment) const
             const std::optional<double> value =
                 moment.variable ? moment.variable(operation.path) : std::nullopt;
             if (!value)
-                return false;
+                return std::nullopt;
             stack.push_back(*value);
         } else {
             stack.push_back(read(operation, moment));
         }
     }
-    return stack.back() != 0.0;
+    return stack.back();
+}
+
+}
+
+Condition Condition::parse(const QString &text, const ConditionNames &names)
+{
+    Condition condition;
+    condition.m_program = ConditionParser(text, names).parse();
+    return condition;
+}
+
+bool Condition::holds(const ConditionMoment &moment) const
+{
+    const std::optional<double> truth = evaluated(m_program, moment);
+    return truth && *truth != 0.0;
 }
 
 bool Condition::readsFrame() const
@@ -127,6 +140,18 @@ bool Condition::readsVariables() const
 {
     return std::any_of(m_program.begin(), m_program.end(),
                        [](const Operation &one) { return one.kind == Kind::variable; });
+}
+
+MomentNumber MomentNumber::parse(const QString &text, const ConditionNames &names)
+{
+    MomentNumber number;
+    number.m_program = ConditionParser(text, names).parseNumber();
+    return number;
+}
+
+double MomentNumber::at(const ConditionMoment &moment) const
+{
+    return evaluated(m_program, moment).value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 }

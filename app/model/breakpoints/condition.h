@@ -38,8 +38,8 @@ struct ConditionMoment
 };
 
 /// A condition on a moment of a run, as the learner writes it: `foot0.y > 380 and phase == "springs"`. Numbers are x,
-/// y, vx and vy of bodies, angle and spin where points turn, `frame`, parameters by id, abs() and sqrt(). Operators are
-/// + - * /, parentheses, the comparisons < <= > >= == !=, and, or, not. `phase` is compared with the name of the phase
+/// y, vx and vy of bodies, angle and spin where points turn, `frame`, parameters by id, abs(), sqrt(), distance(a, b) of
+/// two bodies (px) and speed(a) of a body (px/frame). Operators are + - * /, parentheses, the comparisons < <= > >= == !=, and, or, not. `phase` is compared with the name of the phase
 /// that runs next. A choice is compared with the id of one of its values.
 class Condition
 {
@@ -70,6 +70,8 @@ public:
             vy,
             angle,
             spin,
+            distance,
+            speed,
             phaseIs,
             variable,
             minus,
@@ -91,13 +93,29 @@ public:
         };
         Kind kind = Kind::number;
         double number = 0.0;                  ///< for `number`
-        int point = -1;                       ///< for x to spin
+        int point = -1;                       ///< for x to speed
         std::vector<std::string> phases = {}; ///< ids, for `phaseIs`
         std::string path = {};                ///< for `variable`
+        int other = -1;                       ///< the second point, for `distance`
     };
 
 private:
     std::vector<Operation> m_program; ///< in postfix order: operands first
+};
+
+/// A number of a moment of a run in the language of conditions: `distance(foot, body)`.
+class MomentNumber
+{
+public:
+    /// Parses `text` as Condition::parse() does.
+    /// @throws UserError as there, also if `text` is a condition
+    static MomentNumber parse(const QString &text, const ConditionNames &names);
+
+    /// Returns the number at `moment`; NaN where a variable of the listing has no value.
+    double at(const ConditionMoment &moment) const;
+
+private:
+    std::vector<Condition::Operation> m_program; ///< in postfix order
 };
 
 }

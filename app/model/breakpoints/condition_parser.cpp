@@ -85,6 +85,16 @@ void ConditionParser::need(const Part &part, Type type) const
 
 ConditionParser::Program ConditionParser::parse()
 {
+    return whole(Type::truth).program;
+}
+
+ConditionParser::Program ConditionParser::parseNumber()
+{
+    return whole(Type::number).program;
+}
+
+ConditionParser::Part ConditionParser::whole(Type type)
+{
     if (now().kind == ConditionToken::Kind::end)
         refuse(1, ConditionParserText::tr("the condition is empty; write a comparison, as in %1.y > 380.")
                       .arg(bodiesOf(m_names.scene).value(0)));
@@ -95,8 +105,8 @@ ConditionParser::Program ConditionParser::parse()
         refuse(now().place, ConditionParserText::tr("%1 cannot directly follow the text before it; put and, "
                                                     "or, or a sign such as + or < between them.")
                                 .arg(quoted(now().text)));
-    need(all, Type::truth);
-    return std::move(all.program);
+    need(all, type);
+    return all;
 }
 
 ConditionParser::Part ConditionParser::joined(Part left, Part right, Kind kind, Type type)
@@ -215,6 +225,11 @@ void ConditionParser::expectClose(qsizetype opened)
         return;
     if (now().kind == ConditionToken::Kind::end)
         refuse(opened, ConditionParserText::tr("this parenthesis is not closed; close it with )."));
+    if (isSign(QStringLiteral(",")))
+        refuse(now().place, ConditionParserText::tr(
+                                "a comma can stand only between two bodies, as in distance(%1, %2); write "
+                                "numbers with a point.")
+                                .arg(bodiesOf(m_names.scene).value(0), bodiesOf(m_names.scene).value(1)));
     refuse(now().place, ConditionParserText::tr("%1 cannot be here; a sign or ) is missing before it.")
                             .arg(quoted(now().text)));
 }

@@ -17,6 +17,9 @@ public:
     /// Returns the operations in the order of evaluation.
     /// @throws UserError
     Program parse();
+    /// Returns the operations of a number instead of a condition.
+    /// @throws UserError
+    Program parseNumber();
 
 private:
     enum class Type { number, truth, phase, choice, text };
@@ -31,6 +34,7 @@ private:
     };
     using Kind = Condition::Operation::Kind;
 
+    Part whole(Type type);
     Part either();
     Part both();
     Part negated();
@@ -45,6 +49,9 @@ private:
     Part variable(const ConditionToken &word);
     Part bodyNumber(const ConditionToken &word);
     Part function(Kind kind);
+    /// Parses distance(a, b) or speed(a).
+    Part ofBodies(Kind kind);
+    int bodyAt(const QString &example) const;
     Part comparison(const ConditionToken &sign, Part left, Part right);
     Part phaseIs(const Part &text, bool equal);
     Part choiceIs(const Part &choice, const Part &text, Part whole, Kind kind);

@@ -56,6 +56,10 @@ ConditionParser::Part ConditionParser::named()
     const ConditionToken word = now();
     if (word.text == u"abs" || word.text == u"sqrt")
         return function(word.text == u"abs" ? Kind::absolute : Kind::root);
+    const bool isCalled =
+        m_words[m_at + 1].kind == ConditionToken::Kind::sign && m_words[m_at + 1].text == u"(";
+    if (isCalled && (word.text == u"distance" || word.text == u"speed"))
+        return ofBodies(word.text == u"distance" ? Kind::distance : Kind::speed);
     if (isVariable(word))
         return variable(word);
     if (word.text.contains('.'))
@@ -75,6 +79,42 @@ ConditionParser::Part ConditionParser::named()
             word.place,
             word.text,
             isChoice ? choices->second : QStringList()};
+}
+
+ConditionParser::Part ConditionParser::ofBodies(Kind kind)
+{
+    const QStringList bodies = bodiesOf(m_names.scene);
+    const QString example = kind == Kind::speed
+                                ? QStringLiteral("speed(%1)").arg(bodies.value(0))
+                                : QStringLiteral("distance(%1, %2)").arg(bodies.value(0), bodies.value(1));
+    const ConditionToken word = m_words[m_at++];
+    const qsizetype opened = m_words[m_at++].place; // the parenthesis
+    Condition::Operation operation{kind};
+    operation.point = bodyAt(example);
+    ++m_at;
+    if (kind == Kind::distance) {
+        if (!take(QStringLiteral(",")))
+            refuse(now().place, ConditionParserNamesText::tr(
+                                    "distance needs two bodies with a comma between them, as in %1.")
+                                    .arg(example));
+        operation.other = bodyAt(example);
+        ++m_at;
+    }
+    expectClose(opened);
+    return {Type::number, {operation}, word.place, {}, {}};
+}
+
+int ConditionParser::bodyAt(const QString &example) const
+{
+    const ConditionToken &word = now();
+    if (word.kind != ConditionToken::Kind::name)
+        refuse(word.place,
+               ConditionParserNamesText::tr("the name of a body is missing here, as in %1.").arg(example));
+    const int point = m_names.scene.find(word.text.toStdString());
+    if (point < 0)
+        refuse(word.place, ConditionParserNamesText::tr("there is no body %1 here; there are %2.")
+                               .arg(quoted(word.text), someOf(bodiesOf(m_names.scene))));
+    return point;
 }
 
 bool ConditionParser::isVariable(const ConditionToken &word) const

@@ -112,6 +112,7 @@ const Spelling *signAt(const QString &text, qsizetype from)
 std::vector<ConditionToken> conditionWords(const QString &text)
 {
     std::vector<Word> words;
+    int open = 0; // parentheses; between them, a comma separates two bodies
     for (qsizetype at = 0; at < text.size();) {
         const QChar c = text[at];
         const bool isPoint = c == '.' && at + 1 < text.size() && text[at + 1].isDigit();
@@ -126,7 +127,11 @@ std::vector<ConditionToken> conditionWords(const QString &text)
         } else if (!closing(c).isNull()) {
             words.push_back(textAt(text, at));
             at += words.back().text.size() + 2;
+        } else if (c == ',' && open > 0) {
+            words.push_back({Word::Kind::sign, QStringLiteral(","), 0.0, at + 1});
+            ++at;
         } else if (const Spelling *sign = signAt(text, at)) {
+            open += c == '(' ? 1 : c == ')' ? -1 : 0;
             words.push_back({Word::Kind::sign, QString::fromUtf16(sign->sign), 0.0, at + 1});
             at += QStringView(sign->written).size();
         } else {

@@ -1,5 +1,8 @@
 #include "app/model/catalog/lesson_documents.h"
 
+#include "app/model/learning/concept_map.h"
+#include "app/model/learning/recall_desk.h"
+
 #include <QDir>
 
 namespace app {
@@ -33,11 +36,11 @@ void LessonDocuments::refresh()
     const QString before = mistake();
     bool isChanged = false;
     for (std::vector<LessonEntry> *all : {&m_library.lessons, &m_library.sandboxes}) {
-        for (LessonEntry &lesson : *all) {
-            for (lessons::Step &step : lesson.steps)
-                isChanged = read(step) || isChanged;
-        }
+        for (LessonEntry &lesson : *all)
+            isChanged = read(lesson) || isChanged;
     }
+    if (isChanged)
+        checkAll();
     watch();
     if (isChanged)
         emit changed();
@@ -45,13 +48,35 @@ void LessonDocuments::refresh()
         emit mistakeChanged(mistake());
 }
 
-bool LessonDocuments::read(lessons::Step &step)
+bool LessonDocuments::read(LessonEntry &lesson)
 {
-    if (step.lesson.isEmpty())
+    bool isChanged = false;
+    for (lessons::Step &step : lesson.steps)
+        isChanged = read(step.lesson, step.id,
+                         [&step](const QByteArray &content, const QString &path) {
+                             step.setTexts(lessons::parseDocument(content, path));
+                         }) ||
+                    isChanged;
+    const auto takeRecall = [&](const QByteArray &content, const QString &path) {
+        lessons::Recall recall = lessons::parseRecall(content, path);
+        checkRecall(recall, m_library);
+        lesson.recall = std::move(recall);
+    };
+    const QString folder = lesson.steps.front().lesson;
+    isChanged = read(folder, QStringLiteral("recall"), takeRecall) || isChanged;
+    const auto takeProject = [&](const QByteArray &content, const QString &path) {
+        lesson.project = lessons::parseProject(content, path);
+    };
+    return read(folder, QStringLiteral("project"), takeProject) || isChanged;
+}
+
+bool LessonDocuments::read(const QString &lesson, const QString &document, const Take &take)
+{
+    if (lesson.isEmpty())
         return false;
-    const QString key = step.lesson + '/' + step.id;
-    for (const QString &name : lessons::documentNames(step.id)) {
-        const QString path = QDir(m_folder).filePath(step.lesson + '/' + name);
+    const QString key = lesson + '/' + document;
+    for (const QString &name : lessons::documentNames(document)) {
+        const QString path = QDir(m_folder).filePath(lesson + '/' + name);
         QFile file(path);
         if (!file.open(QIODevice::ReadOnly))
             continue;
@@ -62,7 +87,7 @@ bool LessonDocuments::read(lessons::Step &step)
         m_known[key] = known;
         m_mistakes.remove(key);
         try {
-            step.setTexts(lessons::parseDocument(content, path));
+            take(content, path);
             return true;
         } catch (const lessons::DocumentError &error) {
             m_mistakes[key] = QString::fromStdString(error.what());
@@ -71,6 +96,17 @@ bool LessonDocuments::read(lessons::Step &step)
     }
     m_mistakes.remove(key);
     return false;
+}
+
+void LessonDocuments::checkAll()
+{
+    const QString key = QStringLiteral("concepts");
+    m_mistakes.remove(key);
+    try {
+        checkConcepts(m_library);
+    } catch (const lessons::DocumentError &error) {
+        m_mistakes[key] = QString::fromStdString(error.what());
+    }
 }
 
 void LessonDocuments::watch()

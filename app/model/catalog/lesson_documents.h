@@ -7,11 +7,13 @@
 #include <QMap>
 #include <QTimer>
 
+#include <functional>
+
 namespace app {
 
 /// Gives the steps of a library the documents of a folder in place of the embedded ones, and follows changes of its files.
-/// The folder has the form of `lessons/`: LESSON/STEP.md and LESSON/STEP.de.md. A step without a file there keeps its
-/// texts, and so does one whose file has a mistake.
+/// The folder has the form of `lessons/`: LESSON/STEP.md and LESSON/STEP.de.md, and LESSON/recall.md. A step without a file
+/// there keeps its texts, and so does one whose file has a mistake.
 class LessonDocuments : public QObject
 {
     Q_OBJECT
@@ -32,17 +34,24 @@ signals:
     void mistakeChanged(const QString &sentence);
 
 private:
+    /// Takes the content of a file. May throw a DocumentError.
+    using Take = std::function<void(const QByteArray &content, const QString &path)>;
+
     void refresh();
-    /// Reads the document of a step if its file has changed. Returns whether the step has other texts now.
-    bool read(lessons::Step &step);
+    /// Reads the documents of a lesson whose files have changed. Returns whether it has other texts now.
+    bool read(LessonEntry &lesson);
+    /// Reads a document of the folder `lesson` if its file has changed. Returns whether it was taken.
+    bool read(const QString &lesson, const QString &document, const Take &take);
+    /// Checks what is said in several documents together.
+    void checkAll();
     void watch();
 
     LessonLibrary &m_library;
     QString m_folder;
     QFileSystemWatcher m_watcher;
     QTimer m_due;                       ///< an editor changes a file in several steps
-    QHash<QString, QByteArray> m_known; ///< path and content of the file by "lesson/step"
-    QMap<QString, QString> m_mistakes;  ///< by "lesson/step"
+    QHash<QString, QByteArray> m_known; ///< path and content of the file by "lesson/document"
+    QMap<QString, QString> m_mistakes;  ///< by "lesson/document"
 };
 
 }

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "lessons/api/step.h"
+#include "lessons/api/text/project.h"
+#include "lessons/api/text/recall.h"
 
 #include <QString>
 #include <QStringList>
 
+#include <optional>
 #include <vector>
 
 namespace app {
@@ -19,6 +22,8 @@ struct LessonEntry
     QString title;
     QString summary;
     std::vector<lessons::Step> steps; ///< at least one
+    lessons::Recall recall = {};      ///< without questions if the lesson has none
+    std::optional<lessons::Project> project = {};
 
     const lessons::Step *step(const QString &id) const;
 };

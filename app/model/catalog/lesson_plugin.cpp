@@ -113,6 +113,28 @@ std::vector<lessons::Step> stepsOf(QObject *instance)
     }
 }
 
+/// Returns the questions of a lesson with these steps.
+lessons::Recall recallOf(const std::vector<lessons::Step> &steps)
+{
+    try {
+        return lessons::readRecall(steps.front().lesson);
+    } catch (const std::exception &error) {
+        refuseLesson(LessonPluginText::tr("its questions could not be read (%1)")
+                         .arg(oneLine(QString::fromUtf8(error.what()))));
+    }
+}
+
+/// Returns the project of a lesson with these steps, if it has one.
+std::optional<lessons::Project> projectOf(const std::vector<lessons::Step> &steps)
+{
+    try {
+        return lessons::readProject(steps.front().lesson);
+    } catch (const std::exception &error) {
+        refuseLesson(LessonPluginText::tr("its project could not be read (%1)")
+                         .arg(oneLine(QString::fromUtf8(error.what()))));
+    }
+}
+
 /// Returns a text of lesson.json in the learner's language.
 QString told(const QString &text)
 {
@@ -159,6 +181,8 @@ LessonEntry loadLesson(const QString &file, Language *language)
                 .arg(quotedList(ids), made.isEmpty() ? LessonPluginText::tr("none") : quotedList(made)));
     for (const lessons::Step &step : lesson.steps)
         checkStep(step);
+    lesson.recall = recallOf(lesson.steps);
+    lesson.project = projectOf(lesson.steps);
     return lesson;
 }
 

@@ -22,6 +22,8 @@ constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
 void Attempts::check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline,
                      bool plays)
 {
+    if (!m_isOwnRun)
+        return;
     const bool mayMeasure =
         !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
     const auto keeps = [&](const lessons::Budget &budget) {
@@ -46,7 +48,7 @@ QString Attempts::todo(const QString &lesson, const lessons::Step &step, int num
                        const sim::Timeline &timeline, bool plays) const
 {
     const lessons::Try &one = step.tries[static_cast<std::size_t>(number)];
-    if (m_progress.isDone(lesson, step.id, number))
+    if (!m_isOwnRun || m_progress.isDone(lesson, step.id, number))
         return {};
     if (!one.isDone(timeline))
         return one.conditions.todo(timeline);

@@ -21,6 +21,8 @@ public:
 
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
     void setTiming(lessons::TimeMeasurement timing) { m_timing = std::move(timing); }
+    /// Sets whether the run is the learner's own. A run that the program has set up ticks nothing.
+    void setOwnRun(bool isOwn) { m_isOwnRun = isOwn; }
 
     /// Ticks what is done at the moment of `timeline`, a run of this step, which plays or stands.
     void check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline, bool plays);
@@ -43,6 +45,7 @@ private:
 
     Progress &m_progress;
     lessons::TimeMeasurement m_timing = lessons::measureTime;
+    bool m_isOwnRun = true;
     bool m_isCheckScheduled = false; ///< whether checkDue() is on its way
     QElapsedTimer m_sinceMeasured;   ///< since a budget was last looked at
 };

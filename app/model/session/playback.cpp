@@ -39,6 +39,7 @@ Playback::Playback(OpenRun &run, Preview &preview, CompanionFollower &companion,
 void Playback::open()
 {
     stopSeeking();
+    m_end.reset();
     m_breakpoints.open(m_run.key());
     m_monitor.watch(m_breakpoints.all(), m_run.step());
 }
@@ -343,9 +344,17 @@ void Playback::advance(int frames)
     clock.start();
     int played = 0;
     std::optional<BreakHit> hit;
-    for (; !hit && played < frames && (played == 0 || clock.elapsed() < playMilliseconds); ++played) {
+    bool isAtEnd = false;
+    for (; !hit && !isAtEnd && played < frames && (played == 0 || clock.elapsed() < playMilliseconds);
+         ++played) {
+        const std::int64_t before = timeline.cursor().frame;
         hit = advanceOneOutput();
+        isAtEnd = m_end && before < *m_end && timeline.cursor().frame >= *m_end;
         checkAttempts();
+    }
+    if (isAtEnd) {
+        m_end.reset();
+        pause();
     }
     if (hit)
         stopAt(*hit);
@@ -384,7 +393,7 @@ bool Playback::isOver()
 
 void Playback::waitIfOver()
 {
-    if (!isPlaying() || !isOver() || m_monitor.mayStillStop(m_run.timeline()) ||
+    if (!isPlaying() || m_end || !isOver() || m_monitor.mayStillStop(m_run.timeline()) ||
         m_attempts.mayBeDoneByWaiting(m_run.lesson().id, m_run.step(), m_run.timeline()))
         return;
     m_clock.wait();

@@ -30,6 +30,9 @@ public:
     void setSpeed(double speed);
     void play();
     void pause();
+    /// Pauses at frame `end` when the run comes to it by playing. Until then, playback does not wait at rest. Empty: it goes
+    /// on. Another step, and a pause at `end`, forget it.
+    void setEnd(std::optional<std::int64_t> end) { m_end = end; }
     void togglePlaying();
     /// Plays again from frame 0, with all recorded input.
     void repeat();
@@ -77,6 +80,8 @@ public:
     void wakeUp();
     /// Ticks off the things to try that are done at the cursor.
     void checkAttempts();
+    /// Sets whether the run is the learner's own, so that things to try are ticked off.
+    void setOwnRun(bool isOwn) { m_attempts.setOwnRun(isOwn); }
 
 private:
     struct Paused
@@ -117,6 +122,7 @@ private:
     Breakpoints m_breakpoints;
     BreakpointMonitor m_monitor;
     std::optional<BreakHit> m_hit;
+    std::optional<std::int64_t> m_end; ///< where playback pauses
     std::function<void(int)> m_stopAtLine;
     bool m_isSliceDue = false; ///< whether the next slice of seeking is scheduled
 };

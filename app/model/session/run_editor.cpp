@@ -163,6 +163,35 @@ void RunEditor::startAnew(const EditLabel &label, sim::Script script)
         m_playback.play();
 }
 
+bool RunEditor::setUp(const EditLabel &label, const sim::Script &script)
+{
+    const ChangeNotifier::Batch batch(m_run.changes());
+    m_playback.pause();
+    m_input.releaseAll();
+    endGesture();
+    if (sameScript(script, m_run.timeline().script())) {
+        m_playback.goToPaused({});
+        return true;
+    }
+    if (m_run.isSandbox())
+        return replaceScene(label, script, m_run.draft());
+    try {
+        if (needsNewStart(script)) {
+            startAnew(label, script);
+        } else {
+            const sim::Timeline trial(script, 0); // throws before anything has changed
+            m_run.timeline().seek({});
+            edit(label, [&](sim::Timeline &run) { return run.replaceScript(script); });
+        }
+    } catch (const sim::Error &error) {
+        m_run.changes().showMessage(sentenceFor(error));
+        return false;
+    }
+    m_comparisons.show(0);
+    m_playback.goToPaused({});
+    return true;
+}
+
 void RunEditor::restart()
 {
     const ChangeNotifier::Batch batch(m_run.changes());

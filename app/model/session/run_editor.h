@@ -68,6 +68,9 @@ public:
     void startWith(const lessons::Preset &preset);
     /// Starts the step as it was when it was first opened: without input, with its first values.
     void startAfresh();
+    /// Makes `script`, a run of the open step, the run, and pauses at frame 0. No ghost is shown. Returns whether it can be
+    /// computed; if not, says why.
+    bool setUp(const EditLabel &label, const sim::Script &script);
     /// Starts the run again at frame 0 without user input, with the parameters, method and effects in use. Without
     /// any user input, goes to frame 0.
     void restart();

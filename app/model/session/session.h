@@ -2,6 +2,7 @@
 
 #include "app/model/catalog/progress.h"
 #include "app/model/experiment/experiment.h"
+#include "app/model/learning/notes.h"
 #include "app/model/listing/learner_code.h"
 #include "app/model/listing/line_stepper.h"
 #include "app/model/listing/rule_code.h"
@@ -43,6 +44,7 @@ public:
     const LineStepper &lines() const { return m_lines; }
     const Presentation &presentation() const { return m_presentation; }
     Progress &progress() { return m_progress; }
+    Notes &notes() { return m_notes; }
 
     // The open step
     const OpenRun &run() const { return m_run; }
@@ -110,6 +112,7 @@ private:
     ChangeNotifier m_changes;
     OpenRun m_run;
     Progress m_progress;
+    Notes m_notes;
     Attempts m_attempts{m_progress};
     Preview m_preview;
     CompanionFollower m_companion;

@@ -73,6 +73,11 @@ private slots:
         row("foot0.vx * foot0.vx + foot0.vy * foot0.vy > 25", false);
         row("sqrt(foot0.vx * foot0.vx + foot0.vy * foot0.vy) == 5", true);
         row("abs(foot0.vy) == 4", true);
+        row("speed(foot0) == 5", true);
+        row("speed(foot0) > 5", false);
+        row("distance(foot0, foot0) == 0", true);
+        row("distance(foot0,foot1) == distance( foot1 , foot0 )", true);
+        row("distance(foot0, foot1) == sqrt(107.25 * 107.25 + 381.5 * 381.5)", true);
         row("abs(foot0.vy - 6) / 2 == 5", true);
         row("k == 0.2", true);
         row("floor - foot0.y < 0", true);
@@ -172,6 +177,15 @@ private slots:
         row("abs foot0.y > 1", 5, "parentheses");
         row("abs(foot0.y", 4, "close it");
         row("sqrt() > 1", 6, "missing before");
+        row("speed(1) > 1", 7, "as in speed(foot0)");
+        row("speed() > 1", 7, "name of a body");
+        row("speed(foot0.x) > 1", 7, "no body");
+        row("speed(foot0, foot1) > 1", 12, "two bodies");
+        row("speed(foot0", 6, "close it");
+        row("distance(foot0) > 1", 15, "as in distance(foot0, foot1)");
+        row("distance(foot0, fooot) > 1", 17, "there are foot0");
+        row("distance foot0 > 1", 1, "frame, phase");
+        row("(0,5 == k)", 3, "with a point");
         row("frame == 1 and 2", 16, "compare it");
         row("1 or frame == 1", 1, "compare it");
         row("not frame", 5, "compare it");

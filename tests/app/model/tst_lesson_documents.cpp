@@ -26,16 +26,27 @@ struct DocumentFolder
         QDir(folder.path()).mkpath("two_body");
     }
 
-    /// Saves the document of the step two_body/mutual with another title, as an editor does: in another file first.
-    void save(const QByteArray &title, const QString &name = "mutual.md") const
+    /// Returns the text of an embedded document of the lesson two_body.
+    static QByteArray embedded(const QString &name)
     {
-        QFile embedded(":/documents/two_body/" + name);
-        QVERIFY(embedded.open(QIODevice::ReadOnly));
-        const QByteArray text = embedded.readAll();
+        QFile file(":/documents/two_body/" + name);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+
+    /// Saves a document as an editor does: in another file first.
+    void write(const QByteArray &text, const QString &name) const
+    {
         QSaveFile file(folder.filePath("two_body/" + name));
         QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(title + text.mid(text.indexOf('\n')));
+        file.write(text);
         QVERIFY(file.commit());
+    }
+
+    /// Saves the document of the step two_body/mutual with another title.
+    void save(const QByteArray &title, const QString &name = "mutual.md") const
+    {
+        const QByteArray text = embedded(name);
+        write(title + text.mid(text.indexOf('\n')), name);
     }
 
     const lessons::Step &step() const { return *library.lesson("two_body")->step("mutual"); }
@@ -52,6 +63,8 @@ private slots:
     void theLanguageOfTheWindowIsShown();
     void aChangeIsFollowedAndTheRunStays();
     void aMistakeIsToldAndTheLastGoodTextStays();
+    void theQuestionsOfALessonAreFollowed();
+    void whatConceptsRestOnIsChecked();
     void withoutAFolderNothingChanges();
 };
 
@@ -110,6 +123,45 @@ void LessonDocumentsTest::aMistakeIsToldAndTheLastGoodTextStays()
     lessons.save("# Two");
     QTRY_VERIFY(told.isEmpty());
     QCOMPARE(lessons.step().title, QString("Two"));
+}
+
+void LessonDocumentsTest::theQuestionsOfALessonAreFollowed()
+{
+    DocumentFolder lessons;
+    const QByteArray questions = DocumentFolder::embedded("recall.md");
+    lessons.save("# One", "recall.md");
+    LessonDocuments documents(lessons.library, lessons.folder.path());
+    const lessons::Recall &recall = lessons.library.lesson("two_body")->recall;
+    QCOMPARE(recall.title, QString("One"));
+    const std::size_t count = recall.questions.size();
+    QVERIFY(count >= 3);
+    lessons.write(QByteArray(questions).replace("- until: ", "- until: tail.x > 0 and "), "recall.md");
+    QTRY_VERIFY(documents.mistake().contains("two_body/recall.md, line "));
+    QVERIFY2(documents.mistake().contains("tail"), qPrintable(documents.mistake()));
+    QCOMPARE(recall.title, QString("One")); // the last good text stays
+    lessons.write(questions, "recall.md");
+    QTRY_VERIFY(documents.mistake().isEmpty());
+    QVERIFY(recall.title != "One");
+    QCOMPARE(recall.questions.size(), count);
+}
+
+void LessonDocumentsTest::whatConceptsRestOnIsChecked()
+{
+    DocumentFolder lessons;
+    const QByteArray text = DocumentFolder::embedded("mutual.md");
+    const QByteArray wrong =
+        "## Concept: Too early {#too_early}\n\nRests on: gravity\n\nIt cannot be.\n\n## Why:";
+    QByteArray broken = text;
+    const qsizetype place = text.indexOf("## Why:");
+    QVERIFY(place > 0);
+    lessons.write(broken.replace(place, 7, wrong), "mutual.md");
+    LessonDocuments documents(lessons.library, lessons.folder.path());
+    const int line = static_cast<int>(text.left(place).count('\n')) + 1;
+    QVERIFY2(documents.mistake().contains(QStringLiteral("mutual.md, line %1: ").arg(line)),
+             qPrintable(documents.mistake()));
+    QVERIFY(documents.mistake().contains("comes later"));
+    lessons.write(text, "mutual.md");
+    QTRY_VERIFY(documents.mistake().isEmpty());
 }
 
 void LessonDocumentsTest::withoutAFolderNothingChanges()
