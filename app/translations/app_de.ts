@@ -762,6 +762,29 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>ConceptMapText</name>
+    <message>
+        <source>the id “%1” is that of a concept in %2, too. Choose another one.</source>
+        <translation>Die id „%1“ hat auch ein Begriff in %2. Nimm eine andere.</translation>
+    </message>
+    <message>
+        <source>the concept “%1” rests on “%2”, which no step explains. Use the id of a concept, or remove it.</source>
+        <translation>Der Begriff „%1“ beruht auf „%2“, den kein Schritt erklärt. Nimm die id eines Begriffs oder entferne sie.</translation>
+    </message>
+    <message>
+        <source>the concept “%1” rests on “%2”, which comes later, in %3. Move one of them, or remove the id.</source>
+        <translation>Der Begriff „%1“ beruht auf „%2“, der erst später kommt, in %3. Verschieb einen der beiden oder entferne die id.</translation>
+    </message>
+    <message>
+        <source>the concept “%1” rests on itself. Remove its id from “Rests on”.</source>
+        <translation>Der Begriff „%1“ beruht auf sich selbst. Entferne seine id aus „Rests on“.</translation>
+    </message>
+    <message>
+        <source>the concept “%1” rests on one that rests on it. Remove one of the two ids.</source>
+        <translation>Der Begriff „%1“ beruht auf einem, der auf ihm beruht. Entferne eine der beiden ids.</translation>
+    </message>
+</context>
+<context>
     <name>ConditionNamesText</name>
     <message>
         <source>Character %1: %2</source>
@@ -801,6 +824,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1 is a number, without members.</source>
         <translation>%1 ist eine Zahl und hat keine Teile.</translation>
+    </message>
+    <message>
+        <source>distance needs two bodies with a comma between them, as in %1.</source>
+        <translation>distance braucht zwei Körper mit einem Komma dazwischen wie in %1.</translation>
+    </message>
+    <message>
+        <source>the name of a body is missing here, as in %1.</source>
+        <translation>hier fehlt der Name eines Körpers wie in %1.</translation>
     </message>
 </context>
 <context>
@@ -872,6 +903,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1 needs parentheses around its number, as in %1(%2.vy).</source>
         <translation>%1 braucht Klammern um seine Zahl, wie in %1(%2.vy).</translation>
+    </message>
+    <message>
+        <source>a comma can stand only between two bodies, as in distance(%1, %2); write numbers with a point.</source>
+        <translation>ein Komma kann nur zwischen zwei Körpern stehen wie in distance(%1, %2); schreib Zahlen mit Punkt.</translation>
     </message>
 </context>
 <context>
@@ -1634,6 +1669,22 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>The run as a video, an animated GIF or a PNG for each frame</source>
         <translation>Der Lauf als Video, als animiertes GIF oder als ein PNG für jedes Bild</translation>
     </message>
+    <message>
+        <source>&amp;Keep in gallery</source>
+        <translation>In der Ga&amp;lerie behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Gallery…</source>
+        <translation>&amp;Galerie …</translation>
+    </message>
+    <message>
+        <source>Keep the experiment with a picture, without choosing a file</source>
+        <translation>Das Experiment mit einem Bild behalten, ohne eine Datei zu wählen</translation>
+    </message>
+    <message>
+        <source>What you keep: open, rename or remove it</source>
+        <translation>Was du behältst: öffnen, umbenennen oder entfernen</translation>
+    </message>
 </context>
 <context>
     <name>FilmFileText</name>
@@ -2279,6 +2330,45 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>Version, licence and libraries</source>
         <translation>Version, Lizenz und Bibliotheken</translation>
     </message>
+    <message>
+        <source>&amp;Map of concepts</source>
+        <translation>&amp;Karte der Begriffe</translation>
+    </message>
+    <message>
+        <source>The concepts of all lessons: what rests on what, and what you know</source>
+        <translation>Die Begriffe aller Lektionen: was worauf beruht und was du schon weißt</translation>
+    </message>
+</context>
+<context>
+    <name>Highlights</name>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 px/frame</source>
+        <translation>%1 px/Bild</translation>
+    </message>
+    <message>
+        <source>the arrow from %1 to %2</source>
+        <translation>der Pfeil von %1 zu %2</translation>
+    </message>
+    <message>
+        <source>x from %1 to %2</source>
+        <translation>x von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>y from %1 to %2</source>
+        <translation>y von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>the velocity of %1</source>
+        <translation>die Geschwindigkeit von %1</translation>
+    </message>
+    <message>
+        <source>the circle around %1</source>
+        <translation>der Kreis um %1</translation>
+    </message>
 </context>
 <context>
     <name>HudText</name>
@@ -2526,6 +2616,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>none</source>
         <translation>keine</translation>
     </message>
+    <message>
+        <source>its project could not be read (%1)</source>
+        <translation>ihr Projekt konnte nicht gelesen werden (%1)</translation>
+    </message>
+    <message>
+        <source>its questions could not be read (%1)</source>
+        <translation>ihre Fragen konnten nicht gelesen werden (%1)</translation>
+    </message>
 </context>
 <context>
     <name>LessonsText</name>
@@ -2753,6 +2851,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>Between whole numbers, &apos;/&apos; drops the fraction: this is %1.</source>
         <translation>Zwischen ganzen Zahlen lässt &apos;/&apos; den Rest weg: Das ist %1.</translation>
+    </message>
+    <message>
+        <source>An &apos;int&apos; keeps no fraction, and this value may have one.</source>
+        <translation>Ein &apos;int&apos; behält keine Nachkommastellen, und dieser Wert kann welche haben.</translation>
+    </message>
+    <message>
+        <source>Write %1, or round down with %2.</source>
+        <translation>Schreibe %1, oder runde mit %2 ab.</translation>
     </message>
     <message>
         <source>A value is missing at the end of this line.</source>
@@ -3234,6 +3340,123 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>PlacePicker</name>
+    <message>
+        <source>your place, %1 away</source>
+        <translation>dein Ort, %1 daneben</translation>
+    </message>
+    <message>
+        <source>Your cross is at %1, %2</source>
+        <translation>Dein Kreuz ist bei %1; %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 away from the true place %3, %4</source>
+        <translation>%1, %2 entfernt vom wahren Ort %3; %4</translation>
+    </message>
+</context>
+<context>
+    <name>PredictionText</name>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>exactly as you said</source>
+        <translation>genau wie du gesagt hast</translation>
+    </message>
+    <message>
+        <source>you said %1 too much</source>
+        <translation>du hast %1 zu viel gesagt</translation>
+    </message>
+    <message>
+        <source>you said %1 too little</source>
+        <translation>du hast %1 zu wenig gesagt</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1; %2</translation>
+    </message>
+    <message>
+        <source>curve %1</source>
+        <translation>Kurve %1</translation>
+    </message>
+    <message>
+        <source>You said **%1**. It is **%2**: %3&#x202f;px away.</source>
+        <translation>Du hast gesagt: **%1**. Es ist **%2**, das ist %3&#x202f;px daneben.</translation>
+    </message>
+    <message>
+        <source>You said **%1**. It is **%2**: %3.</source>
+        <translation>Du hast gesagt: **%1**. Es sind **%2**: %3.</translation>
+    </message>
+    <message>
+        <source>You said **%1**, and so it is.</source>
+        <translation>Du hast gesagt: **%1**. So ist es.</translation>
+    </message>
+    <message>
+        <source>You said **%1**. It is **%2**.</source>
+        <translation>Du hast gesagt: **%1**. Es ist **%2**.</translation>
+    </message>
+    <message>
+        <source>from %1 to %2, at most %3, at least %4</source>
+        <translation>von %1 bis %2, höchstens %3, mindestens %4</translation>
+    </message>
+</context>
+<context>
+    <name>ProjectJudge</name>
+    <message>
+        <source>Not yet: the run does not use what you have written. Mend its mistakes first.</source>
+        <translation>Noch nicht: Der Lauf benutzt nicht, was du geschrieben hast. Behebe zuerst die Fehler darin.</translation>
+    </message>
+    <message>
+        <source>Not yet: this level needs %1. Switch it on.</source>
+        <translation>Noch nicht: Diese Stufe braucht %1. Schalte es ein.</translation>
+    </message>
+    <message>
+        <source>Not yet: your scene has no body %1, which this level is about. Undo, or start again.</source>
+        <translation>Noch nicht: In deiner Szene fehlt der Körper %1, um den es in dieser Stufe geht. Mach es rückgängig, oder beginne neu.</translation>
+    </message>
+    <message>
+        <source>Not yet: this level asks you to leave %1 at %2.</source>
+        <translation>Noch nicht: In dieser Stufe bleibt %1 auf %2.</translation>
+    </message>
+    <message>
+        <source>Not yet: this level asks you to leave %1 as it was: place, speed, mass and size. Undo, or start again.</source>
+        <translation>Noch nicht: In dieser Stufe bleibt %1, wie es war: Ort, Tempo, Masse und Größe. Mach es rückgängig, oder beginne neu.</translation>
+    </message>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 ist %2</translation>
+    </message>
+    <message>
+        <source>Not yet: the run stops in frame %1. %2</source>
+        <translation>Noch nicht: Der Lauf endet in Bild %1. %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Not yet: at the start, this does not hold: %1.</source>
+        <translation>Noch nicht: Am Anfang gilt dies nicht: %1.</translation>
+    </message>
+    <message>
+        <source>Not yet: in frame %1, this does not hold: %2.</source>
+        <translation>Noch nicht: In Bild %1 gilt dies nicht: %2.</translation>
+    </message>
+    <message>
+        <source>Not yet: up to frame %1, this never happens: %2.</source>
+        <translation>Noch nicht: Bis Bild %1 geschieht dies nie: %2.</translation>
+    </message>
+    <message>
+        <source>Not yet: at the end, in frame %1, this does not hold: %2.</source>
+        <translation>Noch nicht: Am Ende, in Bild %1, gilt dies nicht: %2.</translation>
+    </message>
+    <message>
+        <source>Not yet: %1</source>
+        <translation>Noch nicht: %1</translation>
+    </message>
+</context>
+<context>
     <name>PropertyRangesText</name>
     <message>
         <source>x</source>
@@ -3696,6 +3919,29 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>Stopped at frame %1. %2</source>
         <translation>Angehalten bei Bild %1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>RunSetupText</name>
+    <message>
+        <source>%1 cannot be %2. It can be: %3.</source>
+        <translation>%1 kann nicht %2 sein. Möglich ist: %3.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2. It can be a number from %3 to %4.</source>
+        <translation>%1 kann nicht %2 sein. Möglich ist eine Zahl von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>There is no body %1 here; there are %2.</source>
+        <translation>Hier gibt es keinen Körper %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>There is no parameter %1 here; there are %2.</source>
+        <translation>Hier gibt es keinen Parameter %1; es gibt %2.</translation>
+    </message>
+    <message>
+        <source>There is no method %1.</source>
+        <translation>Es gibt kein Verfahren %1.</translation>
     </message>
 </context>
 <context>
@@ -4212,6 +4458,51 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>UnitCircle</name>
+    <message>
+        <source>The arrow has no length,</source>
+        <translation>Der Pfeil hat keine Länge,</translation>
+    </message>
+    <message>
+        <source>so it has no direction.</source>
+        <translation>also hat er keine Richtung.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 / %3 = %4</source>
+        <extracomment>cosine = 40 / 50 = 0.8</extracomment>
+        <translation>%1 = %2 / %3 = %4</translation>
+    </message>
+    <message>
+        <source>angle = %1° = %2 rad</source>
+        <translation>Winkel = %1° = %2 rad</translation>
+    </message>
+    <message>
+        <source>cosine</source>
+        <translation>Kosinus</translation>
+    </message>
+    <message>
+        <source>the side beside the angle</source>
+        <translation>die Seite am Winkel</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>the side opposite the angle</source>
+        <translation>die Seite gegenüber vom Winkel</translation>
+    </message>
+    <message>
+        <source>%1² + %2² = 1</source>
+        <extracomment>Pythagoras: 0.8² + 0.6² = 1</extracomment>
+        <translation>%1² + %2² = 1</translation>
+    </message>
+    <message>
+        <source>y points down: a sine above 0 is down</source>
+        <translation>y zeigt nach unten: Sinus über 0 ist unten</translation>
+    </message>
+</context>
+<context>
     <name>VerbsText</name>
     <message>
         <source>Prints the result as JSON.</source>
@@ -4480,6 +4771,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>&amp;Reset</source>
         <translation>&amp;Zurücksetzen</translation>
     </message>
+    <message>
+        <source>Unit circle</source>
+        <translation>Einheitskreis</translation>
+    </message>
+    <message>
+        <source>Show the angle of an arrow, its cosine and its sine on a circle</source>
+        <translation>Zeigt den Winkel eines Pfeils, seinen Kosinus und seinen Sinus an einem Kreis</translation>
+    </message>
 </context>
 <context>
     <name>WebmFileText</name>
@@ -4682,6 +4981,13 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>app::Appearance</name>
+    <message>
+        <source>This step shows no angle.</source>
+        <translation>Dieser Schritt zeigt keinen Winkel.</translation>
+    </message>
+</context>
+<context>
     <name>app::ArrangeMenu</name>
     <message>
         <source>A&amp;rrange panels</source>
@@ -4782,11 +5088,11 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>Stops the run as soon as this is true, even inside a frame.
 You can use x, y, vx, vy of bodies, frame, phase, and all parameters;
-+ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt(), distance(a, b), speed(a).
 Press Enter to add it.</source>
         <translation>Hält den Lauf an, sobald das wahr ist, auch innerhalb eines Bildes.
 Du kannst x, y, vx, vy von Körpern, frame, phase und alle Parameter verwenden;
-+ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt().
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt(), distance(a, b), speed(a).
 Drück Eingabe, um es hinzuzufügen.</translation>
     </message>
     <message>
@@ -5014,6 +5320,21 @@ Drück Eingabe, um es hinzuzufügen.</translation>
     <message>
         <source>A rule link has no settings: pull of your rule acts on both of its ends.</source>
         <translation>Eine Regelverbindung hat keine Einstellungen: pull deiner Regel wirkt auf ihre beiden Enden.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ChoiceRow</name>
+    <message>
+        <source>Choose this answer (Space)</source>
+        <translation>Diese Antwort wählen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, richtig</translation>
+    </message>
+    <message>
+        <source>%1, wrong</source>
+        <translation>%1, falsch</translation>
     </message>
 </context>
 <context>
@@ -5276,10 +5597,51 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::ConceptButton</name>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>can come next</source>
+        <translation>kann als Nächstes kommen</translation>
+    </message>
+    <message>
+        <source>for later</source>
+        <translation>für später</translation>
+    </message>
+    <message>
+        <source>Opens %1</source>
+        <translation>Öffnet %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::ConceptView</name>
+    <message>
+        <source>Map of concepts</source>
+        <translation>Karte der Begriffe</translation>
+    </message>
+</context>
+<context>
     <name>app::CursorPlot</name>
     <message>
         <source>%1. Under the mouse: %2</source>
         <translation>%1. Unter der Maus: %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::CurveButton</name>
+    <message>
+        <source>Choose this curve (%1)</source>
+        <translation>Diese Kurve wählen (%1)</translation>
+    </message>
+    <message>
+        <source>Curve %1: %2</source>
+        <translation>Kurve %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, right</source>
+        <translation>%1, richtig</translation>
     </message>
 </context>
 <context>
@@ -5901,6 +6263,139 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::Gallery</name>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>this is not an experiment of the gallery.</source>
+        <translation>das ist kein Experiment der Galerie.</translation>
+    </message>
+    <message>
+        <source>%1 The file was left alone.</source>
+        <translation>%1 Die Datei bleibt, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be written: %2. Check the folder %3.</source>
+        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Prüfe den Ordner %3.</translation>
+    </message>
+    <message>
+        <source>keep %1</source>
+        <translation>%1 behalten</translation>
+    </message>
+    <message>
+        <source>rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be removed: %2. Check the folder %3.</source>
+        <translation>%1: Die Datei ließ sich nicht entfernen: %2. Prüfe den Ordner %3.</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+</context>
+<context>
+    <name>app::GalleryDesk</name>
+    <message>
+        <source>Could not keep the experiment: %1</source>
+        <translation>Das Experiment ließ sich nicht behalten: %1</translation>
+    </message>
+    <message>
+        <source>Kept in the gallery as %1.</source>
+        <translation>In der Galerie als %1 behalten.</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>%1 is open. Undo brings back what was here.</source>
+        <translation>%1 ist offen. Rückgängig bringt zurück, was hier war.</translation>
+    </message>
+</context>
+<context>
+    <name>app::GalleryPage</name>
+    <message>
+        <source>Gallery</source>
+        <translation>Galerie</translation>
+    </message>
+    <message>
+        <source>Experiments that you keep</source>
+        <translation>Experimente, die du behältst</translation>
+    </message>
+    <message>
+        <source>Nothing is kept here yet. Build something, then press Keep this one: the gallery stores it with a picture.</source>
+        <translation>Hier ist noch nichts. Bau etwas, und drück dann „Dieses behalten“: Die Galerie bewahrt es mit einem Bild auf.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open the selected experiment (Return)</source>
+        <translation>Das gewählte Experiment öffnen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Give the selected experiment another title (F2)</source>
+        <translation>Dem gewählten Experiment einen anderen Titel geben (F2)</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected experiment from the gallery (Del)</source>
+        <translation>Das gewählte Experiment aus der Galerie entfernen (Entf)</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Keep this one</source>
+        <translation>Dieses behalten</translation>
+    </message>
+    <message>
+        <source>Keep the experiment that is open in the window</source>
+        <translation>Das Experiment behalten, das im Fenster offen ist</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the gallery (Esc)</source>
+        <translation>Die Galerie schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>%1, kept %2. Return opens it.</source>
+        <translation>%1, behalten %2. Eingabe öffnet es.</translation>
+    </message>
+    <message>
+        <source>There is nothing to undo</source>
+        <translation>Es gibt nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>%1 (Ctrl+Z)</source>
+        <translation>%1 (Strg+Z)</translation>
+    </message>
+</context>
+<context>
     <name>app::GlossaryPage</name>
     <message>
         <source>Glossary</source>
@@ -5998,6 +6493,29 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>×10 a frame</source>
         <translation>×10 pro Bild</translation>
+    </message>
+</context>
+<context>
+    <name>app::GuessBox</name>
+    <message>
+        <source>What do you expect?</source>
+        <translation>Was erwartest du?</translation>
+    </message>
+    <message>
+        <source>You said: %1</source>
+        <translation>Du hast gesagt: %1</translation>
+    </message>
+    <message>
+        <source>Choose what you expect</source>
+        <translation>Wähle, was du erwartest</translation>
+    </message>
+    <message>
+        <source>Hide the choices</source>
+        <translation>Antworten ausblenden</translation>
+    </message>
+    <message>
+        <source>**You said:** %1</source>
+        <translation>**Du hast gesagt:** %1</translation>
     </message>
 </context>
 <context>
@@ -6211,6 +6729,49 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::LevelBox</name>
+    <message>
+        <source>Judge it</source>
+        <translation>Beurteilen</translation>
+    </message>
+    <message>
+        <source>Runs your scene or your code, and says whether it passes</source>
+        <translation>Lässt deine Szene oder deinen Code laufen und sagt, ob die Stufe geschafft ist</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stops the judge</source>
+        <translation>Bricht die Beurteilung ab</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Tipp</translation>
+    </message>
+    <message>
+        <source>Shows or hides a hint</source>
+        <translation>Zeigt oder verbirgt einen Tipp</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1, passed</source>
+        <translation>%1, geschafft</translation>
+    </message>
+    <message>
+        <source>Judging: %1 % of the frames.</source>
+        <translation>Wird beurteilt: %1 % der Bilder.</translation>
+    </message>
+    <message>
+        <source>Passed: everything holds.</source>
+        <translation>Geschafft: Alles gilt.</translation>
+    </message>
+</context>
+<context>
     <name>app::LineStepper</name>
     <message>
         <source>Line %1 does not run in this frame, nor in the next one.</source>
@@ -6222,10 +6783,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Listing: the code that you can change</source>
         <translation>Listing: der Code, den du ändern kannst</translation>
-    </message>
-    <message>
-        <source>Type to change it; the run is computed again after a short pause. Tab indents, %1 completes a name, Esc leaves the editor.</source>
-        <translation>Tippe, um es zu ändern; nach einer kurzen Pause wird der Lauf neu berechnet. Tab rückt ein, %1 vervollständigt einen Namen, Esc verlässt den Editor.</translation>
     </message>
     <message>
         <source>Run to this line</source>
@@ -6281,7 +6838,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
     <message>
         <source>Type to change it; the run is computed again after a short pause. Tab indents, %1 completes a name, Esc leaves the editor.</source>
-        <translation>Tippe, um sie zu ändern; der Ablauf wird nach einer kurzen Pause neu berechnet. Tab rückt ein, %1 ergänzt einen Namen, Esc verlässt den Editor.</translation>
+        <translation>Tippe, um sie zu ändern; nach einer kurzen Pause wird der Lauf neu berechnet. Tab rückt ein, %1 vervollständigt einen Namen, Esc verlässt den Editor.</translation>
     </message>
     <message>
         <source>Delete rule</source>
@@ -6397,6 +6954,85 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>The panels are back in their original places.</source>
         <translation>Die Leisten stehen wieder an ihren ursprünglichen Plätzen.</translation>
     </message>
+    <message>
+        <source>There is no folder for the gallery</source>
+        <translation>Es gibt keinen Ordner für die Galerie</translation>
+    </message>
+    <message>
+        <source>These lessons have no concepts</source>
+        <translation>Diese Lektionen haben keine Begriffe</translation>
+    </message>
+</context>
+<context>
+    <name>app::MapPage</name>
+    <message>
+        <source>Map of concepts</source>
+        <translation>Karte der Begriffe</translation>
+    </message>
+    <message>
+        <source>What rests on what</source>
+        <translation>Was worauf beruht</translation>
+    </message>
+    <message>
+        <source>You know it</source>
+        <translation>Kennst du</translation>
+    </message>
+    <message>
+        <source>Can come next</source>
+        <translation>Kann als Nächstes kommen</translation>
+    </message>
+    <message>
+        <source>For later</source>
+        <translation>Für später</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Back to the open step (Esc)</source>
+        <translation>Zurück zum offenen Schritt (Esc)</translation>
+    </message>
+    <message>
+        <source>You know %1 of %2 concepts. Each rests on those above it that a line leads to.</source>
+        <translation>Du kennst %1 von %2 Begriffen. Jeder beruht auf denen über ihm, zu denen eine Linie führt.</translation>
+    </message>
+    <message>
+        <source>Go on: %1</source>
+        <translation>Weiter: %1</translation>
+    </message>
+    <message>
+        <source>Begin: %1</source>
+        <translation>Anfangen: %1</translation>
+    </message>
+    <message>
+        <source>Opens %1</source>
+        <translation>Öffnet %1</translation>
+    </message>
+    <message>
+        <source>you know it</source>
+        <translation>kennst du</translation>
+    </message>
+    <message>
+        <source>it can come next</source>
+        <translation>kann als Nächstes kommen</translation>
+    </message>
+    <message>
+        <source>for later</source>
+        <translation>für später</translation>
+    </message>
+    <message>
+        <source>Point at a concept to see what it rests on. A click, or **Enter**, opens its step. The arrow keys go from one to the next.</source>
+        <translation>Zeig auf einen Begriff, dann siehst du, worauf er beruht. Ein Klick oder die **Eingabetaste** öffnet seinen Schritt. Mit den Pfeiltasten kommst du vom einen zum nächsten.</translation>
+    </message>
+    <message>
+        <source>Rests on: %1.</source>
+        <translation>Beruht auf: %1.</translation>
+    </message>
+    <message>
+        <source>Leads to: %1.</source>
+        <translation>Führt zu: %1.</translation>
+    </message>
 </context>
 <context>
     <name>app::MeasurePanel</name>
@@ -6464,6 +7100,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Write it yourself</source>
         <translation>Schreib es selbst</translation>
+    </message>
+    <message>
+        <source>Predict, then play</source>
+        <translation>Erst vorhersagen, dann abspielen</translation>
+    </message>
+    <message>
+        <source>Predict first</source>
+        <translation>Erst vorhersagen</translation>
+    </message>
+    <message>
+        <source>Goes to a question about a run, at the end of the text</source>
+        <translation>Geht zu einer Frage über einen Lauf am Ende des Textes</translation>
     </message>
 </context>
 <context>
@@ -6809,6 +7457,108 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::PredictionBox</name>
+    <message>
+        <source>Fold this prediction</source>
+        <translation>Diese Vorhersage zuklappen</translation>
+    </message>
+    <message>
+        <source>Predict what happens</source>
+        <translation>Vorhersagen, was geschieht</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>Type your prediction. Enter plays the run.</source>
+        <translation>Tipp deine Vorhersage ein. Enter spielt den Lauf ab.</translation>
+    </message>
+    <message>
+        <source>Your prediction</source>
+        <translation>Deine Vorhersage</translation>
+    </message>
+    <message>
+        <source>Your prediction, %1</source>
+        <translation>Deine Vorhersage, %1</translation>
+    </message>
+    <message>
+        <source>Choose the place</source>
+        <translation>Ort wählen</translation>
+    </message>
+    <message>
+        <source>Shows how the run begins. Then click a place, or move the cross with the arrow keys.</source>
+        <translation>Zeigt, wie der Lauf beginnt. Klick dann einen Ort an oder bewege das Kreuz mit den Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Play it</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Predict again</source>
+        <translation>Neu vorhersagen</translation>
+    </message>
+    <message>
+        <source>Forgets this answer, so that you can give another one</source>
+        <translation>Vergisst diese Antwort, damit du eine andere geben kannst</translation>
+    </message>
+    <message>
+        <source>Watch the run. It stops by itself.</source>
+        <translation>Sieh dem Lauf zu. Er hält von selbst an.</translation>
+    </message>
+    <message>
+        <source>One moment …</source>
+        <translation>Einen Moment …</translation>
+    </message>
+    <message>
+        <source>The run was changed on the way. Play it again to see how it ends.</source>
+        <translation>Der Lauf wurde unterwegs geändert. Spiel ihn noch einmal ab, um zu sehen, wie er endet.</translation>
+    </message>
+    <message>
+        <source>Your cross is at **%1**.</source>
+        <translation>Dein Kreuz ist bei **%1**.</translation>
+    </message>
+    <message>
+        <source>Click in the scene, or move the cross with the arrow keys.</source>
+        <translation>Klick in die Szene oder bewege das Kreuz mit den Pfeiltasten.</translation>
+    </message>
+    <message>
+        <source>Move the cross</source>
+        <translation>Kreuz verschieben</translation>
+    </message>
+    <message>
+        <source>%1, predicted</source>
+        <translation>%1, vorhergesagt</translation>
+    </message>
+    <message>
+        <source>Plays the run, and compares it with your prediction. Undo brings your own run back.</source>
+        <translation>Spielt den Lauf ab und vergleicht ihn mit deiner Vorhersage. Rückgängig bringt deinen eigenen Lauf zurück.</translation>
+    </message>
+    <message>
+        <source>Predict first.</source>
+        <translation>Sag erst etwas vorher.</translation>
+    </message>
+</context>
+<context>
+    <name>app::PredictionDesk</name>
+    <message>
+        <source>Prediction</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>the prediction</source>
+        <translation>der Vorhersage</translation>
+    </message>
+    <message>
+        <source>prediction</source>
+        <translation>Vorhersage</translation>
+    </message>
+</context>
+<context>
     <name>app::Presentation</name>
     <message>
         <source>%1, %2</source>
@@ -6824,6 +7574,68 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1 Restarts this step.</source>
         <translation>%1 Startet diesen Schritt neu.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ProjectBox</name>
+    <message>
+        <source>Start</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Opens what you have built so far</source>
+        <translation>Öffnet, was du bisher gebaut hast</translation>
+    </message>
+    <message>
+        <source>Put away</source>
+        <translation>Weglegen</translation>
+    </message>
+    <message>
+        <source>Removes this project from here. What you built stays.</source>
+        <translation>Nimmt dieses Projekt von hier weg. Was du gebaut hast, bleibt.</translation>
+    </message>
+    <message>
+        <source>Fold the project</source>
+        <translation>Projekt einklappen</translation>
+    </message>
+    <message>
+        <source>Show the brief and the levels of the project</source>
+        <translation>Aufgabe und Stufen des Projekts zeigen</translation>
+    </message>
+    <message>
+        <source>Project: %1</source>
+        <translation>Projekt: %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>Levels that you have passed</source>
+        <translation>Stufen, die du geschafft hast</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Neu beginnen</translation>
+    </message>
+    <message>
+        <source>Opens the start scene of this project. Undo brings back what is there now.</source>
+        <translation>Öffnet die Anfangsszene dieses Projekts. Rückgängig bringt zurück, was jetzt da ist.</translation>
+    </message>
+</context>
+<context>
+    <name>app::ProjectDesk</name>
+    <message>
+        <source>Start “%1”</source>
+        <translation>„%1“ beginnen</translation>
+    </message>
+    <message>
+        <source>The start scene is open. Undo brings back what was here.</source>
+        <translation>Die Anfangsszene ist offen. Rückgängig bringt zurück, was hier war.</translation>
     </message>
 </context>
 <context>
@@ -6909,6 +7721,95 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1: %2 inside frame %3</source>
         <translation>%1: %2 innerhalb von Bild %3</translation>
+    </message>
+</context>
+<context>
+    <name>app::RecallBox</name>
+    <message>
+        <source>The question before</source>
+        <translation>Die Frage davor</translation>
+    </message>
+    <message>
+        <source>The next question</source>
+        <translation>Die nächste Frage</translation>
+    </message>
+    <message>
+        <source>Do it in the scene</source>
+        <translation>In der Szene machen</translation>
+    </message>
+    <message>
+        <source>Opens the scene. Your run of that step stays under “Runs”.</source>
+        <translation>Öffnet die Szene. Dein Lauf des Schritts bleibt unter „Läufe“.</translation>
+    </message>
+    <message>
+        <source>**Right.** %1</source>
+        <translation>**Richtig.** %1</translation>
+    </message>
+    <message>
+        <source>**Not this one.** %1</source>
+        <translation>**Diese nicht.** %1</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Noch einmal machen</translation>
+    </message>
+    <message>
+        <source>Question %1 of %2</source>
+        <translation>Frage %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::RecallDesk</name>
+    <message>
+        <source>There is no step %1.</source>
+        <translation>Es gibt keinen Schritt %1.</translation>
+    </message>
+    <message>
+        <source>Set the scene up</source>
+        <translation>Szene einrichten</translation>
+    </message>
+    <message>
+        <source>your run</source>
+        <translation>dein Lauf</translation>
+    </message>
+    <message>
+        <source>there is no step %1. Write “- step: lesson/step”.</source>
+        <translation>Es gibt keinen Schritt %1. Schreib „- step: lesson/step“.</translation>
+    </message>
+</context>
+<context>
+    <name>app::RecallPage</name>
+    <message>
+        <source>Do it in the scene</source>
+        <translation>In der Szene machen</translation>
+    </message>
+    <message>
+        <source>Set the scene up again</source>
+        <translation>Szene neu einrichten</translation>
+    </message>
+    <message>
+        <source>Begins the run again as it was when this question opened</source>
+        <translation>Beginnt den Lauf noch einmal so, wie er war, als sich die Frage öffnete</translation>
+    </message>
+    <message>
+        <source>Back to the questions</source>
+        <translation>Zurück zu den Fragen</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Back to the questions of the lesson. You can answer this one later.</source>
+        <translation>Zurück zu den Fragen der Lektion. Du kannst diese später beantworten.</translation>
+    </message>
+    <message>
+        <source>**Done** ✓</source>
+        <translation>**Geschafft** ✓</translation>
+    </message>
+    <message>
+        <source>Not done yet. Springstep sees it when you have done it.</source>
+        <translation>Noch nicht getan. Springstep merkt es, wenn du es gemacht hast.</translation>
     </message>
 </context>
 <context>
@@ -7793,6 +8694,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>This step has no listing.</source>
         <translation>Dieser Schritt hat kein Listing.</translation>
     </message>
+    <message>
+        <source>Unit circle</source>
+        <translation>Einheitskreis</translation>
+    </message>
 </context>
 <context>
     <name>app::SceneCard</name>
@@ -7838,6 +8743,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Preview of frame %1.</source>
         <translation>Vorschau von Bild %1.</translation>
+    </message>
+    <message>
+        <source>The formula is about: %1</source>
+        <translation>Die Formel handelt von: %1</translation>
     </message>
 </context>
 <context>
@@ -8130,6 +9039,10 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>Still to write: %1</source>
         <translation>Noch zu schreiben: %1</translation>
     </message>
+    <message>
+        <source>Predicted: %1 %2</source>
+        <translation>Vorhergesagt: %1 %2</translation>
+    </message>
 </context>
 <context>
     <name>app::TaskBox</name>
@@ -8403,6 +9316,13 @@ Klicken, um bis dorthin zu laufen.</translation>
     </message>
 </context>
 <context>
+    <name>app::UnitCircle</name>
+    <message>
+        <source>Unit circle</source>
+        <translation>Einheitskreis</translation>
+    </message>
+</context>
+<context>
     <name>app::UserInput</name>
     <message>
         <source>your hand</source>
@@ -8454,6 +9374,13 @@ Klicken, um bis dorthin zu laufen.</translation>
     <message>
         <source>folded</source>
         <translation>zugeklappt</translation>
+    </message>
+</context>
+<context>
+    <name>app::WhyText</name>
+    <message>
+        <source>Click the line to keep the marks.</source>
+        <translation>Klick die Zeile an, damit die Marken bleiben.</translation>
     </message>
 </context>
 <context>

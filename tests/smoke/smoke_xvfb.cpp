@@ -104,6 +104,7 @@ class SmokeTest : public QObject
 private slots:
     void theProgramOpensItsWindow();
     void theTourIsClosedByAKey();
+    void theMapThatFollowsIsClosedByAKey();
     void aKeyPlaysAndPauses();
     void theFootIsDraggedWithTheMouse();
     void aParameterIsTyped();
@@ -144,6 +145,20 @@ void SmokeTest::theProgramOpensItsWindow()
 void SmokeTest::theTourIsClosedByAKey()
 {
     QVERIFY(keyChangesScreen("Escape"));
+    QVERIFY(isStill());
+}
+
+void SmokeTest::theMapThatFollowsIsClosedByAKey()
+{
+    QString map;
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !(map = xdotool({"search", "--onlyvisible", "--name", "Map of concepts"}).section('\n', 0, 0))
+             .isEmpty(),
+        mostMilliseconds);
+    xdotool({"windowfocus", "--sync", map});
+    QVERIFY(isStill());
+    QVERIFY(keyChangesScreen("Escape"));
+    xdotool({"windowfocus", "--sync", m_window}); // there is no window manager that does it
     QVERIFY(isStill());
 }
 

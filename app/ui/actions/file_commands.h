@@ -20,6 +20,8 @@ public:
     Command *recover; ///< lists scenes that were not saved
     Command *save;
     Command *saveAs;
+    Command *keep;    ///< puts the experiment into the gallery
+    Command *gallery; ///< shows the gallery
     Command *exportPicture;
     Command *exportFilm;
     Command *quit;

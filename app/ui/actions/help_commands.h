@@ -18,6 +18,7 @@ public:
     Command *keys;
     Command *hint;
     Command *glossary;
+    Command *map;
     Command *tour;
     Command *about;
 };

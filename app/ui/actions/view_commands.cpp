@@ -24,6 +24,7 @@ ViewCommands::ViewCommands(CommandList &list)
       zoomOut(list.add(tr("Zoom &out"), {QKeySequence("Ctrl+-")}, KeyGroup::picture)),
       fit(list.add(tr("&Fit the scene"), {QKeySequence("Ctrl+0"), QKeySequence("0")}, KeyGroup::picture)),
       nextOutside(list.add(tr("Ne&xt body outside"), {QKeySequence("O")}, KeyGroup::picture)),
+      unitCircle(named(list.add(tr("Unit circle"), {QKeySequence("U")}, KeyGroup::picture), "unitCircle")),
       lessons(named(list.add(tr("&Lessons"), {QKeySequence("Ctrl+1")}, inWindow), "showLessons")),
       lessonRail(named(list.add(tr("Lessons &as a narrow strip"), {QKeySequence("Ctrl+Shift+1")}, inWindow),
                        "lessonRail")),
@@ -49,6 +50,7 @@ ViewCommands::ViewCommands(CommandList &list)
     fit->setIconName("fit");
     fit->setHelp(tr("Show the whole scene with all bodies, and keep them in view"));
     nextOutside->setHelp(tr("Bring a body that is outside the picture into view"));
+    unitCircle->setHelp(tr("Show the angle of an arrow, its cosine and its sine on a circle"));
     lessons->setIconName("panel-left");
     lessonRail->setHelp(tr("Show only the symbols of the lessons, to save space"));
     codeAndParameters->setIconName("panel-right");
@@ -62,7 +64,7 @@ ViewCommands::ViewCommands(CommandList &list)
     sceneOnly->setHelp(tr("Show only the scene and its timeline. Press again to bring the panels back"));
     for (Command *command :
          {learn, measure, build, lessons, lessonRail, codeAndParameters, energy, effects, plots, stability,
-          unlockPanels, dark, highContrast, lessMotion, sceneOnly, fullScreen})
+          unitCircle, unlockPanels, dark, highContrast, lessMotion, sceneOnly, fullScreen})
         command->setCheckable(true);
 }
 

@@ -27,6 +27,7 @@ public:
     Command *zoomOut;
     Command *fit;
     Command *nextOutside;
+    Command *unitCircle;
     Command *lessons;
     Command *lessonRail;
     Command *codeAndParameters;

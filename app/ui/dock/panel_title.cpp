@@ -71,7 +71,8 @@ void PanelTitle::fitCaption()
 {
     const QFontMetrics metrics = m_caption->fontMetrics();
     QString fitting = metrics.elidedText(m_captionText, Qt::ElideRight, m_caption->width());
-    if (fitting != m_captionText && m_tabs && !m_tabs->isHidden())
+    const bool hasTabs = m_tabs && !m_tabs->isHidden();
+    if (fitting != m_captionText && (hasTabs || !m_shortCaption.isEmpty()))
         fitting =
             metrics.horizontalAdvance(m_shortCaption) <= m_caption->width() ? m_shortCaption : QString();
     m_caption->setText(fitting);

@@ -24,7 +24,8 @@ public:
     void setTitle(const QString &title);
     QString caption() const;
     void setCaption(const QString &caption);
-    /// Sets what is shown beside tabs if there is no room for the caption. If that does not fit either, nothing is.
+    /// Sets what is shown if there is no room for the caption. If that does not fit either, nothing is. Beside tabs nothing is
+    /// shown without it, and elsewhere a part of the caption.
     void setShortCaption(const QString &caption);
     /// Adds tabs behind the title.
     void addTabs(QWidget *tabs);

@@ -1,12 +1,16 @@
 #include "app/ui/learn/learn_panel.h"
 
+#include "app/model/learning/project_desk.h"
+#include "app/model/learning/recall_desk.h"
 #include "app/ui/actions/command.h"
+#include "app/ui/actions/command_button.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/learn/lesson_delegate.h"
 #include "app/ui/learn/lesson_list.h"
 #include "app/ui/learn/lesson_model.h"
 #include "app/ui/learn/lesson_rail.h"
 #include "app/ui/learn/narration.h"
+#include "app/ui/learn/recall_page.h"
 #include "app/ui/learn/summary_page.h"
 #include "app/ui/learn/word_card.h"
 
@@ -24,6 +28,7 @@ namespace {
 
 constexpr int leastRows = 2;       ///< list rows that stay visible with a long text, with the open step
 constexpr int summaryHeight = 400; ///< px, preferred height of a summary; it scrolls
+constexpr int recallHeight = 520;  ///< px, the same with questions
 constexpr int topMargin = 4;
 constexpr int listMargin = 8;
 
@@ -35,13 +40,19 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
       m_list(new LessonList(session, theme, this)),
       m_narration(new Narration(session, m_glossary, theme, this)),
       m_summary(new SummaryPage(session, theme, this)), m_rail(new LessonRail(theme, this)),
-      m_fold(new QToolButton(m_title)), m_unfold(new QToolButton(m_title)), m_divider(new QFrame(this)),
-      m_card(new WordCard(m_glossary, theme, this))
+      m_map(new QToolButton(m_title)), m_fold(new QToolButton(m_title)), m_unfold(new QToolButton(m_title)),
+      m_divider(new QFrame(this)), m_card(new WordCard(m_glossary, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
     m_divider->setObjectName("divider");
     m_divider->setFixedHeight(1);
+    m_map->setObjectName("map");
+    m_map->setFixedSize(28, 28);
+    m_map->setIconSize({16, 16});
+    m_map->setFocusPolicy(Qt::TabFocus);
+    m_map->hide(); // until it has a command
+    m_title->addAction(m_map);
     m_title->addAction(m_unfold);
     m_title->addAction(m_fold);
     auto *column = new QVBoxLayout(this);
@@ -61,6 +72,8 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     m_rail->setVisible(false);
     makeUnfold();
     makeFold();
+    makeRecall();
+    makeProject();
     session.onChange(ChangeKind::step, this, [this] { showSummary(false); });
     connect(m_list, &LessonList::contentHeightChanged, this, &LearnPanel::shareHeight);
     connect(m_list->model(), &QAbstractItemModel::dataChanged, this, &LearnPanel::showCount);
@@ -70,6 +83,47 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     showCount();
     updateRail();
     shareHeight();
+}
+
+void LearnPanel::makeRecall()
+{
+    m_recallDesk = new RecallDesk(m_session, this);
+    m_summary->addRecall(*m_recallDesk);
+    m_recall = new RecallPage(*m_recallDesk, m_theme, this);
+    m_recall->hide();
+    auto *column = static_cast<QVBoxLayout *>(layout());
+    column->insertWidget(column->indexOf(m_summary) + 1, m_recall, 1);
+    connect(m_recallDesk, &RecallDesk::changed, this, &LearnPanel::showPages);
+    connect(m_recall, &RecallPage::closed, this, &LearnPanel::leaveRecall);
+}
+
+void LearnPanel::leaveRecall()
+{
+    const LessonEntry *lesson = m_recallDesk->lesson();
+    if (!lesson)
+        return;
+    m_recallDesk->stop();
+    m_session.openStep(lesson->id, lesson->steps.back().id);
+    showSummary(true);
+}
+
+void LearnPanel::setMapCommand(Command &command)
+{
+    showCommand(*m_map, command, m_theme);
+    m_map->show();
+}
+
+void LearnPanel::makeProject()
+{
+    m_projects = new ProjectDesk(m_session, this);
+    m_summary->addProject(*m_projects);
+    connect(m_projects, &ProjectDesk::opened, this, [this] {
+        if (m_session.isSandbox())
+            return;
+        setForm(Form::whole); // the brief stays beside the scene
+        showSummary(true);
+        m_summary->showProject();
+    });
 }
 
 void LearnPanel::makeFold()
@@ -171,8 +225,10 @@ void LearnPanel::showSummary(bool shown)
 void LearnPanel::showPages()
 {
     const bool hasPage = m_form == Form::whole && !m_unfold->isChecked();
-    m_narration->setVisible(hasPage && !m_isSummary);
-    m_summary->setVisible(hasPage && m_isSummary);
+    const bool isRecall = m_recallDesk->question();
+    m_narration->setVisible(hasPage && !m_isSummary && !isRecall);
+    m_summary->setVisible(hasPage && m_isSummary && !isRecall);
+    m_recall->setVisible(hasPage && isRecall);
     shareHeight();
 }
 
@@ -198,6 +254,7 @@ void LearnPanel::goBack()
 void LearnPanel::showCount()
 {
     const LessonModel &lessons = m_list->lessons();
+    m_title->setShortCaption(QStringLiteral("%1/%2").arg(lessons.stepsDone()).arg(lessons.stepCount()));
     m_title->setCaption(tr("%1 of %2 steps").arg(lessons.stepsDone()).arg(lessons.stepCount()));
 }
 
@@ -218,8 +275,10 @@ void LearnPanel::shareHeight()
         m_list->showOpen();
         return;
     }
-    const bool isSummary = m_isSummary;
-    const int full = isSummary ? summaryHeight : m_narration->fullHeight();
+    const bool isSummary = m_isSummary || m_recallDesk->question();
+    const int full = !isSummary                  ? m_narration->fullHeight()
+                     : m_summary->hasQuestions() ? recallHeight
+                                                 : summaryHeight;
     const int fewest = isSummary
                            ? m_summary->minimumSizeHint().height()
                            : std::max(m_narration->minimumSizeHint().height(), m_narration->leastHeight());

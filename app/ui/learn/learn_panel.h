@@ -10,10 +10,14 @@ class QToolButton;
 
 namespace app {
 
+class Command;
 class LessonList;
 class Narration;
 class LessonRail;
 class PanelTitle;
+class ProjectDesk;
+class RecallDesk;
+class RecallPage;
 class SummaryPage;
 class WordCard;
 
@@ -32,9 +36,12 @@ public:
     void setForm(Form form);
     /// Sets the keys for changing the form and for the previous and the next step, as the tooltips show them.
     void setKeys(const QKeySequence &form, const QKeySequence &back, const QKeySequence &next);
+    /// Shows the command that opens the map of concepts as a button above the list.
+    void setMapCommand(Command &command);
     Form form() const { return m_form; }
     const Glossary &glossary() const { return m_glossary; }
     Narration &narration() const { return *m_narration; }
+    ProjectDesk &projects() const { return *m_projects; }
     /// Shows the summary of the open lesson in place of the step's text, or the text again.
     void showSummary(bool shown);
     /// Goes to the next step. After the last step of a lesson comes its summary, and then the next lesson.
@@ -62,8 +69,11 @@ private:
     void shareRail();
     void updateRail();
     void makeFold();
+    void makeProject();
+    void makeRecall();
+    void leaveRecall();
     void makeUnfold();
-    /// Shows the step's text, the summary, or the full list in place of both.
+    /// Shows the step's text, the summary, the recall question of the scene, or the full list in place of them.
     void showPages();
     void showCount();
     void listen();
@@ -77,7 +87,11 @@ private:
     LessonList *m_list;
     Narration *m_narration;
     SummaryPage *m_summary;
+    ProjectDesk *m_projects = nullptr;
+    RecallDesk *m_recallDesk = nullptr;
+    RecallPage *m_recall = nullptr;
     LessonRail *m_rail;
+    QToolButton *m_map;
     QToolButton *m_fold;
     QToolButton *m_unfold; ///< checked: the full list replaces the text
     QWidget *m_divider;

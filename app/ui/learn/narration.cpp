@@ -3,6 +3,7 @@
 #include "app/model/text/glossary.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/prediction_box.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/step_button.h"
 #include "app/ui/learn/task_box.h"
@@ -14,6 +15,7 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -29,7 +31,7 @@ constexpr int titleHeight = 24;
 constexpr int headingHeight = 20;
 constexpr int belowText = 12;  ///< px above the tasks
 constexpr int belowWhys = 6;   ///< px: a question has some px below it already
-constexpr int leastText = 120; ///< px of text above the things to try; with less, these are scrolled, too
+constexpr int leastText = 200; ///< px of text above the things to try; with less, these are scrolled, too
 constexpr int leastTask = 240; ///< the same while the learner writes a task
 constexpr int todoMilliseconds =
     300; ///< between two updates of the missing tasks: faster changes cannot be read
@@ -37,7 +39,7 @@ constexpr int todoMilliseconds =
 }
 
 Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_desk(session)
+    : QWidget(parent), m_session(session), m_theme(theme), m_predictions(session), m_desk(session)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -63,6 +65,7 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
         m_area->verticalScrollBar()->setValue(scrolled);
     });
     connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
+    connect(&m_predictions, &PredictionDesk::changed, this, &Narration::showPredictions);
     connect(&m_desk, &TaskDesk::changed, this, &Narration::showTasks);
     connect(&session.progress(), &Progress::changed, this, &Narration::showTasks);
     m_todoDue.setSingleShot(true);
@@ -101,6 +104,13 @@ QWidget *Narration::makeText()
     column->addWidget(m_title);
     column->addSpacing(5);
     column->addWidget(m_text);
+    m_predictionHeading = new QLabel(tr("Predict, then play"), page);
+    m_predictionHeading->setObjectName("heading");
+    m_predictionHeading->setFixedHeight(headingHeight);
+    m_predictionColumn = new QVBoxLayout;
+    m_predictionColumn->setSpacing(0);
+    m_predictionColumn->addWidget(m_predictionHeading);
+    column->addLayout(m_predictionColumn);
     m_whyColumn = new QVBoxLayout;
     m_whyColumn->setSpacing(0);
     column->addLayout(m_whyColumn);
@@ -133,6 +143,18 @@ QWidget *Narration::makeTries()
     m_tryColumn = new QVBoxLayout(m_tryPage);
     m_tryColumn->setContentsMargins(18 - TryBox::left, 6, 18, 4);
     m_tryColumn->setSpacing(0);
+    m_toPredictions = new QToolButton(m_tryPage);
+    m_toPredictions->setObjectName("toPredictions");
+    m_toPredictions->setText(tr("Predict first"));
+    m_toPredictions->setToolTip(tr("Goes to a question about a run, at the end of the text"));
+    m_toPredictions->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_toPredictions->setIconSize({14, 14});
+    m_toPredictions->setFocusPolicy(Qt::TabFocus);
+    m_toPredictions->hide();
+    connect(m_area->verticalScrollBar(), &QScrollBar::valueChanged, this, &Narration::offerPredictions);
+    connect(m_area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &Narration::offerPredictions);
+    connect(m_toPredictions, &QToolButton::clicked, this, &Narration::goToPrediction);
+    m_tryColumn->addWidget(m_toPredictions, 0, Qt::AlignLeft);
     m_tryColumn->addWidget(m_heading);
     m_tryColumn->addSpacing(2);
     return m_tryPage;
@@ -168,6 +190,7 @@ void Narration::open()
     const lessons::Step &step = m_session.step();
     m_title->setText(step.title);
     m_text->setText(step.narration);
+    addPredictions();
     addWhys();
     addTasks();
     addTries();
@@ -191,17 +214,115 @@ void Narration::addTries()
         connect(m_tries.back(), &TryBox::hintToggled, this,
                 [this, number](bool shown) { remember(number, shown); });
         connect(m_tries.back(), &TryBox::answerToggled, this, &Narration::heightChanged);
+        connect(m_tries.back(), &TryBox::choicesToggled, this, &Narration::heightChanged);
+        connect(m_tries.back(), &TryBox::chosen, this,
+                [this, number](int chosen) { rememberChoice(number, chosen); });
+        if (const Note *note = m_session.notes().find(keyOfChoice(number)))
+            m_tries.back()->setChosen(note->said.toInt() - 1);
     }
     m_heading->setVisible(!m_tries.empty());
+}
+
+QString Narration::keyOfChoice(std::size_t number) const
+{
+    return Notes::keyOf(m_session.lesson().id, m_session.step().id, QStringLiteral("choice"),
+                        m_session.step().tries[number].id);
+}
+
+void Narration::rememberChoice(std::size_t number, int chosen)
+{
+    const int right = m_session.step().tries[number].choices.right;
+    m_session.notes().keep(keyOfChoice(number), {QStringLiteral("choice"), QString::number(chosen + 1),
+                                                 QString::number(right + 1), chosen == right});
+    emit heightChanged();
+}
+
+void Narration::addPredictions()
+{
+    qDeleteAll(m_predictionBoxes);
+    m_predictionBoxes.clear();
+    const PredictionBox *first = nullptr; // of those without an answer: it is unfolded
+    for (const lessons::Prediction &prediction : m_session.step().predictions) {
+        auto *box = new PredictionBox(m_predictions, prediction, m_theme, m_area->widget());
+        m_predictionBoxes.push_back(box);
+        m_predictionColumn->addWidget(box);
+        if (!first && m_predictions.sheet(prediction.id).stage != PredictionDesk::Stage::shown) {
+            first = box;
+            box->open();
+        }
+        connect(box, &PredictionBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
+    }
+    QTimer::singleShot(0, this, &Narration::offerPredictions); // once the layout is done
+    m_predictionHeading->setVisible(!m_predictionBoxes.empty());
+    m_predictionColumn->setContentsMargins(0, m_predictionBoxes.empty() ? 0 : belowText, 0, 0);
+}
+
+void Narration::showPredictions()
+{
+    bool changed = false;
+    PredictionBox *ended = nullptr; // its run was just played
+    for (PredictionBox *box : m_predictionBoxes) {
+        const bool wasActive = box->isActive();
+        changed = box->refresh() || changed;
+        if (wasActive && !box->isActive())
+            ended = box;
+    }
+    offerPredictions();
+    if (!changed)
+        return;
+    fitText();
+    emit heightChanged();
+    if (ended) // once the layout is done, its answer is in view
+        QTimer::singleShot(0, ended, [this, ended] { m_area->verticalScrollBar()->setValue(ended->y()); });
+    for (PredictionBox *box : m_predictionBoxes) {
+        if (box->isPicking())
+            scrollTo(box);
+    }
+}
+
+void Narration::scrollTo(QWidget *box)
+{
+    QTimer::singleShot(0, box, [this, box] {
+        QScrollBar &bar = *m_area->verticalScrollBar();
+        const int top = box->y(), end = top + box->height() - m_area->viewport()->height();
+        bar.setValue(std::max(end, std::min(top, bar.value())));
+    });
+}
+
+void Narration::offerPredictions()
+{
+    const QWidget *view = m_area->viewport();
+    bool isOpen = false, isInView = false;
+    for (const PredictionBox *box : m_predictionBoxes) {
+        if (m_predictions.sheet(box->id()).stage == PredictionDesk::Stage::shown)
+            continue;
+        const int top = box->mapTo(view, QPoint()).y();
+        isOpen = true;
+        isInView = isInView || (top >= 0 && top + headingHeight <= view->height());
+    }
+    m_toPredictions->setVisible(isOpen && !isInView);
+}
+
+void Narration::goToPrediction()
+{
+    for (PredictionBox *box : m_predictionBoxes) {
+        if (m_predictions.sheet(box->id()).stage == PredictionDesk::Stage::shown)
+            continue;
+        box->focusField();
+        scrollTo(box);
+        return;
+    }
 }
 
 void Narration::addWhys()
 {
     qDeleteAll(m_whys);
     m_whys.clear();
+    emit highlightsChanged({});
     for (const lessons::Why &why : m_session.step().explanation.whys) {
         m_whys.push_back(new WhyBox(why, m_theme, m_area->widget()));
         m_whyColumn->addWidget(m_whys.back());
+        connect(m_whys.back(), &WhyBox::highlightsChanged, this, &Narration::highlightsChanged);
         connect(m_whys.back(), &WhyBox::unfolded, this,
                 [this, box = m_whys.back()](bool open) { showUnfolded(box, open); });
     }
@@ -380,6 +501,7 @@ void Narration::showTodos()
 void Narration::applyTheme()
 {
     m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
+    m_toPredictions->setIcon(m_theme.icon("right", m_theme.tokens().ink2));
     showProgress();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/learning/prediction_desk.h"
 #include "app/model/listing/task_desk.h"
 #include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
@@ -14,12 +15,14 @@
 class QLabel;
 class QPushButton;
 class QScrollArea;
+class QToolButton;
 class QVBoxLayout;
 
 namespace app {
 
 class NarrationText;
 class Glossary;
+class PredictionBox;
 class StepButton;
 class TaskBox;
 class TryBox;
@@ -44,6 +47,8 @@ public:
     QString nextTip() const;
     /// Returns whether the learner writes a task of the open step, whose hints and judgement are here.
     bool isWriting() const { return m_desk.task(); }
+    /// Returns the predictions of the open step.
+    PredictionDesk &predictions() { return m_predictions; }
     /// Sets the height of the text area to the height of its text at the present width.
     void fitText();
     /// Returns the height that shows all of the text, the tasks and the buttons at this width, px.
@@ -61,6 +66,8 @@ signals:
     void listingRequested(int line);
     /// Emitted when a part is folded or unfolded, which changes the height.
     void heightChanged();
+    /// Emitted when a formula highlights other things. Empty: nothing.
+    void highlightsChanged(const std::vector<lessons::Highlight> &highlights);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -70,7 +77,16 @@ private:
     QWidget *makeTries();
     QWidget *makeButtons();
     void open();
+    void addPredictions();
+    void showPredictions();
+    /// Scrolls so that the whole box is in view, or at least its end, once the layout is done.
+    void scrollTo(QWidget *box);
+    void goToPrediction();
+    /// Shows the way to the predictions while one is open and none of them is in view.
+    void offerPredictions();
     void addTries();
+    void rememberChoice(std::size_t number, int chosen);
+    QString keyOfChoice(std::size_t number) const;
     void addWhys();
     void addTasks();
     void showTasks();
@@ -106,6 +122,11 @@ private:
     QLabel *m_heading = nullptr;
     QVBoxLayout *m_tryColumn = nullptr;
     std::vector<TryBox *> m_tries;
+    PredictionDesk m_predictions;
+    QToolButton *m_toPredictions = nullptr;
+    QLabel *m_predictionHeading = nullptr;
+    QVBoxLayout *m_predictionColumn = nullptr;
+    std::vector<PredictionBox *> m_predictionBoxes;
     QVBoxLayout *m_whyColumn = nullptr;
     std::vector<WhyBox *> m_whys;
     TaskDesk m_desk;

@@ -60,6 +60,7 @@ void NarrationText::applyTheme()
     setProse(*document(), m_text, m_kind == Kind::aside ? aside : style, m_theme);
     if (m_glossary)
         linkWords(*document(), *m_glossary, m_theme);
+    decorate();
     const bool links = document()->toHtml().contains("<a ");
     // Tab reaches this text only if it contains a link.
     setFocusPolicy(links ? Qt::StrongFocus : Qt::ClickFocus);

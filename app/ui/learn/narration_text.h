@@ -37,6 +37,10 @@ signals:
     /// in screen coordinates.
     void linkActivated(const QUrl &link, const QPoint &place);
 
+protected:
+    /// Called when the document has been filled again, for example with the colours of another theme.
+    virtual void decorate() {}
+
 private:
     void applyTheme();
     void follow(const QUrl &link);

@@ -1,12 +1,17 @@
 #include "app/ui/learn/summary_page.h"
 
+#include "app/model/learning/prediction_text.h"
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/project_box.h"
 #include "app/ui/learn/prose.h"
+#include "app/ui/learn/recall_box.h"
 #include "app/ui/learn/step_button.h"
 
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -42,6 +47,7 @@ SummaryPage::SummaryPage(Session &session, const Theme &theme, QWidget *parent)
     session.onChange(ChangeKind::step, this, &SummaryPage::open);
     session.onChange(ChangeKind::texts, this, &SummaryPage::refresh);
     connect(&session.progress(), &Progress::changed, this, &SummaryPage::refresh);
+    connect(&session.notes(), &Notes::changed, this, &SummaryPage::refresh);
     connect(&theme, &Theme::changed, this, &SummaryPage::applyTheme);
     open();
     applyTheme();
@@ -105,9 +111,45 @@ QWidget *SummaryPage::makeButtons()
     return buttons;
 }
 
+void SummaryPage::addRecall(RecallDesk &desk)
+{
+    QWidget *page = m_text->parentWidget();
+    m_desk = &desk;
+    m_recall = new RecallBox(desk, m_theme, page);
+    auto *column = static_cast<QVBoxLayout *>(page->layout());
+    column->insertWidget(1, m_recall);
+    m_session.onChange(ChangeKind::texts, m_recall, &RecallBox::refresh);
+    m_recall->setLesson(m_session.lesson());
+}
+
+bool SummaryPage::hasQuestions() const
+{
+    return m_recall && m_recall->count() > 0;
+}
+
+void SummaryPage::addProject(ProjectDesk &desk)
+{
+    QWidget *page = m_text->parentWidget();
+    m_project = new ProjectBox(m_session, desk, ProjectBox::Shows::lesson, m_theme, page);
+    auto *column = static_cast<QVBoxLayout *>(page->layout());
+    column->insertWidget(column->indexOf(m_text), m_project);
+}
+
+void SummaryPage::showProject()
+{
+    QTimer::singleShot(0, this, [this] { // after the layout is done
+        auto *area = findChild<QScrollArea *>();
+        if (m_project && area)
+            area->verticalScrollBar()->setValue(m_project->y());
+    });
+}
+
 void SummaryPage::open()
 {
     m_forgotten.clear();
+    if (m_recall &&
+        !m_desk->question()) // a question stays while it is answered in the scene of another lesson
+        m_recall->setLesson(m_session.lesson());
     refresh();
 }
 
@@ -154,6 +196,7 @@ QString SummaryPage::textOf(const LessonSummary &summary) const
                     .arg(linkTo(step.title, summary, step), isDone ? QStringLiteral(" ✓") : QString());
         if (!step.learnt.isEmpty())
             text << step.learnt;
+        text << predictionsOf(step.id);
         for (const QString &open : step.open)
             text << tr("Still to try: %1").arg(open);
         for (const QString &unwritten : step.unwritten)
@@ -162,6 +205,22 @@ QString SummaryPage::textOf(const LessonSummary &summary) const
     if (summary.next)
         text << tr("**Next: %1.** %2").arg(summary.next->title, summary.next->summary);
     return text.join(QStringLiteral("\n\n"));
+}
+
+QStringList SummaryPage::predictionsOf(const QString &stepId) const
+{
+    QStringList lines;
+    for (const lessons::Step &step : m_session.lesson().steps) {
+        if (step.id != stepId)
+            continue;
+        for (const lessons::Prediction &prediction : step.predictions) {
+            const QString outcome =
+                notedOutcome(m_session.notes(), m_session.lesson().id, step.id, prediction);
+            if (!outcome.isEmpty())
+                lines << tr("Predicted: %1 %2").arg(prediction.text, outcome);
+        }
+    }
+    return lines;
 }
 
 void SummaryPage::applyTheme()

@@ -13,6 +13,10 @@ class QToolButton;
 namespace app {
 
 class NarrationText;
+class ProjectBox;
+class ProjectDesk;
+class RecallBox;
+class RecallDesk;
 class StepButton;
 
 /// A page after the last step of a lesson: what the learner learnt, what is left to try, and what comes next.
@@ -22,6 +26,15 @@ class SummaryPage : public QWidget
 
 public:
     SummaryPage(Session &session, const Theme &theme, QWidget *parent = nullptr);
+
+    /// Adds the questions of the open lesson below the title. `desk` must outlive this object.
+    void addRecall(RecallDesk &desk);
+    /// Returns whether the open lesson has questions.
+    bool hasQuestions() const;
+    /// Adds the project of the open lesson above the list of its steps. `desk` must outlive this object.
+    void addProject(ProjectDesk &desk);
+    /// Scrolls to the project.
+    void showProject();
 
     QSize minimumSizeHint() const override { return {200, 160}; }
 
@@ -36,12 +49,17 @@ private:
     void refresh();
     void startOver();
     QString textOf(const LessonSummary &summary) const;
+    /// Returns what the learner predicted in a step, and what came out, in Markdown.
+    QStringList predictionsOf(const QString &stepId) const;
     void applyTheme();
 
     Session &m_session;
     const Theme &m_theme;
     QLabel *m_title = nullptr;
     NarrationText *m_text = nullptr;
+    RecallDesk *m_desk = nullptr;
+    RecallBox *m_recall = nullptr;
+    ProjectBox *m_project = nullptr;
     QToolButton *m_startOver = nullptr;
     QPushButton *m_back = nullptr;
     StepButton *m_next = nullptr;

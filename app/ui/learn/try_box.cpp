@@ -1,5 +1,6 @@
 #include "app/ui/learn/try_box.h"
 
+#include "app/ui/learn/guess_box.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/try_row.h"
@@ -28,6 +29,7 @@ TryBox::TryBox(const lessons::Try &what, const Theme &theme, QWidget *parent)
     column->setContentsMargins(left, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_row);
+    addGuess(what.choices);
     m_todo = addText("todoText", {});
     if (!what.hint.isEmpty())
         m_hint = addText("hintText", what.hint);
@@ -59,6 +61,25 @@ NarrationText *TryBox::addText(const QString &name, const QString &text)
     return made;
 }
 
+void TryBox::addGuess(const lessons::Choices &choices)
+{
+    if (choices.isEmpty())
+        return;
+    m_guess = new GuessBox(choices, m_theme, this);
+    auto *indented = new QVBoxLayout;
+    indented->setContentsMargins(hintLeft, 0, 0, 2);
+    indented->addWidget(m_guess);
+    static_cast<QVBoxLayout *>(layout())->addLayout(indented);
+    connect(m_guess, &GuessBox::chosen, this, &TryBox::chosen);
+    connect(m_guess, &GuessBox::unfolded, this, &TryBox::choicesToggled);
+}
+
+void TryBox::setChosen(int index)
+{
+    if (m_guess)
+        m_guess->setChosen(index);
+}
+
 void TryBox::press(bool shown)
 {
     if (isDone()) {
@@ -87,6 +108,8 @@ void TryBox::setDone(bool done)
     m_row->setDone(done);
     if (done)
         setTodo({});
+    if (m_guess)
+        m_guess->setDone(done);
     if (!m_button)
         return;
     const bool hasMore = done ? m_answer != nullptr : m_hint != nullptr;

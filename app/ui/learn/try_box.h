@@ -9,6 +9,7 @@ class QToolButton;
 
 namespace app {
 
+class GuessBox;
 class NarrationText;
 class TryRow;
 
@@ -34,20 +35,28 @@ public:
     bool hasHint() const;
     bool showsHint() const;
     void showHint(bool shown);
+    /// Shows what the learner chose as her answer, by its index; -1: nothing. Only with Try::choices.
+    void setChosen(int index);
 
 signals:
     /// Emitted when the learner asks for the hint, or hides it.
     void hintToggled(bool shown);
     /// Emitted when the learner asks for the answer, or hides it.
     void answerToggled(bool shown);
+    /// Emitted when the learner chooses an answer.
+    void chosen(int index);
+    /// Emitted when the choices are folded or unfolded.
+    void choicesToggled(bool shown);
 
 private:
     NarrationText *addText(const QString &name, const QString &text);
+    void addGuess(const lessons::Choices &choices);
     void press(bool shown);
     void applyTheme();
 
     const Theme &m_theme;
     TryRow *m_row;
+    GuessBox *m_guess = nullptr;     ///< null if there are no choices
     QToolButton *m_button = nullptr; ///< null if there is neither hint nor answer
     NarrationText *m_todo = nullptr;
     NarrationText *m_hint = nullptr;   ///< null if there is no hint

@@ -1,6 +1,6 @@
 #include "app/ui/learn/why_box.h"
 
-#include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/why_text.h"
 
 #include <QKeyEvent>
 #include <QPainter>
@@ -85,9 +85,8 @@ void WhyButton::paintEvent(QPaintEvent *)
 
 WhyBox::WhyBox(const lessons::Why &why, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_button(new WhyButton(why.question, theme, this)),
-      m_answer(new NarrationText(theme, this, NarrationText::Kind::aside))
+      m_answer(new WhyText(why, theme, this))
 {
-    m_answer->setText(why.answer);
     m_answer->hide();
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     policy.setHeightForWidth(true);
@@ -100,6 +99,7 @@ WhyBox::WhyBox(const lessons::Why &why, const Theme &theme, QWidget *parent)
     indented->setContentsMargins(whyTextLeft, 2, 0, 6);
     indented->addWidget(m_answer);
     column->addLayout(indented);
+    connect(m_answer, &WhyText::highlightsChanged, this, &WhyBox::highlightsChanged);
     connect(m_button, &QAbstractButton::toggled, this, [this](bool open) {
         m_answer->setVisible(open);
         emit unfolded(open);

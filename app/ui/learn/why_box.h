@@ -7,7 +7,7 @@
 
 namespace app {
 
-class NarrationText;
+class WhyText;
 
 /// A button with the question of a why-box. A click, Space or Enter unfolds the answer.
 class WhyButton : public QAbstractButton
@@ -43,10 +43,12 @@ public:
 
 signals:
     void unfolded(bool open);
+    /// Emitted when a formula of the answer highlights other things. Empty: nothing.
+    void highlightsChanged(const std::vector<lessons::Highlight> &highlights);
 
 private:
     WhyButton *m_button;
-    NarrationText *m_answer;
+    WhyText *m_answer;
 };
 
 }

@@ -88,6 +88,27 @@ void ParameterPanel::setPresetPainter(PresetPainter painter)
     showPresets();
 }
 
+void ParameterPanel::setMarked(const QStringList &ids)
+{
+    if (ids == m_marked)
+        return;
+    m_marked = ids;
+    showMarked();
+}
+
+void ParameterPanel::showMarked()
+{
+    bool isFolded = false;
+    for (ParameterRow *row : m_rows) {
+        row->setMarked(m_marked.contains(row->parameter().id));
+        if (!row->isMarked())
+            continue;
+        isFolded = isFolded || row->isHidden();
+        m_area->ensureWidgetVisible(row, 0, 0);
+    }
+    m_more->setDown(isFolded);
+}
+
 void ParameterPanel::showPresets()
 {
     m_presets->setVisible(m_gallery && !m_run.step().presets.empty());
@@ -126,6 +147,7 @@ void ParameterPanel::open()
     applyTheme();
     unfoldIfRoom();
     unfold(m_unfolded);
+    showMarked();
     refreshNow();
 }
 

@@ -32,6 +32,10 @@ public:
     /// Sets how the presets of a step are painted. Without a painter there is no gallery.
     void setPresetPainter(PresetPainter painter);
 
+    /// Marks the rows of these parameters, until they are set again. If one is folded, the button that unfolds it looks
+    /// pressed.
+    void setMarked(const QStringList &ids);
+
     /// Returns the size that shows the title and all unfolded rows.
     QSize sizeHint() const override;
     /// Returns the height from which all parameters are unfolded automatically, px.
@@ -61,6 +65,7 @@ private:
     void refreshNow();
     void unfold(bool all);
     void unfoldIfRoom();
+    void showMarked();
     int heightOf(std::size_t rows, bool disclosure) const;
     void applyTheme();
 
@@ -75,6 +80,7 @@ private:
     QVBoxLayout *m_column = nullptr;
     QToolButton *m_more = nullptr;
     QStringList m_offered; ///< ids of the rows that are shown
+    QStringList m_marked;  ///< ids of the rows that are marked
     QString m_rest;        ///< the names of the parameters that m_more unfolds
     std::vector<ParameterRow *> m_rows;
     QElapsedTimer m_sinceRefresh;

@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
 #include <QToolButton>
@@ -29,6 +30,8 @@ constexpr int unitGap = 8;
 constexpr int resetSize = 24;
 constexpr int fieldHeight = 26;
 constexpr int besideNames = 36;                       ///< px, edges and scroll bar of the open list
+constexpr double markedWidth = 2.0;                   ///< px, of the frame around a marked row
+constexpr double markedMargin = 6.0;                  ///< px, beside it
 constexpr int overhang = ParameterSlider::handle / 2; ///< px, of the handle beyond the groove's ends
 
 }
@@ -162,6 +165,24 @@ void ParameterRow::setColumns(int label, int unit)
     m_label->setFixedWidth(m_choice ? label : label - overhang);
     // A choice without a unit uses the unit column for its long names.
     m_unit->setFixedWidth(m_choice && m_parameter.unit.isEmpty() ? 0 : unit);
+}
+
+void ParameterRow::setMarked(bool isMarked)
+{
+    if (isMarked == m_isMarked)
+        return;
+    m_isMarked = isMarked;
+    update();
+}
+
+void ParameterRow::paintEvent(QPaintEvent *)
+{
+    if (!m_isMarked)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(m_theme.tokens().ink, markedWidth));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(markedMargin, 2.0, -markedMargin, -2.0), 6.0, 6.0);
 }
 
 QString ParameterRow::rangeText() const

@@ -42,6 +42,12 @@ public:
     int wantedUnitWidth() const;
     /// Sets the column widths that all rows of a panel share, px.
     void setColumns(int label, int unit);
+    /// Sets whether a frame marks the row, because a formula is about its parameter.
+    void setMarked(bool isMarked);
+    bool isMarked() const { return m_isMarked; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
 
 private:
     void makeLabel();
@@ -58,6 +64,7 @@ private:
     lessons::Parameter m_parameter;
     const Theme &m_theme;
     Form m_form;
+    bool m_isMarked = false;
     QWidget *m_label = nullptr;
     QLabel *m_name = nullptr;
     QLabel *m_symbol = nullptr;

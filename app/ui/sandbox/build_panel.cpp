@@ -6,6 +6,7 @@
 #include "app/ui/actions/commands.h"
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/dock/panel_title.h"
+#include "app/ui/learn/project_box.h"
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
 #include "app/ui/sandbox/guide_box.h"
@@ -211,6 +212,13 @@ QWidget *BuildPanel::feet(const Command &learn)
     add(tr("Lessons"), withKeys(tr("Back to the lessons; your scene stays here"), learn.shortcut()),
         [this] { emit leaving(); });
     return box;
+}
+
+void BuildPanel::showProject(ProjectDesk &desk)
+{
+    QWidget *page = m_area->widget();
+    static_cast<QVBoxLayout *>(page->layout())
+        ->insertWidget(0, new ProjectBox(m_session, desk, ProjectBox::Shows::current, m_theme, page));
 }
 
 QString BuildPanel::hint() const

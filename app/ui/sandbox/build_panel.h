@@ -25,6 +25,7 @@ class ExampleGallery;
 class GuideBox;
 class GuideRing;
 class PanelTitle;
+class ProjectDesk;
 class PropertyRow;
 class SandboxCommands;
 
@@ -39,6 +40,9 @@ public:
     BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide, const SandboxCommands &build,
                const Commands &commands, const Theme &theme, QWidget *parent = nullptr);
     ~BuildPanel() override;
+
+    /// Shows the project that the learner works on in the sandbox. `desk` must outlive this object.
+    void showProject(ProjectDesk &desk);
 
     /// Returns the text that is shown if nothing is selected, or if the scene cannot be edited now.
     QString hint() const;

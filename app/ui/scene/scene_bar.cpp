@@ -149,7 +149,8 @@ void SceneBar::fillShow()
                            Item{"pulls", tr("All pulls"), &Extras::pulls},
                            Item{"rests", tr("Rest lengths"), &Extras::rests},
                            Item{"ruler", tr("Ruler"), &Extras::ruler},
-                           Item{"clock", tr("Clock"), &Extras::clock}};
+                           Item{"clock", tr("Clock"), &Extras::clock},
+                           Item{"unitCircle", tr("Unit circle"), &Extras::unitCircle}};
     auto *menu = new QMenu(m_show);
     for (const Item &item : items) {
         QAction *action = menu->addAction(item.text);
@@ -175,6 +176,20 @@ void SceneBar::choose(const QString &id, bool on)
     for (QAction *action : m_show->menu()->actions()) {
         if (action->data().toString() == id)
             action->setChecked(on);
+    }
+}
+
+void SceneBar::follow(const QString &id, Command &command)
+{
+    for (QAction *entry : m_show->menu()->actions()) {
+        if (entry->data().toString() != id)
+            continue;
+        command.setChecked(entry->isChecked());
+        connect(&command, &QAction::triggered, entry, [entry](bool on) {
+            if (entry->isChecked() != on)
+                entry->trigger();
+        });
+        connect(entry, &QAction::toggled, &command, &QAction::setChecked);
     }
 }
 

@@ -29,6 +29,8 @@ public:
     void attach(SceneView &view, Command &fit);
     /// Switches an entry of "Show"; ids as in chosen(). An unknown id changes nothing.
     void choose(const QString &id, bool on);
+    /// Lets a command switch an entry of "Show", as the entry itself does, and follow it.
+    void follow(const QString &id, Command &command);
     /// Returns the ids of the entries of "Show".
     QStringList choices() const;
     /// Adds a button for a command, before "Show".

@@ -40,7 +40,10 @@ void SceneView::mousePressEvent(QMouseEvent *event)
     m_session.preview().end(); // a press acts at the cursor of the run
     m_pointer = event->position();
     event->accept();
-    if (event->button() == Qt::LeftButton && takeRuler()) {
+    if (event->button() == Qt::LeftButton && m_picker.isPicking()) {
+        setFocus(Qt::MouseFocusReason);
+        m_picker.place(camera().back(m_pointer));
+    } else if (event->button() == Qt::LeftButton && takeRuler()) {
         setFocus(Qt::MouseFocusReason);
     } else if (event->button() == Qt::LeftButton) {
         const int point = BodyDrag::bodyAt(m_shown, camera(), m_pointer);
@@ -81,7 +84,9 @@ void SceneView::mouseMoveEvent(QMouseEvent *event)
 {
     m_pointer = event->position();
     event->accept();
-    if (m_ruled) {
+    if (m_picker.isPicking() && event->buttons() == Qt::LeftButton) {
+        m_picker.place(camera().back(m_pointer));
+    } else if (m_ruled) {
         m_shown.ruler.at(*m_ruled) = camera().back(m_pointer);
         viewport()->update();
     } else if (m_drag.isDown()) {
@@ -131,8 +136,10 @@ void SceneView::keyPressEvent(QKeyEvent *event)
     const std::optional<sim::Vec2> way = arrowKey(event->key());
     event->accept();
     const auto modifiers = event->modifiers() & ~Qt::KeypadModifier;
-    if (way && m_shown.extras.ruler &&
-        (modifiers & ~Qt::ShiftModifier) == (Qt::AltModifier | Qt::ControlModifier)) {
+    if (m_picker.wants(*event))
+        m_picker.press(*event);
+    else if (way && m_shown.extras.ruler &&
+             (modifiers & ~Qt::ShiftModifier) == (Qt::AltModifier | Qt::ControlModifier)) {
         sim::Vec2 &end = m_shown.ruler.at(modifiers & Qt::ShiftModifier ? Ruler::End::from : Ruler::End::to);
         end = end + rulerStep * *way;
         viewport()->update();
@@ -173,10 +180,13 @@ void SceneView::keyReleaseEvent(QKeyEvent *event)
 
 bool SceneView::event(QEvent *event)
 {
-    // An arrow key that steers must not also step through frames.
-    if (event->type() == QEvent::ShortcutOverride && m_tools.wants(*static_cast<QKeyEvent *>(event))) {
-        event->accept();
-        return true;
+    // An arrow key that steers, or moves a cross, must not also step through frames.
+    if (event->type() == QEvent::ShortcutOverride) {
+        const QKeyEvent &key = *static_cast<QKeyEvent *>(event);
+        if (m_tools.wants(key) || m_picker.wants(key)) {
+            event->accept();
+            return true;
+        }
     }
     return QGraphicsView::event(event);
 }
@@ -292,7 +302,7 @@ void SceneView::updateCursor()
         shape = Qt::OpenHandCursor;
     else if (m_panFrom)
         shape = Qt::SizeAllCursor;
-    else if (m_tools.isPointing())
+    else if (m_tools.isPointing() || m_picker.isPicking())
         shape = Qt::CrossCursor;
     else if (viewRect().contains(m_pointer) && BodyDrag::bodyAt(m_shown, camera(), m_pointer) >= 0)
         shape = Qt::OpenHandCursor;

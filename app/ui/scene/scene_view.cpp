@@ -3,6 +3,7 @@
 #include "app/model/analysis/accuracy_study.h"
 #include "app/model/run/frame_clock.h"
 #include "app/ui/scene/drawing/body_text.h"
+#include "app/ui/scene/layers/highlight_marks.h"
 #include "app/ui/scene/layers/layers.h"
 #include "app/ui/scene/layers/reference_marks.h"
 #include "lessons/api/view/view.h"
@@ -85,6 +86,7 @@ void SceneView::open()
     m_drag.release();
     m_tools.release();
     m_shown.trail.clear();
+    m_shown.highlights.clear();
     m_runScales = {};
     m_follows = true;
     m_atHome = false; // show another scene as a whole
@@ -127,6 +129,7 @@ void SceneView::refresh()
     keepSubject();
     updateCursor();
     viewport()->update();
+    emit contentChanged();
 }
 
 void SceneView::takeMoment()
@@ -170,6 +173,10 @@ void SceneView::describe()
         text += ". " + tr("The hand of the recorded run is at %1, %2")
                            .arg(pointer->x, 0, 'f', 0)
                            .arg(pointer->y, 0, 'f', 0);
+    if (const QString marks = m_picker.words(); !marks.isEmpty())
+        text += ". " + marks;
+    if (!m_shown.highlights.empty())
+        text += ". " + tr("The formula is about: %1").arg(highlightWords(m_shown.highlights));
     if (m_companion.points() > 0)
         text += ". " + tr("Beside it: %1").arg(m_companion.name);
     if (m_shown.reference && m_shown.extras.reference)
@@ -203,6 +210,37 @@ void SceneView::setVector(const std::optional<VectorMark> &vector)
     if (vector == m_shown.vector)
         return;
     m_shown.vector = vector;
+    viewport()->update();
+}
+
+void SceneView::attach(PredictionDesk &desk)
+{
+    m_picker.attach(desk);
+    connect(&desk, &PredictionDesk::changed, this, [this] {
+        describe();
+        updateCursor();
+        viewport()->update();
+    });
+    connect(&desk, &PredictionDesk::pickingStarted, this, [this] { setFocus(Qt::ShortcutFocusReason); });
+}
+
+void SceneView::setHighlights(const std::vector<lessons::Highlight> &highlights)
+{
+    if (highlights == m_shown.highlights)
+        return;
+    m_shown.highlights = highlights;
+    measureArrows(m_shown, m_session.preview().run().cursor().frame);
+    if (!m_session.preview().isActive())
+        m_runScales = m_shown.scales;
+    describe();
+    viewport()->update();
+}
+
+void SceneView::setCard(const QRectF &box)
+{
+    if (box == m_shown.card)
+        return;
+    m_shown.card = box;
     viewport()->update();
 }
 
@@ -333,6 +371,7 @@ void SceneView::drawForeground(QPainter *painter, const QRectF &)
     const QTransform toView = painter->worldTransform();
     painter->setWorldTransform({});
     m_overlay.draw(*painter, Camera(toView), viewRect());
+    m_picker.draw({*painter, m_shown, m_theme, Camera(toView), viewRect()});
     painter->setWorldTransform(toView);
 }
 

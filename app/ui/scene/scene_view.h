@@ -6,6 +6,7 @@
 #include "app/ui/scene/hud/hud.h"
 #include "app/ui/scene/layers/scene_content.h"
 #include "app/ui/scene/layers/sky.h"
+#include "app/ui/scene/place_picker.h"
 #include "app/ui/scene/tools.h"
 
 #include <QGraphicsScene>
@@ -28,6 +29,8 @@ public:
 
     /// Shows the reference of `study` while it is being shown elsewhere.
     void attach(const AccuracyStudy &study);
+    /// Takes the places that the learner predicts. `desk` must outlive this.
+    void attach(PredictionDesk &desk);
 
     /// Returns the zoom in percent. At 100, one scene px is one screen px.
     double zoom() const;
@@ -43,6 +46,10 @@ public:
     void showSpan(const QRectF &motion);
     /// Draws a Vec2 of the listing, until it is set again.
     void setVector(const std::optional<VectorMark> &vector);
+    /// Highlights the subjects of a formula, until they are set again or another step opens.
+    void setHighlights(const std::vector<lessons::Highlight> &highlights);
+    /// Sets the box of a card over the scene, which labels avoid. Empty: there is none.
+    void setCard(const QRectF &box);
     /// Moves the view to centre the body.
     void bringBack(const QString &body);
     /// Returns an image of the scene as shown, without legends and captions. `scale`: image px per screen px.
@@ -67,6 +74,8 @@ public slots:
 
 signals:
     void zoomChanged(double percent);
+    /// Emitted when something else is shown: another moment, or other extras.
+    void contentChanged();
     /// Emitted when a step shows other extras than the step before.
     void extrasChanged();
     /// Emitted when the mouse enters or leaves a body. The name is empty if there is no body under the mouse.
@@ -161,6 +170,7 @@ private:
     Hud m_overlay;
     BodyDrag m_drag;
     Tools m_tools;
+    PlacePicker m_picker;
     QGraphicsScene m_scene;
     std::vector<EdgeMarker> m_markers; ///< as last computed
     QRectF m_home;                     ///< the area that a step shows first, px

@@ -83,6 +83,19 @@ Appearance::Appearance(QMainWindow &window, SceneBar &bar, SceneView &scene, con
     connect(commands.lessMotion, &QAction::toggled, this, &Appearance::setLessMotion);
     commands.lessMotion->setChecked(QSettings().value(motionKey).toBool());
     rememberShown(bar);
+    bar.follow(QStringLiteral("unitCircle"), *commands.unitCircle);
+    connect(&scene, &SceneView::contentChanged, this,
+            [this, &commands] { followAngle(*commands.unitCircle); });
+    followAngle(*commands.unitCircle);
+}
+
+void Appearance::followAngle(Command &unitCircle) const
+{
+    const SceneContent &shown = m_scene.shown();
+    const bool hasAngle = shown.points() > 0 && shown.view().angle;
+    const QString obstacle = hasAngle ? QString() : tr("This step shows no angle.");
+    if (obstacle != unitCircle.obstacle())
+        unitCircle.setObstacle(obstacle);
 }
 
 void Appearance::addScheme(QActionGroup &group, Command &command, Scheme scheme)

@@ -44,6 +44,8 @@ private:
     /// Stops or allows what moves only as decoration.
     void setLessMotion(bool isLess);
     void rememberShown(SceneBar &bar);
+    /// Disables the command in steps without an angle.
+    void followAngle(Command &unitCircle) const;
 
     QMainWindow &m_window;
     SceneView &m_scene;

@@ -55,6 +55,8 @@ void retranslate(LessonLibrary &library, LessonLibrary other)
                 continue;
             one.title = same->title;
             one.summary = same->summary;
+            one.recall = std::move(same->recall);
+            one.project = std::move(same->project);
             // Each step keeps its address, because the session refers to it.
             std::move(same->steps.begin(), same->steps.end(), one.steps.begin());
         }
@@ -85,15 +87,19 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     if (!documents.mistake().isEmpty())
         window.showDocumentMistake(documents.mistake());
     window.fitInto(window.screen()->availableSize());
+    const LastStep last = LastStep::load();
     if (!from)
-        LastStep::load().openIn(*work.session);
+        last.openIn(*work.session);
     window.show();
     if (from)
         window.goOn(*from);
     else if (!file.isEmpty())
         window.openFile(file);
     else if (Tour::isWanted())
-        QTimer::singleShot(0, &window, &MainWindow::startTour);
+        QTimer::singleShot(0, &window, &MainWindow::welcome);
+    else if (last.lesson.isEmpty())
+        QTimer::singleShot(0, &window, &MainWindow::showMap); // nobody has begun
+    window.keepGalleryIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/gallery");
     window.autosaveIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();
     QApplication::processEvents(); // what the session has postponed needs this application

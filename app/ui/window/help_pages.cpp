@@ -6,6 +6,7 @@
 #include "app/ui/help/about_page.h"
 #include "app/ui/help/help_page.h"
 #include "app/ui/learn/glossary_page.h"
+#include "app/ui/map/map_page.h"
 
 namespace app {
 
@@ -37,6 +38,13 @@ void HelpPages::showGlossary(const QString &typed)
         QObject::connect(m_glossaryPage, &GlossaryPage::stepRequested, &m_session, &Session::openStep);
     }
     m_glossaryPage->search(typed);
+}
+
+void HelpPages::showMap()
+{
+    if (!m_map)
+        m_map = new MapPage(m_session, m_theme, &m_window);
+    m_map->showMap();
 }
 
 void HelpPages::showAbout()

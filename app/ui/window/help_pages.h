@@ -11,6 +11,7 @@ class CommandList;
 class Glossary;
 class GlossaryPage;
 class HelpPage;
+class MapPage;
 class Session;
 
 /// The dialogs of the Help menu. Each is made when it is shown first.
@@ -25,6 +26,8 @@ public:
     void showKeys();
     /// Shows the glossary, with the words that match `typed` first.
     void showGlossary(const QString &typed);
+    /// Shows the map of concepts.
+    void showMap();
     void showAbout();
 
 private:
@@ -35,6 +38,7 @@ private:
     QWidget &m_window;
     HelpPage *m_keys = nullptr;
     GlossaryPage *m_glossaryPage = nullptr;
+    MapPage *m_map = nullptr;
     AboutPage *m_about = nullptr;
 };
 

@@ -22,6 +22,8 @@
 #include "app/ui/energy/energy_panel.h"
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/narration.h"
+#include "app/ui/map/map_page.h"
+#include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/sandbox/build_panel.h"
@@ -39,6 +41,7 @@
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/experiment_files.h"
 #include "app/ui/window/focus_keys.h"
+#include "app/ui/window/gallery_desk.h"
 #include "app/ui/window/header.h"
 #include "app/ui/window/help_pages.h"
 #include "app/ui/window/last_step.h"
@@ -67,6 +70,19 @@ void followCover(const QDockWidget &dock, Content *content)
 {
     QObject::connect(&dock, &QDockWidget::visibilityChanged, content,
                      [content](bool isSeen) { content->setCovered(!isSeen); });
+}
+
+/// Returns the ids of the parameters that are highlighted, and names of other things.
+QStringList parametersIn(const std::vector<lessons::Highlight> &highlights)
+{
+    QStringList ids;
+    for (const lessons::Highlight &one : highlights) {
+        if (one.kind == lessons::Highlight::Kind::thing)
+            ids << one.a;
+        else if (one.kind == lessons::Highlight::Kind::circle)
+            ids << one.b;
+    }
+    return ids;
 }
 
 }
@@ -162,11 +178,17 @@ void MainWindow::connectPanels()
     followCover(docks[Panel::branches], m_branches);
     followCover(docks[Panel::plots], m_plots);
     Notice *notice = &m_centre->notice();
+    m_centre->scene().attach(m_learn->narration().predictions());
     m_code->attach(m_centre->scene(), m_commands.run);
     connect(&m_learn->narration(), &Narration::listingRequested, this, [this](int line) {
         m_layout.docks.show(Panel::code, true);
         m_code->writeAt(line);
     });
+    connect(&m_learn->narration(), &Narration::highlightsChanged, this,
+            [this](const std::vector<lessons::Highlight> &highlights) {
+                m_centre->scene().setHighlights(highlights);
+                m_numbers->parameters().setMarked(parametersIn(highlights));
+            });
     connect(m_plots, &PlotsPanel::failed, notice, &Notice::showMessage);
     for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports(), &m_branches->exports(),
                                       &m_stabilityPanel->exports()}) {
@@ -225,6 +247,7 @@ void MainWindow::makeSandbox()
     m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
     m_centre->bar().addTool(*m_sandbox->take);
     m_build = new BuildPanel(m_session, *editor, *guide, *m_sandbox, m_commands, m_theme, this);
+    m_build->showProject(m_learn->projects());
     m_leftPages = new LeftPages(m_learn, m_build, this);
     m_layout.docks[Panel::lessons].setWidget(m_leftPages);
     connect(m_build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
@@ -258,8 +281,15 @@ void MainWindow::makeFiles()
         std::make_unique<RecoveryPrompt>(m_session.run(), m_session.playback(), m_session.comparisons(),
                                          *m_files, m_centre->notice(), m_theme);
     m_help = std::make_unique<HelpPages>(m_session, m_commands.list, m_learn->glossary(), m_theme, *this);
+    m_learn->setMapCommand(*m_commands.help.map);
+    if (!MapPage::hasConcepts(m_session.library()))
+        m_commands.help.map->setObstacle(tr("These lessons have no concepts"));
     m_export =
         std::make_unique<SceneExport>(m_session, m_centre->scene(), m_centre->notice(), m_theme, *this);
+    m_gallery = std::make_unique<GalleryDesk>(m_session, m_centre->scene(), m_learn->projects(), *m_files,
+                                              m_centre->notice(), m_theme, *this);
+    for (Command *command : {m_commands.file.keep, m_commands.file.gallery})
+        command->setObstacle(tr("There is no folder for the gallery"));
     connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::updateTitle);
     m_session.onChange(ChangeKind::step | ChangeKind::texts, this, &MainWindow::updateTitle);
     m_session.onChange(ChangeKind::step, this, [this] { LastStep::store(m_session); });
@@ -272,7 +302,6 @@ void MainWindow::connectCommands()
     const EditCommands &edit = m_commands.edit;
     const RunCommands &run = m_commands.run;
     const ViewCommands &view = m_commands.view;
-    const HelpCommands &help = m_commands.help;
     const auto on = [this](const Command *command, auto slot) {
         connect(command, &QAction::triggered, this, slot);
     };
@@ -281,6 +310,8 @@ void MainWindow::connectCommands()
     on(file.recover, [this] { m_recovery->showList(); });
     on(file.save, [this] { m_files->saveOrAsk(); });
     on(file.saveAs, [this] { m_files->askSave(); });
+    on(file.keep, [this] { m_gallery->keep(); });
+    on(file.gallery, [this] { m_gallery->showPage(); });
     on(file.exportPicture, [this] { m_export->askPicture(); });
     on(file.exportFilm, [this] { m_export->showFilm(); });
     on(file.quit, [this] { close(); });
@@ -316,7 +347,15 @@ void MainWindow::connectCommands()
     });
     connect(view.sceneOnly, &QAction::toggled, this, &MainWindow::setSceneOnly);
     on(view.fullScreen, [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+    connectHelp();
+}
 
+void MainWindow::connectHelp()
+{
+    const HelpCommands &help = m_commands.help;
+    const auto on = [this](const Command *command, auto slot) {
+        connect(command, &QAction::triggered, this, slot);
+    };
     on(help.keys, [this] { m_help->showKeys(); });
     on(help.hint, [this] {
         m_layout.docks[Panel::lessons].show();
@@ -326,6 +365,7 @@ void MainWindow::connectCommands()
     });
     on(help.glossary, [this] { m_help->showGlossary({}); });
     on(help.tour, &MainWindow::startTour);
+    on(help.map, &MainWindow::showMap);
     on(help.about, [this] { m_help->showAbout(); });
     connect(m_learn, &LearnPanel::glossaryRequested, this,
             [this](const QString &typed) { m_help->showGlossary(typed); });
@@ -430,6 +470,18 @@ void MainWindow::startTour()
     m_tour->start();
 }
 
+void MainWindow::showMap()
+{
+    if (isVisible() && m_commands.help.map->isEnabled()) // the window can be closed before a timer shows it
+        m_help->showMap();
+}
+
+void MainWindow::welcome()
+{
+    startTour();
+    connect(m_tour, &Tour::ended, this, &MainWindow::showMap, Qt::SingleShotConnection);
+}
+
 void MainWindow::openFile(const QString &path)
 {
     m_files->open(path);
@@ -448,6 +500,13 @@ bool MainWindow::savePictureAs(const QString &path)
 void MainWindow::autosaveIn(const QString &folder, int within)
 {
     m_recovery->autosaveIn(folder, within);
+}
+
+void MainWindow::keepGalleryIn(const QString &folder)
+{
+    m_gallery->setFolder(folder);
+    for (Command *command : {m_commands.file.keep, m_commands.file.gallery})
+        command->setObstacle({});
 }
 
 void MainWindow::restartUnlessFilming(const QString &sentence)

@@ -30,6 +30,7 @@ class EffectsPanel;
 class EnergyPanel;
 class ExperimentFiles;
 class FailureNotice;
+class GalleryDesk;
 class HelpPages;
 class LearnPanel;
 class LeftPages;
@@ -87,6 +88,10 @@ public:
     void fitInto(QSize room);
     /// Starts the tour: cards that point at the parts of the window, one after the other.
     void startTour();
+    /// Shows the map of concepts, if the lessons have any.
+    void showMap();
+    /// Greets a new learner: starts the tour, and shows the map of concepts when it has ended.
+    void welcome();
 
     /// Opens an experiment file. If it is invalid, the reason is shown and nothing changes.
     void openFile(const QString &path);
@@ -97,6 +102,8 @@ public:
     /// Saves what is not saved yet to `folder` within `within` ms of each change from now on, and offers what
     /// earlier starts have left there.
     void autosaveIn(const QString &folder, int within = Autosave::saveWithin);
+    /// Keeps the gallery in `folder` from now on. Before, there is none.
+    void keepGalleryIn(const QString &folder);
 
     /// Closes the window so that another one can continue from handover(). Nothing is lost, so nothing is asked.
     void startAgain();
@@ -121,6 +128,7 @@ private:
     void makeFiles();
     void connectPanels();
     void connectCommands();
+    void connectHelp();
     void setSceneOnly(bool isOn);
     /// Shows the lessons or the tools of the sandbox, and chooses the mode to match.
     void followSandbox();
@@ -143,6 +151,7 @@ private:
     std::unique_ptr<SandboxCommands> m_sandbox;
     std::unique_ptr<ExperimentFiles> m_files;
     std::unique_ptr<RecoveryPrompt> m_recovery;
+    std::unique_ptr<GalleryDesk> m_gallery;
     std::unique_ptr<HelpPages> m_help;
     std::unique_ptr<SceneExport> m_export;
     std::optional<Handover> m_handover;

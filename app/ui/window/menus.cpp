@@ -27,6 +27,7 @@ public:
         menu->addAction(file.recover);
         menu->addSeparator();
         menu->addActions({file.save, file.saveAs});
+        menu->addActions({file.keep, file.gallery});
         menu->addMenu(tr("&Export"))->addActions({file.exportPicture, file.exportFilm});
         menu->addSeparator();
         menu->addAction(file.quit);
@@ -64,7 +65,7 @@ public:
         QMenu *menu = m_bar.addMenu(tr("&View"));
         menu->addActions({view.learn, view.measure, view.build});
         menu->addSeparator();
-        menu->addActions({view.zoomIn, view.zoomOut, view.fit, view.nextOutside});
+        menu->addActions({view.zoomIn, view.zoomOut, view.fit, view.nextOutside, view.unitCircle});
         menu->addSeparator();
         menu->addActions({view.lessons, view.lessonRail, view.codeAndParameters, view.energy, view.effects,
                           view.plots, view.stability});
@@ -79,7 +80,7 @@ public:
     void addHelp(const HelpCommands &help) const
     {
         QMenu *menu = m_bar.addMenu(tr("&Help"));
-        menu->addActions({help.keys, help.hint, help.glossary, help.tour});
+        menu->addActions({help.keys, help.hint, help.map, help.glossary, help.tour});
         menu->addSeparator();
         menu->addAction(help.about);
     }

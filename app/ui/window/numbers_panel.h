@@ -20,7 +20,7 @@ public:
     /// All arguments must outlive it.
     NumbersPanel(Session &session, MeasureSeries &series, const Theme &theme, QWidget *parent);
 
-    const ParameterPanel &parameters() const { return *m_parameters; }
+    ParameterPanel &parameters() const { return *m_parameters; }
 
 signals:
     /// sizeHint().height() has changed.

@@ -4,6 +4,7 @@
 #include "app/ui/dialogs/notice.h"
 #include "app/ui/dock/divider.h"
 #include "app/ui/dock/panel_layout.h"
+#include "app/ui/scene/hud/unit_circle.h"
 #include "app/ui/scene/scene_bar.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/footfall_strip.h"
@@ -33,6 +34,7 @@ SceneColumn::SceneColumn(Session &session, MeasureSeries &measures, const RunCom
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
     m_scene->setMinimumSize(leastScene);
+    (new UnitCircle(*m_scene, theme))->stackUnder(m_failure); // the scene owns it
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(0);
     m_column->addWidget(m_notice);

@@ -342,8 +342,7 @@ private slots:
     {
         FitterFixture fixture({1280, 720}, "walking_gait", "swing");
         QCOMPARE(fixture.window.height(), 720);
-        const auto *text =
-            fixture.window.findChild<QWidget *>("tries")->parentWidget()->findChild<QScrollArea *>();
+        const auto *text = fixture.window.findChild<Narration *>()->findChild<QScrollArea *>();
         QVERIFY2(text->height() >= 200, qPrintable(QString::number(text->height()))); // ten lines
     }
 

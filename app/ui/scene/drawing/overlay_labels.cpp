@@ -167,6 +167,7 @@ std::vector<OverlayLabel> overlayLabels(const SceneContent &shown, const Camera 
     const QFontMetricsF metrics(shown.text);
     std::vector<QRectF> taken = bodyBoxes(shown, camera);
     taken.push_back(nameBox(shown, camera, area));
+    taken.push_back(shown.card);
     LabelPlaces places(std::move(taken), explainingStrokes(shown, camera, theme));
     for (const Overlay &overlay : shown.picture.overlays) {
         const QPointF anchor = anchorOf(overlay, shown, camera);

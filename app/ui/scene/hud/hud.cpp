@@ -74,7 +74,7 @@ struct Hud::Entry
 std::vector<EdgeMarker> Hud::markers(const Camera &camera, QRectF view) const
 {
     std::vector<QRectF> taken = bodyBoxes(m_shown, camera);
-    taken.push_back(nameBox(m_shown, camera, view));
+    taken.insert(taken.end(), {nameBox(m_shown, camera, view), m_shown.card});
     const std::vector<QRectF> words = wordBoxes(camera, view);
     taken.insert(taken.end(), words.begin(), words.end());
     return edgeMarkers(m_shown, camera, view, freeArea(m_shown, view).adjusted(4, 4, -4, -8),
@@ -98,6 +98,7 @@ std::vector<QRectF> Hud::takenBoxes(const Camera &camera, QRectF view,
                                     const std::vector<EdgeMarker> &outside) const
 {
     std::vector<QRectF> taken = bodyBoxes(m_shown, camera);
+    taken.push_back(m_shown.card);
     for (const Arrow &arrow : pullArrows(m_shown, camera, m_theme))
         taken.push_back(arrow.bounds());
     for (const EdgeMarker &marker : outside)
@@ -189,7 +190,7 @@ std::vector<Hud::Entry> Hud::legend() const
         entries.push_back({Entry::Mark::onion, 30.0, HudText::tr("every %1 frames").arg(onionFrames)});
     if (m_shown.extras.rests && hasRests(m_shown.picture.interval->scene))
         entries.push_back({Entry::Mark::rest, 30.0, HudText::tr("rest length")});
-    if (m_shown.showsVelocities() && m_shown.scales.velocity.isUsed)
+    if (m_shown.hasVelocityArrows() && m_shown.scales.velocity.isUsed)
         entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
                            scaleWords(HudText::tr("velocity of %1\u2009px/frame"), m_shown.scales.velocity),
                            m_shown.scales.velocity.before.has_value()});

@@ -3,6 +3,7 @@
 #include "app/model/session/user_input.h"
 #include "app/ui/scene/drawing/arrows.h"
 #include "app/ui/scene/drawing/overlay_labels.h"
+#include "app/ui/scene/layers/highlight_marks.h"
 
 #include <QGraphicsScene>
 #include <QStyleOptionGraphicsItem>
@@ -81,9 +82,11 @@ std::vector<LayerEntry> layerTable()
             {with(drawBodies), Of::both},
             {drawRests, Of::both},
             {drawReference, Of::run},
+            {drawTriangle, Of::run},
             {drawOverlays, Of::both},
             {drawArrows, Of::run},
             {drawVector, Of::run},
+            {drawHighlights, Of::run},
             {drawName, Of::both}};
 }
 

@@ -91,6 +91,9 @@ void drawOverlays(const Canvas &canvas);
 void drawArrows(const Canvas &canvas);
 /// Draws the Vec2 of the listing under the mouse, with its name: a cross at a place, an arrow for a difference.
 void drawVector(const Canvas &canvas);
+/// Draws the right triangle of the arrow whose angle the unit circle shows: the side beside the angle as a line, the
+/// opposite one dashed.
+void drawTriangle(const Canvas &canvas);
 /// Draws the name of each of two figures.
 void drawName(const Canvas &canvas);
 /// Draws the hand of a recorded run, so that nothing seems to move by itself.

@@ -101,6 +101,14 @@ sim::Vec2 SceneContent::sumOnSelected() const
     return sum;
 }
 
+bool SceneContent::hasVelocityArrows() const
+{
+    return showsVelocities() ||
+           std::any_of(highlights.begin(), highlights.end(), [](const lessons::Highlight &one) {
+               return one.kind == lessons::Highlight::Kind::velocity;
+           });
+}
+
 double arrowUnit(double longest, std::optional<double> settled, double room)
 {
     const double least = longest * unitArrow / room;
@@ -123,7 +131,7 @@ void measureArrows(SceneContent &shown, std::int64_t frame)
     // Resting bodies still have tiny forces, around 1e-9, and creep. The minimum keeps these from growing
     // into arrows.
     renew(shown.scales.pull, pull, longestArrow, finestPull, frame);
-    if (shown.showsVelocities())
+    if (shown.hasVelocityArrows())
         renew(shown.scales.velocity, fastest(shown), longestVelocity, finestVelocity, frame);
 }
 

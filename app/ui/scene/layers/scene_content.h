@@ -45,7 +45,8 @@ struct Extras
     bool rests = false; ///< rest lengths of springs and sticks
     bool ruler = false;
     bool clock = false;
-    bool still = false; ///< no movement of mere decoration
+    bool unitCircle = true; ///< also the triangle of its arrow
+    bool still = false;     ///< no movement of mere decoration
 };
 
 /// The scale of one kind of arrow. The legend mentions a change of scale while `before` has a value.
@@ -81,8 +82,11 @@ struct SceneContent
     Extras extras;
     Ruler ruler;
     std::optional<VectorMark> vector; ///< the Vec2 of the listing under the mouse
-    QString clock;                    ///< the run's time, as text
-    int selected = -1;                ///< the selected point, or -1
+    /// The subjects of the formula under the mouse, or of the one that the learner keeps.
+    std::vector<lessons::Highlight> highlights;
+    QRectF card;       ///< screen px, a card over the scene, which labels avoid; empty without one
+    QString clock;     ///< the run's time, as text
+    int selected = -1; ///< the selected point, or -1
     ArrowScales scales;
     std::optional<sim::State> before; ///< inside a frame: the state before the last phase done
     bool isInside = false;            ///< inside a frame, with velocities shown; the learner can hide them
@@ -98,6 +102,8 @@ struct SceneContent
     const lessons::View &view() const { return *picture.view; }
     bool isCrowd() const { return points() > crowdPoints; }
     bool showsVelocities() const { return extras.velocities || isInside; }
+    /// Returns whether any arrow of a velocity can be drawn: with those of all bodies, or for a formula.
+    bool hasVelocityArrows() const;
     double radius(int point) const { return view().bodies[static_cast<std::size_t>(point)].radius; }
     bool isBody(int point) const { return shape(point) == lessons::BodyView::Shape::body; }
     /// Returns whether the point is drawn as something else, so that it cannot be dragged.

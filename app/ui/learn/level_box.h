@@ -1,0 +1,59 @@
+#pragma once
+
+#include "app/model/learning/project_desk.h"
+#include "app/ui/theme/theme.h"
+
+#include <QWidget>
+
+class QLabel;
+class QToolButton;
+class QVBoxLayout;
+
+namespace app {
+
+class ButtonFlow;
+class NarrationText;
+class WhyButton;
+
+/// A level of a project, folded to its title. Unfolded, it shows what the level asks, its conditions with a mark for each
+/// that held when it was judged last, the judgement, and buttons to judge it and to show a hint.
+class LevelBox : public QWidget
+{
+    Q_OBJECT
+
+public:
+    /// `level` is a level of the project of `lesson`. The other arguments must outlive this object.
+    LevelBox(ProjectDesk &desk, const QString &lesson, const lessons::ProjectLevel &level, const Theme &theme,
+             QWidget *parent = nullptr);
+
+    const QString &level() const { return m_id; }
+    void setUnfolded(bool isUnfolded);
+    bool isUnfolded() const;
+    /// Shows the present state of the desk.
+    void refresh();
+
+signals:
+    /// The height can be another.
+    void changed();
+
+private:
+    QToolButton *addButton(const QString &name, const QString &text, const QString &tip);
+    QString demandText() const;
+
+    ProjectDesk &m_desk;
+    const QString m_lesson;
+    const QString m_id;
+    const QString m_name;
+    const std::vector<lessons::ProjectDemand> m_demands;
+    WhyButton *m_title;
+    QWidget *m_content;
+    NarrationText *m_list; ///< the conditions
+    NarrationText *m_hintText;
+    QLabel *m_sentence;
+    ButtonFlow *m_buttons;
+    QToolButton *m_judge = nullptr;
+    QToolButton *m_cancel = nullptr;
+    QToolButton *m_hint = nullptr;
+};
+
+}
