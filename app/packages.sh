@@ -1,5 +1,5 @@
 # What Springstep needs, as Debian 12 packages, each with what it is for; read by app/run, tests/run,
-# tests/bench/run, tests/fuzz/run and .ci/run.
+# tests/bench/run, tests/fuzz/run, tests/package/run and .ci/run.
 
 app_packages=(
     "g++                     the C++20 compiler"
@@ -40,6 +40,18 @@ bench_packages=(
 fuzz_packages=(
     "clang-14                builds the fuzzers"
     "libclang-rt-14-dev      libFuzzer, which runs them"
+)
+# To make the Debian packages, and to check them.
+package_packages=(
+    "dpkg-dev                finds the packages that ours depend on"
+    "file                    finds the programs and libraries in a package"
+    "lintian                 tests/package: checks the packages"
+    "desktop-file-utils      the same for the desktop entry"
+    "appstream               the same for the description in software centres"
+    "zsh                     the same for its completion"
+    "fish                    likewise"
+    "debootstrap             makes a bare Debian to install them in"
+    "gpgv                    checks the signature of that Debian"
 )
 format_packages=(
     "clang-format-14         checks the layout of the code"
