@@ -359,7 +359,7 @@
     </message>
     <message>
         <source>“%1” is not a condition. Write “- always `condition`: sentence”, or “once”, “at the start” or “at the end” in place of “always”.</source>
-        <translation>„%1“ ist keine Bedingung. Schreib „- always `Bedingung`: Satz“, oder „once“, „at the start“ oder „at the end“ statt „always“.</translation>
+        <translation>„%1“ ist keine Bedingung. Schreib „- always `condition`: Satz“, oder „once“, „at the start“ oder „at the end“ statt „always“.</translation>
     </message>
     <message>
         <source>the level “%1” does not say what it asks. Write it below the heading.</source>
