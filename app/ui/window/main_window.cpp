@@ -184,10 +184,13 @@ void MainWindow::connectPanels()
         m_layout.docks.show(Panel::code, true);
         m_code->writeAt(line);
     });
-    connect(&m_learn->narration(), &Narration::highlightsChanged, this,
-            [this](const std::vector<lessons::Highlight> &highlights) {
-                m_centre->scene().setHighlights(highlights);
-                m_numbers->parameters().setMarked(parametersIn(highlights));
+    // The receivers are alive when the focus leaves a formula because the window is destroyed.
+    connect(&m_learn->narration(), &Narration::highlightsChanged, &m_centre->scene(),
+            &SceneView::setHighlights);
+    ParameterPanel *parameters = &m_numbers->parameters();
+    connect(&m_learn->narration(), &Narration::highlightsChanged, parameters,
+            [parameters](const std::vector<lessons::Highlight> &highlights) {
+                parameters->setMarked(parametersIn(highlights));
             });
     connect(m_plots, &PlotsPanel::failed, notice, &Notice::showMessage);
     for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports(), &m_branches->exports(),
