@@ -425,7 +425,7 @@ private slots:
         }
         sim::Timeline seeker(script, 40'000); // so small that most keyframes are dropped
         std::mt19937 random(7);
-        for (int i = 0; i < tests::sized(500, 100); ++i) {
+        for (int i = 0; i < tests::sized(500, 40); ++i) {
             const auto chosen = std::uniform_int_distribution<std::size_t>(0, states.size() - 1)(random);
             const auto &[cursor, state] = *std::next(states.begin(), static_cast<std::ptrdiff_t>(chosen));
             seeker.seek(cursor);

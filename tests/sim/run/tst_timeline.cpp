@@ -133,7 +133,7 @@ private slots:
         for (const Script &script : {plain, withInput(plain)}) {
             for (const std::size_t budget : {std::size_t{0}, tinyBudget, Timeline::defaultBudget}) {
                 const std::string found =
-                    support::seekMismatch(script, budget, h > 2 ? 200 : 60, tests::sized(500, 100), 1);
+                    support::seekMismatch(script, budget, h > 2 ? 200 : 60, tests::sized(500, 40), 1);
                 QVERIFY2(found.empty(), found.c_str());
             }
         }
