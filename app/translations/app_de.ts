@@ -6320,8 +6320,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>%1 öffnen</translation>
     </message>
     <message>
-        <source>%1 is open. Undo brings back what was here.</source>
-        <translation>%1 ist offen. Rückgängig bringt zurück, was hier war.</translation>
+        <source>%1 is open. Undo brings your scene back.</source>
+        <translation>%1 ist offen. Rückgängig bringt deine Szene zurück.</translation>
     </message>
 </context>
 <context>
@@ -7634,8 +7634,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>„%1“ beginnen</translation>
     </message>
     <message>
-        <source>The start scene is open. Undo brings back what was here.</source>
-        <translation>Die Anfangsszene ist offen. Rückgängig bringt zurück, was hier war.</translation>
+        <source>The start scene is open. Undo brings your scene back.</source>
+        <translation>Die Anfangsszene ist offen. Rückgängig bringt deine Szene zurück.</translation>
     </message>
 </context>
 <context>

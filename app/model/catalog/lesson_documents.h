@@ -42,7 +42,7 @@ private:
     bool read(LessonEntry &lesson);
     /// Reads a document of the folder `lesson` if its file has changed. Returns whether it was taken.
     bool read(const QString &lesson, const QString &document, const Take &take);
-    /// Checks what is said in several documents together.
+    /// Checks the concepts of all documents, which refer to each other.
     void checkAll();
     void watch();
 

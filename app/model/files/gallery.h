@@ -36,7 +36,7 @@ public:
 
     /// Reads the folder again.
     void refresh();
-    /// Returns what is kept, the latest first.
+    /// Returns the experiments in the gallery, the newest first.
     const std::vector<KeptExperiment> &all() const { return m_all; }
     /// Returns one sentence for each file that cannot be read.
     const QStringList &mistakes() const { return m_mistakes; }

@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// A concept of the lessons, where it is taught, and what it rests on.
+/// A concept, the step that teaches it, and the concepts that it rests on.
 struct ConceptNode
 {
     QString id;
@@ -29,11 +29,11 @@ enum class ConceptState {
     later,
 };
 
-/// The concepts of all lessons, each after those that it rests on. Apart from that they have the order of the lessons.
+/// The concepts of all lessons in topological order. Otherwise they keep the order of the lessons.
 class ConceptMap
 {
 public:
-    /// Leaves out whatever checkConcepts() would report.
+    /// Leaves out concepts and edges that checkConcepts() would refuse.
     explicit ConceptMap(const LessonLibrary &library);
 
     const std::vector<ConceptNode> &nodes() const { return m_nodes; }
@@ -45,7 +45,7 @@ private:
     std::vector<ConceptNode> m_nodes;
 };
 
-/// Checks that each concept has an id of its own, and rests only on concepts of its step or of earlier ones, without a cycle.
+/// Checks that ids are unique, and that a concept rests only on concepts of its step or of earlier steps, without cycles.
 /// @throws lessons::DocumentError if not
 void checkConcepts(const LessonLibrary &library);
 

@@ -355,7 +355,7 @@ private:
         }
     }
 
-    /// Moves the items of a row as close as possible to the means of what they are joined with.
+    /// Moves each item of a row as close as possible to the mean place of its neighbours in other rows.
     void placeRow(const std::vector<std::size_t> &row)
     {
         std::vector<double> at(m_items.size());

@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// A drawing of a graph without cycles, in rows: each node is in a row below those that it rests on. No edge passes through
+/// A layered drawing of an acyclic graph: each node is in a row below those that it rests on. No edge passes through
 /// a node. The unit of x is the distance between two nodes side by side.
 struct LayeredLayout
 {
@@ -25,7 +25,7 @@ struct LayeredLayout
     static constexpr double alongside = 0.06; ///< least distance between edges of two nodes that pass a row
 
     std::vector<Place> nodes;
-    std::vector<Edge> edges; ///< without those that follow from others: a - c if there are a - b and b - c
+    std::vector<Edge> edges; ///< transitive reduction: no edge a - c if there are a - b and b - c
     int rows = 0;
     double width = 0.0;
 };

@@ -12,7 +12,7 @@
 namespace app {
 
 /// The predictions of the open step: what the learner says, the run that she then sees, and what came out. The truth is
-/// computed in the background, by a run of its own. Answers are kept in the learner's notes.
+/// computed in the background, from a separate run. Answers are stored in the learner's notes.
 class PredictionDesk : public QObject
 {
     Q_OBJECT

@@ -83,7 +83,7 @@ void ProjectDesk::start(const QString &lesson)
                                               : editor.setUp(label, scene->script);
     editor.endGesture();
     if (isOpen)
-        m_session.showMessage(tr("The start scene is open. Undo brings back what was here."));
+        m_session.showMessage(tr("The start scene is open. Undo brings your scene back."));
 }
 
 void ProjectDesk::goOn(const QString &lesson)

@@ -74,7 +74,7 @@ void GalleryDesk::openKept(const KeptExperiment &kept)
         m_session.code().write(*read->draft);
     editor.endGesture();
     if (isShown)
-        m_session.showMessage(tr("%1 is open. Undo brings back what was here.").arg(quoted(kept.title)));
+        m_session.showMessage(tr("%1 is open. Undo brings your scene back.").arg(quoted(kept.title)));
 }
 
 }
