@@ -5,7 +5,7 @@
 #include "app/ui/accuracy/run_plot.h"
 #include "app/ui/accuracy/work_precision_plot.h"
 #include "app/ui/dock/panel_title.h"
-#include "app/ui/learn/progress_line.h"
+#include "app/ui/dock/progress_line.h"
 #include "app/ui/plots/plot_export.h"
 
 #include <QButtonGroup>

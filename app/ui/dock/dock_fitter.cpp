@@ -1,7 +1,7 @@
 #include "app/ui/dock/dock_fitter.h"
 
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/narration.h"
+#include "app/ui/learn/step/narration.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QDockWidget>

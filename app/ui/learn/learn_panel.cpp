@@ -5,14 +5,14 @@
 #include "app/ui/actions/command.h"
 #include "app/ui/actions/command_button.h"
 #include "app/ui/dock/panel_title.h"
-#include "app/ui/learn/lesson_delegate.h"
-#include "app/ui/learn/lesson_list.h"
-#include "app/ui/learn/lesson_model.h"
-#include "app/ui/learn/lesson_rail.h"
-#include "app/ui/learn/narration.h"
-#include "app/ui/learn/recall_page.h"
-#include "app/ui/learn/summary_page.h"
-#include "app/ui/learn/word_card.h"
+#include "app/ui/learn/after/recall_page.h"
+#include "app/ui/learn/after/summary_page.h"
+#include "app/ui/learn/lessons/lesson_delegate.h"
+#include "app/ui/learn/lessons/lesson_list.h"
+#include "app/ui/learn/lessons/lesson_model.h"
+#include "app/ui/learn/lessons/lesson_rail.h"
+#include "app/ui/learn/step/narration.h"
+#include "app/ui/learn/words/word_card.h"
 
 #include <QEvent>
 #include <QFrame>

@@ -3,7 +3,7 @@
 #include "app/model/session/open_run.h"
 #include "app/model/session/playback.h"
 #include "app/model/session/run_editor.h"
-#include "app/ui/learn/preset_gallery.h"
+#include "app/ui/parameters/preset_gallery.h"
 #include "app/ui/theme/theme.h"
 
 #include <QElapsedTimer>

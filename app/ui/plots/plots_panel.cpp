@@ -2,7 +2,7 @@
 
 #include "app/model/text/quantity_text.h"
 #include "app/ui/dock/panel_title.h"
-#include "app/ui/learn/progress_line.h"
+#include "app/ui/dock/progress_line.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/scene/flat_button.h"

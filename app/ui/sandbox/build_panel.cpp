@@ -6,7 +6,7 @@
 #include "app/ui/actions/commands.h"
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/dock/panel_title.h"
-#include "app/ui/learn/project_box.h"
+#include "app/ui/learn/after/project_box.h"
 #include "app/ui/sandbox/effect_switches.h"
 #include "app/ui/sandbox/example_gallery.h"
 #include "app/ui/sandbox/guide_box.h"

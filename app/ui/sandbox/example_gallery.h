@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/model/session/session.h"
-#include "app/ui/learn/card_gallery.h"
+#include "app/ui/dock/card_gallery.h"
 
 namespace app {
 

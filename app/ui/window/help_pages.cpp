@@ -5,7 +5,7 @@
 #include "app/ui/actions/gestures.h"
 #include "app/ui/help/about_page.h"
 #include "app/ui/help/help_page.h"
-#include "app/ui/learn/glossary_page.h"
+#include "app/ui/learn/words/glossary_page.h"
 #include "app/ui/map/map_page.h"
 
 namespace app {

@@ -21,7 +21,7 @@
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/energy/energy_panel.h"
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/narration.h"
+#include "app/ui/learn/step/narration.h"
 #include "app/ui/map/map_page.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/plots/plot_export.h"

@@ -2,7 +2,7 @@
 // thing to try, sees its tick, and goes on. A suite for each lesson, with that lesson's attempts. In a window of
 // another size: SPRINGSTEP_WINDOW=1920x1080.
 
-#include "app/ui/learn/summary_page.h"
+#include "app/ui/learn/after/summary_page.h"
 #include "tests/app/by_hand/learner.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/lessons/attempts/attempts.h"

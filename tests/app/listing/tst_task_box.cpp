@@ -1,12 +1,12 @@
 // The box of a task beside the listing: its buttons, sentences and hints, and where the learner writes.
 
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/lesson_list.h"
-#include "app/ui/learn/lesson_model.h"
-#include "app/ui/learn/narration.h"
+#include "app/ui/learn/lessons/lesson_list.h"
+#include "app/ui/learn/lessons/lesson_model.h"
 #include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/task_box.h"
-#include "app/ui/learn/try_box.h"
+#include "app/ui/learn/step/narration.h"
+#include "app/ui/learn/step/task_box.h"
+#include "app/ui/learn/step/try_box.h"
 #include "app/ui/learn/why_box.h"
 #include "tests/app/listing/listing_window.h"
 #include "tests/app/support/panel_fixture.h"

@@ -2,7 +2,7 @@
 
 #include "tests/app/support/panel_fixture.h"
 
-#include "app/ui/learn/preset_gallery.h"
+#include "app/ui/parameters/preset_gallery.h"
 #include "tests/suite.h"
 
 #include <QApplication>

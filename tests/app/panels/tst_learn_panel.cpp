@@ -1,13 +1,13 @@
 // The lessons and the text of the open step, driven with mouse and keyboard.
 
 #include "app/ui/dock/panel_title.h"
+#include "app/ui/learn/after/summary_page.h"
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/lesson_list.h"
-#include "app/ui/learn/lesson_model.h"
-#include "app/ui/learn/narration.h"
+#include "app/ui/learn/lessons/lesson_list.h"
+#include "app/ui/learn/lessons/lesson_model.h"
+#include "app/ui/learn/step/narration.h"
+#include "app/ui/learn/step/try_row.h"
 #include "app/ui/learn/step_button.h"
-#include "app/ui/learn/summary_page.h"
-#include "app/ui/learn/try_row.h"
 #include "tests/app/support/panel_fixture.h"
 #include "tests/suite.h"
 

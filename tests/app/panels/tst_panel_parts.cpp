@@ -1,10 +1,10 @@
 // The help page, dock titles and the focus ring.
 
 #include "app/ui/dock/dock_title.h"
+#include "app/ui/dock/progress_line.h"
 #include "app/ui/help/help_page.h"
 #include "app/ui/help/key_caps.h"
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/progress_line.h"
 #include "app/ui/learn/step_button.h"
 #include "tests/app/support/panel_fixture.h"
 #include "tests/suite.h"

@@ -1,12 +1,12 @@
 // The questions after a lesson, answered with mouse and keyboard.
 
+#include "app/ui/learn/after/recall_box.h"
+#include "app/ui/learn/after/recall_page.h"
+#include "app/ui/learn/after/summary_page.h"
 #include "app/ui/learn/choice_row.h"
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/narration.h"
 #include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/recall_box.h"
-#include "app/ui/learn/recall_page.h"
-#include "app/ui/learn/summary_page.h"
+#include "app/ui/learn/step/narration.h"
 #include "tests/app/support/panel_fixture.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"

@@ -1,9 +1,9 @@
 // The room that the window asks for: all panels go into a small screen, and what does not fit in less steps aside.
 
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/lesson_list.h"
-#include "app/ui/learn/narration.h"
+#include "app/ui/learn/lessons/lesson_list.h"
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/step/narration.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 

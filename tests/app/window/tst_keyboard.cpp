@@ -3,7 +3,7 @@
 #include "app/model/session/session.h"
 #include "app/ui/dialogs/notice.h"
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/lesson_list.h"
+#include "app/ui/learn/lessons/lesson_list.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/window/main_window.h"

@@ -1,6 +1,6 @@
 // Formulas that mark their subjects: in the scene and among the parameters.
 
-#include "app/ui/learn/narration.h"
+#include "app/ui/learn/step/narration.h"
 #include "app/ui/learn/why_box.h"
 #include "app/ui/learn/why_text.h"
 #include "app/ui/parameters/parameter_row.h"

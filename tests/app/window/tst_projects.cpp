@@ -3,10 +3,10 @@
 #include "tests/app/support/window_fixture.h"
 
 #include "app/model/learning/project_desk.h"
+#include "app/ui/learn/after/level_box.h"
+#include "app/ui/learn/after/project_box.h"
+#include "app/ui/learn/after/summary_page.h"
 #include "app/ui/learn/learn_panel.h"
-#include "app/ui/learn/level_box.h"
-#include "app/ui/learn/project_box.h"
-#include "app/ui/learn/summary_page.h"
 #include "sim/run/script/composed_interval.h"
 #include "tests/suite.h"
 

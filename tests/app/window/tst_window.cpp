@@ -2,7 +2,7 @@
 
 #include "app/model/experiment/experiment.h"
 #include "app/ui/dialogs/notice.h"
-#include "app/ui/learn/summary_page.h"
+#include "app/ui/learn/after/summary_page.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/parameters/parameter_row.h"
 #include "app/ui/time/timeline_strip.h"

@@ -1,4 +1,4 @@
-#include "app/ui/learn/glossary_page.h"
+#include "app/ui/learn/words/glossary_page.h"
 
 #include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/learn/prose.h"

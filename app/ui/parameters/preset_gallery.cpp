@@ -1,4 +1,4 @@
-#include "app/ui/learn/preset_gallery.h"
+#include "app/ui/parameters/preset_gallery.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/ui/learn/progress_line.h"
+#include "app/ui/dock/progress_line.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/ui/learn/level_box.h"
+#include "app/ui/learn/after/level_box.h"
 
 #include "app/ui/learn/button_flow.h"
 #include "app/ui/learn/narration_text.h"

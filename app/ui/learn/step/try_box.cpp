@@ -1,9 +1,9 @@
-#include "app/ui/learn/try_box.h"
+#include "app/ui/learn/step/try_box.h"
 
-#include "app/ui/learn/guess_box.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
-#include "app/ui/learn/try_row.h"
+#include "app/ui/learn/step/guess_box.h"
+#include "app/ui/learn/step/try_row.h"
 
 #include <QToolButton>
 #include <QVBoxLayout>

@@ -1,6 +1,6 @@
-#include "app/ui/learn/lesson_delegate.h"
+#include "app/ui/learn/lessons/lesson_delegate.h"
 
-#include "app/ui/learn/lesson_model.h"
+#include "app/ui/learn/lessons/lesson_model.h"
 
 #include <QPainter>
 #include <QPainterPath>

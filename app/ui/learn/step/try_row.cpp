@@ -1,4 +1,4 @@
-#include "app/ui/learn/try_row.h"
+#include "app/ui/learn/step/try_row.h"
 
 #include "app/ui/learn/prose.h"
 

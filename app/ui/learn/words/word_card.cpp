@@ -1,4 +1,4 @@
-#include "app/ui/learn/word_card.h"
+#include "app/ui/learn/words/word_card.h"
 
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"

@@ -1,4 +1,4 @@
-#include "app/ui/learn/recall_box.h"
+#include "app/ui/learn/after/recall_box.h"
 
 #include "app/ui/learn/choice_row.h"
 #include "app/ui/learn/narration_text.h"

@@ -1,4 +1,4 @@
-#include "app/ui/learn/curve_button.h"
+#include "app/ui/learn/step/curve_button.h"
 
 #include "app/model/learning/prediction_text.h"
 

@@ -1,4 +1,4 @@
-#include "app/ui/learn/card_gallery.h"
+#include "app/ui/dock/card_gallery.h"
 
 #include <QGridLayout>
 #include <QKeyEvent>

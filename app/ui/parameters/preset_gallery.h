@@ -2,7 +2,7 @@
 
 #include "app/model/session/open_run.h"
 #include "app/model/session/run_editor.h"
-#include "app/ui/learn/card_gallery.h"
+#include "app/ui/dock/card_gallery.h"
 
 namespace app {
 

@@ -1,4 +1,4 @@
-#include "app/ui/learn/lesson_rail.h"
+#include "app/ui/learn/lessons/lesson_rail.h"
 
 #include "app/ui/actions/command.h"
 

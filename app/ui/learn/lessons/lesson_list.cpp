@@ -1,7 +1,7 @@
-#include "app/ui/learn/lesson_list.h"
+#include "app/ui/learn/lessons/lesson_list.h"
 
-#include "app/ui/learn/lesson_delegate.h"
-#include "app/ui/learn/lesson_model.h"
+#include "app/ui/learn/lessons/lesson_delegate.h"
+#include "app/ui/learn/lessons/lesson_model.h"
 
 #include <QHeaderView>
 #include <QHelpEvent>

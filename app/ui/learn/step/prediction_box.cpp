@@ -1,10 +1,10 @@
-#include "app/ui/learn/prediction_box.h"
+#include "app/ui/learn/step/prediction_box.h"
 
 #include "app/model/learning/prediction_text.h"
 #include "app/ui/learn/button_flow.h"
-#include "app/ui/learn/curve_button.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
+#include "app/ui/learn/step/curve_button.h"
 #include "app/ui/learn/why_box.h"
 
 #include <QHBoxLayout>

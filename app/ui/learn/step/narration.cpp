@@ -1,13 +1,13 @@
-#include "app/ui/learn/narration.h"
+#include "app/ui/learn/step/narration.h"
 
 #include "app/model/text/glossary.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/prediction_box.h"
 #include "app/ui/learn/prose.h"
+#include "app/ui/learn/step/prediction_box.h"
+#include "app/ui/learn/step/task_box.h"
+#include "app/ui/learn/step/try_box.h"
 #include "app/ui/learn/step_button.h"
-#include "app/ui/learn/task_box.h"
-#include "app/ui/learn/try_box.h"
 #include "app/ui/learn/why_box.h"
 
 #include <QHBoxLayout>

@@ -1,10 +1,10 @@
-#include "app/ui/learn/summary_page.h"
+#include "app/ui/learn/after/summary_page.h"
 
 #include "app/model/learning/prediction_text.h"
+#include "app/ui/learn/after/project_box.h"
+#include "app/ui/learn/after/recall_box.h"
 #include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/project_box.h"
 #include "app/ui/learn/prose.h"
-#include "app/ui/learn/recall_box.h"
 #include "app/ui/learn/step_button.h"
 
 #include <QLabel>

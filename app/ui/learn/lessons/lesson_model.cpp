@@ -1,4 +1,4 @@
-#include "app/ui/learn/lesson_model.h"
+#include "app/ui/learn/lessons/lesson_model.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "app/ui/learn/guess_box.h"
+#include "app/ui/learn/step/guess_box.h"
 
 #include "app/ui/learn/choice_row.h"
 #include "app/ui/learn/narration_text.h"

@@ -1,4 +1,4 @@
-#include "app/ui/learn/recall_page.h"
+#include "app/ui/learn/after/recall_page.h"
 
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/step_button.h"

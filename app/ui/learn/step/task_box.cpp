@@ -1,4 +1,4 @@
-#include "app/ui/learn/task_box.h"
+#include "app/ui/learn/step/task_box.h"
 
 #include "app/model/text/sentences.h"
 #include "app/ui/learn/button_flow.h"
