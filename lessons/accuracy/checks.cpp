@@ -109,6 +109,31 @@ Conditions toFrame60By(const char *id, const QString &choose)
     return {stepIs(1.0 / 16), runsMethod(id, choose), exactlyAt(60)};
 }
 
+/// Returns the state one frame before the cursor.
+sim::State stateBefore(const Timeline &run)
+{
+    return run.track().stateAt(std::max<std::int64_t>(0, run.cursor().frame - 1));
+}
+
+/// Returns how close the foot came to the body in the last frame, in px. A fast foot is close between two frames.
+double closestToBody(const Timeline &run)
+{
+    const sim::Scene &scene = run.track().interval().scene;
+    const int foot = scene.find("foot"), body = scene.find("body");
+    const sim::State before = stateBefore(run);
+    const sim::Vec2 from = before.positionOf(foot) - before.positionOf(body);
+    const sim::Vec2 way = run.state().positionOf(foot) - run.state().positionOf(body) - from;
+    const double square = dot(way, way);
+    const double part = square > 0.0 ? std::clamp(-dot(from, way) / square, 0.0, 1.0) : 0.0;
+    return sim::length(from + part * way);
+}
+
+/// Returns the shorter of the steps at the cursor and one frame before, in frames.
+double shortestStep(const Timeline &run)
+{
+    return std::min(lastStep(run.state()), lastStep(stateBefore(run)));
+}
+
 /// Returns the distance of the foot from the centre, in px.
 double footFromCentre(const Timeline &run)
 {
@@ -232,9 +257,8 @@ std::vector<Check> adaptChecks(const Exact &exact, const Values &defaultValues)
                     released("foot"),
                     thrownAtLeast(),
                     adaptive("method"),
-                    {[](const Timeline &run) { return distance(run, "foot", "body") <= 10.0; }, "close"},
-                    {[](const Timeline &run) { return lastStep(run.state()) < 1.0; }, "short_step",
-                     [](const Timeline &run) { return lastStep(run.state()); }},
+                    {[](const Timeline &run) { return closestToBody(run) <= 10.0; }, "close"},
+                    {[](const Timeline &run) { return shortestStep(run) < 1.0; }, "short_step", shortestStep},
                 },
         },
         {

@@ -178,7 +178,10 @@ std::vector<Overlay> exactOverlays(ExactRun &exact, const View &view, const Scri
                             .about = Overlay::About::exactMotion});
     }
     if (farthest >= 0) {
-        overlays[worstOverlay].label = Text::tr("%1 px off").arg(QLocale().toString(distance, 'f', 1));
+        // A run that has flown away is too far off for all its digits.
+        const QString far =
+            distance < 1e6 ? QLocale().toString(distance, 'f', 1) : QLocale().toString(distance, 'g', 2);
+        overlays[worstOverlay].label = Text::tr("%1 px off").arg(far);
         overlays.push_back({.shape = Overlay::Shape::line,
                             .a = state.positionOf(farthest),
                             .b = exactState->positionOf(farthest),

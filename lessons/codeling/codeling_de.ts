@@ -108,8 +108,8 @@
         <translation>Hart</translation>
     </message>
     <message>
-        <source>The same, when the spine is shorter than least or longer than most.</source>
-        <translation>Dasselbe, wenn das Rückgrat kürzer als die kleinste oder länger als die größte Länge ist.</translation>
+        <source>The same, when the spine is too short or too long.</source>
+        <translation>Dasselbe, wenn das Rückgrat zu kurz oder zu lang ist.</translation>
     </message>
     <message>
         <source>Along</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>The share of the tail’s speed along the spine that it keeps.</source>
-        <translation>Der Anteil des Schwanztempos längs zum Rückgrat, den er behält.</translation>
+        <translation>Der Anteil seines Tempos längs des Rückgrats, den der Schwanz behält.</translation>
     </message>
     <message>
         <source>Across</source>
@@ -125,10 +125,10 @@
     </message>
     <message>
         <source>The share of the tail’s speed across the spine that it keeps.</source>
-        <translation>Der Anteil des Schwanztempos quer zum Rückgrat, den er behält.</translation>
+        <translation>Der Anteil seines Tempos quer zum Rückgrat, den der Schwanz behält.</translation>
     </message>
     <message>
-        <source>Least length</source>
+        <source>Shortest length</source>
         <translation>Kleinste Länge</translation>
     </message>
     <message>
@@ -136,7 +136,7 @@
         <translation>Ist es kürzer, schiebt das Rückgrat hart.</translation>
     </message>
     <message>
-        <source>Most length</source>
+        <source>Longest length</source>
         <translation>Größte Länge</translation>
     </message>
     <message>

@@ -136,7 +136,7 @@ std::vector<Parameter> spineParameters()
             .id = "hard",
             .name = Text::tr("Hard"),
             .unit = perFrame,
-            .help = Text::tr("The same, when the spine is shorter than least or longer than most."),
+            .help = Text::tr("The same, when the spine is too short or too long."),
             .defaultValue = 0.8,
         }),
         share({
@@ -155,14 +155,14 @@ std::vector<Parameter> spineParameters()
         }),
         pixels({
             .id = "min_length",
-            .name = Text::tr("Least length"),
+            .name = Text::tr("Shortest length"),
             .help = Text::tr("Shorter than this, the spine pushes hard."),
             .defaultValue = 20.0,
             .sliderMax = 120.0,
         }),
         pixels({
             .id = "max_length",
-            .name = Text::tr("Most length"),
+            .name = Text::tr("Longest length"),
             .help = Text::tr("Longer than this, the spine pulls hard."),
             .defaultValue = 60.0,
             .sliderMax = 120.0,

@@ -76,7 +76,7 @@ Step runawayStep()
 {
     Step step = newStep(
         "runaway", QRectF(225, 150, 140, 140),
-        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {150, 0}});
+        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {180, 0}});
     step.addParameters({stiffnessUpTo(0.3, 1.0), damping(0.9), radius()});
     step.readTexts(runawayChecks());
     step.scene = runaway::setUp;
@@ -88,7 +88,7 @@ Step manyFeetStep()
 {
     Step step =
         newStep("many_feet", QRectF(195, 115, 150, 160),
-                {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {160, 0}});
+                {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {190, 0}});
     step.addParameters({feetUpTo(60, 100), stiffnessUpTo(0.2, 1.0), damping(0.85), radius()});
     step.method = "semi_implicit_euler";
     step.readTexts(manyFeetChecks());
@@ -100,7 +100,7 @@ Step onePlaceStep()
 {
     Step step = newStep(
         "one_place", QRectF(195, 115, 150, 160),
-        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {160, 0}});
+        {.method = "semi_implicit_euler", .caption = Text::tr("Semi-implicit Euler"), .offset = {190, 0}});
     step.addParameters({feetUpTo(5, 24), stiffnessUpTo(0.1, 1.0), damping(0.85), radius()});
     step.readTexts(onePlaceChecks());
     step.scene = one_place::setUp;
@@ -111,7 +111,7 @@ Step stiffStep()
 {
     Step step =
         newStep("stiff", QRectF(190, 120, 155, 170),
-                {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {165, 0}});
+                {.method = "backward_euler", .caption = Text::tr("Backward Euler"), .offset = {195, 0}});
     step.addParameters({stiffnessUpTo(1000.0, 2000.0), damping(0.9), radius()});
     step.method = "semi_implicit_euler";
     step.readTexts(stiffChecks());
@@ -123,7 +123,7 @@ Step contradictionStep()
 {
     Step step = newStep(
         "contradiction", QRectF(180, 95, 180, 200),
-        {.method = "semi_implicit_euler", .caption = Text::tr("The same, as sticks"), .offset = {190, 0}});
+        {.method = "semi_implicit_euler", .caption = Text::tr("The same, as sticks"), .offset = {230, 0}});
     step.companion->values = {{"made_of", 1.0}};
     Parameter madeOf =
         choice("made_of", Text::tr("Made of"),

@@ -51,6 +51,13 @@ double worstStickStretch(const Timeline &run)
     return largestStretch(run.track().interval().scene, run.state());
 }
 
+/// Returns how far p0 has moved since the start of the frame, in px.
+double p0MoveInFrame(const Timeline &run)
+{
+    const sim::State before = run.track().stateAt(run.cursor().frame);
+    return sim::length(positionOf(run, "p0") - before.positionOf(0));
+}
+
 /// Returns the distance of p1 from its start, in px.
 double p1Displacement(const Timeline &run)
 {
@@ -68,6 +75,18 @@ Condition errorAtMost(double max, int decimals)
 Condition errorAtLeast(double min)
 {
     return atLeast(min, worstStickError, "large_error");
+}
+
+/// The error of a stick is `min` px or more, and p0 has moved 50 px in ten frames. At the start the sticks are wrong
+/// although nothing moves.
+Condition errorByMotion(double min)
+{
+    const auto isFast = [min](const Timeline &run) {
+        const std::int64_t before = run.cursor().frame - 10;
+        return before >= 0 && worstStickError(run) >= min &&
+               sim::length(run.state().positionOf(0) - run.track().stateAt(before).positionOf(0)) >= 50.0;
+    };
+    return {isFast, "large_error", worstStickError};
 }
 
 /// Returns whether p1 has stood still for ten frames while p0 moved at least 20 px.
@@ -117,7 +136,7 @@ std::vector<Check> pairChecks()
                          return last && last->kind == sim::EffectKind::driver;
                      },
                      "phase"},
-                    atLeast(20.0, worstStickError, "stick_error", 0),
+                    atLeast(20.0, p0MoveInFrame, "p0_moved", 0),
                 },
         },
         {
@@ -172,11 +191,11 @@ std::vector<Check> triangleChecks()
     return {
         {
             .id = "fast",
-            .conditions = {hasPointer(), pointerLedTo(100.0), errorAtLeast(10.0)},
+            .conditions = {hasPointer(), pointerLedTo(20.0), errorByMotion(10.0)},
         },
         {
             .id = "still",
-            .conditions = {hasPointer(), pointerLedTo(100.0), errorAtMost(0.01, 2)},
+            .conditions = {hasPointer(), pointerLedTo(20.0), errorAtMost(0.01, 2)},
         },
         {
             .id = "larger",

@@ -16,6 +16,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -92,16 +93,37 @@ double totalEnergy(const sim::Torsion &springs, const sim::State &state)
     return kineticEnergy(springs, state) + potentialEnergy(springs, state);
 }
 
+/// Returns whether a bend of more than half a turn means that: springs feel how far they were turned. Rules that set an
+/// angle know only its direction.
+bool countsTurns(const sim::Scene &scene)
+{
+    return effectOf<sim::Torsion>(scene) != nullptr;
 }
 
-double bendOf(const sim::Scene &scene, const sim::State &state, int branch)
+double turned(const sim::Scene &scene, const sim::State &state, int branch)
 {
     return state.angle[branch] - scene.start.angle[branch];
 }
 
+double shortWay(const sim::Scene &scene, const sim::State &state, int branch)
+{
+    return std::remainder(turned(scene, state, branch), 360.0);
+}
+
+}
+
+double bendOf(const sim::Scene &scene, const sim::State &state, int branch)
+{
+    return (countsTurns(scene) ? turned : shortWay)(scene, state, branch);
+}
+
 double largestBend(const sim::Scene &scene, const sim::State &state)
 {
-    return (state.angle - scene.start.angle).abs().maxCoeff();
+    const auto bend = countsTurns(scene) ? turned : shortWay;
+    double largest = 0.0;
+    for (int branch = 0; branch < static_cast<int>(state.angle.size()); ++branch)
+        largest = std::max(largest, std::abs(bend(scene, state, branch)));
+    return largest;
 }
 
 sim::Vec2 endOf(const sim::Scene &scene, const sim::State &state, int branch)

@@ -10,7 +10,8 @@
 /// The overlays, notes and measures of this lesson.
 namespace swaying_tree {
 
-/// Returns the angle of a branch from its start angle, in degrees.
+/// Returns the angle of a branch from its start angle, in degrees. Without springs in the joints it is the short way,
+/// at most 180 degrees to either side.
 double bendOf(const sim::Scene &scene, const sim::State &state, int branch);
 /// Returns the largest absolute bend of a branch, in degrees.
 double largestBend(const sim::Scene &scene, const sim::State &state);

@@ -9,7 +9,7 @@
     </message>
     <message>
         <source>A foot and a body pull each other: whose turn it is makes a difference.</source>
-        <translation>Ein Fuß und ein Körper ziehen einander: Es macht einen Unterschied, wer gerade dran ist.</translation>
+        <translation>Ein Fuß und ein Körper ziehen aneinander: Es macht einen Unterschied, wer gerade dran ist.</translation>
     </message>
 </context>
 </TS>

@@ -60,6 +60,7 @@ private slots:
     void heldBranchKeepsItsAngleAndMovesItsChildren_data();
     void heldBranchKeepsItsAngleAndMovesItsChildren();
     void windIsDrawnWhileTheButtonIsDown();
+    void theLargestBendIsTheShortWay();
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, swayingTreeAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
@@ -318,6 +319,18 @@ void SwayingTree::heldBranchKeepsItsAngleAndMovesItsChildren()
     run.seek({41, 0});
     // The released branch is back at the end of the trunk.
     QVERIFY(sim::length(run.state().positionOf(held) - sim::Vec2{200, 150}) > 10.0);
+}
+
+void SwayingTree::theLargestBendIsTheShortWay()
+{
+    const lessons::Step &pointer = step("towards_pointer");
+    sim::Script script = scriptOf(pointer);
+    script.input = {{0, sim::Pointer{{450, 250}, true}}};
+    const sim::State state = stateAfter(script, 10);
+    const sim::Scene scene = pointer.scene(script.values);
+    QVERIFY((state.angle - scene.start.angle).abs().maxCoeff() > 180.0); // full turns are counted there
+    const double bend = pointer.measures.front().of(scene, state, nullptr, script.values);
+    QVERIFY2(bend > 1.0 && bend <= 180.0, qPrintable(QString::number(bend)));
 }
 
 void SwayingTree::windIsDrawnWhileTheButtonIsDown()

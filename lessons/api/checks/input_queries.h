@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <variant>
 
 /// Queries of the input of a run.
@@ -13,6 +14,10 @@ namespace lessons {
 /// Returns the input that has been applied at the cursor, in order of time. Inside a frame, this includes the
 /// input of the frame in progress. Empty at the start of the run.
 std::span<const sim::Event> appliedInput(const sim::Timeline &timeline);
+std::span<const sim::Event> appliedInput(const sim::Track &track);
+
+/// Returns whether the last drag is finished and moved `body` (any if empty).
+bool isReleased(const sim::Track &track, const std::string &body);
 
 /// Returns whether input of type `Input` for which `matches(input)` holds has been applied at the cursor.
 template <class Input, class Matches>

@@ -74,6 +74,11 @@ std::vector<Attempt> accuracyAttempts()
              p.release();
              p.playUntilDone(60);
          }},
+        {"adapt", 1, "thrown fast through the centre",
+         [](Player &p) {
+             p.drag("foot", {340, 200}, 4);
+             p.playUntilDone(60);
+         }},
         {"adapt", 2, "Runge-Kutta 4, 1/4 frame", [](Player &p) { playWith(p, "rk4", 0.25, 150); }},
         {"bounce", 0, "1/8 frame", [](Player &p) { playWith(p, "rk4", 0.125, 200); }},
         {"bounce", 1, "Dormand-Prince",

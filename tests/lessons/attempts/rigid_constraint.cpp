@@ -29,6 +29,12 @@ std::vector<Attempt> rigidConstraintAttempts()
              p.point({340, 215}, true);
              p.stepPhases(1);
          }},
+        {"pair", 1, "stopped after the pointer has moved p0 across the stick",
+         [](Player &p) {
+             p.play(5);
+             p.point(p.at("p0") + sim::Vec2{60, 0}, true);
+             p.stepPhases(1);
+         }},
         {"pair", 2, "no length",
          [](Player &p) {
              p.play(5);
@@ -57,6 +63,12 @@ std::vector<Attempt> rigidConstraintAttempts()
          [](Player &p) {
              movePointer(p, {300, 200}, 10);
              movePointer(p, {480, 300}, 2);
+         }},
+        {"triangle", 0, "fast, to a place near the start",
+         [](Player &p) {
+             p.play(20);
+             movePointer(p, {200, 250}, 10);
+             movePointer(p, {260, 130}, 2);
          }},
         {"triangle", 1, "fast, then still",
          [](Player &p) {
