@@ -1,5 +1,7 @@
 #include "app/listing/cell_values.h"
 
+#include "sim/scene/state.h"
+
 #include <angelscript.h>
 
 #include <cstring>
@@ -33,6 +35,16 @@ std::string typeName(const Value &value)
     if (reference && reference->kind == BodyReference::Kind::stick)
         return "Stick";
     return names[value.index()];
+}
+
+void apply(const BodyMotion &motion, sim::State &state)
+{
+    state.place(motion.point, motion.position);
+    state.setVelocity(motion.point, motion.velocity);
+    if (state.angle.rows() > motion.point)
+        state.angle[motion.point] = motion.angle;
+    if (state.spin.rows() > motion.point)
+        state.spin[motion.point] = motion.spin;
 }
 
 std::string cellName(const std::string &array, std::size_t index)

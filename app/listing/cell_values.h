@@ -9,6 +9,10 @@
 #include <string>
 #include <vector>
 
+namespace AngelScript {
+class asIScriptEngine;
+}
+
 namespace listing {
 
 struct BodyCell;
@@ -65,6 +69,19 @@ struct StickArray
     std::vector<StickCell> cells;
 };
 
+/// Places that were clicked, as the interpreter sees them.
+struct TargetArray
+{
+    int count = 0;
+    std::vector<sim::Vec2> all;
+};
+
+/// Keys, as the interpreter sees them.
+struct KeyCell
+{
+    bool left = false, right = false, up = false, down = false;
+};
+
 /// The cells that the names of a vocabulary stand for.
 struct NamedCells
 {
@@ -84,6 +101,17 @@ struct CellTypes
     int creature = -1; ///< -1: this scene has no creatures
     int stick = -1;    ///< -1: this scene has no sticks
 };
+
+/// What a program may do with the bodies of the scene.
+enum class BodyAccess { write, read };
+
+/// Registers with `engine` the types of the cells of a scene, and the functions that need cells only. The functions of
+/// registerFunctions() come before. Returns the interpreter's numbers of the types.
+CellTypes registerCellTypes(AngelScript::asIScriptEngine &engine, const Vocabulary &vocabulary,
+                            BodyAccess access);
+
+/// Returns whether `cell` is a body. If the variable stands for none, the program stops with an error.
+bool standsForBody(const void *cell);
 
 /// Returns the name of an element, for example "feet[2]".
 std::string cellName(const std::string &array, std::size_t index);

@@ -1,6 +1,5 @@
 #include "app/listing/scene_cells.h"
 
-#include "sim/base/direction.h"
 #include "sim/base/random.h"
 #include "sim/effects/tree/tree.h"
 
@@ -22,44 +21,9 @@ bool isFiniteVector(Vec2 v)
     return std::isfinite(v.x) && std::isfinite(v.y);
 }
 
-/// Stops the program with the error that the array `name` with `count` elements has no element `index`.
-void raiseNoElement(int index, int count, const std::string &name)
+BodyMotion motionOf(const BodyCell &cell)
 {
-    std::string sentence = "There is no " + name + "[" + std::to_string(index) + "]: ";
-    if (count == 0)
-        sentence += name + " is empty.";
-    else if (count == 1)
-        sentence += "the only one is " + name + "[0].";
-    else
-        sentence += name + " goes from " + name + "[0] to " + name + "[" + std::to_string(count - 1) + "].";
-    asGetActiveContext()->SetException(sentence.c_str());
-}
-
-/// Returns the cell with this index of an array of the scene. If there is none, the program stops with an error.
-template <class Cell>
-Cell *cellAt(int index, std::vector<Cell> &cells, const std::string &name)
-{
-    const int count = static_cast<int>(cells.size());
-    if (index >= 0 && index < count)
-        return &cells[static_cast<std::size_t>(index)];
-    raiseNoElement(index, count, name);
-    return nullptr;
-}
-
-/// Returns whether `cell` is a body. If a variable stands for none, the program stops with an error.
-bool isBody(const void *cell)
-{
-    if (!cell)
-        asGetActiveContext()->SetException("Null pointer access");
-    return cell != nullptr;
-}
-
-/// Stands for a place in sim::direction(), as a place is not one of the points.
-constexpr int placeIndex = -1;
-
-Vec2 directionOf(Vec2 from, Vec2 to, int fromPoint, int toPoint)
-{
-    return sim::direction(to - from, fromPoint, toPoint).out;
+    return {cell.point, cell.position, cell.velocity, cell.angle, cell.spin};
 }
 
 }
@@ -68,102 +32,9 @@ SceneCells::SceneCells(asIScriptEngine &engine, const Vocabulary &vocabulary, Bo
     : m_engine(engine), m_vocabulary(vocabulary)
 {
     registerFunctions(m_engine, m_vocabulary.parameters);
-    m_types.vec2 = m_engine.GetTypeIdByDecl("Vec2");
-    registerBodies(access);
-    if (m_vocabulary.hasTree)
-        registerBranches();
-    if (m_vocabulary.hasCreatures)
-        registerCreatures();
-    if (m_vocabulary.hasSticks)
-        registerSticks();
-    registerInput();
+    m_types = registerCellTypes(m_engine, m_vocabulary, access);
     registerFunctionsOfScene();
     registerNames();
-}
-
-void SceneCells::registerBodies(BodyAccess access)
-{
-    // Variables of this type are references, so `Body foot = feet[i]` names the same body and copies nothing.
-    m_engine.RegisterObjectType("Body", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
-    m_types.body = m_engine.GetTypeIdByDecl("Body") & asTYPEID_MASK_SEQNBR;
-    const auto property = [this](const char *declaration, std::size_t offset) {
-        m_engine.RegisterObjectProperty("Body", declaration, static_cast<int>(offset));
-    };
-    const bool isWritable = access == BodyAccess::write;
-    property(isWritable ? "Vec2 position" : "const Vec2 position", offsetof(BodyCell, position));
-    property(isWritable ? "Vec2 velocity" : "const Vec2 velocity", offsetof(BodyCell, velocity));
-    property("const Vec2 before", offsetof(BodyCell, before));
-    property("const bool held", offsetof(BodyCell, held));
-    property("const double mass", offsetof(BodyCell, mass));
-    property("const double radius", offsetof(BodyCell, radius));
-    if (m_vocabulary.bodiesTurn) {
-        property("double angle", offsetof(BodyCell, angle));
-        property("double spin", offsetof(BodyCell, spin));
-    }
-    m_engine.RegisterObjectMethod("Body", "bool opEquals(const Body @) const", asFUNCTION(isSameBody),
-                                  asCALL_CDECL_OBJFIRST);
-    m_engine.RegisterObjectType("Bodies", 0, asOBJ_REF | asOBJ_NOHANDLE);
-    m_engine.RegisterObjectProperty("Bodies", "const int count",
-                                    static_cast<int>(offsetof(BodyArray, count)));
-    m_engine.RegisterObjectMethod("Bodies", "Body @opIndex(int)", asFUNCTION(bodyAt), asCALL_CDECL_OBJLAST);
-}
-
-void SceneCells::registerCreatures()
-{
-    m_engine.RegisterObjectType("Creature", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
-    m_types.creature = m_engine.GetTypeIdByDecl("Creature") & asTYPEID_MASK_SEQNBR;
-    const auto property = [this](const char *declaration, std::size_t offset) {
-        m_engine.RegisterObjectProperty("Creature", declaration, static_cast<int>(offset));
-    };
-    m_engine.RegisterObjectMethod("Creature", "Body @get_body() property", asFUNCTION(bodyOf),
-                                  asCALL_CDECL_OBJLAST);
-    property("Bodies feet", offsetof(CreatureCell, feet));
-    if (m_vocabulary.hasGait) {
-        property("double gait", offsetof(CreatureCell, gait));
-        property("double gait_speed", offsetof(CreatureCell, gaitSpeed));
-    }
-    m_engine.RegisterObjectMethod("Creature", "bool opEquals(const Creature @) const",
-                                  asFUNCTION(isSameCreature), asCALL_CDECL_OBJFIRST);
-    m_engine.RegisterObjectType("Creatures", 0, asOBJ_REF | asOBJ_NOHANDLE);
-    m_engine.RegisterObjectProperty("Creatures", "const int count",
-                                    static_cast<int>(offsetof(CreatureArray, count)));
-    m_engine.RegisterObjectMethod("Creatures", "Creature @opIndex(int)", asFUNCTION(creatureAt),
-                                  asCALL_CDECL_OBJLAST);
-}
-
-void SceneCells::registerBranches()
-{
-    m_engine.RegisterObjectType("Children", 0, asOBJ_REF | asOBJ_NOHANDLE);
-    m_engine.RegisterObjectProperty("Children", "const int count",
-                                    static_cast<int>(offsetof(ChildArray, count)));
-    m_engine.RegisterObjectMethod("Children", "Body @opIndex(int)", asFUNCTION(childAt),
-                                  asCALL_CDECL_OBJLAST);
-    const auto property = [this](const char *declaration, std::size_t offset) {
-        m_engine.RegisterObjectProperty("Body", declaration, static_cast<int>(offset));
-    };
-    property("const int number", offsetof(BodyCell, number));
-    property("const double rest", offsetof(BodyCell, rest));
-    property("const double scale", offsetof(BodyCell, scale));
-    property("const double length", offsetof(BodyCell, length));
-    property("const double inertia", offsetof(BodyCell, inertia));
-    property("Children children", offsetof(BodyCell, children));
-}
-
-void SceneCells::registerSticks()
-{
-    m_engine.RegisterObjectType("Stick", 0, asOBJ_REF | asOBJ_NOCOUNT | asOBJ_IMPLICIT_HANDLE);
-    m_types.stick = m_engine.GetTypeIdByDecl("Stick") & asTYPEID_MASK_SEQNBR;
-    const auto property = [this](const char *declaration, std::size_t offset) {
-        m_engine.RegisterObjectProperty("Stick", declaration, static_cast<int>(offset));
-    };
-    property("Body @const a", offsetof(StickCell, a));
-    property("Body @const b", offsetof(StickCell, b));
-    property("const double length", offsetof(StickCell, length));
-    property("const double share", offsetof(StickCell, share));
-    m_engine.RegisterObjectType("Sticks", 0, asOBJ_REF | asOBJ_NOHANDLE);
-    m_engine.RegisterObjectProperty("Sticks", "const int count",
-                                    static_cast<int>(offsetof(StickArray, count)));
-    m_engine.RegisterObjectMethod("Sticks", "Stick @opIndex(int)", asFUNCTION(stickAt), asCALL_CDECL_OBJLAST);
 }
 
 void SceneCells::registerFunctionsOfScene()
@@ -178,29 +49,6 @@ void SceneCells::registerFunctionsOfScene()
     method("double random(int, int)", asMETHOD(SceneCells, randomInFrame));
     if (m_vocabulary.hasTree)
         method("Vec2 direction(const Body @)", asMETHOD(SceneCells, directionOfBranch));
-    const auto direction = [this](const char *declaration, const asSFuncPtr &function) {
-        m_engine.RegisterGlobalFunction(declaration, function, asCALL_CDECL);
-    };
-    direction("Vec2 direction(const Body @, const Body @)", asFUNCTION(directionBetween));
-    direction("Vec2 direction(const Body @, const Vec2 &in)", asFUNCTION(directionToPlace));
-    direction("Vec2 direction(const Vec2 &in, const Vec2 &in, const Body @)", asFUNCTION(directionOfPlaces));
-}
-
-void SceneCells::registerInput()
-{
-    m_engine.RegisterObjectType("Targets", 0, asOBJ_REF | asOBJ_NOHANDLE);
-    m_engine.RegisterObjectProperty("Targets", "const int count",
-                                    static_cast<int>(offsetof(TargetArray, count)));
-    m_engine.RegisterObjectMethod("Targets", "Vec2 opIndex(int) const", asFUNCTION(targetAt),
-                                  asCALL_CDECL_OBJLAST);
-    m_engine.RegisterObjectType("Keys", 0, asOBJ_REF | asOBJ_NOHANDLE);
-    const auto key = [this](const char *declaration, std::size_t offset) {
-        m_engine.RegisterObjectProperty("Keys", declaration, static_cast<int>(offset));
-    };
-    key("const bool left", offsetof(KeyCell, left));
-    key("const bool right", offsetof(KeyCell, right));
-    key("const bool up", offsetof(KeyCell, up));
-    key("const bool down", offsetof(KeyCell, down));
 }
 
 void SceneCells::registerNames()
@@ -413,9 +261,7 @@ void SceneCells::loadPlaceholders()
 void SceneCells::readMotions(std::vector<BodyMotion> &into) const
 {
     into.clear();
-    forEachCell([&](const BodyCell &cell, const auto &) {
-        into.push_back({cell.point, cell.position, cell.velocity, cell.angle, cell.spin});
-    });
+    forEachCell([&](const BodyCell &cell, const auto &) { into.push_back(motionOf(cell)); });
 }
 
 void SceneCells::resizeCreatures(std::size_t count)
@@ -429,14 +275,7 @@ void SceneCells::resizeCreatures(std::size_t count)
 
 void SceneCells::store(sim::State &state) const
 {
-    forEachCell([&](const BodyCell &cell, const auto &) {
-        state.place(cell.point, cell.position);
-        state.setVelocity(cell.point, cell.velocity);
-        if (state.angle.rows() > cell.point)
-            state.angle[cell.point] = cell.angle;
-        if (state.spin.rows() > cell.point)
-            state.spin[cell.point] = cell.spin;
-    });
+    forEachCell([&](const BodyCell &cell, const auto &) { apply(motionOf(cell), state); });
     const auto storeGait = [&](Eigen::Index clock, double gait, double speed) {
         if (clock < state.gait.rows())
             state.gait[clock] = gait;
@@ -491,72 +330,9 @@ double SceneCells::randomInFrame(int i, int frame) const
                         static_cast<std::uint64_t>(static_cast<std::int64_t>(i)));
 }
 
-bool SceneCells::isSameBody(const BodyCell *a, const BodyCell *b)
-{
-    return a == b;
-}
-
-bool SceneCells::isSameCreature(const CreatureCell *a, const CreatureCell *b)
-{
-    return a == b;
-}
-
-BodyCell *SceneCells::bodyAt(int index, BodyArray *array)
-{
-    return cellAt(index, array->cells, array->name);
-}
-
-CreatureCell *SceneCells::creatureAt(int index, CreatureArray *array)
-{
-    return cellAt(index, array->cells, "creatures");
-}
-
-BodyCell *SceneCells::bodyOf(CreatureCell *creature)
-{
-    return &creature->body;
-}
-
-BodyCell *SceneCells::childAt(int index, ChildArray *array)
-{
-    if (index >= 0 && index < array->count)
-        return array->first + index;
-    raiseNoElement(index, array->count, "children");
-    return nullptr;
-}
-
-StickCell *SceneCells::stickAt(int index, StickArray *array)
-{
-    return cellAt(index, array->cells, "sticks");
-}
-
-Vec2 SceneCells::targetAt(int index, const TargetArray *array)
-{
-    if (index >= 0 && index < array->count)
-        return array->all[static_cast<std::size_t>(index)];
-    raiseNoElement(index, array->count, "new_targets");
-    return {};
-}
-
 Vec2 SceneCells::directionOfBranch(const BodyCell *branch) const
 {
-    return isBody(branch) ? sim::branchReach(branch->angle, 1.0, m_degrees) : Vec2();
-}
-
-Vec2 SceneCells::directionBetween(const BodyCell *from, const BodyCell *to)
-{
-    if (!isBody(from) || !isBody(to))
-        return {};
-    return directionOf(from->position, to->position, from->point, to->point);
-}
-
-Vec2 SceneCells::directionToPlace(const BodyCell *from, const VectorCell &to)
-{
-    return isBody(from) ? directionOf(from->position, read(to), from->point, placeIndex) : Vec2();
-}
-
-Vec2 SceneCells::directionOfPlaces(const VectorCell &from, const VectorCell &to, const BodyCell *owner)
-{
-    return isBody(owner) ? directionOf(read(from), read(to), placeIndex, owner->point) : Vec2();
+    return standsForBody(branch) ? sim::branchReach(branch->angle, 1.0, m_degrees) : Vec2();
 }
 
 }

@@ -14,9 +14,6 @@
 
 namespace listing {
 
-/// What a program may do with the bodies of the scene.
-enum class BodyAccess { write, read };
-
 /// The scene as the programs of one script engine see it: a cell of memory for each body and each other name of a
 /// vocabulary. The engine knows the addresses of the cells.
 class SceneCells
@@ -54,21 +51,6 @@ public:
     std::string firstNonFinite() const;
 
 private:
-    struct TargetArray
-    {
-        int count = 0;
-        std::vector<sim::Vec2> all;
-    };
-    struct KeyCell
-    {
-        bool left = false, right = false, up = false, down = false;
-    };
-
-    void registerBodies(BodyAccess access);
-    void registerBranches();
-    void registerCreatures();
-    void registerSticks();
-    void registerInput();
     void registerFunctionsOfScene();
     void registerNames();
     void loadBranches(const Binding &binding);
@@ -82,18 +64,7 @@ private:
     template <class Visit>
     void forEachCell(Visit &&visit) const;
 
-    static bool isSameBody(const BodyCell *a, const BodyCell *b);
-    static bool isSameCreature(const CreatureCell *a, const CreatureCell *b);
-    static BodyCell *bodyAt(int index, BodyArray *array);
-    static CreatureCell *creatureAt(int index, CreatureArray *array);
-    static BodyCell *bodyOf(CreatureCell *creature);
-    static BodyCell *childAt(int index, ChildArray *array);
-    static StickCell *stickAt(int index, StickArray *array);
-    static sim::Vec2 targetAt(int index, const TargetArray *array);
     sim::Vec2 directionOfBranch(const BodyCell *branch) const;
-    static sim::Vec2 directionBetween(const BodyCell *from, const BodyCell *to);
-    static sim::Vec2 directionToPlace(const BodyCell *from, const VectorCell &to);
-    static sim::Vec2 directionOfPlaces(const VectorCell &from, const VectorCell &to, const BodyCell *owner);
 
     AngelScript::asIScriptEngine &m_engine;
     const Vocabulary &m_vocabulary;

@@ -8,6 +8,10 @@
 #include <variant>
 #include <vector>
 
+namespace sim {
+struct State;
+}
+
 namespace listing {
 
 /// A body, a creature or a stick that a variable stands for.
@@ -82,6 +86,9 @@ struct BodyMotion
     double angle = 0.0, spin = 0.0; ///< 0 where bodies do not turn
     friend bool operator==(const BodyMotion &, const BodyMotion &) = default;
 };
+
+/// Moves the body in `state`.
+void apply(const BodyMotion &motion, sim::State &state);
 
 /// A line that is about to run.
 struct TracedLine

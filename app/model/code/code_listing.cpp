@@ -3,7 +3,7 @@
 #include "app/model/code/code_lines.h"
 #include "app/model/text/sentences.h"
 #include "sim/base/error.h"
-#include "sim/methods/methods.h"
+#include "sim/pipeline/method.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
 

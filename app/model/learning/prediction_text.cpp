@@ -18,18 +18,23 @@ struct PredictionText
 
 using Asks = lessons::Question::Kind;
 
+/// Returns how many decimals of a number a learner reads.
+int decimals(double value)
+{
+    const double size = std::abs(value);
+    return size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3;
+}
+
 /// Returns a number as exactly as a learner reads it: two to three digits, or all of a whole number.
 QString shortNumber(double value)
 {
-    const double size = std::abs(value);
-    if (value == std::round(value))
-        return fixedNumber(value, 0);
-    return fixedNumber(value, size >= 10.0 ? 1 : size >= 1.0 ? 2 : 3);
+    return fixedNumber(value, value == std::round(value) ? 0 : decimals(value));
 }
 
 QString withUnit(const lessons::Question &question, double value)
 {
-    const QString unit = question.asksFrames() ? PredictionText::tr("frames") : question.unit;
+    const QString frames = value == 1.0 ? PredictionText::tr("frame") : PredictionText::tr("frames");
+    const QString unit = question.asksFrames() ? frames : question.unit;
     return unit.isEmpty() ? shortNumber(value) : shortNumber(value) + QStringLiteral("\u202F") + unit;
 }
 
@@ -43,11 +48,12 @@ int shownNumber(const lessons::Prediction &prediction, int curve)
 QString differenceWords(const lessons::Question &question, double said, double found)
 {
     const double difference = said - found;
-    if (std::abs(difference) < 5e-4 * std::max(1.0, std::abs(found)))
+    // A difference that is lost when both numbers are shown is none.
+    if (std::abs(difference) < 0.5 * std::pow(10.0, -decimals(found)))
         return PredictionText::tr("exactly as you said");
     const QString size = withUnit(question, std::abs(difference));
-    return difference > 0.0 ? PredictionText::tr("you said %1 too much").arg(size)
-                            : PredictionText::tr("you said %1 too little").arg(size);
+    return difference > 0.0 ? PredictionText::tr("your number is %1 too high").arg(size)
+                            : PredictionText::tr("your number is %1 too low").arg(size);
 }
 
 }

@@ -3,7 +3,6 @@
 #include "app/listing/listing_method.h"
 #include "app/model/listing/rule_code.h"
 #include "app/model/run/run_program.h"
-#include "app/model/run/same_run.h"
 #include "app/model/session/run_editor.h"
 #include "app/model/text/sentences.h"
 #include "sim/methods/methods.h"

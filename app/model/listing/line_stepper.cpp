@@ -3,7 +3,6 @@
 #include "app/model/run/run_program.h"
 #include "app/model/run/same_run.h"
 #include "app/model/session/preview.h"
-#include "sim/methods/methods.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <algorithm>

@@ -137,14 +137,8 @@ sim::State ListingFrame::stateAfter(int index) const
 
 void ListingFrame::applyLine(int index, sim::State &state) const
 {
-    for (const listing::BodyMotion &one : line(index).changed) {
-        state.place(one.point, one.position);
-        state.setVelocity(one.point, one.velocity);
-        if (state.angle.rows() > one.point)
-            state.angle[one.point] = one.angle;
-        if (state.spin.rows() > one.point)
-            state.spin[one.point] = one.spin;
-    }
+    for (const listing::BodyMotion &one : line(index).changed)
+        listing::apply(one, state);
 }
 
 std::optional<double> ListingFrame::numberOf(const std::string &path, int index) const

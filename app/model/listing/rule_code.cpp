@@ -1,6 +1,5 @@
 #include "app/model/listing/rule_code.h"
 
-#include "app/listing/limits.h"
 #include "app/model/run/rule_error.h"
 #include "app/model/run/run_program.h"
 #include "app/model/session/run_editor.h"

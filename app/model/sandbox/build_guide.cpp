@@ -22,18 +22,19 @@ double offOpposite(double a, double b)
 
 }
 
-BuildGuide::BuildGuide(Session &session, SandboxEditor &editor, QObject *parent)
-    : QObject(parent), m_session(session), m_editor(editor)
+BuildGuide::BuildGuide(const OpenRun &run, RunEditor &changes, const Playback &playback,
+                       SandboxEditor &editor, QObject *parent)
+    : QObject(parent), m_run(run), m_changes(changes), m_playback(playback), m_editor(editor)
 {
     connect(&editor, &SandboxEditor::changed, this, &BuildGuide::follow);
     connect(&editor, &SandboxEditor::replaced, this, &BuildGuide::leave);
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this,
-                     &BuildGuide::follow);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this,
+                 &BuildGuide::follow);
 }
 
 void BuildGuide::start()
 {
-    if (!m_editor.isOpen() || !startEmpty(m_session))
+    if (!m_editor.isOpen() || !startEmpty(m_run, m_changes))
         return;
     m_editor.setTool(BuildTool::select);
     m_editor.choose({});
@@ -59,7 +60,7 @@ void BuildGuide::follow()
         return;
     }
     m_hasWalked = m_hasWalked || step() == Step::done;
-    if (m_hasWalked && m_session.timeline().cursor().frame == 0) {
+    if (m_hasWalked && m_run.timeline().cursor().frame == 0) {
         leave();
         return;
     }
@@ -111,11 +112,10 @@ BuildGuide::Step BuildGuide::footStep() const
 BuildGuide::Step BuildGuide::runStep() const
 {
     const sim::Vec2 from = m_editor.plan().points[std::size_t(body())].x;
-    const sim::State &now = m_session.timeline().state();
+    const sim::State &now = m_run.timeline().state();
     if (body() < now.pointCount() && std::abs(now.positionOf(body()).x - from.x) >= far)
         return Step::done;
-    return m_session.playback().isPlaying() || m_session.timeline().cursor().frame > 0 ? Step::watch
-                                                                                       : Step::play;
+    return m_playback.isPlaying() || m_run.timeline().cursor().frame > 0 ? Step::watch : Step::play;
 }
 
 BuildGuide::Step BuildGuide::step() const
@@ -182,7 +182,7 @@ QString BuildGuide::text() const
     case Step::play:
         return tr("Press Play (Space).");
     case Step::watch:
-        return m_session.timeline().cursor().frame < patience
+        return m_run.timeline().cursor().frame < patience
                    ? tr("Watch it: it lands, and then its feet push it along.")
                    : tr("It does not walk yet. Press Home, and make Swing 0.05.");
     case Step::done:

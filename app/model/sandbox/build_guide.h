@@ -28,8 +28,9 @@ public:
     };
     static constexpr int lastStep = static_cast<int>(Step::play) + 1; ///< number of clicks
 
-    /// `session` and `editor` must outlive the guide.
-    BuildGuide(Session &session, SandboxEditor &editor, QObject *parent = nullptr);
+    /// The arguments must outlive the guide.
+    BuildGuide(const OpenRun &run, RunEditor &changes, const Playback &playback, SandboxEditor &editor,
+               QObject *parent = nullptr);
 
     bool isOn() const { return m_isOn; }
     /// Starts the guide with a new scene. Undo restores the previous scene.
@@ -62,7 +63,9 @@ private:
     Step footStep() const;
     Step runStep() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_changes;
+    const Playback &m_playback;
     SandboxEditor &m_editor;
     bool m_isOn = false;
     bool m_hasWalked = false; ///< all tasks are done: the guide ends when the learner goes back to the start

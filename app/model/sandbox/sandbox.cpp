@@ -138,14 +138,14 @@ void takeToSandbox(Session &session)
     }
 }
 
-bool takeExample(Session &session, const lessons::Example &example)
+bool takeExample(const OpenRun &run, RunEditor &editor, const lessons::Example &example)
 {
     try {
-        const Experiment read = readExperiment(example.file, session.library());
-        return session.editor().replaceScene({SandboxText::tr("Open example %1").arg(example.title), {}, {}},
-                                             read.script, read.draft);
+        const Experiment read = readExperiment(example.file, run.library());
+        return editor.replaceScene({SandboxText::tr("Open example %1").arg(example.title), {}, {}},
+                                   read.script, read.draft);
     } catch (const UserError &error) {
-        session.showMessage(error.sentence());
+        run.showMessage(error.sentence());
         return false;
     }
 }
@@ -178,19 +178,19 @@ bool setBuiltEffect(const OpenRun &run, RunEditor &editor, const Playback &playb
         std::move(plan));
 }
 
-bool startEmpty(Session &session)
+bool startEmpty(const OpenRun &run, RunEditor &editor)
 {
-    sim::Script script = session.step().script();
+    sim::Script script = run.step().script();
     sim::Blueprint plan;
     plan.points = {{"p0", {270, 200}, {}, 1.0, 20.0, false}};
     plan.effects = {"gravity", "damping", "walls"};
     std::erase_if(plan.effects, [&](const std::string &id) {
-        return !sim::findDescription(session.step().availableEffects, id);
+        return !sim::findDescription(run.step().availableEffects, id);
     });
     script.values.blueprint = std::make_shared<const sim::Blueprint>(std::move(plan));
-    if (!session.editor().replaceScene({SandboxText::tr("Start new scene"), {}, {}}, script))
+    if (!editor.replaceScene({SandboxText::tr("Start new scene"), {}, {}}, script))
         return false;
-    session.showMessage(SandboxText::tr(
+    run.showMessage(SandboxText::tr(
         "A new scene has one point, the fewest that a scene can have. Move it, or add parts to it."));
     return true;
 }

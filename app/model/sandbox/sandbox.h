@@ -24,7 +24,7 @@ ExportedScene takenScene(const Session &session, const lessons::Step &sandbox);
 void takeToSandbox(Session &session);
 
 /// Replaces the scene of the open sandbox by one of its examples. Returns whether the example was opened.
-bool takeExample(Session &session, const lessons::Example &example);
+bool takeExample(const OpenRun &run, RunEditor &editor, const lessons::Example &example);
 
 /// Returns whether the open scene can be edited now: it is a sandbox scene at the start of its run.
 bool canBuild(const OpenRun &run, const RunEditor &editor, const Playback &playback);
@@ -35,6 +35,6 @@ bool setBuiltEffect(const OpenRun &run, RunEditor &editor, const Playback &playb
                     bool present);
 
 /// Starts a scene that has only one point.
-bool startEmpty(Session &session);
+bool startEmpty(const OpenRun &run, RunEditor &editor);
 
 }

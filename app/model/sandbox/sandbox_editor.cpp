@@ -3,20 +3,12 @@
 #include "app/model/sandbox/sandbox.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace app {
 
 namespace {
-
-void toggle(std::vector<int> &numbers, int one)
-{
-    const auto place = std::lower_bound(numbers.begin(), numbers.end(), one);
-    if (place != numbers.end() && *place == one)
-        numbers.erase(place);
-    else
-        numbers.insert(place, one);
-}
 
 bool sameParts(const sim::Blueprint &a, const sim::Blueprint &b)
 {
@@ -111,31 +103,13 @@ void SandboxEditor::choose(Selection chosen)
     emit changed();
 }
 
-void SandboxEditor::togglePoint(int point)
+void SandboxEditor::toggle(const Selection &parts)
 {
-    Selection chosen = m_chosen;
-    toggle(chosen.points, point);
-    choose(std::move(chosen));
-}
-
-void SandboxEditor::toggleSpring(int spring)
-{
-    Selection chosen = m_chosen;
-    toggle(chosen.springs, spring);
-    choose(std::move(chosen));
-}
-
-void SandboxEditor::toggleStick(int stick)
-{
-    Selection chosen = m_chosen;
-    toggle(chosen.sticks, stick);
-    choose(std::move(chosen));
-}
-
-void SandboxEditor::toggleRuleLink(int link)
-{
-    Selection chosen = m_chosen;
-    toggle(chosen.ruleLinks, link);
+    Selection chosen;
+    for (const auto kind :
+         {&Selection::points, &Selection::springs, &Selection::sticks, &Selection::ruleLinks})
+        std::set_symmetric_difference((m_chosen.*kind).begin(), (m_chosen.*kind).end(), (parts.*kind).begin(),
+                                      (parts.*kind).end(), std::back_inserter(chosen.*kind));
     choose(std::move(chosen));
 }
 

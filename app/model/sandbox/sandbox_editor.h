@@ -39,11 +39,8 @@ public:
     void setTool(BuildTool tool);
     const Selection &chosen() const { return m_chosen; }
     void choose(Selection chosen);
-    /// Adds a part to the selection, or removes it.
-    void togglePoint(int point);
-    void toggleSpring(int spring);
-    void toggleStick(int stick);
-    void toggleRuleLink(int link);
+    /// Adds each of `parts` to the selection, or removes it.
+    void toggle(const Selection &parts);
     /// Returns the first end of the link or foot that was begun, if any.
     std::optional<int> first() const { return m_first; }
 

@@ -1,6 +1,5 @@
 #include "app/model/series/difference_series.h"
 
-#include "app/model/run/same_run.h"
 #include "app/model/text/numbers.h"
 #include "sim/run/script/composed_interval.h"
 

@@ -21,8 +21,8 @@ Session::Session(const LessonLibrary &library, QObject *parent)
 
 bool Session::isBusy() const
 {
-    return m_playback.isPlaying() || m_playback.goal() || m_comparisons.isComputing() || input().isActive() ||
-           m_companion.isComing();
+    return m_playback.isPlaying() || m_playback.goal() || m_comparisons.isComputing() ||
+           m_editor.input().isActive() || m_companion.isComing();
 }
 
 void Session::prepare(ChangeKinds kinds)

@@ -29,17 +29,14 @@ public:
     Playback &playback() { return m_playback; }
     const Playback &playback() const { return m_playback; }
     Preview &preview() { return m_preview; }
-    const Preview &preview() const { return m_preview; }
     RunEditor &editor() { return m_editor; }
     const RunEditor &editor() const { return m_editor; }
     UserInput &input() { return m_editor.input(); }
-    const UserInput &input() const { return m_editor.input(); }
     ComparisonRuns &comparisons() { return m_comparisons; }
     const ComparisonRuns &comparisons() const { return m_comparisons; }
     LearnerCode &code() { return m_code; }
     const LearnerCode &code() const { return m_code; }
     RuleCode &rule() { return m_rule; }
-    const RuleCode &rule() const { return m_rule; }
     LineStepper &lines() { return m_lines; }
     const LineStepper &lines() const { return m_lines; }
     const Presentation &presentation() const { return m_presentation; }

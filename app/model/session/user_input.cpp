@@ -1,7 +1,6 @@
 #include "app/model/session/user_input.h"
 
 #include "app/model/session/run_editor.h"
-#include "app/model/text/step_text.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <cmath>

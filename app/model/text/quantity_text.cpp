@@ -2,7 +2,6 @@
 
 #include "app/model/analysis/energy_lines.h"
 #include "app/model/text/numbers.h"
-#include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
 
 #include <QCoreApplication>

@@ -13,7 +13,6 @@ class QToolButton;
 
 namespace app {
 
-class OrderPlot;
 class PanelTitle;
 class PlotExport;
 class ProgressLine;

@@ -2,7 +2,6 @@
 
 #include "app/model/text/accuracy_text.h"
 #include "app/model/text/numbers.h"
-#include "app/model/text/step_text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,5 @@
 #include "app/ui/dialogs/notice.h"
 
-#include "app/model/text/quoting.h"
-
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>

@@ -6,7 +6,6 @@
 #include "app/ui/theme/theme.h"
 
 class QLabel;
-class QToolButton;
 
 namespace app {
 

@@ -88,8 +88,15 @@ void ParameterPanel::setPresetPainter(PresetPainter painter)
     showPresets();
 }
 
-void ParameterPanel::setMarked(const QStringList &ids)
+void ParameterPanel::setHighlights(const std::vector<lessons::Highlight> &highlights)
 {
+    QStringList ids; // and names of other things
+    for (const lessons::Highlight &one : highlights) {
+        if (one.kind == lessons::Highlight::Kind::thing)
+            ids << one.a;
+        else if (one.kind == lessons::Highlight::Kind::circle)
+            ids << one.b;
+    }
     if (ids == m_marked)
         return;
     m_marked = ids;

@@ -32,9 +32,9 @@ public:
     /// Sets how the presets of a step are painted. Without a painter there is no gallery.
     void setPresetPainter(PresetPainter painter);
 
-    /// Marks the rows of these parameters, until they are set again. If one is folded, the button that unfolds it looks
-    /// pressed.
-    void setMarked(const QStringList &ids);
+    /// Marks the rows of parameters that are highlighted, until this is called again. If one is folded, the button that
+    /// unfolds it looks pressed.
+    void setHighlights(const std::vector<lessons::Highlight> &highlights);
 
     /// Returns the size that shows the title and all unfolded rows.
     QSize sizeHint() const override;

@@ -6,7 +6,6 @@
 #include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
 
-class QLabel;
 class QScrollArea;
 class QStackedWidget;
 class QVBoxLayout;
@@ -17,7 +16,6 @@ class FlatButton;
 class NumberTable;
 class PanelTitle;
 class PlotCard;
-class PlotExport;
 class ProgressLine;
 
 /// The panel of the learner's plots, one below the other, with one time.

@@ -66,13 +66,13 @@ QToolButton *toolButton(Command *command, const Theme &theme, QWidget *parent)
 
 }
 
-BuildPanel::BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide,
-                       const SandboxCommands &build, const Commands &commands, const Theme &theme,
-                       QWidget *parent)
-    : QWidget(parent), m_session(session), m_editor(editor), m_guide(guide), m_theme(theme),
-      m_title(new PanelTitle(tr("Build"), PanelTitle::CaptionPlace::right, theme, this)),
+BuildPanel::BuildPanel(const OpenRun &run, RunEditor &changes, Playback &playback, SandboxEditor &editor,
+                       BuildGuide &guide, const SandboxCommands &build, const Commands &commands,
+                       const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_changes(changes), m_playback(playback), m_editor(editor), m_guide(guide),
+      m_theme(theme), m_title(new PanelTitle(tr("Build"), PanelTitle::CaptionPlace::right, theme, this)),
       m_guideBox(new GuideBox(guide, this)), m_ring(new GuideRing(theme)),
-      m_gallery(new ExampleGallery(session, theme, this))
+      m_gallery(new ExampleGallery(run, changes, theme, this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -87,8 +87,8 @@ BuildPanel::BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guid
     column->addWidget(dividerIn(this));
     column->addWidget(feet(*commands.view.learn));
     connect(&editor, &SandboxEditor::changed, this, &BuildPanel::refresh);
-    session.onChange(ChangeKind::step | ChangeKind::run, this, &BuildPanel::refresh);
-    session.onChange(ChangeKind::cursor | ChangeKind::playing, this, [this] {
+    run.onChange(ChangeKind::step | ChangeKind::run, this, &BuildPanel::refresh);
+    run.onChange(ChangeKind::cursor | ChangeKind::playing, this, [this] {
         if (m_editor.isOpen() && !m_editor.canBuild())
             refreshProperties(); // its text depends on the frame and on playback
     });
@@ -151,8 +151,8 @@ QWidget *BuildPanel::page(const Command &restart)
     start->setToolTip(withKeys(tr("Go to frame 0, where the scene can be changed"), restart.shortcut()));
     start->setFocusPolicy(Qt::TabFocus);
     connect(start, &QPushButton::clicked, this, [this] {
-        m_session.playback().pause();
-        m_session.editor().restart();
+        m_playback.pause();
+        m_changes.restart();
     });
     auto *row = new QHBoxLayout(m_away);
     row->setContentsMargins(sideMargin, 0, sideMargin, 8);
@@ -166,7 +166,7 @@ QWidget *BuildPanel::page(const Command &restart)
     column->addWidget(m_away);
     column->addWidget(m_properties);
     column->addWidget(heading(tr("Effects on everything")));
-    m_effects = new EffectSwitches(m_session.run(), m_editor, content);
+    m_effects = new EffectSwitches(m_run, m_editor, content);
     column->addWidget(m_effects);
     column->addWidget(beginning(content));
     column->addStretch(1);
@@ -207,7 +207,8 @@ QWidget *BuildPanel::feet(const Command &learn)
     QPushButton *examples = add(tr("Examples"), tr("Scenes to start from. Undo brings yours back"), [] {});
     examples->setObjectName("examples");
     connect(examples, &QPushButton::clicked, this, [this, examples] { m_gallery->popUp(*examples); });
-    add(tr("New"), tr("A scene with one point. Undo brings yours back"), [this] { startEmpty(m_session); });
+    add(tr("New"), tr("A scene with one point. Undo brings yours back"),
+        [this] { startEmpty(m_run, m_changes); });
     row->addStretch(1);
     add(tr("Lessons"), withKeys(tr("Back to the lessons; your scene stays here"), learn.shortcut()),
         [this] { emit leaving(); });
@@ -218,7 +219,7 @@ void BuildPanel::showProject(ProjectDesk &desk)
 {
     QWidget *page = m_area->widget();
     static_cast<QVBoxLayout *>(page->layout())
-        ->insertWidget(0, new ProjectBox(m_session, desk, ProjectBox::Shows::current, m_theme, page));
+        ->insertWidget(0, new ProjectBox(m_run, desk, ProjectBox::Shows::current, m_theme, page));
 }
 
 QString BuildPanel::hint() const
@@ -292,10 +293,10 @@ void BuildPanel::refreshTitle()
 
 QString BuildPanel::waitHint() const
 {
-    if (m_session.playback().isPlaying())
+    if (m_playback.isPlaying())
         return tr("The scene is playing. You can only build at the start of the run.");
     return tr("You are at frame %1. You can only build at the start of the run.")
-        .arg(m_session.timeline().cursor().frame);
+        .arg(m_run.timeline().cursor().frame);
 }
 
 QString BuildPanel::toolHint() const
@@ -333,7 +334,7 @@ void BuildPanel::refreshProperties()
     const bool can = m_editor.canBuild();
     std::vector<SandboxProperty> properties;
     if (can)
-        properties = propertiesOf(m_editor.plan(), m_editor.chosen(), m_session.step().availableEffects);
+        properties = propertiesOf(m_editor.plan(), m_editor.chosen(), m_run.step().availableEffects);
     const bool any = !properties.empty();
     m_away->setVisible(!can);
     const bool isGuided = m_guide.isOn() && can; // the guide gives one instruction at a time

@@ -9,7 +9,6 @@
 
 #include <vector>
 
-class QActionGroup;
 class QLabel;
 class QScrollArea;
 class QToolButton;
@@ -37,8 +36,9 @@ class BuildPanel : public QWidget
 
 public:
     /// `build` has the tools. All arguments must outlive this.
-    BuildPanel(Session &session, SandboxEditor &editor, BuildGuide &guide, const SandboxCommands &build,
-               const Commands &commands, const Theme &theme, QWidget *parent = nullptr);
+    BuildPanel(const OpenRun &run, RunEditor &changes, Playback &playback, SandboxEditor &editor,
+               BuildGuide &guide, const SandboxCommands &build, const Commands &commands, const Theme &theme,
+               QWidget *parent = nullptr);
     ~BuildPanel() override;
 
     /// Shows the project that the learner works on in the sandbox. `desk` must outlive this object.
@@ -74,7 +74,9 @@ private:
     void pointOut();
     QWidget *targetControl() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_changes;
+    Playback &m_playback;
     SandboxEditor &m_editor;
     BuildGuide &m_guide;
     const Theme &m_theme;

@@ -13,8 +13,8 @@ constexpr int pictureFrames = 24; ///< the frame at which an example is drawn
 
 }
 
-ExampleGallery::ExampleGallery(Session &session, const Theme &theme, QWidget *parent)
-    : CardGallery(pictureSize, columns, theme, parent), m_session(session), m_theme(theme)
+ExampleGallery::ExampleGallery(const OpenRun &run, RunEditor &editor, const Theme &theme, QWidget *parent)
+    : CardGallery(pictureSize, columns, theme, parent), m_run(run), m_editor(editor), m_theme(theme)
 {
     setAccessibleName(tr("Examples"));
 }
@@ -23,8 +23,8 @@ ExampleGallery::ExampleGallery(Session &session, const Theme &theme, QWidget *pa
 QPixmap ExampleGallery::pictureOf(const lessons::Example &example, QSize size) const
 {
     try {
-        const sim::Script script = readExperiment(example.file, m_session.library()).script;
-        lessons::Step step = m_session.step();
+        const sim::Script script = readExperiment(example.file, m_run.library()).script;
+        lessons::Step step = m_run.step();
         step.prepareScript = [script](sim::Script &opened) { opened = script; };
         return thumbnail(step, script.values, m_theme, size, pictureFrames);
     } catch (const UserError &) {
@@ -35,14 +35,14 @@ QPixmap ExampleGallery::pictureOf(const lessons::Example &example, QSize size) c
 std::vector<GalleryCard> ExampleGallery::entries()
 {
     std::vector<GalleryCard> cards;
-    for (const lessons::Example &example : m_session.step().examples) {
+    for (const lessons::Example &example : m_run.step().examples) {
         GalleryCard card;
         card.title = example.title;
         card.help = example.help;
         card.tip = tr("%1 Undo brings your scene back.").arg(example.help);
         card.key = example.file;
         card.picture = [this, example](QSize size) { return pictureOf(example, size); };
-        card.take = [this, example] { takeExample(m_session, example); };
+        card.take = [this, example] { takeExample(m_run, m_editor, example); };
         cards.push_back(std::move(card));
     }
     return cards;

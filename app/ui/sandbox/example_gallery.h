@@ -12,7 +12,7 @@ class ExampleGallery : public CardGallery
     Q_OBJECT
 
 public:
-    ExampleGallery(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    ExampleGallery(const OpenRun &run, RunEditor &editor, const Theme &theme, QWidget *parent = nullptr);
 
 protected:
     std::vector<GalleryCard> entries() override;
@@ -20,7 +20,8 @@ protected:
 private:
     QPixmap pictureOf(const lessons::Example &example, QSize size) const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_editor;
     const Theme &m_theme;
 };
 

@@ -200,23 +200,19 @@ void SceneBuilder::choosePart(const QMouseEvent &event)
     if (point >= 0) {
         const std::vector<int> &chosen = m_editor.chosen().points;
         if (adds)
-            m_editor.togglePoint(point);
+            m_editor.toggle({{point}, {}, {}});
         else if (!std::binary_search(chosen.begin(), chosen.end(), point))
             m_editor.choose({{point}, {}, {}});
         m_isDragging = true;
         return;
     }
     const Selection link = linkAt(event.position());
-    if (!link.isEmpty() && adds && !link.springs.empty())
-        m_editor.toggleSpring(link.springs.front());
-    else if (!link.sticks.empty() && adds)
-        m_editor.toggleStick(link.sticks.front());
-    else if (!link.isEmpty() && adds)
-        m_editor.toggleRuleLink(link.ruleLinks.front());
-    else if (!link.isEmpty())
-        m_editor.choose(link);
-    else
+    if (link.isEmpty())
         m_isBoxing = true;
+    else if (adds)
+        m_editor.toggle(link);
+    else
+        m_editor.choose(link);
 }
 
 bool SceneBuilder::move(const QMouseEvent &event)

@@ -72,19 +72,6 @@ void followCover(const QDockWidget &dock, Content *content)
                      [content](bool isSeen) { content->setCovered(!isSeen); });
 }
 
-/// Returns the ids of the parameters that are highlighted, and names of other things.
-QStringList parametersIn(const std::vector<lessons::Highlight> &highlights)
-{
-    QStringList ids;
-    for (const lessons::Highlight &one : highlights) {
-        if (one.kind == lessons::Highlight::Kind::thing)
-            ids << one.a;
-        else if (one.kind == lessons::Highlight::Kind::circle)
-            ids << one.b;
-    }
-    return ids;
-}
-
 }
 
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, CostFunction cost,
@@ -187,11 +174,8 @@ void MainWindow::connectPanels()
     // The receivers are alive when the focus leaves a formula because the window is destroyed.
     connect(&m_learn->narration(), &Narration::highlightsChanged, &m_centre->scene(),
             &SceneView::setHighlights);
-    ParameterPanel *parameters = &m_numbers->parameters();
-    connect(&m_learn->narration(), &Narration::highlightsChanged, parameters,
-            [parameters](const std::vector<lessons::Highlight> &highlights) {
-                parameters->setMarked(parametersIn(highlights));
-            });
+    connect(&m_learn->narration(), &Narration::highlightsChanged, &m_numbers->parameters(),
+            &ParameterPanel::setHighlights);
     connect(m_plots, &PlotsPanel::failed, notice, &Notice::showMessage);
     for (const PlotExport *exports : {&m_energy->exports(), &m_accuracy->exports(), &m_branches->exports(),
                                       &m_stabilityPanel->exports()}) {
@@ -244,12 +228,13 @@ void MainWindow::makeLayouts()
 void MainWindow::makeSandbox()
 {
     auto *editor = new SandboxEditor(m_session, this);
-    auto *guide = new BuildGuide(m_session, *editor, this);
+    auto *guide = new BuildGuide(m_session.run(), m_session.editor(), m_session.playback(), *editor, this);
     new SceneBuilder(m_session.run(), m_session.editor(), m_session.preview(), *editor, *guide,
                      m_centre->scene(), m_theme); // owned by the scene
     m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
     m_centre->bar().addTool(*m_sandbox->take);
-    m_build = new BuildPanel(m_session, *editor, *guide, *m_sandbox, m_commands, m_theme, this);
+    m_build = new BuildPanel(m_session.run(), m_session.editor(), m_session.playback(), *editor, *guide,
+                             *m_sandbox, m_commands, m_theme, this);
     m_build->showProject(m_learn->projects());
     m_leftPages = new LeftPages(m_learn, m_build, this);
     m_layout.docks[Panel::lessons].setWidget(m_leftPages);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/listing/line_values.h"
 #include "app/model/session/session.h"
 #include "sim/run/script/script.h"
 
@@ -63,6 +64,26 @@ inline bool sameMotion(const sim::State &a, const sim::State &b)
 {
     return a.pointCount() == b.pointCount() && (a.position == b.position).all() &&
            (a.velocity == b.velocity).all();
+}
+
+/// Returns the chip beside the line that has `code`, or an empty one.
+inline app::LineChip chipAt(const Opened &opened, const QString &code)
+{
+    const app::LineStepper::Shown shown = opened.session.lines().shown();
+    if (!shown.frame)
+        return {};
+    for (const app::LineChip &chip : valuesAfter(*shown.frame, shown.index).chips) {
+        if (chip.line == opened.lineOf(code))
+            return chip;
+    }
+    return {};
+}
+
+/// Returns the values beside the lines.
+inline app::LineValues valuesOf(const Opened &opened)
+{
+    const app::LineStepper::Shown shown = opened.session.lines().shown();
+    return valuesAfter(*shown.frame, shown.index);
 }
 
 }

@@ -338,6 +338,18 @@ private slots:
         QVERIFY(shown.view.hasFocus());
     }
 
+    void theNextStepTakesTheFocusFromTheEditorSoThatSpacePlaysIt()
+    {
+        ListingFixture shown;
+        shown.editor.setFocus();
+        shown.session.openFollowing();
+        QVERIFY(shown.view.hasFocus());
+        const QString before = shown.editor.text();
+        QTest::keyClick(&shown.view, Qt::Key_Space);
+        QVERIFY(shown.session.playback().isPlaying());
+        QCOMPARE(shown.editor.text(), before);
+    }
+
     void tabPassesThroughTheEditorUntilTheLearnerTypes()
     {
         ListingFixture shown;

@@ -1,10 +1,9 @@
-// Predictions: the truth about their runs, the desk at which a learner predicts, and her notes.
+// The desk at which a learner predicts, and her notes.
 
 #include "app/model/learning/prediction_desk.h"
 #include "app/model/learning/prediction_text.h"
-#include "app/model/learning/run_setup.h"
 #include "app/model/run/same_run.h"
-#include "app/model/text/user_error.h"
+#include "tests/app/model/predictions_support.h"
 #include "tests/app/support/session_fixture.h"
 #include "tests/suite.h"
 
@@ -13,83 +12,12 @@
 #include <QTest>
 
 #include <algorithm>
-#include <cmath>
 
 using namespace app;
+using namespace predictions_support;
 using namespace tests;
 
 namespace {
-
-using Asked = lessons::Question::Kind;
-
-/// The hand carries the foot 100 px to the right in 10 frames and lets go. Nothing pulls it.
-lessons::Prediction throwOfFoot()
-{
-    lessons::Prediction one{"throw", "Where does it stop?"};
-    one.run.values = {{"damp", "0.9"}};
-    one.run.places = {{"foot", {100.0, 200.0}}};
-    one.run.drags = {{"foot", {200.0, 200.0}, 10}};
-    one.run.frames = 120;
-    one.run.until = "frame > 11 and speed(foot) < 0.05";
-    one.question = {Asked::place, "foot", "px"};
-    one.answer = "It glides.";
-    return one;
-}
-
-/// The foot is pulled to a cross at 270, 200. How many frames pass until it is on the other side?
-lessons::Prediction pastTheCross()
-{
-    lessons::Prediction one{"past", "After how many frames?"};
-    one.run.values = {{"k", "0.05"}, {"damp", "0.9"}};
-    one.run.places = {{"foot", {510.0, 200.0}}};
-    one.run.frames = 100;
-    one.run.until = "foot.x < 270";
-    one.question = {Asked::number, "frames", {}};
-    one.answer = "So many.";
-    return one;
-}
-
-/// Which curve shows the x of the foot on its way to the cross?
-lessons::Prediction curveToCross()
-{
-    lessons::Prediction one{"which", "Which curve?"};
-    one.run.values = {{"k", "0.05"}, {"damp", "0.9"}};
-    one.run.places = {{"foot", {510.0, 200.0}}};
-    one.run.frames = 60;
-    one.question = {Asked::curve, "foot.x", "px"};
-    one.otherCurves = {one.run, one.run};
-    one.otherCurves[0].values = {{"k", "0.2"}, {"damp", "0.9"}};
-    one.otherCurves[1].values = {{"k", "0.05"}, {"damp", "0.3"}};
-    one.answer = "The slow one.";
-    return one;
-}
-
-/// Returns x of the foot at each frame, by the two lines of the published program.
-std::vector<double> publishedX(double x, double k, double damp, int frames)
-{
-    std::vector<double> all{x};
-    double velocity = 0.0;
-    for (int i = 0; i < frames; ++i) {
-        velocity = (velocity + k * (270.0 - x)) * damp;
-        x += velocity;
-        all.push_back(x);
-    }
-    return all;
-}
-
-/// Returns the program's lessons, with these predictions in the first steps of lesson 1.
-LessonLibrary predictedLessons()
-{
-    LessonLibrary library = LessonLibrary::load({LESSON_DIR});
-    for (lessons::Step &step : library.lessons[0].steps) {
-        step.predictions.clear();
-        if (step.id == u"drag")
-            step.predictions = {throwOfFoot()};
-        if (step.id == u"fixed_centre")
-            step.predictions = {pastTheCross(), curveToCross()};
-    }
-    return library;
-}
 
 struct PredictionFixture : SessionFixture
 {
@@ -129,14 +57,6 @@ class PredictionsTest : public QObject
 private slots:
     void init() { QSettings().clear(); }
 
-    void aThrowEndsWhereItsVelocitiesAddUpTo();
-    void theFramesUntilTheEndAreCounted();
-    void curvesAreThoseOfThePublishedProgram();
-    void aNumberAtTheEndIsComputed();
-    void aRunThatDoesNotExistIsExplained_data();
-    void aRunThatDoesNotExistIsExplained();
-    void everyPredictionOfALessonHasAnAnswer_data();
-    void everyPredictionOfALessonHasAnAnswer();
     void committingPlaysTheRunToItsEnd();
     void undoBringsTheLearnersOwnRunBack();
     void aNoteIsKeptAndShownAgain();
@@ -150,157 +70,6 @@ private slots:
     void outcomesAreSentences_data();
     void outcomesAreSentences();
 };
-
-void PredictionsTest::aThrowEndsWhereItsVelocitiesAddUpTo()
-{
-    const LessonLibrary library = predictedLessons();
-    const auto truth = truthOf(throwOfFoot(), *library.lesson("single_spring")->step("drag"));
-    // It leaves the hand at frame 10 with 10 px per frame, of which 0.9 stay in each frame.
-    const int free = static_cast<int>(std::ceil(std::log(0.05 / 10.0) / std::log(0.9)));
-    const double way = 10.0 * 0.9 * (1.0 - std::pow(0.9, free)) / (1.0 - 0.9);
-    QVERIFY(truth && truth->isReached);
-    QCOMPARE(truth->end, std::int64_t{10 + free});
-    QVERIFY2(std::abs(truth->answer.place.x - (200.0 + way)) < 1e-9,
-             qPrintable(QString::number(truth->answer.place.x)));
-    QCOMPARE(truth->answer.place.y, 200.0);
-}
-
-void PredictionsTest::theFramesUntilTheEndAreCounted()
-{
-    const LessonLibrary library = predictedLessons();
-    const auto truth = truthOf(pastTheCross(), *library.lesson("single_spring")->step("fixed_centre"));
-    const std::vector<double> x = publishedX(510.0, 0.05, 0.9, 100);
-    const auto past = std::find_if(x.begin(), x.end(), [](double at) { return at < 270.0; }) - x.begin();
-    QVERIFY(truth && truth->isReached);
-    QCOMPARE(truth->end, std::int64_t{past});
-    QCOMPARE(truth->answer.number, static_cast<double>(past));
-}
-
-void PredictionsTest::curvesAreThoseOfThePublishedProgram()
-{
-    const LessonLibrary library = predictedLessons();
-    const auto truth = truthOf(curveToCross(), *library.lesson("single_spring")->step("fixed_centre"));
-    QVERIFY(truth && truth->curves.size() == 3U);
-    const std::pair<double, double> numbers[] = {{0.05, 0.9}, {0.2, 0.9}, {0.05, 0.3}};
-    for (std::size_t i = 0; i < 3; ++i) {
-        const std::vector<double> x = publishedX(510.0, numbers[i].first, numbers[i].second, 60);
-        QCOMPARE(truth->curves[i].size(), x.size());
-        for (std::size_t j = 0; j < x.size(); ++j)
-            QVERIFY(std::abs(truth->curves[i][j] - x[j]) < 1e-9);
-    }
-}
-
-void PredictionsTest::aNumberAtTheEndIsComputed()
-{
-    const LessonLibrary library = predictedLessons();
-    lessons::Prediction one = pastTheCross();
-    one.run.frames = 3;
-    one.run.until.clear();
-    one.question = {Asked::number, "(foot.x - 270) / 240 + frame", "px"};
-    const auto truth = truthOf(one, *library.lesson("single_spring")->step("fixed_centre"));
-    QVERIFY(truth);
-    QCOMPARE(truth->end, std::int64_t{3});
-    QVERIFY(std::abs(truth->answer.number -
-                     ((publishedX(510.0, 0.05, 0.9, 3).back() - 270.0) / 240.0 + 3.0)) < 1e-12);
-}
-
-void PredictionsTest::aRunThatDoesNotExistIsExplained_data()
-{
-    QTest::addColumn<QString>("what");
-    QTest::addColumn<QString>("value");
-    QTest::addColumn<QString>("says");
-    QTest::newRow("parameter") << "stiffness"
-                               << "1"
-                               << "There is no parameter \"stiffness\" here; there are k, damp";
-    QTest::newRow("number") << "k"
-                            << "much"
-                            << "k cannot be \"much\". It can be a number from";
-    QTest::newRow("range") << "damp"
-                           << "1e9"
-                           << "damp cannot be \"1e9\".";
-    QTest::newRow("body") << "place"
-                          << "tail"
-                          << "There is no body \"tail\" here; there are foot";
-    QTest::newRow("method") << "method"
-                            << "magic"
-                            << "There is no method \"magic\".";
-    QTest::newRow("until") << "until"
-                           << "foot.z > 1"
-                           << "Character 6: ";
-    QTest::newRow("number asked") << "ask"
-                                  << "foot.x > 1"
-                                  << "true or false, not a number";
-}
-
-void PredictionsTest::aRunThatDoesNotExistIsExplained()
-{
-    QFETCH(QString, what);
-    QFETCH(QString, value);
-    QFETCH(QString, says);
-    const LessonLibrary library = predictedLessons();
-    lessons::Prediction one = pastTheCross();
-    if (what == u"place")
-        one.run.places = {{value, {1.0, 1.0}}};
-    else if (what == u"method")
-        one.run.method = value;
-    else if (what == u"until")
-        one.run.until = value;
-    else if (what == u"ask")
-        one.question = {Asked::number, value, "px"};
-    else
-        one.run.values = {{what, value}};
-    QString sentence;
-    try {
-        truthOf(one, *library.lesson("single_spring")->step("fixed_centre"));
-    } catch (const UserError &error) {
-        sentence = error.sentence();
-    }
-    QVERIFY2(sentence.contains(says), qPrintable(sentence));
-}
-
-void PredictionsTest::everyPredictionOfALessonHasAnAnswer_data()
-{
-    QTest::addColumn<QString>("lesson");
-    for (const LessonEntry &lesson : LessonLibrary::load({LESSON_DIR}).lessons)
-        QTest::newRow(qPrintable(lesson.id)) << lesson.id;
-}
-
-void PredictionsTest::everyPredictionOfALessonHasAnAnswer()
-{
-    QFETCH(QString, lesson);
-    const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
-    QStringList wrong;
-    for (const lessons::Step &step : library.lesson(lesson)->steps) {
-        for (const lessons::Prediction &one : step.predictions) {
-            const QString where = step.id + '/' + one.id + ": ";
-            try {
-                const PredictionTruth truth = truthOf(one, step).value();
-                if (!truth.isReached)
-                    wrong << where + QString("its condition does not hold within %1 frames").arg(truth.end);
-                if (!std::isfinite(truth.answer.number) || !std::isfinite(truth.answer.place.x))
-                    wrong << where + "its answer is not a number";
-                if (one.question.kind != Asked::curve)
-                    continue;
-                double least = truth.curves[0][0], most = least;
-                for (const std::vector<double> &curve : truth.curves) {
-                    least = std::min(least, *std::min_element(curve.begin(), curve.end()));
-                    most = std::max(most, *std::max_element(curve.begin(), curve.end()));
-                }
-                for (std::size_t a = 0; a < 3; ++a) {
-                    const std::vector<double> &first = truth.curves[a], &second = truth.curves[(a + 1) % 3];
-                    double apart = 0.0;
-                    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
-                        apart = std::max(apart, std::abs(first[i] - second[i]));
-                    if (apart < 0.1 * (most - least) || most <= least)
-                        wrong << where + QString("curves %1 and %2 look the same").arg(a).arg((a + 1) % 3);
-                }
-            } catch (const std::exception &error) {
-                wrong << where + error.what();
-            }
-        }
-    }
-    QVERIFY2(wrong.isEmpty(), qPrintable('\n' + wrong.join('\n')));
-}
 
 void PredictionsTest::committingPlaysTheRunToItsEnd()
 {
@@ -486,11 +255,17 @@ void PredictionsTest::outcomesAreSentences_data()
                            << PredictedAnswer{.place = {300.0, 200.0}}
                            << QString("You said **303, 204**. It is **300, 200**: 5\u202Fpx away.");
     QTest::newRow("frames") << 1 << PredictedAnswer{.number = 40.0} << PredictedAnswer{.number = 38.0}
-                            << QString("You said **40\u202Fframes**. It is **38\u202Fframes**: you said "
-                                       "2\u202Fframes too much.");
+                            << QString("You said **40\u202Fframes**. It is **38\u202Fframes**: your "
+                                       "number is 2\u202Fframes too high.");
+    QTest::newRow("one frame") << 1 << PredictedAnswer{.number = 37.0} << PredictedAnswer{.number = 38.0}
+                               << QString("You said **37\u202Fframes**. It is **38\u202Fframes**: your "
+                                          "number is 1\u202Fframe too low.");
     QTest::newRow("right frames")
         << 1 << PredictedAnswer{.number = 38.0} << PredictedAnswer{.number = 38.0}
         << QString("You said **38\u202Fframes**. It is **38\u202Fframes**: exactly as you said.");
+    QTest::newRow("a difference that is not shown")
+        << 1 << PredictedAnswer{.number = 60.0} << PredictedAnswer{.number = 59.97}
+        << QString("You said **60\u202Fframes**. It is **60.0\u202Fframes**: exactly as you said.");
     const std::array<int, 3> order = curveOrder(curveToCross());
     const auto shown = [&](int curve) {
         return std::find(order.begin(), order.end(), curve) - order.begin() + 1;

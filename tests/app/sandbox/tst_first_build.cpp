@@ -205,7 +205,7 @@ private slots:
         fixture.view.horizontalScrollBar()->setValue(fixture.view.horizontalScrollBar()->maximum());
         QVERIFY(!fixture.view.viewport()->rect().contains(fixture.on(fixture.plan().points[0].x)));
         const lessons::Example &bridge = fixture.session.step().examples[1];
-        QVERIFY(takeExample(fixture.session, bridge));
+        QVERIFY(takeExample(fixture.session.run(), fixture.session.editor(), bridge));
         QVERIFY(!fixture.guide().isOn());
         for (const sim::BlueprintPoint &point : fixture.plan().points)
             QVERIFY(fixture.view.viewport()->rect().contains(fixture.on(point.x)));

@@ -345,7 +345,7 @@ private slots:
         RuleFixture fixture;
         fixture.write("Vec2 force(");
         QVERIFY(!fixture.rule.sentence().isEmpty());
-        startEmpty(fixture.session);
+        startEmpty(fixture.session.run(), fixture.session.editor());
         QCOMPARE(fixture.rule.editor().text(), RuleCode::startingText());
         QVERIFY(fixture.rule.sentence().isEmpty());
         fixture.session.editor().undo();

@@ -358,9 +358,10 @@ private slots:
     {
         SandboxWorld world;
         const sim::Blueprint mine = world.plan();
-        QVERIFY(takeExample(world.session, world.session.step().examples.front()));
+        QVERIFY(
+            takeExample(world.session.run(), world.session.editor(), world.session.step().examples.front()));
         QVERIFY(!(world.plan() == mine));
-        QVERIFY(startEmpty(world.session));
+        QVERIFY(startEmpty(world.session.run(), world.session.editor()));
         QCOMPARE(world.plan().points.size(), std::size_t(1));
         world.session.editor().undo();
         world.session.editor().undo();

@@ -11,7 +11,6 @@
 
 #include <QApplication>
 #include <QClipboard>
-#include <QHBoxLayout>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -55,35 +54,18 @@ CodePanel::CodePanel(Session &session, const Theme &theme, QWidget *parent)
     rebuild();
 }
 
-CodePanel::~CodePanel()
-{
-    // A title owns the actions once they are in it. Without a title, nothing else deletes them.
-    if (m_actions && !m_actions->parent())
-        delete m_actions;
-}
-
 void CodePanel::makeActions()
 {
-    m_actions = new QWidget;
-    auto *row = new QHBoxLayout(m_actions);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    m_newLines = new QToolButton;
+    m_newLines = m_actions.addButton();
     m_newLines->setToolTip(tr("Lines that are new in this step. Click to go through them."));
-    m_goneLines = new QToolButton;
+    m_goneLines = m_actions.addButton();
     m_goneLines->setToolTip(tr("Lines that this step removed. Click to show or hide them, struck through at "
                                "their old places (%1 in the code).")
                                 .arg(keyText(codeKeys::showRemovedLines)));
     m_goneLines->setCheckable(true);
-    m_copy = new QToolButton;
+    m_copy = m_actions.addButton();
     m_copy->setToolTip(tr("Copy the shown code, with its files' names"));
     m_copy->setAccessibleName(tr("Copy the code"));
-    for (QToolButton *button : {m_newLines, m_goneLines, m_copy}) {
-        button->setIconSize({16, 16});
-        button->setFixedHeight(28);
-        button->setFocusPolicy(Qt::TabFocus);
-        row->addWidget(button);
-    }
     connect(m_newLines, &QToolButton::clicked, m_view, &CodeView::showNextNew);
     connect(m_goneLines, &QToolButton::toggled, this, &CodePanel::showGoneLines);
     connect(m_goneLines, &QToolButton::clicked, m_view, &CodeView::showFirstGone);

@@ -3,6 +3,7 @@
 #include "app/model/code/code_history.h"
 #include "app/model/code/code_marks.h"
 #include "app/model/session/session.h"
+#include "app/ui/code/title_actions.h"
 
 #include <QElapsedTimer>
 #include <QLineEdit>
@@ -28,13 +29,12 @@ class CodePanel : public QWidget
 
 public:
     CodePanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
-    ~CodePanel() override;
 
     /// Returns the caption for the title, for example "values of foot 0".
     QString caption() const { return m_caption; }
     /// Returns the buttons for the right end of the title, such as next new lines and copy.
     /// The code that creates the title must place them.
-    QWidget *titleActions() { return m_actions; }
+    QWidget *titleActions() { return m_actions.widget(); }
     CodeView &view() { return *m_view; }
     const CodeListing &listing() const { return m_listing; }
     BreakpointList &stops() { return *m_stops; }
@@ -112,7 +112,7 @@ private:
     std::optional<ShownSymbol> m_shownSymbol; ///< the symbol on the card
     QPointer<QLineEdit> m_editor;             ///< editor of the number being typed over
     QString m_edited;                         ///< id of its parameter
-    QPointer<QWidget> m_actions;
+    TitleActions m_actions;
     QToolButton *m_newLines = nullptr;
     QToolButton *m_goneLines = nullptr;
     QToolButton *m_copy = nullptr;

@@ -11,7 +11,6 @@
 #include "app/ui/code/listing/parameter_drag.h"
 #include "app/ui/theme/theme.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -61,26 +60,9 @@ ListingPanel::ListingPanel(Session &session, const Theme &theme, QWidget *parent
     refresh();
 }
 
-ListingPanel::~ListingPanel()
-{
-    // A title owns the actions once they are in it. Without a title, nothing else deletes them.
-    if (m_actions && !m_actions->parent())
-        delete m_actions;
-}
-
 void ListingPanel::makeActions()
 {
-    m_actions = new QWidget;
-    auto *row = new QHBoxLayout(m_actions);
-    row->setContentsMargins(0, 0, 0, 0);
-    m_reset = new QToolButton;
-    m_reset->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_reset->setText(tr("Reset listing"));
-    m_reset->setObjectName("resetListing");
-    m_reset->setIconSize({16, 16});
-    m_reset->setFixedHeight(28);
-    m_reset->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(m_reset);
+    m_reset = m_actions.addButton("resetListing", tr("Reset listing"));
     connect(m_reset, &QToolButton::clicked, this, [this] {
         m_editor->dropPending();
         m_session.code().reset();
@@ -150,8 +132,11 @@ void ListingPanel::follow(const Change &change)
         m_editor->dropPending(); // it belongs to the step before
     if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::code)) {
         refresh();
-        if (m_step != &m_session.step())
+        if (m_step != &m_session.step()) {
             m_editor->showTop();
+            if (m_editor->hasFocus())
+                emit left(); // Space should play the new step, not write into its listing
+        }
         m_step = &m_session.step();
         return;
     }

@@ -3,13 +3,12 @@
 #include "app/model/breakpoints/breakpoints.h"
 #include "app/model/listing/vector_mark.h"
 #include "app/model/session/session.h"
+#include "app/ui/code/title_actions.h"
 
 #include <QElapsedTimer>
-#include <QPointer>
 #include <QWidget>
 
 class QLabel;
-class QToolButton;
 
 namespace app {
 
@@ -27,12 +26,11 @@ class ListingPanel : public QWidget
 
 public:
     ListingPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
-    ~ListingPanel() override;
 
     ListingEditor &editor() { return *m_editor; }
     BreakpointList &stops() { return *m_stops; }
     /// Returns the buttons for the right end of the title. The code that creates the title must place them.
-    QWidget *titleActions() { return m_actions; }
+    QWidget *titleActions() { return m_actions.widget(); }
     /// Returns the sentence under the editor; empty if the listing has no mistake.
     QString sentence() const;
     /// Returns the calls around the next line, "frame › grow"; empty outside of functions that `frame` calls.
@@ -74,7 +72,7 @@ private:
     ParameterDrag *m_parameters;
     MistakeRow *m_mistake;
     BreakpointList *m_stops;
-    QPointer<QWidget> m_actions;
+    TitleActions m_actions;
     QToolButton *m_reset = nullptr;
     const lessons::Step *m_step = nullptr; ///< the step that is shown
     std::optional<TextRange> m_pointed;

@@ -54,26 +54,9 @@ RulePanel::RulePanel(Session &session, const Theme &theme, QWidget *parent)
     refresh();
 }
 
-RulePanel::~RulePanel()
-{
-    // A title owns the actions once they are in it. Without a title, nothing else deletes them.
-    if (m_actions && !m_actions->parent())
-        delete m_actions;
-}
-
 void RulePanel::makeActions()
 {
-    m_actions = new QWidget;
-    auto *row = new QHBoxLayout(m_actions);
-    row->setContentsMargins(0, 0, 0, 0);
-    m_delete = new QToolButton;
-    m_delete->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_delete->setText(tr("Delete rule"));
-    m_delete->setObjectName("deleteRule");
-    m_delete->setIconSize({16, 16});
-    m_delete->setFixedHeight(28);
-    m_delete->setFocusPolicy(Qt::TabFocus);
-    row->addWidget(m_delete);
+    m_delete = m_actions.addButton("deleteRule", tr("Delete rule"));
     connect(m_delete, &QToolButton::clicked, this, [this] {
         m_editor->dropPending();
         m_session.rule().remove();

@@ -1,13 +1,12 @@
 #pragma once
 
 #include "app/model/session/session.h"
+#include "app/ui/code/title_actions.h"
 
-#include <QPointer>
 #include <QWidget>
 
 class QLabel;
 class QPushButton;
-class QToolButton;
 class QHBoxLayout;
 
 namespace app {
@@ -26,11 +25,10 @@ class RulePanel : public QWidget
 
 public:
     RulePanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
-    ~RulePanel() override;
 
     ListingEditor &editor() { return *m_editor; }
     /// Returns the buttons for the right end of the title. The code that creates the title must place them.
-    QWidget *titleActions() { return m_actions; }
+    QWidget *titleActions() { return m_actions.widget(); }
     /// Returns the sentence under the editor; empty if the rule has no mistake.
     QString sentence() const;
     /// Returns what the rule acts on.
@@ -63,7 +61,7 @@ private:
     QLabel *m_state;
     QPushButton *m_switchOn;
     QHBoxLayout *m_commands = nullptr;
-    QPointer<QWidget> m_actions;
+    TitleActions m_actions;
     QToolButton *m_delete = nullptr;
     const lessons::Step *m_step = nullptr; ///< the step that is shown
 };

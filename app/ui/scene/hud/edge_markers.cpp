@@ -2,7 +2,6 @@
 
 #include "app/model/text/numbers.h"
 #include "app/model/text/sentences.h"
-#include "app/ui/scene/drawing/body_text.h"
 #include "app/ui/scene/drawing/label_places.h"
 #include "sim/run/script/composed_interval.h"
 

@@ -1,7 +1,6 @@
 #include "app/ui/scene/hud/free_area.h"
 
 #include "app/model/text/sentences.h"
-#include "app/ui/scene/drawing/body_text.h"
 #include "sim/run/script/composed_interval.h"
 
 #include <algorithm>
