@@ -106,6 +106,8 @@ std::optional<QString> RunEditor::draftBeside(const sim::Script &script, const R
     const std::shared_ptr<const listing::Program> is = programOf(script.method);
     if (m_run.isSandbox()) // the draft is that of a rule, or that of a listing
         return sameRule(script, *before.script) && !was == !is ? before.draft : std::nullopt;
+    if (is && !(was && was->text() == is->text()))
+        return std::nullopt; // another listing computes the run, and is shown
     if (!was || is || before.draft)
         return before.draft;
     return QString::fromStdString(was->text());

@@ -118,7 +118,7 @@ private:
     /// Replaces the run for setCode(), and goes to the same frame again. Returns whether it could be computed.
     bool replaceCode(const EditLabel &label, sim::Script script);
     /// Returns the draft beside the run of `script`, in place of that of `before`. It keeps the learner's listing if the
-    /// run `before` used it.
+    /// run `before` used it, and none if another listing computes the run now.
     std::optional<QString> draftBeside(const sim::Script &script, const RunSnapshot &before) const;
     void restore(const RunSnapshot &to, const QString &replacedName, KeepRun keepReplaced);
     /// Returns whether the step has to be opened anew for `script`.

@@ -24,9 +24,13 @@ ButtonFlow::ButtonFlow(QWidget *box) : QWidget(box), m_strip(new QWidget(box))
     setSizePolicy(policy);
 }
 
-void ButtonFlow::add(QAbstractButton *button)
+void ButtonFlow::append(QAbstractButton &button, const QString &name, const QString &text, const QString &tip)
 {
-    m_buttons.push_back(button);
+    button.setObjectName(name);
+    button.setText(text);
+    button.setToolTip(tip);
+    button.setFocusPolicy(Qt::TabFocus);
+    m_buttons.push_back(&button);
     refresh();
 }
 

@@ -18,10 +18,14 @@ public:
     /// `box` is the widget that the buttons stay inside. It must have the layout of this widget.
     explicit ButtonFlow(QWidget *box);
 
-    /// Returns the parent for the buttons.
-    QWidget *strip() const { return m_strip; }
-    /// Adds a button behind the others. Its parent must be strip().
-    void add(QAbstractButton *button);
+    /// Adds a button behind the others.
+    template <class Button>
+    Button *add(const QString &name, const QString &text, const QString &tip)
+    {
+        auto *button = new Button(m_strip);
+        append(*button, name, text, tip);
+        return button;
+    }
     /// Fits the buttons again. Call it after one of them was shown or hidden, or has another text.
     void refresh();
 
@@ -35,6 +39,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void append(QAbstractButton &button, const QString &name, const QString &text, const QString &tip);
     /// Calls `set` with each button that is not hidden and its place, for this width. Returns the height.
     template <class Set>
     int arrange(int width, Set set) const;

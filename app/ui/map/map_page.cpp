@@ -182,7 +182,7 @@ void MapPage::refresh()
     });
     m_view->setStates(states);
     const auto known = std::count(states.begin(), states.end(), ConceptState::known);
-    m_count->setText(tr("You know %1 of %2 concepts. Each rests on those above it that a line leads to.")
+    m_count->setText(tr("You know %1 of %2 concepts. Lines lead up from a concept to those that it rests on.")
                          .arg(known)
                          .arg(states.size()));
     const auto next = std::find(states.begin(), states.end(), ConceptState::next);

@@ -9,6 +9,13 @@ namespace {
 constexpr double reach = 12.0;     ///< screen px
 constexpr double clickSlack = 3.0; ///< screen px that the mouse may move during a click
 
+/// Returns whether the larger disc of `above` covers the whole disc of `below`, so that nobody can see what is below.
+bool covers(const SceneContent &shown, int above, int below)
+{
+    const double apart = sim::length(shown.state().positionOf(above) - shown.state().positionOf(below));
+    return apart + shown.radius(below) < shown.radius(above);
+}
+
 }
 
 int BodyDrag::bodyAt(const SceneContent &shown, const Camera &camera, QPointF place)
@@ -23,7 +30,8 @@ int BodyDrag::bodyAt(const SceneContent &shown, const Camera &camera, QPointF pl
         const double most = std::max(reach, camera.radius(shown.radius(i)));
         if (distance > most * most)
             continue;
-        if (nearest < 0 || distance < least) {
+        // Later bodies are drawn over earlier ones.
+        if (nearest < 0 || distance < least || covers(shown, i, nearest)) {
             nearest = i;
             least = distance;
         }

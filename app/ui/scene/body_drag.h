@@ -12,7 +12,8 @@ class BodyDrag
 public:
     explicit BodyDrag(Playback &playback, UserInput &input) : m_playback(playback), m_input(input) {}
 
-    /// Returns the body under `place`: within its disc or within 12 screen px. Returns the nearest of several, or -1.
+    /// Returns the body under `place`: within its disc or within 12 screen px. Returns the nearest of several, or the
+    /// one that covers it, or -1.
     static int bodyAt(const SceneContent &shown, const Camera &camera, QPointF place);
 
     /// Selects the body. While the run plays, this takes hold of it at once. While the run is paused, only dragging

@@ -4,6 +4,7 @@
 #include "app/ui/scene/arrow_key.h"
 
 #include <QCoreApplication>
+#include <QFontMetricsF>
 #include <QLineF>
 
 namespace app {
@@ -100,9 +101,11 @@ void PlacePicker::draw(const Canvas &canvas) const
     const bool isClose = QLineF(said, found).length() < nearby;
     const bool isSaidAbove = said.y() < found.y();
     const double away = isClose ? (isSaidAbove ? -markArm : 2.0 * markArm) : -markArm;
-    drawWords(canvas, {said + QPointF(markArm, away),
-                       PlacePickerText::tr("your place, %1 away").arg(distanceWords(*mark)),
-                       canvas.shown.text, t.ink});
+    const QString label = PlacePickerText::tr("your place, %1 away").arg(distanceWords(*mark));
+    const double wide = QFontMetricsF(canvas.shown.text).horizontalAdvance(label);
+    const bool fits = said.x() + markArm + wide <= canvas.area.right();
+    const double aside = fits ? markArm : -markArm - wide;
+    drawWords(canvas, {said + QPointF(aside, away), label, canvas.shown.text, t.ink});
 }
 
 QString PlacePicker::words() const

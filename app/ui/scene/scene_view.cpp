@@ -221,7 +221,10 @@ void SceneView::attach(PredictionDesk &desk)
         updateCursor();
         viewport()->update();
     });
-    connect(&desk, &PredictionDesk::pickingStarted, this, [this] { setFocus(Qt::ShortcutFocusReason); });
+    connect(&desk, &PredictionDesk::pickingStarted, this, [this] {
+        setFocus(Qt::ShortcutFocusReason);
+        fit(); // a body can end far from where it starts
+    });
 }
 
 void SceneView::setHighlights(const std::vector<lessons::Highlight> &highlights)

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 
@@ -45,20 +46,41 @@ FootfallStrip::FootfallStrip(const OpenRun &run, Playback &playback, Preview &pr
     connect(&series, &MeasureSeries::changed, this, &FootfallStrip::read);
     run.onChange(ChangeKind::step | ChangeKind::run, this, &FootfallStrip::open);
     run.onChange(ChangeKind::cursor | ChangeKind::preview, this, qOverload<>(&QWidget::update));
+    run.onChange(ChangeKind::cursor, this, &FootfallStrip::addFeet);
     run.onChange(ChangeKind::cursor, this, &FootfallStrip::updateDescription);
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
     open();
 }
 
-void FootfallStrip::open()
+std::vector<QString> FootfallStrip::feetAtCursor() const
 {
-    m_names.clear();
+    std::vector<QString> names;
     if (m_run.step().isFootDown) {
         const sim::ComposedInterval &interval = m_run.timeline().track().interval();
         for (const int foot : m_run.step().view(interval.scene, interval.values).feet)
-            m_names.push_back(QString::fromStdString(interval.scene.names[static_cast<std::size_t>(foot)]));
+            names.push_back(QString::fromStdString(interval.scene.names[static_cast<std::size_t>(foot)]));
     }
+    return names;
+}
+
+void FootfallStrip::open()
+{
+    m_points = m_run.timeline().track().interval().scene.names.size();
+    m_names = feetAtCursor();
     setVisible(!m_names.empty());
+    updateGeometry();
+    read();
+}
+
+void FootfallStrip::addFeet()
+{
+    const std::size_t points = m_run.timeline().track().interval().scene.names.size();
+    if (std::exchange(m_points, points) == points)
+        return;
+    std::vector<QString> names = feetAtCursor();
+    if (names.size() <= m_names.size())
+        return; // the rows of feet that were there earlier in the run stay
+    m_names = std::move(names);
     updateGeometry();
     read();
 }

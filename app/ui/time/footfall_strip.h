@@ -34,7 +34,11 @@ protected:
     void leaveEvent(QEvent *event) override;
 
 private:
+    /// Returns the names of the feet that the scene has at the cursor.
+    std::vector<QString> feetAtCursor() const;
     void open();
+    /// Adds rows for feet that a parameter has added since the run began.
+    void addFeet();
     void read();
     void updateDescription();
     int rowHeight() const;
@@ -53,6 +57,7 @@ private:
     TimelineStrip &m_timeline;
     const Theme &m_theme;
     std::vector<QString> m_names;
+    std::size_t m_points = 0; ///< of the scene at the cursor, at the last look
     Stances m_stances;
 };
 

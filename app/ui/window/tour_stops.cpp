@@ -38,7 +38,7 @@ std::vector<TourStop> tourStops(const QWidget &window, const SceneColumn &centre
          upperHalf},
         {Tour::tr("Inside a frame"),
          Tour::tr("**%1** runs one line of the code, and **%2** takes it back. On the code's page **Engine** "
-                  "they go from phase to phase: springs pull, damping takes its share, things move.")
+                  "they go from phase to phase: springs pull, damping slows things down, things move.")
              .arg(keys(commands.phaseForward), keys(commands.phaseBack)),
          lowerHalf},
         {Tour::tr("The code that runs"),

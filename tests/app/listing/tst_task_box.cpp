@@ -256,7 +256,7 @@ void TaskBoxTest::nothingIsCutOffInASmallWindow()
     for (const TryBox *row : rows)
         QVERIFY2(row->height() >= row->heightForWidth(row->width()), qPrintable(row->accessibleName()));
     // The last one can be scrolled into view, if it is not there.
-    auto &area = *shown.part<Narration>().findChild<QScrollArea *>();
+    auto &area = shown.part<QScrollArea>("tries");
     area.verticalScrollBar()->setValue(area.verticalScrollBar()->maximum());
     settle();
     QVERIFY(!rows.back()->visibleRegion().isEmpty());

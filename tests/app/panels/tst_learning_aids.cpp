@@ -94,6 +94,7 @@ private slots:
     void whatIsBegunSaysWhatIsMissing();
     void whatIsToStopCountsOnlyWhileTheRunStands();
     void anAnswerAppearsWhenItsQuestionIsTickedOff();
+    void whatUnfoldsBelowALongTextIsInView();
     void aWordIsLinkedWhereItStandsFirst();
     void aWordOpensACard_data();
     void aWordOpensACard();
@@ -244,6 +245,21 @@ void LearningAidsTest::anAnswerAppearsWhenItsQuestionIsTickedOff()
     QVERIFY(textOf(first, "answerText")->isVisible());
     QTest::mouseClick(lampOf(first), Qt::LeftButton);
     QVERIFY(!textOf(first, "answerText")->isVisible());
+}
+
+void LearningAidsTest::whatUnfoldsBelowALongTextIsInView()
+{
+    lessons::Try asked = toFrameFive();
+    asked.answer = QString("The answer is long, so that it needs many lines. ").repeated(8);
+    LessonLibrary library = lessonsWith(asked);
+    library.lessons[0].steps[0].narration = QString("A text that is longer than the panel. ").repeated(60);
+    PanelFixture<LearnPanel> fixture(library, {280, 640});
+    const auto boxes = fixture.panel.findChildren<TryBox *>();
+    QTRY_VERIFY(!boxes[0]->visibleRegion().isEmpty());
+    fixture.session.playback().goTo({5, 0});
+    const NarrationText &answer = *textOf(*boxes[1], "answerText");
+    QTRY_VERIFY(answer.isVisible());
+    QTRY_COMPARE(answer.visibleRegion().boundingRect().bottom(), answer.rect().bottom());
 }
 
 void LearningAidsTest::aWordIsLinkedWhereItStandsFirst()

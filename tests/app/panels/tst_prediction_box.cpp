@@ -254,7 +254,7 @@ void PredictionBoxTest::aNumberIsTypedAndEnterPlays()
     QTRY_VERIFY_WITH_TIMEOUT(fixture.isShown("slow"), 30'000);
     // 10 px per frame, of which 0.9 stay: 0.9^7 is the first share below a half.
     QCOMPARE(fixture.frame(), std::int64_t{17});
-    QVERIFY2(fixture.sentence().contains("8\u202Fframes too much"), qPrintable(fixture.sentence()));
+    QVERIFY2(fixture.sentence().contains("8\u202Fframes too high"), qPrintable(fixture.sentence()));
     QCOMPARE(fixture.in<NarrationText>("predictionAnswer").toPlainText(), QString("Soon."));
     QVERIFY(!field.isVisibleTo(&fixture.box()));
     QTest::mouseClick(&fixture.in<QPushButton>("predictAgain"), Qt::LeftButton);

@@ -42,6 +42,7 @@ private slots:
     void theHandReachesTwelvePixels_data();
     void theHandReachesTwelvePixels();
     void theNearestOfTwoBodiesIsTaken();
+    void aBodyUnderAnotherOneIsNotTaken();
     void theHandLetsGo_data();
     void theHandLetsGo();
     void theCursorIsAHandOverBodies();
@@ -220,13 +221,23 @@ void SceneViewTest::theNearestOfTwoBodiesIsTaken()
 {
     SceneFixture fixture;
     fixture.session.input().grab("foot0");
-    fixture.session.input().moveTo(fixture.place("body") + sim::Vec2{10, 0});
+    fixture.session.input().moveTo(fixture.place("body") + sim::Vec2{14, 0});
     fixture.session.input().release();
     const QPoint between = fixture.onScreen("foot0");
     fixture.press(between - QPoint(2, 0));
     fixture.release(between - QPoint(2, 0));
     QCOMPARE(fixture.session.selected(), "foot0");
     fixture.press(fixture.onScreen("body") - QPoint(4, 0));
+    QCOMPARE(fixture.session.selected(), "body");
+}
+
+void SceneViewTest::aBodyUnderAnotherOneIsNotTaken()
+{
+    SceneFixture fixture;
+    fixture.session.input().grab("foot0");
+    fixture.session.input().moveTo(fixture.place("body") + sim::Vec2{3, 0});
+    fixture.session.input().release();
+    fixture.press(fixture.onScreen("foot0")); // the body is drawn over it
     QCOMPARE(fixture.session.selected(), "body");
 }
 

@@ -127,6 +127,17 @@ private slots:
         QVERIFY(!fixture.session.preview().marked());
     }
 
+    void feetThatAParameterAddsDuringTheRunAreShown()
+    {
+        CursorFixture fixture("walking_gait", "more_feet");
+        const auto &feet = *fixture.window.findChild<FootfallStrip *>();
+        const auto shown = [&] { return feet.sentence().count(". ") + 1; };
+        QCOMPARE(shown(), 5);
+        fixture.session.editor().setParameter("feet", 8);
+        fixture.goTo(fixture.session.timeline().cursor().frame + 10);
+        QTRY_COMPARE(shown(), 8);
+    }
+
     void whoCannotSeeItHearsWhatIsPreviewed()
     {
         CursorFixture fixture;

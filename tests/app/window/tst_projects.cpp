@@ -89,6 +89,7 @@ private slots:
     void theBuildPanelShowsTheProjectThatIsBuilt();
     void startingIsOneEditThatCanBeUndone();
     void aProjectOfTheListingKeepsItsPage();
+    void aProjectOfTheListingReplacesWhatWasWrittenBefore();
     void aSolutionIsTickedByKeys();
     void whatIsMissingIsSaid();
     void judgingCanBeCancelled();
@@ -168,6 +169,21 @@ void ProjectsTest::aProjectOfTheListingKeepsItsPage()
     QVERIFY(window.session.code().isInUse());
     QVERIFY(window.project().isVisible());
     QVERIFY(!window.card().isVisible());
+}
+
+void ProjectsTest::aProjectOfTheListingReplacesWhatWasWrittenBefore()
+{
+    ProjectFixture window("single_spring");
+    window.session.openStep("single_spring", "fixed_centre");
+    window.session.code().write(window.session.code().text() + "// mine\n");
+    QVERIFY(window.session.code().isInUse());
+    window.session.editor().setMethod("published");
+    QVERIFY(window.session.code().draft()); // kept while another method computes the run
+    window.panel.showSummary(true);
+    settle();
+    window.click(window.project(), "startProject");
+    QVERIFY(window.session.code().isRunning());
+    QVERIFY(!window.session.code().text().contains("// mine"));
 }
 
 void ProjectsTest::aSolutionIsTickedByKeys()

@@ -1,23 +1,19 @@
 #pragma once
 
 #include "app/model/learning/project_desk.h"
-#include "app/ui/theme/theme.h"
-
-#include <QWidget>
+#include "app/ui/learn/fold_box.h"
 
 class QLabel;
 class QToolButton;
-class QVBoxLayout;
 
 namespace app {
 
 class ButtonFlow;
 class NarrationText;
-class WhyButton;
 
 /// A level of a project, folded to its title. Unfolded, it shows what the level asks, its conditions with a mark for each
 /// that held when it was judged last, the judgement, and buttons to judge it and to show a hint.
-class LevelBox : public QWidget
+class LevelBox : public FoldBox
 {
     Q_OBJECT
 
@@ -27,8 +23,6 @@ public:
              QWidget *parent = nullptr);
 
     const QString &level() const { return m_id; }
-    void setUnfolded(bool isUnfolded);
-    bool isUnfolded() const;
     /// Shows the present state of the desk.
     void refresh();
 
@@ -37,16 +31,15 @@ signals:
     void changed();
 
 private:
-    QToolButton *addButton(const QString &name, const QString &text, const QString &tip);
     QString demandText() const;
+    /// Scrolls to the judgement, once the layout is done.
+    void showJudgement();
 
     ProjectDesk &m_desk;
     const QString m_lesson;
     const QString m_id;
     const QString m_name;
     const std::vector<lessons::ProjectDemand> m_demands;
-    WhyButton *m_title;
-    QWidget *m_content;
     NarrationText *m_list; ///< the conditions
     NarrationText *m_hintText;
     QLabel *m_sentence;

@@ -17,9 +17,10 @@ constexpr int cardSideMargin = 16;
 
 }
 
-ProjectBox::ProjectBox(Session &session, ProjectDesk &desk, Shows shows, const Theme &theme, QWidget *parent)
-    : QFrame(parent), m_session(session), m_desk(desk), m_shows(shows), m_theme(theme),
-      m_title(new QLabel(this)), m_count(new QLabel(this)), m_content(new QWidget(this)),
+ProjectBox::ProjectBox(const OpenRun &run, ProjectDesk &desk, Shows shows, const Theme &theme,
+                       QWidget *parent)
+    : QFrame(parent), m_run(run), m_desk(desk), m_shows(shows), m_theme(theme), m_title(new QLabel(this)),
+      m_count(new QLabel(this)), m_content(new QWidget(this)),
       m_brief(new NarrationText(theme, m_content, NarrationText::Kind::aside))
 {
     setObjectName(shows == Shows::lesson ? "project" : "projectCard");
@@ -34,10 +35,10 @@ ProjectBox::ProjectBox(Session &session, ProjectDesk &desk, Shows shows, const T
     inner->setSpacing(4);
     inner->addWidget(m_brief);
     m_buttons = new ButtonFlow(m_content);
-    m_start = addButton("startProject", tr("Start"), {});
-    m_goOn = addButton("goOnProject", tr("Go on"), tr("Opens what you have built so far"));
-    m_putAway = addButton("putAwayProject", tr("Put away"),
-                          tr("Removes this project from here. What you built stays."));
+    m_start = m_buttons->add<QToolButton>("startProject", tr("Start"), {});
+    m_goOn = m_buttons->add<QToolButton>("goOnProject", tr("Go on"), tr("Opens what you have built so far"));
+    m_putAway = m_buttons->add<QToolButton>("putAwayProject", tr("Put away"),
+                                            tr("Removes this project from here. What you built stays."));
     inner->addWidget(m_buttons);
     m_column = new QVBoxLayout;
     m_column->setSpacing(0);
@@ -47,7 +48,7 @@ ProjectBox::ProjectBox(Session &session, ProjectDesk &desk, Shows shows, const T
     connect(m_goOn, &QToolButton::clicked, this, [this] { m_desk.goOn(QString(m_lesson)); });
     connect(m_putAway, &QToolButton::clicked, &desk, &ProjectDesk::putAway);
     connect(&desk, &ProjectDesk::changed, this, &ProjectBox::follow);
-    session.onChange(ChangeKind::texts, this, [this] {
+    run.onChange(ChangeKind::texts, this, [this] {
         m_shownTitle.clear(); // the levels are made again
         follow();
     });
@@ -91,23 +92,12 @@ void ProjectBox::unfold(bool isOpen)
     emit heightChanged();
 }
 
-QToolButton *ProjectBox::addButton(const QString &name, const QString &text, const QString &tip)
-{
-    auto *button = new QToolButton(m_buttons->strip());
-    m_buttons->add(button);
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setFocusPolicy(Qt::TabFocus);
-    return button;
-}
-
 QString ProjectBox::wantedLesson() const
 {
     if (m_shows == Shows::lesson)
-        return m_desk.projectOf(m_session.lesson().id) ? m_session.lesson().id : QString();
+        return m_desk.projectOf(m_run.lesson().id) ? m_run.lesson().id : QString();
     const QString &current = m_desk.current();
-    return m_session.isSandbox() && !current.isEmpty() && m_desk.isAtPlace(current) ? current : QString();
+    return m_run.isSandbox() && !current.isEmpty() && m_desk.isAtPlace(current) ? current : QString();
 }
 
 void ProjectBox::follow()

@@ -30,7 +30,7 @@ public:
     };
 
     /// The arguments must outlive this object.
-    ProjectBox(Session &session, ProjectDesk &desk, Shows shows, const Theme &theme,
+    ProjectBox(const OpenRun &run, ProjectDesk &desk, Shows shows, const Theme &theme,
                QWidget *parent = nullptr);
 
     /// Returns the id of the lesson whose project is shown; empty if the box is hidden.
@@ -42,7 +42,6 @@ signals:
     void heightChanged();
 
 private:
-    QToolButton *addButton(const QString &name, const QString &text, const QString &tip);
     void makeHead();
     /// Shows the brief and the levels, or the title only.
     void unfold(bool isOpen);
@@ -52,7 +51,7 @@ private:
     void refresh();
     void refreshButtons();
 
-    Session &m_session;
+    const OpenRun &m_run;
     ProjectDesk &m_desk;
     const Shows m_shows;
     const Theme &m_theme;

@@ -130,7 +130,7 @@ bool SummaryPage::hasQuestions() const
 void SummaryPage::addProject(ProjectDesk &desk)
 {
     QWidget *page = m_text->parentWidget();
-    m_project = new ProjectBox(m_session, desk, ProjectBox::Shows::lesson, m_theme, page);
+    m_project = new ProjectBox(m_session.run(), desk, ProjectBox::Shows::lesson, m_theme, page);
     auto *column = static_cast<QVBoxLayout *>(page->layout());
     column->insertWidget(column->indexOf(m_text), m_project);
 }
@@ -151,6 +151,10 @@ void SummaryPage::open()
         !m_desk->question()) // a question stays while it is answered in the scene of another lesson
         m_recall->setLesson(m_session.lesson());
     refresh();
+    if (const QString lesson = m_session.lesson().id; lesson != m_lesson) {
+        m_lesson = lesson;
+        findChild<QScrollArea *>()->verticalScrollBar()->setValue(0);
+    }
 }
 
 void SummaryPage::refresh()

@@ -63,6 +63,7 @@ private:
     QToolButton *m_startOver = nullptr;
     QPushButton *m_back = nullptr;
     StepButton *m_next = nullptr;
+    QString m_lesson;        ///< the id of the lesson that is shown
     QStringList m_forgotten; ///< ticks that can be restored
 };
 

@@ -1,9 +1,9 @@
 #include "app/ui/learn/step/guess_box.h"
 
 #include "app/ui/learn/choice_row.h"
+#include "app/ui/learn/fold_box.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
-#include "app/ui/learn/why_box.h"
 
 #include <QVBoxLayout>
 

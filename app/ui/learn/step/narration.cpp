@@ -10,16 +10,12 @@
 #include "app/ui/learn/step_button.h"
 #include "app/ui/learn/why_box.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
-#include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
-
-#include <algorithm>
-#include <utility>
 
 namespace app {
 
@@ -31,7 +27,7 @@ constexpr int titleHeight = 24;
 constexpr int headingHeight = 20;
 constexpr int belowText = 12;  ///< px above the tasks
 constexpr int belowWhys = 6;   ///< px: a question has some px below it already
-constexpr int leastText = 200; ///< px of text above the things to try; with less, these are scrolled, too
+constexpr int leastText = 200; ///< px of text above the things to try; with less, these scroll
 constexpr int leastTask = 240; ///< the same while the learner writes a task
 constexpr int todoMilliseconds =
     300; ///< between two updates of the missing tasks: faster changes cannot be read
@@ -39,30 +35,22 @@ constexpr int todoMilliseconds =
 }
 
 Narration::Narration(Session &session, const Glossary &glossary, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme), m_predictions(session), m_desk(session)
+    : QWidget(parent), m_session(session), m_theme(theme), m_room(*this), m_predictions(session),
+      m_desk(session)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
-    m_area = new QScrollArea(this);
-    m_area->setWidgetResizable(true);
-    m_area->setFrameShape(QFrame::NoFrame);
-    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_area->setFocusPolicy(Qt::NoFocus);
-    m_area->setWidget(makeText());
+    makeText();
     m_text->setGlossary(glossary);
-    m_column = new QVBoxLayout(this);
-    m_column->setContentsMargins(0, 0, 0, 0);
-    m_column->setSpacing(0);
-    // The text takes only the height that it needs, so that the tasks follow directly below it.
-    m_column->addWidget(m_area, 1000);
-    m_column->addWidget(makeTries());
-    m_column->addStretch(1);
-    m_column->addWidget(makeButtons());
+    makeTries();
+    makeButtons();
+    m_room.addBelow(m_tryPage, m_buttons);
+    m_tryPage->installEventFilter(this);
     session.onChange(ChangeKind::step, this, &Narration::open);
     session.onChange(ChangeKind::texts, this, [this] {
-        const int scrolled = m_area->verticalScrollBar()->value();
+        const int scrolled = m_room.bar().value();
         open();
-        m_area->verticalScrollBar()->setValue(scrolled);
+        m_room.bar().setValue(scrolled);
     });
     connect(&session.progress(), &Progress::changed, this, &Narration::showProgress);
     connect(&m_predictions, &PredictionDesk::changed, this, &Narration::showPredictions);
@@ -80,27 +68,19 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
     applyTheme();
 }
 
-QWidget *Narration::makeText()
+void Narration::makeText()
 {
-    auto *page = new QWidget;
-    page->setObjectName("panel");
-    page->setAttribute(Qt::WA_StyledBackground);
-    // The height of the text depends on its width, so the height at the minimum width must be ignored.
-    page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+    QWidget *page = m_room.page();
     m_title = new QLabel(page);
     m_title->setObjectName("stepTitle");
     m_title->setWordWrap(true);
     m_title->setTextFormat(Qt::PlainText);
     m_title->setMinimumHeight(titleHeight);
     m_text = new NarrationText(m_theme, page);
-    m_scrolled = new QVBoxLayout(page);
-    m_scrolled->setContentsMargins(0, 0, 0, 0);
-    m_scrolled->setSpacing(0);
     auto *column = new QVBoxLayout;
     column->setContentsMargins(18, 12, 18, 8);
     column->setSpacing(0);
-    m_scrolled->addLayout(column);
-    m_scrolled->addStretch(1);
+    m_room.addText(column);
     column->addWidget(m_title);
     column->addSpacing(5);
     column->addWidget(m_text);
@@ -125,17 +105,13 @@ QWidget *Narration::makeText()
         if (!wordOf(link).isEmpty())
             emit wordRequested(wordOf(link), place);
     });
-    return page;
 }
 
-QWidget *Narration::makeTries()
+void Narration::makeTries()
 {
-    // The tasks are below the scrolling text and not in it, so that they are always visible; see placeTries().
     m_tryPage = new QWidget(this);
-    m_tryPage->setObjectName("tries");
-    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Minimum);
-    policy.setHeightForWidth(true);
-    m_tryPage->setSizePolicy(policy);
+    // The width decides about the height; the height at the least width would leave gaps.
+    m_tryPage->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
     m_heading = new QLabel(tr("Try this"), m_tryPage);
     m_heading->setObjectName("heading");
     m_heading->setFixedHeight(headingHeight);
@@ -150,39 +126,42 @@ QWidget *Narration::makeTries()
     m_toPredictions->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_toPredictions->setIconSize({14, 14});
     m_toPredictions->setFocusPolicy(Qt::TabFocus);
+    QSizePolicy kept = m_toPredictions->sizePolicy();
+    kept.setRetainSizeWhenHidden(true); // or the text would jump when it is scrolled
+    m_toPredictions->setSizePolicy(kept);
     m_toPredictions->hide();
-    connect(m_area->verticalScrollBar(), &QScrollBar::valueChanged, this, &Narration::offerPredictions);
-    connect(m_area->verticalScrollBar(), &QScrollBar::rangeChanged, this, &Narration::offerPredictions);
+    connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerPredictions);
+    connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerPredictions);
     connect(m_toPredictions, &QToolButton::clicked, this, &Narration::goToPrediction);
-    m_tryColumn->addWidget(m_toPredictions, 0, Qt::AlignLeft);
-    m_tryColumn->addWidget(m_heading);
+    auto *row = new QHBoxLayout;
+    row->addWidget(m_heading);
+    row->addStretch(1);
+    row->addWidget(m_toPredictions);
+    m_tryColumn->addLayout(row);
     m_tryColumn->addSpacing(2);
-    return m_tryPage;
 }
 
-QWidget *Narration::makeButtons()
+void Narration::makeButtons()
 {
-    auto *buttons = new QWidget(this);
-    m_buttons = buttons;
-    m_back = new QPushButton(buttons);
+    m_buttons = new QWidget(this);
+    m_back = new QPushButton(m_buttons);
     m_back->setObjectName("back");
     m_back->setAutoDefault(false);
     m_back->setAccessibleName(tr("Previous step"));
     m_back->setFixedSize(36, buttonHeight);
-    m_next = new StepButton(buttons);
+    m_next = new StepButton(m_buttons);
     m_next->setObjectName("next");
     for (QPushButton *button : {m_back, static_cast<QPushButton *>(m_next)}) {
         button->setIconSize({16, 16});
         button->setFocusPolicy(Qt::TabFocus);
     }
-    auto *row = new QHBoxLayout(buttons);
+    auto *row = new QHBoxLayout(m_buttons);
     row->setContentsMargins(16, 8, 16, 14);
     row->setSpacing(8);
     row->addWidget(m_back);
     row->addWidget(m_next, 1);
     connect(m_back, &QPushButton::clicked, &m_session, &Session::openPreceding);
     connect(m_next, &QPushButton::clicked, this, &Narration::goOn);
-    return buttons;
 }
 
 void Narration::open()
@@ -195,7 +174,7 @@ void Narration::open()
     addTasks();
     addTries();
     nameButtons();
-    m_area->verticalScrollBar()->setValue(0);
+    m_room.bar().setValue(0);
     fitText();
     m_isOpen = false; // tasks done earlier show their answers only on request
     showProgress();
@@ -213,8 +192,8 @@ void Narration::addTries()
         m_tryColumn->addWidget(m_tries.back());
         connect(m_tries.back(), &TryBox::hintToggled, this,
                 [this, number](bool shown) { remember(number, shown); });
-        connect(m_tries.back(), &TryBox::answerToggled, this, &Narration::heightChanged);
-        connect(m_tries.back(), &TryBox::choicesToggled, this, &Narration::heightChanged);
+        for (const auto toggled : {&TryBox::answerToggled, &TryBox::choicesToggled})
+            connect(m_tries.back(), toggled, this, [this, number] { makeRoomFor(number); });
         connect(m_tries.back(), &TryBox::chosen, this,
                 [this, number](int chosen) { rememberChoice(number, chosen); });
         if (const Note *note = m_session.notes().find(keyOfChoice(number)))
@@ -234,7 +213,13 @@ void Narration::rememberChoice(std::size_t number, int chosen)
     const int right = m_session.step().tries[number].choices.right;
     m_session.notes().keep(keyOfChoice(number), {QStringLiteral("choice"), QString::number(chosen + 1),
                                                  QString::number(right + 1), chosen == right});
+    makeRoomFor(number);
+}
+
+void Narration::makeRoomFor(std::size_t number)
+{
     emit heightChanged();
+    m_room.showTry(m_tries[number]);
 }
 
 void Narration::addPredictions()
@@ -243,12 +228,12 @@ void Narration::addPredictions()
     m_predictionBoxes.clear();
     const PredictionBox *first = nullptr; // of those without an answer: it is unfolded
     for (const lessons::Prediction &prediction : m_session.step().predictions) {
-        auto *box = new PredictionBox(m_predictions, prediction, m_theme, m_area->widget());
+        auto *box = new PredictionBox(m_predictions, prediction, m_theme, m_room.page());
         m_predictionBoxes.push_back(box);
         m_predictionColumn->addWidget(box);
         if (!first && m_predictions.sheet(prediction.id).stage != PredictionDesk::Stage::shown) {
             first = box;
-            box->open();
+            box->setUnfolded(true);
         }
         connect(box, &PredictionBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
     }
@@ -272,26 +257,17 @@ void Narration::showPredictions()
         return;
     fitText();
     emit heightChanged();
-    if (ended) // once the layout is done, its answer is in view
-        QTimer::singleShot(0, ended, [this, ended] { m_area->verticalScrollBar()->setValue(ended->y()); });
+    if (ended) // its answer is in view
+        m_room.showTopOf(ended);
     for (PredictionBox *box : m_predictionBoxes) {
         if (box->isPicking())
-            scrollTo(box);
+            m_room.showWhole(box);
     }
-}
-
-void Narration::scrollTo(QWidget *box)
-{
-    QTimer::singleShot(0, box, [this, box] {
-        QScrollBar &bar = *m_area->verticalScrollBar();
-        const int top = box->y(), end = top + box->height() - m_area->viewport()->height();
-        bar.setValue(std::max(end, std::min(top, bar.value())));
-    });
 }
 
 void Narration::offerPredictions()
 {
-    const QWidget *view = m_area->viewport();
+    const QWidget *view = m_room.viewport();
     bool isOpen = false, isInView = false;
     for (const PredictionBox *box : m_predictionBoxes) {
         if (m_predictions.sheet(box->id()).stage == PredictionDesk::Stage::shown)
@@ -309,7 +285,7 @@ void Narration::goToPrediction()
         if (m_predictions.sheet(box->id()).stage == PredictionDesk::Stage::shown)
             continue;
         box->focusField();
-        scrollTo(box);
+        m_room.showWhole(box);
         return;
     }
 }
@@ -320,7 +296,7 @@ void Narration::addWhys()
     m_whys.clear();
     emit highlightsChanged({});
     for (const lessons::Why &why : m_session.step().explanation.whys) {
-        m_whys.push_back(new WhyBox(why, m_theme, m_area->widget()));
+        m_whys.push_back(new WhyBox(why, m_theme, m_room.page()));
         m_whyColumn->addWidget(m_whys.back());
         connect(m_whys.back(), &WhyBox::highlightsChanged, this, &Narration::highlightsChanged);
         connect(m_whys.back(), &WhyBox::unfolded, this,
@@ -334,7 +310,7 @@ void Narration::addTasks()
     qDeleteAll(m_tasks);
     m_tasks.clear();
     for (const lessons::CodeTask &task : m_session.step().codeTasks) {
-        auto *box = new TaskBox(m_desk, task, m_theme, m_area->widget());
+        auto *box = new TaskBox(m_desk, task, m_theme, m_room.page());
         m_tasks.push_back(box);
         m_taskColumn->addWidget(box);
         connect(box, &TaskBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
@@ -355,17 +331,9 @@ void Narration::showTasks()
         return;
     fitText();
     emit heightChanged();
-    QTimer::singleShot(0, this, &Narration::showJudgement); // once the layout is done
-}
-
-void Narration::showJudgement()
-{
     for (const TaskBox *box : m_tasks) {
-        if (m_desk.task() != &box->task())
-            continue;
-        QScrollBar &bar = *m_area->verticalScrollBar();
-        const int top = box->y(), end = top + box->height() - m_area->viewport()->height();
-        bar.setValue(std::max(end, std::min(top, bar.value())));
+        if (m_desk.task() == &box->task())
+            m_room.showWhole(box); // the judgement is at its end
     }
 }
 
@@ -373,8 +341,8 @@ void Narration::showUnfolded(QWidget *box, bool open)
 {
     fitText();
     emit heightChanged();
-    if (open) // once the layout is done, scrolls the box to the top
-        QTimer::singleShot(0, box, [this, box] { m_area->verticalScrollBar()->setValue(box->y()); });
+    if (open)
+        m_room.showTopOf(box);
 }
 
 void Narration::setStepKeys(const QKeySequence &back, const QKeySequence &next)
@@ -416,7 +384,7 @@ void Narration::remember(std::size_t number, bool shown)
         m_hints.insert(keyOf(number));
     else
         m_hints.remove(keyOf(number));
-    emit heightChanged();
+    makeRoomFor(number);
 }
 
 void Narration::showNextHint()
@@ -440,29 +408,9 @@ QString Narration::nextTip() const
     return m_next->toolTip();
 }
 
-int Narration::textHeight() const
-{
-    const int all = m_area->widget()->layout()->totalHeightForWidth(width());
-    return m_scrollsTries ? all - m_tryPage->heightForWidth(width()) : all;
-}
-
-void Narration::placeTries()
-{
-    const int text = std::min(textHeight(), m_desk.task() ? leastTask : leastText);
-    const bool scrolls =
-        height() < text + m_tryPage->heightForWidth(width()) + m_buttons->sizeHint().height();
-    if (std::exchange(m_scrollsTries, scrolls) == scrolls)
-        return;
-    QVBoxLayout &from = scrolls ? *m_column : *m_scrolled, &to = scrolls ? *m_scrolled : *m_column;
-    from.removeWidget(m_tryPage);
-    to.insertWidget(1, m_tryPage);
-}
-
 void Narration::fitText()
 {
-    placeTries();
-    const QWidget &page = *m_area->widget();
-    m_area->setMaximumHeight(std::max(1, page.layout()->totalHeightForWidth(width())));
+    m_room.fit(m_desk.task() ? leastTask : leastText);
 }
 
 void Narration::showProgress()
@@ -486,16 +434,20 @@ void Narration::showAnswerOf(std::size_t number)
         if (one->isDone())
             one->showAnswer(one == m_tries[number]);
     }
-    emit heightChanged();
+    makeRoomFor(number);
 }
 
 void Narration::showTodos()
 {
-    bool changed = false;
-    for (std::size_t i = 0; i < m_tries.size(); ++i)
-        changed = m_tries[i]->setTodo(m_session.todo(static_cast<int>(i))) || changed;
-    if (changed)
-        emit heightChanged();
+    for (std::size_t i = 0; i < m_tries.size(); ++i) {
+        const int before = m_tries[i]->heightForWidth(width());
+        if (!m_tries[i]->setTodo(m_session.todo(static_cast<int>(i))))
+            continue;
+        if (m_tries[i]->heightForWidth(width()) > before) // another number does not scroll
+            makeRoomFor(i);
+        else
+            emit heightChanged();
+    }
 }
 
 void Narration::applyTheme()
@@ -505,20 +457,17 @@ void Narration::applyTheme()
     showProgress();
 }
 
-int Narration::fullHeight() const
-{
-    return m_area->maximumHeight() + leastHeight() - m_area->minimumSizeHint().height();
-}
-
-int Narration::leastHeight() const
-{
-    const int tries = m_scrollsTries ? 0 : m_tryPage->heightForWidth(width());
-    return m_area->minimumSizeHint().height() + tries + m_buttons->sizeHint().height();
-}
-
 QSize Narration::minimumSizeHint() const
 {
     return {200, 160};
+}
+
+bool Narration::eventFilter(QObject *watched, QEvent *event)
+{
+    // A scroll area does not tell its parents that its content needs another height.
+    if (watched == m_tryPage && event->type() == QEvent::LayoutRequest)
+        emit heightChanged();
+    return QWidget::eventFilter(watched, event);
 }
 
 void Narration::resizeEvent(QResizeEvent *event)

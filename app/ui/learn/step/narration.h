@@ -3,6 +3,7 @@
 #include "app/model/learning/prediction_desk.h"
 #include "app/model/listing/task_desk.h"
 #include "app/model/session/session.h"
+#include "app/ui/learn/step/step_room.h"
 #include "app/ui/theme/theme.h"
 
 #include <QKeySequence>
@@ -14,7 +15,6 @@
 
 class QLabel;
 class QPushButton;
-class QScrollArea;
 class QToolButton;
 class QVBoxLayout;
 
@@ -52,9 +52,9 @@ public:
     /// Sets the height of the text area to the height of its text at the present width.
     void fitText();
     /// Returns the height that shows all of the text, the tasks and the buttons at this width, px.
-    int fullHeight() const;
+    int fullHeight() const { return m_room.fullHeight(); }
     /// Returns the same height with the text area at its scrollable minimum, px.
-    int leastHeight() const;
+    int leastHeight() const { return m_room.leastHeight(); }
 
 signals:
     /// Emitted when the learner clicks a glossary word in the text. `place` is below the word, in screen coordinates.
@@ -70,31 +70,27 @@ signals:
     void highlightsChanged(const std::vector<lessons::Highlight> &highlights);
 
 protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QWidget *makeText();
-    QWidget *makeTries();
-    QWidget *makeButtons();
+    void makeText();
+    void makeTries();
+    void makeButtons();
     void open();
     void addPredictions();
     void showPredictions();
-    /// Scrolls so that the whole box is in view, or at least its end, once the layout is done.
-    void scrollTo(QWidget *box);
     void goToPrediction();
     /// Shows the way to the predictions while one is open and none of them is in view.
     void offerPredictions();
     void addTries();
     void rememberChoice(std::size_t number, int chosen);
     QString keyOfChoice(std::size_t number) const;
+    /// Makes room for the thing to try with this number, whose height has changed, and scrolls to it.
+    void makeRoomFor(std::size_t number);
     void addWhys();
     void addTasks();
     void showTasks();
-    /// Scrolls to the end of the task that the learner writes, where its judgement is.
-    void showJudgement();
-    /// Puts the things to try below the text if there is room, and else behind it in the scrolled part.
-    void placeTries();
-    int textHeight() const;
     /// Makes room for `box`, which was folded or unfolded.
     void showUnfolded(QWidget *box, bool open);
     void nameButtons();
@@ -109,10 +105,7 @@ private:
 
     Session &m_session;
     const Theme &m_theme;
-    QScrollArea *m_area = nullptr;
-    QVBoxLayout *m_column = nullptr;
-    QVBoxLayout *m_scrolled = nullptr;
-    bool m_scrollsTries = false; ///< whether the things to try are in the scrolled part
+    StepRoom m_room;
     QLabel *m_title = nullptr;
     NarrationText *m_text = nullptr;
     QWidget *m_tryPage = nullptr;

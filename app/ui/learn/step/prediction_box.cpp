@@ -5,7 +5,6 @@
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/step/curve_button.h"
-#include "app/ui/learn/why_box.h"
 
 #include <QHBoxLayout>
 #include <QKeyEvent>
@@ -28,8 +27,7 @@ namespace {
 using AskedFor = lessons::Question::Kind;
 using PredictionStage = PredictionDesk::Stage;
 
-constexpr int predictionLeft = 19; ///< px: aligned with the question, which has an arrow before it
-constexpr int numberWidth = 84;    ///< px
+constexpr int numberWidth = 84; ///< px
 
 /// Returns the number in `text`, with a point or a comma; empty if it is none.
 std::optional<double> typedNumber(const QString &text)
@@ -43,55 +41,29 @@ std::optional<double> typedNumber(const QString &text)
 
 PredictionBox::PredictionBox(PredictionDesk &desk, const lessons::Prediction &prediction, const Theme &theme,
                              QWidget *parent)
-    : QWidget(parent), m_desk(desk), m_prediction(prediction),
-      m_title(new WhyButton(plainText(prediction.text), theme, this)), m_content(new QWidget(this))
+    : FoldBox(plainText(prediction.text), theme, parent), m_desk(desk), m_prediction(prediction),
+      m_sentence(addText("predictionSentence", {})), m_answer(addText("predictionAnswer", prediction.answer))
 {
     setObjectName("prediction");
-    QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-    policy.setHeightForWidth(true);
-    setSizePolicy(policy);
-    m_content->setSizePolicy(policy);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_title);
-    column->addWidget(m_content);
-    auto *parts = new QVBoxLayout(m_content);
-    parts->setContentsMargins(predictionLeft, 2, 0, 6);
-    parts->setSpacing(4);
-    m_sentence = new NarrationText(theme, m_content, NarrationText::Kind::aside);
-    m_sentence->setObjectName("predictionSentence");
-    m_answer = new NarrationText(theme, m_content, NarrationText::Kind::aside);
-    m_answer->setObjectName("predictionAnswer");
-    m_answer->setText(prediction.answer);
+    column().setSpacing(4);
     if (prediction.question.kind == AskedFor::number)
-        addNumberField(*parts);
-    else if (prediction.question.kind == AskedFor::curve) {
-        for (int i = 0; i < 3; ++i)
-            m_curves[static_cast<std::size_t>(i)] = new CurveButton(i + 1, theme, m_content);
-        addCurveField(*parts);
-    }
-    parts->addWidget(m_sentence);
-    parts->addWidget(m_answer);
-    addButtons(*parts);
+        addNumberField();
+    else if (prediction.question.kind == AskedFor::curve)
+        addCurveField(theme);
+    addButtons();
     const auto describe = [this](bool isOpen) {
-        m_title->setToolTip(isOpen ? tr("Fold this prediction") : tr("Predict what happens"));
+        title().setToolTip(isOpen ? tr("Fold this prediction") : tr("Predict what happens"));
     };
-    connect(m_title, &QAbstractButton::toggled, this, [this, describe](bool isOpen) {
-        m_content->setVisible(isOpen);
-        describe(isOpen);
-        emit unfolded(isOpen);
-    });
+    connect(this, &FoldBox::unfolded, this, describe);
     describe(false);
-    m_content->hide();
     refresh();
 }
 
-void PredictionBox::addNumberField(QVBoxLayout &column)
+void PredictionBox::addNumberField()
 {
     const lessons::Question &question = m_prediction.question;
     const QString unit = question.asksFrames() ? tr("frames") : question.unit;
-    m_numberRow = new QWidget(m_content);
+    m_numberRow = new QWidget(content());
     m_number = new QLineEdit(m_numberRow);
     m_number->setObjectName("predictedNumber");
     m_number->setFixedWidth(numberWidth);
@@ -110,7 +82,7 @@ void PredictionBox::addNumberField(QVBoxLayout &column)
     row->addWidget(m_number);
     row->addWidget(unitLabel);
     row->addStretch(1);
-    column.addWidget(m_numberRow);
+    column().insertWidget(0, m_numberRow);
     connect(m_number, &QLineEdit::textEdited, this, &PredictionBox::sayNumber);
     connect(m_number, &QLineEdit::returnPressed, this, [this] { m_desk.commit(m_prediction.id); });
 }
@@ -121,60 +93,43 @@ void PredictionBox::sayNumber(const QString &text)
     m_desk.say(m_prediction.id, number ? std::optional(PredictedAnswer{.number = *number}) : std::nullopt);
 }
 
-void PredictionBox::addCurveField(QVBoxLayout &column)
+void PredictionBox::addCurveField(const Theme &theme)
 {
-    m_curveRow = new QWidget(m_content);
+    m_curveRow = new QWidget(content());
     auto *row = new QHBoxLayout(m_curveRow);
     row->setContentsMargins(0, 2, 0, 2);
     row->setSpacing(6);
     const std::array<int, 3> order = curveOrder(m_prediction);
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        m_curves[i]->setParent(m_curveRow);
+        m_curves[i] = new CurveButton(static_cast<int>(i) + 1, theme, m_curveRow);
         row->addWidget(m_curves[i]);
         connect(m_curves[i], &QAbstractButton::clicked, this,
                 [this, curve = order[i]] { m_desk.say(m_prediction.id, PredictedAnswer{.curve = curve}); });
     }
-    column.addWidget(m_curveRow);
+    column().insertWidget(0, m_curveRow);
 }
 
-QPushButton *PredictionBox::addButton(const QString &name, const QString &text, const QString &tip)
+void PredictionBox::addButtons()
 {
-    auto *button = new QPushButton(m_buttons->strip());
-    m_buttons->add(button);
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setFocusPolicy(Qt::TabFocus);
-    button->setAutoDefault(false);
-    return button;
-}
-
-void PredictionBox::addButtons(QVBoxLayout &column)
-{
-    m_buttons = new ButtonFlow(m_content);
-    m_commit = addButton("commitPrediction", tr("Play it"), {});
+    m_buttons = new ButtonFlow(content());
+    m_commit = m_buttons->add<QPushButton>("commitPrediction", tr("Play it"), {});
     m_commit->setProperty("primary", true);
     if (m_prediction.question.kind == AskedFor::place) {
-        m_pick = addButton(
+        m_pick = m_buttons->add<QPushButton>(
             "pickPlace", tr("Choose the place"),
             tr("Shows how the run begins. Then click a place, or move the cross with the arrow keys."));
         connect(m_pick, &QPushButton::clicked, this, [this] { m_desk.pick(m_prediction.id); });
     }
-    m_again = addButton("predictAgain", tr("Predict again"),
-                        tr("Forgets this answer, so that you can give another one"));
-    column.addWidget(m_buttons);
+    m_again = m_buttons->add<QPushButton>("predictAgain", tr("Predict again"),
+                                          tr("Forgets this answer, so that you can give another one"));
+    column().addWidget(m_buttons);
     connect(m_commit, &QPushButton::clicked, this, [this] { m_desk.commit(m_prediction.id); });
     connect(m_again, &QPushButton::clicked, this, [this] { m_desk.startAgain(m_prediction.id); });
 }
 
-void PredictionBox::open()
-{
-    m_title->setChecked(true);
-}
-
 bool PredictionBox::isActive() const
 {
-    return m_stage == PredictionStage::playing && !m_content->isHidden();
+    return m_stage == PredictionStage::playing && isUnfolded();
 }
 
 bool PredictionBox::isPicking() const
@@ -184,7 +139,7 @@ bool PredictionBox::isPicking() const
 
 void PredictionBox::focusField()
 {
-    open();
+    setUnfolded(true);
     QWidget *field = m_pick ? static_cast<QWidget *>(m_pick) : m_number;
     if (!field)
         field = m_curves[0];
@@ -261,9 +216,7 @@ bool PredictionBox::refresh()
     m_stage = sheet.stage;
     const bool isOpen = sheet.stage == PredictionStage::open, isShown = sheet.stage == PredictionStage::shown;
     const QString question = plainText(m_prediction.text);
-    m_title->setText(isShown ? question + QStringLiteral(" ✓") : question);
-    m_title->setAccessibleName(isShown ? tr("%1, predicted").arg(question) : question);
-    m_title->updateGeometry();
+    showTitle(question, isShown, tr("%1, predicted").arg(question));
     showField(sheet);
     const QString text = sentence(sheet);
     m_sentence->setText(text);
@@ -277,14 +230,14 @@ bool PredictionBox::refresh()
                              : tr("Predict first."));
     m_again->setVisible(!isOpen);
     m_buttons->refresh();
-    return !m_content->isHidden();
+    return isUnfolded();
 }
 
 void PredictionBox::keyPressEvent(QKeyEvent *event)
 {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     const int number = event->key() - Qt::Key_1;
-    if (m_content->isHidden() || m_stage != PredictionStage::open) {
+    if (!isUnfolded() || m_stage != PredictionStage::open) {
         QWidget::keyPressEvent(event);
     } else if (isEnter && m_pick && m_pick->hasFocus()) {
         m_pick->click();

@@ -1,24 +1,20 @@
 #pragma once
 
 #include "app/model/listing/task_desk.h"
-#include "app/ui/theme/theme.h"
-
-#include <QWidget>
+#include "app/ui/learn/fold_box.h"
 
 #include <vector>
 
 class QToolButton;
-class QVBoxLayout;
 
 namespace app {
 
 class ButtonFlow;
 class NarrationText;
-class WhyButton;
 
 /// A task in the step's listing, folded to its title. Unfolded, it shows its text. While the learner writes, it also shows
 /// what is still wrong, hints, and the way to the solution.
-class TaskBox : public QWidget
+class TaskBox : public FoldBox
 {
     Q_OBJECT
 
@@ -31,20 +27,14 @@ public:
     bool refresh();
 
 signals:
-    /// Emitted when the box is folded or unfolded.
-    void unfolded(bool open);
     /// Emitted when the learner starts to write, so the listing should be shown.
     void started();
 
 private:
-    QToolButton *addButton(const QString &name, const QString &text, const QString &tip);
     bool isActive() const { return m_desk.task() == &m_task; }
 
     TaskDesk &m_desk;
     const lessons::CodeTask &m_task;
-    WhyButton *m_title;
-    QWidget *m_content;
-    NarrationText *m_text;
     NarrationText *m_sentence;
     std::vector<NarrationText *> m_hints;
     ButtonFlow *m_buttons; ///< stays in view while the box is scrolled

@@ -43,6 +43,21 @@ bool anyIsElsewhere(const sim::Timeline &timeline)
            (begun.angle.rows() == now.angle.rows() && !(begun.angle == now.angle).all());
 }
 
+/// Returns whether a velocity has changed since the start of the present frame.
+bool anyHasNewVelocity(const sim::Timeline &timeline)
+{
+    const sim::State begun = timeline.track().stateAt(timeline.cursor().frame);
+    const sim::State &now = timeline.state();
+    return begun.pointCount() != now.pointCount() || !(begun.velocity == now.velocity).all();
+}
+
+QString afterPlacing(const QString &phase, bool hasNewVelocity)
+{
+    return hasNewVelocity
+               ? CaptionText::tr("%1 has moved points directly, and changed velocities.").arg(phase)
+               : CaptionText::tr("%1 has moved points directly, without a velocity.").arg(phase);
+}
+
 Account accountOf(const sim::ComposedInterval &interval, int done)
 {
     Account account;
@@ -108,10 +123,9 @@ QString frameCaption(const sim::Timeline &timeline)
     const QString nothing =
         steps > 0 ? CaptionText::tr("nothing has moved in it yet") : CaptionText::tr("nothing has moved yet");
     const bool isPlaced = !account.anyMove && !account.placed.isEmpty() && anyIsElsewhere(timeline);
-    const QString what =
-        isPlaced ? CaptionText::tr("%1 has moved points directly, without a velocity.").arg(account.placed)
-        : account.anyMove ? afterSomeMove(account, pipeline, done)
-                          : beforeAnyMove(account, gathers, nothing);
+    const QString what = isPlaced          ? afterPlacing(account.placed, anyHasNewVelocity(timeline))
+                         : account.anyMove ? afterSomeMove(account, pipeline, done)
+                                           : beforeAnyMove(account, gathers, nothing);
     if (all > 1)
         return CaptionText::tr("Inside frame %1, step %2 of %3: %4")
             .arg(at.frame)

@@ -1,0 +1,128 @@
+#include "app/ui/learn/step/step_room.h"
+
+#include <QCoreApplication>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+constexpr int leastTries = 120;    ///< px, the least height of the things to try, if they need more
+constexpr int separatorHeight = 1; ///< px, of the line above them
+
+QScrollArea *makeArea(QWidget &panel)
+{
+    auto *area = new QScrollArea(&panel);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    return area;
+}
+
+/// Calls `scroll` once all widgets have their new heights, unless `box` is gone by then.
+template <typename Scroll>
+void afterLayout(const QWidget *box, Scroll scroll)
+{
+    QTimer::singleShot(0, box, [box, scroll] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // each can post another one
+        scroll();
+        QTimer::singleShot(0, box, scroll); // a text that was hidden gets its last line only with its width
+    });
+}
+
+}
+
+StepRoom::StepRoom(QWidget &panel) : m_panel(panel), m_area(makeArea(panel))
+{
+    auto *page = new QWidget;
+    page->setObjectName("panel");
+    page->setAttribute(Qt::WA_StyledBackground);
+    // The height of the text depends on its width, so the height at the minimum width must be ignored.
+    page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
+    m_scrolled = new QVBoxLayout(page);
+    m_column = new QVBoxLayout(&panel);
+    for (QVBoxLayout *column : {m_scrolled, m_column}) {
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(0);
+    }
+    m_area->setWidget(page);
+    // The text takes only the height that it needs, so that the tasks follow directly below it.
+    m_column->addWidget(m_area, 1000);
+}
+
+void StepRoom::addText(QVBoxLayout *text)
+{
+    m_scrolled->addLayout(text);
+    m_scrolled->addStretch(1);
+}
+
+void StepRoom::addBelow(QWidget *tries, QWidget *buttons)
+{
+    m_tries = tries;
+    m_buttons = buttons;
+    m_tryArea = makeArea(m_panel);
+    m_tryArea->setObjectName("tries");
+    m_tryArea->setWidget(tries);
+    for (QWidget *clear : {m_tryArea->viewport(), tries})
+        clear->setAutoFillBackground(false); // the panel behind them has the colour
+    auto *line = new QFrame(&m_panel);
+    line->setObjectName("divider");
+    line->setFixedHeight(separatorHeight);
+    m_column->addWidget(line);
+    m_column->addWidget(m_tryArea);
+    m_column->addStretch(1);
+    m_column->addWidget(buttons);
+}
+
+void StepRoom::fit(int leastText)
+{
+    const int text = page()->layout()->totalHeightForWidth(m_panel.width());
+    const int tries = triesHeight();
+    const int left =
+        m_panel.height() - separatorHeight - m_buttons->sizeHint().height() - std::min(text, leastText);
+    m_tryArea->setFixedHeight(std::clamp(left, std::min(tries, leastTries), tries));
+    m_area->setMaximumHeight(std::max(1, text));
+}
+
+int StepRoom::triesHeight() const
+{
+    const QLayout &layout = *m_tries->layout();
+    // Without texts that wrap, the height for a width would be -1.
+    return layout.hasHeightForWidth() ? layout.totalHeightForWidth(m_panel.width())
+                                      : layout.totalSizeHint().height();
+}
+
+int StepRoom::fullHeight() const
+{
+    return m_area->maximumHeight() + leastHeight() - m_area->minimumSizeHint().height();
+}
+
+int StepRoom::leastHeight() const
+{
+    return m_area->minimumSizeHint().height() + separatorHeight + triesHeight() +
+           m_buttons->sizeHint().height();
+}
+
+void StepRoom::showTopOf(const QWidget *box)
+{
+    afterLayout(box, [this, box] { bar().setValue(box->y()); });
+}
+
+void StepRoom::showWhole(const QWidget *box)
+{
+    afterLayout(box, [this, box] {
+        const int top = box->y(), end = top + box->height() - viewport()->height();
+        bar().setValue(std::max(end, std::min(top, bar().value())));
+    });
+}
+
+void StepRoom::showTry(QWidget *box)
+{
+    afterLayout(box, [this, box] { m_tryArea->ensureWidgetVisible(box, 0, 0); });
+}
+
+}
