@@ -28,12 +28,13 @@ bool isMeasuring(const Arguments &arguments)
 void readStability(const Arguments &arguments, ScreenshotRequest &request)
 {
     const QString what = arguments.value("stability");
-    if (what != "gauge" && what != "reasons" && what != "step" && what != "damping")
+    if (what != "gauge" && what != "reasons" && what != "step" && what != "damping" && what != "rest")
         throw UsageError(
-            ScreenshotText::tr("--stability is %1; it can be \"gauge\", \"reasons\", or a map: \"step\" or "
-                               "\"damping\".")
+            ScreenshotText::tr("--stability is %1; it can be \"gauge\", \"reasons\", or a map: \"step\", "
+                               "\"damping\" or \"rest\".")
                 .arg(quoted(what)));
     request.reasons = what != "gauge";
+    request.settling = what == "rest";
     if (what == "step" || what == "damping")
         request.map = what == "step" ? MapPlane::step : MapPlane::damping;
 }

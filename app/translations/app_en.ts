@@ -41,4 +41,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>app::SettlingPlot</name>
+    <message numerus="yes">
+        <source>at rest after %n frames</source>
+        <translation>
+            <numerusform>at rest after %n frame</numerusform>
+            <numerusform>at rest after %n frames</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

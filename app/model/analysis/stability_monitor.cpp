@@ -142,22 +142,6 @@ void StabilityMonitor::adopt(const sim::Remedy &remedy)
     m_editor.use(remedy);
 }
 
-TriedSpot StabilityMonitor::settable(TriedSpot spot) const
-{
-    const auto fitted = [&](const char *id, double value, double grid) {
-        const lessons::Parameter *declared = m_run.step().parameter(QString::fromLatin1(id));
-        const double rounded = std::round(value / grid) * grid;
-        return declared ? std::clamp(rounded, declared->min, declared->max) : value;
-    };
-    // Round a stiffness to three digits, because its scale is logarithmic, and damping as its field shows it.
-    if (spot.k > 0.0)
-        spot.k = fitted("k", spot.k, std::pow(10.0, std::floor(std::log10(spot.k)) - 2.0));
-    if (const lessons::Parameter *damp = m_run.step().parameter(QStringLiteral("damp")))
-        spot.damp = fitted("damp", spot.damp, std::pow(10.0, -damp->decimals));
-    spot.h = spot.h < 1.0 ? 1.0 / std::round(1.0 / spot.h) : std::round(spot.h);
-    return spot;
-}
-
 void StabilityMonitor::adopt(const TriedSpot &spot)
 {
     const TriedSpot to = settable(spot);

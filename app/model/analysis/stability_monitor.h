@@ -3,6 +3,7 @@
 #include "app/model/analysis/map_plane.h"
 #include "app/model/analysis/stability_preview.h"
 #include "app/model/analysis/stability_reading.h"
+#include "app/model/analysis/tried_spot.h"
 #include "app/model/jobs/background_job.h"
 #include "app/model/session/open_run.h"
 #include "app/model/session/preview.h"
@@ -14,15 +15,6 @@
 #include <QTimer>
 
 namespace app {
-
-/// A setting that the learner has tried: a place on either map.
-struct TriedSpot
-{
-    double k = 0.0;    ///< 1/frame^2
-    double damp = 1.0; ///< fraction kept per frame
-    double h = 1.0;    ///< frames
-    friend bool operator==(const TriedSpot &, const TriedSpot &) = default;
-};
 
 /// Monitors the stability of the session's step on another thread. It computes a new reading after each change, at most
 /// ten times a second and with at most a fifth of a processor. Without changes it computes nothing.
@@ -48,9 +40,8 @@ public:
     void setDetailed(bool detailed);
     void adopt(const sim::Remedy &remedy);
 
-    /// Returns the nearest settings to `spot` that are possible: numbers with the digits of their fields, within their
-    /// ranges, and a valid step.
-    TriedSpot settable(TriedSpot spot) const;
+    /// Returns the nearest settings to `spot` that are possible in the open step.
+    TriedSpot settable(const TriedSpot &spot) const { return app::settable(m_run.step(), spot); }
     /// Applies the settings as the fields would. The previous run becomes the comparison run.
     void adopt(const TriedSpot &spot);
 

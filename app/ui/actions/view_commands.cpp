@@ -34,6 +34,8 @@ ViewCommands::ViewCommands(CommandList &list)
       effects(named(list.add(tr("Effec&ts"), {QKeySequence("Ctrl+4")}, inWindow), "showEffects")),
       plots(named(list.add(tr("&Plots"), {QKeySequence("Ctrl+5")}, inWindow), "showPlots")),
       stability(list.add(tr("&Stability of the step"), {QKeySequence("Ctrl+L")}, inWindow)),
+      settling(named(list.add(tr("Map of the time to rest"), {QKeySequence("Ctrl+Shift+L")}, inWindow),
+                     "showSettling")),
       unlockPanels(named(list.add(tr("&Unlock: panels can be moved"), {}, inWindow), "movable")),
       resetPanels(named(list.add(tr("&Reset"), {}, inWindow), "resetLayout")),
       dark(named(list.add(tr("&Dark"), {QKeySequence("Ctrl+Shift+D")}, inWindow), "dark")),
@@ -57,6 +59,7 @@ ViewCommands::ViewCommands(CommandList &list)
     energy->setHelp(tr("Where energy and momentum went"));
     effects->setHelp(tr("The cost of each effect in the scene, with a switch for each"));
     plots->setHelp(tr("Curves of any quantity of any body"));
+    settling->setHelp(tr("How many frames the run takes to come to rest, for each stiffness and damping"));
     unlockPanels->setHelp(tr("Drag a panel by its title to another place"));
     resetPanels->setHelp(tr("Moves the panels back to their original places, in this mode only"));
     lessMotion->setHelp(tr("Panels and menus open without animation, and wind is drawn as a still picture. "
@@ -64,7 +67,7 @@ ViewCommands::ViewCommands(CommandList &list)
     sceneOnly->setHelp(tr("Show only the scene and its timeline. Press again to bring the panels back"));
     for (Command *command :
          {learn, measure, build, lessons, lessonRail, codeAndParameters, energy, effects, plots, stability,
-          unitCircle, unlockPanels, dark, highContrast, lessMotion, sceneOnly, fullScreen})
+          settling, unitCircle, unlockPanels, dark, highContrast, lessMotion, sceneOnly, fullScreen})
         command->setCheckable(true);
 }
 

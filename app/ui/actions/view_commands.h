@@ -35,6 +35,7 @@ public:
     Command *effects;
     Command *plots;
     Command *stability;
+    Command *settling;
     Command *unlockPanels;
     Command *resetPanels;
     Command *dark;

@@ -1,11 +1,12 @@
 #include "app/ui/stability/stability_panel.h"
 
-#include "app/model/analysis/growth_table.h"
+#include "app/model/analysis/map_table.h"
 #include "app/model/run/run_program.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/stability/growth_plot.h"
+#include "app/ui/stability/settling_plot.h"
 
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -14,6 +15,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QTextDocumentFragment>
+#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -39,9 +41,9 @@ QString unbroken(QString text)
 
 }
 
-StabilityPanel::StabilityPanel(StabilityMonitor &monitor, const Command &toggle, const Theme &theme,
-                               QWidget *parent)
-    : QWidget(parent), m_monitor(monitor), m_theme(theme)
+StabilityPanel::StabilityPanel(StabilityMonitor &monitor, SettlingMonitor &settling, const Command &toggle,
+                               const Command &settlingToggle, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_monitor(monitor), m_settling(settling), m_theme(theme)
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -56,23 +58,29 @@ StabilityPanel::StabilityPanel(StabilityMonitor &monitor, const Command &toggle,
     m_leftOut = textLabel("caption", {}, content);
     column->addWidget(m_leftOut);
     column->addWidget(map(), 1);
-    auto *area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setWidget(content);
-    area->setFocusPolicy(Qt::NoFocus);
+    m_settlingTab->setToolTip(
+        withKeys(tr("Shows how many frames the run takes to come to rest, for each stiffness "
+                    "and damping. Click again to close"),
+                 settlingToggle.shortcut()));
+    m_area = new QScrollArea(this);
+    m_area->setWidgetResizable(true);
+    m_area->setFrameShape(QFrame::NoFrame);
+    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_area->setWidget(content);
+    m_area->setFocusPolicy(Qt::NoFocus);
     auto *all = new QVBoxLayout(this);
     all->setContentsMargins(0, 0, 0, 0);
     all->setSpacing(0);
     all->addWidget(title(toggle));
-    all->addWidget(area, 1);
+    all->addWidget(m_area, 1);
     connect(&monitor, &StabilityMonitor::changed, this, &StabilityPanel::refresh);
     connect(&monitor, &StabilityMonitor::mapChanged, this, &StabilityPanel::refreshMap);
+    connect(&settling, &SettlingMonitor::changed, this, &StabilityPanel::refreshSettling);
     connect(&theme, &Theme::changed, this, &StabilityPanel::applyTheme);
     applyTheme();
     refresh();
     refreshMap();
+    refreshSettling();
 }
 
 QWidget *StabilityPanel::title(const Command &toggle)
@@ -126,34 +134,60 @@ QToolButton *StabilityPanel::mapButton(const QString &text, const QString &tip, 
     return button;
 }
 
+QWidget *StabilityPanel::mapTabs()
+{
+    auto *tabs = new QWidget(this);
+    auto *row = new QHBoxLayout(tabs);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(2);
+    row->addWidget(mapButton(
+        tr("k and step"),
+        tr("Shows which stiffness and step are stable, with everything else unchanged. Click again to close"),
+        MapPlane::step));
+    row->addWidget(mapButton(tr("k and damping"),
+                             tr("Shows which stiffness and damping are stable, with everything else "
+                                "unchanged. Click again to close"),
+                             MapPlane::damping));
+    m_settlingTab = makeTab(tr("Time to rest"), {}, tabs);
+    connect(m_settlingTab, &QToolButton::clicked, this, &StabilityPanel::showSettling);
+    row->addWidget(m_settlingTab);
+    row->addStretch();
+    return tabs;
+}
+
 QWidget *StabilityPanel::map()
 {
     auto *part = new QWidget(this);
     auto *column = new QVBoxLayout(part);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(2);
-    row->addWidget(textLabel("heading", tr("Map"), part), 1);
-    row->addWidget(mapButton(
-        tr("Stiffness and step"),
-        tr("Shows which stiffness and step are stable, with everything else unchanged. Click again to close"),
-        MapPlane::step));
-    row->addWidget(mapButton(tr("Stiffness and damping"),
-                             tr("Shows which stiffness and damping are stable, with everything else "
-                                "unchanged. Click again to close"),
-                             MapPlane::damping));
     m_plot = new GrowthPlot(m_monitor, m_theme, part);
-    m_export = new PlotExport([this] { return m_plot->picture(); }, m_theme, this);
-    m_export->setNumbersAsText(
-        [this] { return m_monitor.map() ? growthTable(*m_monitor.map()) : QByteArray(); });
-    m_export->addContextMenu(*m_plot);
-    column->addLayout(row);
+    m_settlingPlot = new SettlingPlot(m_settling, m_theme, part);
+    makeExport();
     m_noMap = textLabel("caption", {}, part);
+    m_counted = textLabel("caption", {}, part);
+    column->addWidget(textLabel("heading", tr("Map"), part));
+    column->addWidget(mapTabs());
     column->addWidget(m_noMap);
+    column->addWidget(m_counted);
     column->addWidget(m_plot, 1);
+    column->addWidget(m_settlingPlot, 1);
     column->addStretch();
     return part;
+}
+
+void StabilityPanel::makeExport()
+{
+    m_export = new PlotExport(
+        [this] { return m_settling.isActive() ? m_settlingPlot->picture() : m_plot->picture(); }, m_theme,
+        this);
+    m_export->setNumbersAsText([this] {
+        if (m_settling.isActive())
+            return m_settling.map() ? settlingTable(*m_settling.map()) : QByteArray();
+        return m_monitor.map() ? growthTable(*m_monitor.map()) : QByteArray();
+    });
+    m_export->addContextMenu(*m_plot);
+    m_export->addContextMenu(*m_settlingPlot);
 }
 
 void StabilityPanel::applyTheme()
@@ -185,7 +219,6 @@ void StabilityPanel::refresh()
     if (said != m_verdict->text())
         m_verdict->setText(said);
     m_leftOut->setText(unbroken(leftOutWords(*reading)));
-    m_leftOut->setVisible(!m_leftOut->text().isEmpty());
     refreshMap();
 }
 
@@ -205,12 +238,13 @@ void StabilityPanel::refreshRemedies(const std::vector<sim::Remedy> &remedies)
 {
     if (!isVisible())
         return; // no child may be added while children are hidden
-    // Beside a map, outcomes are in tooltips only, and each row has as many buttons as fit.
+    // Beside a map of growth, outcomes are in tooltips only, and each row has as many buttons as fit. Remedies do not
+    // help to read the other map.
     const bool isShort = m_monitor.mapPlane().has_value();
     QStringList offered = {isShort ? QStringLiteral("short") : QString()};
     for (const sim::Remedy &one : remedies)
         offered << remedyTitle(one) + '\n' + remedyOutcome(one);
-    m_remedyRows->setVisible(!remedies.empty());
+    m_remedyRows->setVisible(!remedies.empty() && !m_settling.isActive());
     if (offered == m_offered)
         return;
     m_offered = offered;
@@ -266,8 +300,20 @@ void StabilityPanel::resizeEvent(QResizeEvent *event)
 
 void StabilityPanel::showMap(std::optional<MapPlane> plane)
 {
+    if (plane)
+        m_settling.setActive(false);
     m_monitor.requestMap(plane);
     refreshMap();
+}
+
+void StabilityPanel::showSettling(bool shown)
+{
+    if (shown)
+        m_monitor.requestMap(std::nullopt);
+    m_settling.setActive(shown);
+    refreshSettling();
+    if (shown) // the place of the map is known after the next layout
+        QTimer::singleShot(0, this, [this] { m_area->ensureWidgetVisible(m_settlingPlot, 0, 0); });
 }
 
 void StabilityPanel::refreshMap()
@@ -284,11 +330,27 @@ void StabilityPanel::refreshMap()
             all.insert(all.end(), reading->sticks->remedies.begin(), reading->sticks->remedies.end());
         refreshRemedies(all);
     }
+    m_leftOut->setVisible(!m_leftOut->text().isEmpty() && !m_settling.isActive());
     const bool can = m_monitor.canMap(plane.value_or(MapPlane::step));
-    m_noMap->setVisible(!can);
+    m_noMap->setVisible(!can && !m_settling.isActive());
     m_noMap->setText(whyNoMap());
     m_plot->setVisible(plane && can);
-    m_plotMenu->setVisible(plane && can);
+    m_plotMenu->setVisible((plane && can) || (m_settling.isActive() && m_settling.canMap()));
+}
+
+void StabilityPanel::refreshSettling()
+{
+    const bool isShown = m_settling.isActive(), can = m_settling.canMap();
+    m_settlingTab->setChecked(isShown);
+    m_counted->setVisible(isShown);
+    if (isShown)
+        m_counted->setText(can ? m_settlingPlot->explanation()
+                               : tr("There is no map of the time to rest for this step: it needs the "
+                                    "stiffness k, a damping, and at most %1 points.")
+                                     .arg(SettlingMonitor::mostPoints));
+    m_settlingPlot->setVisible(isShown && can);
+    refreshMap();
+    emit settlingShown(isShown);
 }
 
 QString StabilityPanel::whyNoMap() const
@@ -316,6 +378,7 @@ void StabilityPanel::hideEvent(QHideEvent *event)
         return; // only the whole window is hidden
     m_monitor.setDetailed(false);
     m_monitor.requestMap(std::nullopt);
+    m_settling.setActive(false);
 }
 
 }

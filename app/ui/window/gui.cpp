@@ -1,5 +1,6 @@
 #include "app/ui/window/gui.h"
 
+#include "app/model/analysis/settling_monitor.h"
 #include "app/model/catalog/lesson_documents.h"
 #include "app/model/session/session.h"
 #include "app/model/text/language.h"
@@ -149,8 +150,10 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (request.map)
             window.showGrowthMap(*request.map);
+        if (request.settling)
+            window.showSettlingMap(true);
         while (!window.stability().isCurrent() || window.stability().isMapping() ||
-               window.stopNotice().search().isSearching())
+               window.settling().isMapping() || window.stopNotice().search().isSearching())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QApplication::processEvents();
         while (!window.plots().isSettled())

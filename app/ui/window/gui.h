@@ -31,6 +31,7 @@ struct ScreenshotRequest
     bool plots = false;          ///< in front of other tabs
     bool reasons = false;        ///< with the stability panel
     std::optional<MapPlane> map; ///< with the growth map
+    bool settling = false;       ///< with the map of settling times
     QString out;                 ///< a file name; its ending tells the format
 };
 

@@ -80,6 +80,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
       m_visit(session), m_measures(new MeasureSeries(session.run(), this)),
       m_study(new AccuracyStudy(session.run(), session.editor(), std::move(study), m_measuringThread, this)),
       m_stability(new StabilityMonitor(session.run(), session.editor(), session.preview(), this)),
+      m_settling(new SettlingMonitor(session.run(), session.editor(), session.playback(), this)),
       m_centre(new SceneColumn(session, *m_measures, m_commands.run, theme, this))
 {
     setWindowIcon(QIcon(":/app/springstep.svg"));
@@ -129,7 +130,8 @@ void MainWindow::makeDocks(CostFunction cost)
     m_plots = new PlotsPanel(m_session, m_theme, this);
     m_numbers = new NumbersPanel(m_session, *m_measures, m_theme, this);
     m_gauge = new StabilityGauge(*m_stability, *m_commands.view.stability, m_theme, this);
-    m_stabilityPanel = new StabilityPanel(*m_stability, *m_commands.view.stability, m_theme, this);
+    m_stabilityPanel = new StabilityPanel(*m_stability, *m_settling, *m_commands.view.stability,
+                                          *m_commands.view.settling, m_theme, this);
     auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
     codeTitle->setCaption(m_code->caption());
     codeTitle->addTabs(m_code->titleTabs());
@@ -214,6 +216,7 @@ void MainWindow::makeLayouts()
     connect(m_stabilityDock.get(), &StabilityDock::shownChanged, m_gauge, &StabilityGauge::setChecked);
     connect(m_stabilityDock.get(), &StabilityDock::shownChanged, m_commands.view.stability,
             &QAction::setChecked);
+    connect(m_stabilityPanel, &StabilityPanel::settlingShown, m_commands.view.settling, &QAction::setChecked);
     connect(m_stabilityDock.get(), &StabilityDock::closed, &m_centre->scene(),
             qOverload<>(&QWidget::setFocus));
     connect(m_layouts.get(), &WindowLayouts::aboutToArrange, this, [this] {
@@ -328,6 +331,7 @@ void MainWindow::connectCommands()
     docks.toggle(*run.compare, Panel::branches, [this](bool shown) { showBranches(shown); });
     docks.toggle(*view.plots, Panel::plots, [this](bool shown) { showPlots(shown); });
     on(view.stability, [this](bool shown) { showStability(shown); });
+    on(view.settling, [this](bool shown) { showSettlingMap(shown); });
     m_commands.list.add(*m_effects->measureAgain(), KeyGroup::window);
     on(view.resetPanels, [this] {
         m_layouts->reset();
@@ -423,6 +427,13 @@ void MainWindow::showStability(bool shown)
 void MainWindow::showGrowthMap(MapPlane plane)
 {
     m_stabilityPanel->showMap(plane);
+}
+
+void MainWindow::showSettlingMap(bool shown)
+{
+    if (shown)
+        showStability(true);
+    m_stabilityPanel->showSettling(shown);
 }
 
 void MainWindow::setSceneOnly(bool isOn)

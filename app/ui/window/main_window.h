@@ -42,6 +42,7 @@ class RecoveryPrompt;
 class SandboxCommands;
 class SceneColumn;
 class SceneExport;
+class SettlingMonitor;
 class StabilityDock;
 class StabilityGauge;
 class StabilityPanel;
@@ -66,6 +67,7 @@ public:
 
     const AccuracyStudy &study() const { return *m_study; }
     const StabilityMonitor &stability() const { return *m_stability; }
+    const SettlingMonitor &settling() const { return *m_settling; }
     PlotsPanel &plots() const { return *m_plots; }
     const EffectsPanel &effects() const { return *m_effects; }
     const FailureNotice &stopNotice() const;
@@ -80,6 +82,8 @@ public:
     void showStability(bool shown);
     /// Shows the growth map in the stability panel, if the step has one.
     void showGrowthMap(MapPlane plane);
+    /// Shows the map of settling times in the stability panel, or hides that map.
+    void showSettlingMap(bool shown);
 
     /// Makes the window no larger than `room`, px. Panels hide until the others fit, and come back when there is
     /// room again or when the learner asks for them.
@@ -159,6 +163,7 @@ private:
     std::shared_ptr<QThreadPool> m_measuringThread = makeJobThread();
     AccuracyStudy *m_study;
     StabilityMonitor *m_stability;
+    SettlingMonitor *m_settling;
     SceneColumn *m_centre;
     LearnPanel *m_learn = nullptr;
     BuildPanel *m_build = nullptr;

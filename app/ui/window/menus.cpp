@@ -68,7 +68,7 @@ public:
         menu->addActions({view.zoomIn, view.zoomOut, view.fit, view.nextOutside, view.unitCircle});
         menu->addSeparator();
         menu->addActions({view.lessons, view.lessonRail, view.codeAndParameters, view.energy, view.effects,
-                          view.plots, view.stability});
+                          view.plots, view.stability, view.settling});
         menu->addMenu(submenus.arrangePanels);
         menu->addMenu(submenus.language);
         menu->addSeparator();
