@@ -151,6 +151,14 @@
         <source>the concept “%1” needs one paragraph besides “Rests on: …”. Write one sentence there.</source>
         <translation>Der Begriff „%1“ braucht einen Absatz neben „Rests on: …“. Schreib dort einen Satz.</translation>
     </message>
+    <message>
+        <source>a condition cannot be called “%1”. Give it a name of its own, made of a to z, 0 to 9 and _.</source>
+        <translation>Eine Bedingung kann nicht „%1“ heißen. Gib ihr einen eigenen Namen aus a bis z, 0 bis 9 und _.</translation>
+    </message>
+    <message>
+        <source>this run needs “- frames: ” and the number of frames in which the thing is done, and has no “until” and no “step”.</source>
+        <translation>Dieser Lauf braucht „- frames: “ und die Zahl der Bilder, in denen es getan ist, und hat kein „until“ und kein „step“.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentScan</name>
@@ -435,6 +443,10 @@
     <message>
         <source>nothing says when this is done. Write “- until: condition” in the list.</source>
         <translation>Nichts sagt, wann es getan ist. Schreib „- until: condition“ in die Liste.</translation>
+    </message>
+    <message>
+        <source>this run needs “- frames: ” and the number of frames in which it is done, and has no “until” and no “step”.</source>
+        <translation>Dieser Lauf braucht „- frames: “ und die Zahl der Bilder, in denen es getan ist, und hat kein „until“ und kein „step“.</translation>
     </message>
 </context>
 <context>

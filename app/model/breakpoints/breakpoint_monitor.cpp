@@ -148,7 +148,8 @@ void BreakpointMonitor::fit(const sim::Timeline &run)
 bool BreakpointMonitor::holds(const Watched &one, const sim::Timeline &run) const
 {
     return one.isInForce && !one.isOfLines &&
-           (!one.condition || one.condition->holds({run.state(), run.cursor().frame, &nextPhase(run)}));
+           (!one.condition ||
+            one.condition->holds({run.state(), run.cursor().frame, &nextPhase(run), {}, &run.track()}));
 }
 
 void BreakpointMonitor::checkBreakpoints(const sim::Timeline &run)

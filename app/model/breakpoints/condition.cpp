@@ -1,6 +1,8 @@
 #include "app/model/breakpoints/condition.h"
 
 #include "app/model/breakpoints/condition_parser.h"
+#include "lessons/api/checks/input_queries.h"
+#include "lessons/api/checks/run_queries.h"
 #include "sim/pipeline/method.h"
 
 #include <algorithm>
@@ -12,6 +14,16 @@ namespace app {
 namespace {
 
 using Kind = Condition::Operation::Kind;
+
+/// Returns whether a point (all if -1) is still. Where only the state is known, a body at its turning point is still, too.
+bool isStill(int point, const ConditionMoment &moment)
+{
+    if (moment.run)
+        return lessons::staysStill(*moment.run, point);
+    const Eigen::ArrayX2d &velocity = moment.state.velocity;
+    const Eigen::Index first = std::max(point, 0), count = point < 0 ? velocity.rows() : 1;
+    return (velocity.middleRows(first, count).abs() <= lessons::stillness).all();
+}
 
 /// Returns the number that an operation without operands reads.
 double read(const Condition::Operation &operation, const ConditionMoment &moment)
@@ -36,6 +48,12 @@ double read(const Condition::Operation &operation, const ConditionMoment &moment
         return sim::length(state.positionOf(operation.point) - state.positionOf(operation.other));
     case Kind::speed:
         return sim::length(state.velocityOf(operation.point));
+    case Kind::still:
+        return isStill(operation.point, moment);
+    case Kind::held:
+        return operation.point < 0 ? state.hold.point >= 0 : state.hold.point == operation.point;
+    case Kind::released:
+        return moment.run && lessons::isReleased(*moment.run, operation.path);
     case Kind::phaseIs:
         return moment.next && std::find(operation.phases.begin(), operation.phases.end(),
                                         moment.next->id + '/' + moment.next->title) != operation.phases.end();

@@ -35,12 +35,16 @@ struct ConditionMoment
     const sim::Phase *next = nullptr; ///< the phase that runs next
     /// Returns a number of the listing by its path ("angle", "from.x"); empty where it has no value. Null between lines.
     std::function<std::optional<double>(const std::string &path)> variable = {};
+    /// The run whose cursor is at this moment, for still() and released(). Null where only the state is known.
+    const sim::Track *run = nullptr;
 };
 
 /// A condition on a moment of a run, as the learner writes it: `foot0.y > 380 and phase == "springs"`. Numbers are x,
 /// y, vx and vy of bodies, angle and spin where points turn, `frame`, parameters by id, abs(), sqrt(), distance(a, b) of
-/// two bodies (px) and speed(a) of a body (px/frame). Operators are + - * /, parentheses, the comparisons < <= > >= == !=, and, or, not. `phase` is compared with the name of the phase
-/// that runs next. A choice is compared with the id of one of its values.
+/// two bodies (px) and speed(a) of a body (px/frame). still(a) is true if the body does not move in this frame and the next,
+/// held(a) while a hand holds it, and released(a) from when a hand has let go of it until one takes a body again; without a
+/// name, they are about all bodies, or any. Operators are + - * /, parentheses, the comparisons < <= > >= == !=, and, or,
+/// not. `phase` is compared with the name of the phase that runs next. A choice is compared with the id of one of its values.
 class Condition
 {
 public:
@@ -73,6 +77,9 @@ public:
             distance,
             speed,
             phaseIs,
+            still,
+            held,
+            released,
             variable,
             minus,
             absolute,
@@ -93,9 +100,9 @@ public:
         };
         Kind kind = Kind::number;
         double number = 0.0;                  ///< for `number`
-        int point = -1;                       ///< for x to speed
+        int point = -1;                       ///< for x to speed; for still to released, -1: all, or any
         std::vector<std::string> phases = {}; ///< ids, for `phaseIs`
-        std::string path = {};                ///< for `variable`
+        std::string path = {};                ///< for `variable`; of the body, for `released`
         int other = -1;                       ///< the second point, for `distance`
     };
 

@@ -51,6 +51,8 @@ private:
     Part function(Kind kind);
     /// Parses distance(a, b) or speed(a).
     Part ofBodies(Kind kind);
+    /// Parses still(a), held(a) or released(a), also without a name.
+    Part aboutBody(Kind kind);
     int bodyAt(const QString &example) const;
     Part comparison(const ConditionToken &sign, Part left, Part right);
     Part phaseIs(const Part &text, bool equal);

@@ -60,6 +60,10 @@ ConditionParser::Part ConditionParser::named()
         m_words[m_at + 1].kind == ConditionToken::Kind::sign && m_words[m_at + 1].text == u"(";
     if (isCalled && (word.text == u"distance" || word.text == u"speed"))
         return ofBodies(word.text == u"distance" ? Kind::distance : Kind::speed);
+    if (isCalled && word.text == u"still")
+        return aboutBody(Kind::still);
+    if (isCalled && (word.text == u"held" || word.text == u"released"))
+        return aboutBody(word.text == u"held" ? Kind::held : Kind::released);
     if (isVariable(word))
         return variable(word);
     if (word.text.contains('.'))
@@ -102,6 +106,20 @@ ConditionParser::Part ConditionParser::ofBodies(Kind kind)
     }
     expectClose(opened);
     return {Type::number, {operation}, word.place, {}, {}};
+}
+
+ConditionParser::Part ConditionParser::aboutBody(Kind kind)
+{
+    const ConditionToken word = m_words[m_at++];
+    const qsizetype opened = m_words[m_at++].place; // the parenthesis
+    Condition::Operation operation{kind};
+    if (!isSign(QStringLiteral(")"))) {
+        operation.point = bodyAt(QStringLiteral("%1(%2)").arg(word.text, bodiesOf(m_names.scene).value(0)));
+        operation.path = now().text.toStdString();
+        ++m_at;
+    }
+    expectClose(opened);
+    return {Type::truth, {operation}, word.place, {}, {}};
 }
 
 int ConditionParser::bodyAt(const QString &example) const

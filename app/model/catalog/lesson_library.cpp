@@ -1,7 +1,7 @@
 #include "app/model/catalog/lesson_library.h"
 
 #include "app/model/catalog/lesson_plugin.h"
-#include "app/model/text/quoting.h"
+#include "app/model/lesson_folders/lesson_folder.h"
 #include "app/model/text/user_error.h"
 
 #include <QCoreApplication>
@@ -30,6 +30,18 @@ QStringList librariesIn(const QString &folder)
             files.push_back(info.absoluteFilePath());
     }
     return files;
+}
+
+/// Returns the lessons without C++ in a folder, sorted by name.
+QStringList lessonFoldersIn(const QString &folder)
+{
+    QStringList paths;
+    for (const QFileInfo &info :
+         QDir(folder).entryInfoList(QDir::Files | QDir::Dirs | QDir::NoDotAndDotDot, QDir::Name)) {
+        if (isLessonPath(info.absoluteFilePath()))
+            paths.push_back(info.absoluteFilePath());
+    }
+    return paths;
 }
 
 bool isSandboxLesson(const LessonEntry &entry)
@@ -79,6 +91,17 @@ LessonLibrary LessonLibrary::load(const QStringList &folders, Language *language
         std::sort(all->begin(), all->end(), [](const LessonEntry &a, const LessonEntry &b) {
             return std::tie(a.order, a.id) < std::tie(b.order, b.id);
         });
+    }
+    for (const QString &folder : folders) {
+        for (const QString &path : lessonFoldersIn(folder)) {
+            try {
+                LessonEntry entry = readLesson(path, library);
+                if (!library.lesson(entry.id))
+                    library.yours.push_back(std::move(entry));
+            } catch (const UserError &error) {
+                library.problems.push_back({path, error.sentence()});
+            }
+        }
     }
     return library;
 }

@@ -1,11 +1,11 @@
 #include "app/model/experiment/experiment.h"
 
+#include "app/model/files/whole_file.h"
 #include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
-#include <QSaveFile>
 
 namespace app {
 
@@ -88,12 +88,7 @@ Experiment readExperiment(const QString &path, const LessonLibrary &library)
 
 void writeExperiment(const QString &path, const Experiment &experiment, const LessonLibrary &library)
 {
-    const QByteArray text = experimentText(experiment, library);
-    QSaveFile file(path);
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        throw UserError(
-            ExperimentText::tr("%1: the file could not be written: %2. Choose another folder or name.")
-                .arg(shownPath(path), oneLine(file.errorString())));
+    writeWholeFile(path, experimentText(experiment, library));
 }
 
 Experiment newExperiment(const QString &lesson, const QString &step, const LessonLibrary &library)

@@ -190,9 +190,9 @@ private:
     void look(const sim::Track &track, const ProjectNumbers &numbers, std::int64_t frame)
     {
         const sim::Scene &scene = track.interval().scene;
-        const ConditionMoment moment{track.state(), frame, nullptr, [&](const std::string &name) {
-                                         return numbers.at(name, scene, track.state(), frame);
-                                     }};
+        const ConditionMoment moment{
+            track.state(), frame, nullptr,
+            [&](const std::string &name) { return numbers.at(name, scene, track.state(), frame); }, &track};
         const bool isLast = frame + track.framesPerOutput() > m_level.run.frames;
         for (std::size_t i = 0; i < m_conditions.size(); ++i) {
             const When when = m_level.demands[i].when;

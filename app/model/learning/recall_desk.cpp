@@ -191,7 +191,7 @@ bool RecallDesk::holds(const QString &condition) const
     const sim::Timeline &run = m_session.timeline();
     try {
         return Condition::parse(condition, conditionNames(m_session.step(), run))
-            .holds({run.state(), run.cursor().frame});
+            .holds({run.state(), run.cursor().frame, nullptr, {}, &run.track()});
     } catch (const UserError &) {
         return false; // a name in it does not exist under this method
     }

@@ -40,7 +40,7 @@ public:
     std::int64_t frame() const { return m_track.cursor().frame; }
     const sim::State &state() const { return m_track.state(); }
     const sim::Scene &scene() const { return m_track.interval().scene; }
-    ConditionMoment moment() const { return {state(), frame()}; }
+    ConditionMoment moment() const { return {state(), frame(), nullptr, {}, &m_track}; }
     /// Returns the point with this name.
     /// @throws UserError if there is none
     int point(const QString &body) const;

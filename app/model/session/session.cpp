@@ -57,7 +57,7 @@ const lessons::Step *Session::preceding() const
 {
     if (m_run.stepNumber() > 0)
         return &lesson().steps[m_run.stepNumber() - 1];
-    return m_run.lessonNumber() > 0 && !isSandbox()
+    return m_run.lessonNumber() > 0 && m_run.lessonNumber() < library().lessons.size()
                ? &library().lessons[m_run.lessonNumber() - 1].steps.back()
                : nullptr;
 }

@@ -58,7 +58,8 @@ bool contains(const QString &text, const QString &typed)
 
 Glossary::Glossary(const LessonLibrary &library)
 {
-    for (const LessonEntry &lesson : library.lessons) {
+    for (std::size_t i = 0; i < library.entries(); ++i) {
+        const LessonEntry &lesson = library.entry(i);
         for (const lessons::Step &step : lesson.steps) {
             for (const lessons::Term &term : step.explanation.terms) {
                 if (!find(term.name))

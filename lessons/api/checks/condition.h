@@ -42,6 +42,7 @@ class Conditions
 public:
     Conditions() = default;
     Conditions(std::initializer_list<Condition> all) : m_all(all) {}
+    explicit Conditions(std::vector<Condition> all) : m_all(std::move(all)) {}
     /// A single condition, without a `todo` because the text of the thing to try says everything.
     template <class Holds,
               class = std::enable_if_t<std::is_invocable_r_v<bool, Holds, const sim::Timeline &>>>

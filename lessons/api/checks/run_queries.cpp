@@ -67,17 +67,26 @@ bool flewOffStage(const sim::Timeline &timeline)
 
 bool isStill(const sim::Timeline &timeline)
 {
-    if (timeline.cursor().phase > 0 || timeline.stop())
+    return staysStill(timeline.track(), -1);
+}
+
+bool staysStill(const sim::Track &track, int point)
+{
+    if (track.cursor().phase > 0 || track.stop())
         return false;
     const sim::FlushDenormals flush;
     std::shared_ptr<const sim::ComposedInterval> interval;
-    sim::State state = timeline.track().preview(interval);
-    Eigen::ArrayX2d before = timeline.state().position;
+    sim::State state = track.preview(interval);
+    Eigen::ArrayX2d before = track.state().position;
     for (int output = 0; output < 2; ++output) {
         for (int phase = 0; phase < interval->pipeline.phasesPerOutput(); ++phase)
             interval->pipeline.phaseAt(phase).run(state);
         if (sim::firstStuckPoint(state) >= 0 || before.rows() != state.position.rows() ||
-            !((state.position - before).abs() <= stillness).all()) // also false for NaN
+            point >= before.rows())
+            return false;
+        const Eigen::ArrayX2d moved = (state.position - before).abs();
+        const bool stays = point < 0 ? (moved <= stillness).all() : (moved.row(point) <= stillness).all();
+        if (!stays) // also false for NaN
             return false;
         before = state.position;
     }

@@ -29,6 +29,8 @@ constexpr double stillness = 0.05;
 /// Returns whether no point moves more than `stillness` in each of the next two output steps. One step is not
 /// enough, because a swinging point stops for a moment where it turns. False inside a frame.
 bool isStill(const sim::Timeline &timeline);
+/// Does the same for one point, or all if it is -1.
+bool staysStill(const sim::Track &track, int point);
 
 /// Returns the frame at which the parameter `id` was set last, up to the cursor. 0 if it was never set.
 std::int64_t lastSetFrame(const sim::Timeline &timeline, const std::string &id);

@@ -3,6 +3,7 @@
 #include "lessons/api/text/document_scan.h"
 #include "lessons/api/text/formula_reader.h"
 #include "lessons/api/text/predict_reader.h"
+#include "lessons/api/text/run_setup.h"
 
 #include <QCoreApplication>
 #include <QFile>
@@ -173,8 +174,13 @@ private:
                 readMissing(one, field);
             else if (field.heading == u"Choices")
                 readChoices(one, field);
+            else if (field.heading == u"Done when")
+                readDoneWhen(one, field);
+            else if (field.heading == u"Solution")
+                readSolution(one, field);
             else
-                rejectField(field, QStringLiteral("“### Choices”, “### Hint”, “### Answer”, “### Missing”"));
+                rejectField(field, QStringLiteral("“### Choices”, “### Hint”, “### Answer”, “### Missing”, "
+                                                  "“### Done when”, “### Solution”"));
         }
         if (!one.choices.isEmpty() && one.answer.isEmpty())
             reject(one.line,
@@ -217,6 +223,39 @@ private:
             reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
                                    .arg(shown(field, QStringLiteral("###"))));
         one.choices = parseChoices(field, m_document.file);
+    }
+
+    [[noreturn]] void rejectSecond(const DocumentPart &field) const
+    {
+        reject(field.line, DocumentText::tr("%1 is there twice. Remove one of them.")
+                               .arg(shown(field, QStringLiteral("###"))));
+    }
+
+    void readDoneWhen(TryText &one, const DocumentPart &field) const
+    {
+        static const QRegularExpression name(QStringLiteral("^[a-z0-9_]+$"));
+        if (!one.doneWhen.empty())
+            rejectSecond(field);
+        one.doneWhen = parseList(field, m_document.file);
+        QSet<QString> names;
+        for (const ListItem &item : one.doneWhen) {
+            if (!name.match(item.name).hasMatch() || names.contains(item.name))
+                reject(item.line, DocumentText::tr("a condition cannot be called “%1”. Give it a name of its "
+                                                   "own, made of a to z, 0 to 9 and _.")
+                                      .arg(item.name));
+            names.insert(item.name);
+        }
+    }
+
+    void readSolution(TryText &one, const DocumentPart &field) const
+    {
+        if (one.solution.line > 0)
+            rejectSecond(field);
+        one.solution = parseRunSetup(field, m_document.file);
+        if (one.solution.frames == 0 || !one.solution.until.isEmpty() || !one.solution.step.isEmpty())
+            reject(field.line,
+                   DocumentText::tr("this run needs “- frames: ” and the number of frames in which "
+                                    "the thing is done, and has no “until” and no “step”."));
     }
 
     void readPredict(const DocumentSection &section, const Heading &heading)

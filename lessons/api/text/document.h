@@ -3,6 +3,7 @@
 #include "lessons/api/explanation.h"
 #include "lessons/api/listing.h"
 #include "lessons/api/prediction.h"
+#include "lessons/api/text/run_setup.h"
 #include "lessons/api/try.h"
 
 #include <QByteArray>
@@ -24,6 +25,11 @@ struct TryText
     /// The sentences about what is missing, by name; see Condition::sentence.
     QMap<QString, QString> missing = {};
     Choices choices = {};
+    /// The conditions of a lesson without C++, in the language of conditions: the first tells whether the learner has begun.
+    /// The names are those of the sentences in `missing`. Empty in other lessons.
+    std::vector<ListItem> doneWhen = {};
+    /// A run that does what the text asks for. Without `frames` if the document does not say.
+    RunSetup solution = {};
     int line = 0;        ///< of its heading, from 1
     int missingLine = 0; ///< of the heading of `missing`; 0 if there is none
 };

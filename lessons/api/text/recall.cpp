@@ -85,6 +85,7 @@ private:
         question.text = textOf(section.part, QStringLiteral("##"));
         QString answer;
         bool hasRight = false;
+        RunSetup solution;
         std::vector<RecallChoice> wrong;
         for (const DocumentPart &field : section.fields) {
             if (field.heading == u"Right") {
@@ -96,6 +97,9 @@ private:
             } else if (field.heading == u"Do") {
                 checkFirst(question.task.has_value(), field);
                 question.task = RecallTask{setupOf(field), {}};
+            } else if (field.heading == u"Solution") {
+                checkFirst(solution.line > 0, field);
+                solution = solutionOf(field);
             } else if (field.heading == u"Answer") {
                 checkFirst(!answer.isEmpty(), field);
                 answer = textOf(field);
@@ -108,8 +112,10 @@ private:
         }
         question.choices.insert(question.choices.end(), wrong.begin(), wrong.end());
         checkWhole(question, hasRight, !answer.isEmpty());
-        if (question.task)
+        if (question.task) {
             question.task->answer = answer;
+            question.task->solution = solution;
+        }
         m_recall.questions.push_back(std::move(question));
     }
 
@@ -170,6 +176,16 @@ private:
             reject(field.line, RecallText::tr("nothing says when this is done. Write “- until: condition” in "
                                               "the list."));
         return setup;
+    }
+
+    RunSetup solutionOf(const DocumentPart &field) const
+    {
+        const RunSetup solution = parseRunSetup(field, m_recall.file);
+        if (solution.frames == 0 || !solution.until.isEmpty() || !solution.step.isEmpty())
+            reject(field.line,
+                   RecallText::tr("this run needs “- frames: ” and the number of frames in which it is "
+                                  "done, and has no “until” and no “step”."));
+        return solution;
     }
 
     const ScannedDocument &m_scanned;

@@ -24,6 +24,8 @@ struct RecallTask
 {
     RunSetup setup; ///< `setup.step` is the scene that opens; the task is done once `setup.until` holds
     QString answer; ///< Markdown, shown when the task is done
+    /// A run that does it, beside what `setup` says. Without `frames` if the document does not say.
+    RunSetup solution = {};
 };
 
 /// A question after a lesson. It has choices, or a task.

@@ -75,6 +75,9 @@ private slots:
         row("abs(foot0.vy) == 4", true);
         row("speed(foot0) == 5", true);
         row("speed(foot0) > 5", false);
+        row("still(foot0) or still()", false);
+        row("held() or held(foot0) or released() or released(foot1)", false);
+        row("not held(foot0) and frame >= 0", true);
         row("distance(foot0, foot0) == 0", true);
         row("distance(foot0,foot1) == distance( foot1 , foot0 )", true);
         row("distance(foot0, foot1) == sqrt(107.25 * 107.25 + 381.5 * 381.5)", true);
@@ -182,6 +185,11 @@ private slots:
         row("speed(foot0.x) > 1", 7, "no body");
         row("speed(foot0, foot1) > 1", 12, "two bodies");
         row("speed(foot0", 6, "close it");
+        row("still(1)", 7, "as in still(foot0)");
+        row("held(fooot)", 6, "there are foot0");
+        row("released(foot0", 9, "close it");
+        row("still(foot0) > 1", 1, "true or false");
+        row("still", 1, "there is no");
         row("distance(foot0) > 1", 15, "as in distance(foot0, foot1)");
         row("distance(foot0, fooot) > 1", 17, "there are foot0");
         row("distance foot0 > 1", 1, "frame, phase");

@@ -1,0 +1,450 @@
+#include "app/model/lesson_folders/lesson_folder.h"
+
+#include "app/listing/limits.h"
+#include "app/listing/program.h"
+#include "app/model/experiment/json_fields.h"
+#include "app/model/learning/recall_desk.h"
+#include "app/model/lesson_folders/lesson_step.h"
+#include "app/model/run/run_program.h"
+#include "app/model/text/listing_text.h"
+#include "app/model/text/quoting.h"
+#include "app/model/text/user_error.h"
+#include "lessons/api/text/document.h"
+#include "sim/run/script/composed_interval.h"
+#include "sim/scene/scene.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+#include <QSet>
+#include <QStringDecoder>
+
+#include <algorithm>
+
+namespace app {
+
+namespace {
+
+struct LessonFolderText
+{
+    Q_DECLARE_TR_FUNCTIONS(LessonFolderText)
+};
+
+constexpr auto lessonFormat = "springstep-lesson/1";
+constexpr std::size_t mostSteps = 30;
+constexpr std::size_t mostParts = 20;     ///< of each kind, in a step
+constexpr qsizetype longestTitle = 80;    ///< characters
+constexpr qsizetype longestSummary = 300; ///< characters
+const QString description = QStringLiteral("lesson.json");
+const QString projectScene = QStringLiteral("project.json");
+const QString projectPrefix = QStringLiteral("project_"); ///< solutions of levels: project_LEVEL.json
+
+QString textIn(const QByteArray &content, const QString &file)
+{
+    QStringDecoder decoder(QStringDecoder::Utf8);
+    QString text = decoder(content);
+    if (decoder.hasError())
+        throw UserError(
+            LessonFolderText::tr("%1: this is not UTF-8. Save the file with the encoding UTF-8.").arg(file));
+    return text.remove('\r');
+}
+
+/// Reads the files of a lesson.
+class LessonReader
+{
+public:
+    LessonReader(const LessonFiles &files, const QString &language, const LessonLibrary &library)
+        : m_files(files), m_language(language), m_library(library)
+    {
+    }
+
+    LessonEntry read()
+    {
+        m_entry.source = m_files.path;
+        try {
+            const QStringList steps = readDescription();
+            for (const QString &id : steps)
+                m_entry.steps.push_back(step(id));
+            refuseOtherFiles(steps);
+            readRecall();
+            readProject();
+        } catch (const lessons::DocumentError &error) {
+            throw UserError(QString::fromStdString(error.what()));
+        }
+        return std::move(m_entry);
+    }
+
+private:
+    QString shown(const QString &file) const { return m_files.shown(file); }
+
+    QStringList readDescription()
+    {
+        const QString name = shown(description);
+        const JsonValue root = parseJson(m_files.content(description), name);
+        const JsonFields fields(name, root, LessonFolderText::tr("the file"));
+        const QString format = textOf(name, fields.require("format", quoted(lessonFormat)), "format");
+        if (format != QLatin1String(lessonFormat))
+            refuse(name, fields.find("format")->line,
+                   LessonFolderText::tr("\"format\" is %1; this program reads %2.")
+                       .arg(quoted(format), quoted(lessonFormat)));
+        QStringList known = {"format", "id", "title", "summary", "steps"};
+        for (const QString &language : languagesOf(m_files))
+            known << "title." + language << "summary." + language;
+        fields.refuseOthers(known);
+        readId(fields);
+        m_entry.title = shortText(fields, "title", longestTitle);
+        m_entry.summary = shortText(fields, "summary", longestSummary);
+        return stepsIn(fields);
+    }
+
+    static bool isId(const QString &id)
+    {
+        static const QRegularExpression allowed(QStringLiteral("\\A[a-z][a-z0-9_]{0,39}\\z"));
+        return allowed.match(id).hasMatch();
+    }
+
+    void readId(const JsonFields &fields)
+    {
+        const QString name = shown(description);
+        const JsonValue &value = fields.require("id", LessonFolderText::tr("a name of your own"));
+        m_entry.id = textOf(name, value, "id");
+        if (!isId(m_entry.id))
+            refuse(
+                name, value.line,
+                LessonFolderText::tr("a lesson cannot have the id %1; an id has up to 40 characters, a to z, "
+                                     "0 to 9 and _, and begins with a letter.")
+                    .arg(quoted(m_entry.id)));
+        const LessonEntry *other = m_library.lesson(m_entry.id);
+        if (other && other->source != m_entry.source)
+            refuse(name, value.line,
+                   LessonFolderText::tr("there is another lesson with the id %1, “%2”. Choose another id.")
+                       .arg(quoted(m_entry.id), other->title));
+    }
+
+    /// Returns a text in the language, or in that of the lesson.
+    QString shortText(const JsonFields &fields, const QString &field, qsizetype longest) const
+    {
+        const QString own = field + '.' + m_language;
+        const QString name = shown(description), used = fields.find(own) ? own : field;
+        const JsonValue &value = fields.require(used, LessonFolderText::tr("a text"));
+        const QString text = textOf(name, value, used).simplified();
+        if (text.isEmpty() || text.size() > longest)
+            refuse(name, value.line,
+                   LessonFolderText::tr("%1 has %2 characters; it can have 1 to %3.")
+                       .arg(quoted(used))
+                       .arg(text.size())
+                       .arg(longest));
+        return text;
+    }
+
+    QStringList stepsIn(const JsonFields &fields) const
+    {
+        const QString name = shown(description);
+        const JsonValue &value = fields.require("steps", LessonFolderText::tr("a list of ids"));
+        QStringList ids;
+        for (const JsonValue &one : listOf(name, value, "steps")) {
+            const QString id = textOf(name, one, "steps");
+            if (!isId(id) || id == u"lesson" || id == u"recall" || id == u"project" ||
+                id.startsWith(projectPrefix) || ids.contains(id))
+                refuse(
+                    name, one.line,
+                    LessonFolderText::tr("a step cannot have the id %1; each has one of its own, made of a "
+                                         "to z, 0 to 9 and _, and not lesson, recall or project.")
+                        .arg(quoted(id)));
+            ids << id;
+        }
+        if (ids.isEmpty() || static_cast<std::size_t>(ids.size()) > mostSteps)
+            refuse(name, value.line,
+                   LessonFolderText::tr("a lesson has 1 to %1 steps, and \"steps\" lists %2.")
+                       .arg(mostSteps)
+                       .arg(ids.size()));
+        return ids;
+    }
+
+    /// Returns the name of the document in the language, or in that of the lesson.
+    QString documentFile(const QString &id) const
+    {
+        const QString own = QStringLiteral("%1.%2.md").arg(id, m_language);
+        return m_files.has(own) ? own : id + QStringLiteral(".md");
+    }
+
+    void requireFile(const QString &file, const QString &what) const
+    {
+        if (!m_files.has(file))
+            throw UserError(
+                LessonFolderText::tr("%1: the file is missing. It has %2.").arg(shown(file), what));
+    }
+
+    /// Returns a document. Pictures are refused: they could show files of the reader's machine.
+    lessons::Document document(const QString &file) const
+    {
+        const QByteArray content = m_files.content(file);
+        const qsizetype picture = content.indexOf("![");
+        if (picture >= 0)
+            throw lessons::DocumentError(
+                shown(file), static_cast<int>(content.left(picture).count('\n')) + 1,
+                LessonFolderText::tr("a text cannot show pictures. The scene is the picture; remove “![”."));
+        lessons::Document document = lessons::parseDocument(content, shown(file));
+        std::size_t most =
+            std::max({document.tries.size(), document.predictions.size(), document.tasks.size()});
+        for (const lessons::TryText &text : document.tries)
+            most = std::max({most, text.doneWhen.size(), text.solution.drags.size()});
+        if (most > mostParts)
+            throw UserError(
+                LessonFolderText::tr("%1: a step has at most %2 things to try, predictions and tasks, "
+                                     "and a thing to try as many conditions and drags.")
+                    .arg(shown(file))
+                    .arg(mostParts));
+        return document;
+    }
+
+    lessons::Step step(const QString &id) const
+    {
+        const QString sceneFile = id + QStringLiteral(".json"), ownDocument = id + QStringLiteral(".md");
+        requireFile(sceneFile, LessonFolderText::tr("the scene of the step, as the window saves it"));
+        requireFile(ownDocument, LessonFolderText::tr("the texts of the step"));
+        lessons::Step step = stepWithScene(id, sceneFile);
+        readListing(id, step);
+        const lessons::Document own = document(ownDocument);
+        step.checks = checksOf(own, step);
+        const QString shownDocument = documentFile(id);
+        lessons::Document texts = shownDocument == ownDocument ? own : document(shownDocument);
+        takeSolutions(texts, own);
+        checkRuns(texts, step);
+        step.setTexts(texts);
+        checkNearMisses(step, shownDocument);
+        return step;
+    }
+
+    lessons::Step stepWithScene(const QString &id, const QString &file) const
+    {
+        const Experiment scene = parseExperiment(m_files.content(file), shown(file), m_library);
+        const LessonEntry *lesson = m_library.lesson(scene.lesson);
+        if (!lesson->source.isEmpty())
+            throw UserError(
+                LessonFolderText::tr("%1: the scene is one of the lesson %2, which is not built in. "
+                                     "Use a scene of the sandbox or of a lesson of the program.")
+                    .arg(shown(file), quoted(scene.lesson)));
+        if (programOf(scene.script.method))
+            throw UserError(LessonFolderText::tr("%1: a listing computes this scene. Choose a method in the "
+                                                 "window, and write the listing into %2.code.")
+                                .arg(shown(file), id));
+        return stepOf(id, *lesson->step(scene.step), scene);
+    }
+
+    void readListing(const QString &id, lessons::Step &step) const
+    {
+        const QString file = id + QStringLiteral(".code");
+        if (!m_files.has(file))
+            return;
+        const QString source = textIn(m_files.content(file), shown(file));
+        if (m_files.content(file).size() > static_cast<qsizetype>(listing::maxTextBytes))
+            throw UserError(LessonFolderText::tr("%1: the listing has more than %2 bytes.")
+                                .arg(shown(file))
+                                .arg(listing::maxTextBytes));
+        try {
+            step.listing = lessons::parseListing(source);
+        } catch (const std::runtime_error &error) {
+            throw UserError(QStringLiteral("%1: %2.").arg(shown(file), QString::fromUtf8(error.what())));
+        }
+        if (step.h != 1.0)
+            throw UserError(
+                LessonFolderText::tr("%1: a listing computes whole frames, and the scene has steps "
+                                     "of another length. Set \"h\" to 1 in %2.json.")
+                    .arg(shown(file), id));
+        const std::optional<listing::CompileError> error = mistakeIn(step, step.listing.text);
+        if (error)
+            throw lessons::DocumentError(shown(file), lineInFile(source, error->line),
+                                         listingSentence(error->sentence));
+    }
+
+    static std::optional<listing::CompileError> mistakeIn(const lessons::Step &step, const QString &code)
+    {
+        const sim::Script script = step.script();
+        const listing::Compiled compiled = listing::Program::compile(
+            code.toStdString(), listing::vocabularyOf(sim::sceneOf(script, script.values)));
+        return compiled.program ? std::nullopt : std::optional(compiled.errors.front());
+    }
+
+    /// Returns the line of a file for a line of its listing, which lacks the marks of gaps.
+    static int lineInFile(const QString &source, int line)
+    {
+        int number = 0;
+        for (const QString &text : source.split('\n')) {
+            ++number;
+            const QString trimmed = text.trimmed();
+            if (!trimmed.startsWith(QStringLiteral("//>")) && trimmed != u"//<" && --line == 0)
+                return number;
+        }
+        return number;
+    }
+
+    void checkNearMisses(const lessons::Step &step, const QString &file) const
+    {
+        for (const lessons::CodeTask &task : step.codeTasks) {
+            for (const lessons::NearMiss &miss : task.nearMisses) {
+                const QString gap = miss.gap.isEmpty() ? task.id : miss.gap;
+                const auto error = mistakeIn(step, step.listing.with(gap, miss.code));
+                if (error)
+                    throw UserError(
+                        LessonFolderText::tr("%1: a near miss of the task %2 does not compile: %3")
+                            .arg(shown(file), quoted(task.id), listingSentence(error->sentence)));
+            }
+        }
+    }
+
+    /// Gives a translation the conditions and solutions of the lesson's own document.
+    static void takeSolutions(lessons::Document &texts, const lessons::Document &own)
+    {
+        for (lessons::TryText &text : texts.tries) {
+            const auto same = std::find_if(own.tries.begin(), own.tries.end(),
+                                           [&](const lessons::TryText &one) { return one.id == text.id; });
+            if (same == own.tries.end())
+                continue; // setTexts() says so
+            if (text.doneWhen.empty())
+                text.doneWhen = same->doneWhen;
+            if (text.solution.line == 0)
+                text.solution = same->solution;
+        }
+    }
+
+    /// A file that belongs to no step is most likely misspelt.
+    void refuseOtherFiles(const QStringList &steps) const
+    {
+        for (const auto &[file, content] : m_files.all) {
+            const QString stem = file.section('.', 0, 0), ending = file.section('.', -1);
+            if (ending != u"md" && ending != u"json" && ending != u"code")
+                throw UserError(
+                    LessonFolderText::tr("%1: a lesson has files .md, .json and .code. Remove it.")
+                        .arg(shown(file)));
+            const bool isOfStep = steps.contains(stem);
+            const bool isOfLesson = file == description || (stem == u"recall" && ending == u"md") ||
+                                    (stem == u"project" && ending != u"code") ||
+                                    (stem.startsWith(projectPrefix) && ending == u"json");
+            if (!isOfStep && !isOfLesson)
+                throw UserError(LessonFolderText::tr("%1: there is no step %2 in \"steps\" of lesson.json; "
+                                                     "there is %3. Add it there, or rename the file.")
+                                    .arg(shown(file), quoted(stem), quotedList(steps, stem)));
+        }
+    }
+
+    /// Returns the library with this lesson in it, for scenes of its own questions.
+    LessonLibrary libraryWithThis() const
+    {
+        LessonLibrary library = m_library;
+        library.yours = {m_entry};
+        return library;
+    }
+
+    void readRecall()
+    {
+        const QString file = documentFile(QStringLiteral("recall"));
+        if (!m_files.has(file))
+            return;
+        m_entry.recall = lessons::parseRecall(m_files.content(file), shown(file));
+        checkRecall(m_entry.recall, libraryWithThis());
+    }
+
+    void readProject()
+    {
+        const QString file = documentFile(QStringLiteral("project"));
+        if (!m_files.has(file))
+            return;
+        requireFile(projectScene, LessonFolderText::tr("the scene that the project starts with"));
+        m_entry.project = lessons::parseProject(m_files.content(file), shown(file));
+        m_entry.projectStart = m_files.content(projectScene);
+        parseExperiment(m_entry.projectStart, shown(projectScene), libraryWithThis());
+    }
+
+    const LessonFiles &m_files;
+    const QString m_language;
+    const LessonLibrary &m_library;
+    LessonEntry m_entry;
+};
+
+[[noreturn]] void refuseDifference(const LessonEntry &lesson, const QString &step, const QString &what)
+{
+    throw UserError(LessonFolderText::tr("%1, step %2: the languages differ in %3. Make them the same.")
+                        .arg(lesson.id, quoted(step), what));
+}
+
+/// Returns a text that two runs share if they are the same.
+QString keyOf(const lessons::RunSetup &run)
+{
+    QStringList parts = {run.step, run.method, run.until, QString::number(run.frames)};
+    for (const auto &[id, value] : run.values)
+        parts << id + '=' + value;
+    for (const auto &place : run.places)
+        parts << QStringLiteral("%1@%2,%3").arg(place.body).arg(place.at.x).arg(place.at.y);
+    for (const auto &drag : run.drags)
+        parts << QStringLiteral("%1>%2,%3,%4").arg(drag.body).arg(drag.to.x).arg(drag.to.y).arg(drag.frames);
+    return parts.join(';');
+}
+
+QStringList predictionKeys(const lessons::Step &step)
+{
+    QStringList keys;
+    for (const lessons::Prediction &one : step.predictions)
+        keys << one.id + ':' + keyOf(one.run) + ':' + one.question.of;
+    return keys;
+}
+
+QStringList taskKeys(const lessons::Step &step)
+{
+    QStringList keys;
+    for (const lessons::CodeTask &task : step.codeTasks) {
+        keys << task.id;
+        for (const lessons::NearMiss &miss : task.nearMisses)
+            keys << miss.gap + ':' + miss.code;
+    }
+    return keys;
+}
+
+QStringList recallKeys(const LessonEntry &lesson)
+{
+    QStringList keys;
+    for (const lessons::RecallQuestion &one : lesson.recall.questions)
+        keys << QStringLiteral("%1:%2:%3")
+                    .arg(one.id)
+                    .arg(one.choices.size())
+                    .arg(one.task ? keyOf(one.task->setup) : QString());
+    return keys;
+}
+
+}
+
+LessonEntry readLesson(const QString &path, const LessonLibrary &library)
+{
+    return lessonOf(readLessonFiles(path), lessons::documentLanguage(), library);
+}
+
+LessonEntry lessonOf(const LessonFiles &files, const QString &language, const LessonLibrary &library)
+{
+    return LessonReader(files, language, library).read();
+}
+
+QStringList languagesOf(const LessonFiles &files)
+{
+    QStringList languages;
+    for (const auto &[file, content] : files.all) {
+        const QStringList parts = file.split('.');
+        if (parts.size() == 3 && !languages.contains(parts[1]))
+            languages << parts[1];
+    }
+    languages.sort();
+    return languages;
+}
+
+void checkSameQuestions(const LessonEntry &one, const LessonEntry &other)
+{
+    for (std::size_t i = 0; i < std::min(one.steps.size(), other.steps.size()); ++i) {
+        const lessons::Step &a = one.steps[i], &b = other.steps[i];
+        if (predictionKeys(a) != predictionKeys(b))
+            refuseDifference(one, a.id, LessonFolderText::tr("their predictions"));
+        if (taskKeys(a) != taskKeys(b))
+            refuseDifference(one, a.id, LessonFolderText::tr("their tasks"));
+    }
+    if (recallKeys(one) != recallKeys(other))
+        refuseDifference(one, QStringLiteral("recall"), LessonFolderText::tr("their questions"));
+}
+
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "app/model/catalog/lesson_library.h"
+#include "app/model/lesson_folders/lesson_package.h"
+
+namespace app {
+
+/// Reads a lesson without C++: a folder or its zip (see readLessonFiles()). lessons/README.md describes its files. Its texts
+/// are in the language of documentLanguage() where it has them. `library` has the lessons whose scenes it builds on. A
+/// lesson in LessonLibrary::yours with the same source may have the same id.
+/// @throws UserError: a sentence with the file, the line where there is one, the mistake and the remedy
+LessonEntry readLesson(const QString &path, const LessonLibrary &library);
+
+/// Does the same with files that were read before, in the language `language` ("en", "de").
+/// @throws UserError as above
+LessonEntry lessonOf(const LessonFiles &files, const QString &language, const LessonLibrary &library);
+
+/// Returns the languages that have documents of their own, in the order of their codes: "de". The documents without a
+/// language are shown in all others.
+QStringList languagesOf(const LessonFiles &files);
+
+/// Checks that the documents of a lesson in one language ask the same as those in another: things to try, predictions and
+/// questions have the same ids, runs and conditions.
+/// @throws UserError if not
+void checkSameQuestions(const LessonEntry &one, const LessonEntry &other);
+
+}
