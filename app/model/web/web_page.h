@@ -1,0 +1,93 @@
+#pragma once
+
+#include "app/model/experiment/experiment.h"
+#include "app/model/picture/view_cache.h"
+#include "app/model/run/companion_run.h"
+#include "app/model/series/plot_list.h"
+#include "app/model/web/page_figure.h"
+#include "app/model/web/page_listing.h"
+#include "app/model/web/page_plots.h"
+
+#include <utility>
+#include <vector>
+
+namespace app {
+
+/// The colours of a page, by name: "scene", "ink".
+using PageColors = std::vector<std::pair<QString, QString>>;
+
+/// The settings of a web page that plays a run.
+struct WebPagePlan
+{
+    Experiment experiment;
+    QString out;                      ///< the file
+    std::int64_t from = 0;            ///< the first frame
+    std::int64_t to = 0;              ///< the last frame
+    double rate = 30.0;               ///< frames per second; 30 is the speed of the window
+    std::vector<PlotSpec> plots = {}; ///< which name their bodies
+    PageColors light, dark;           ///< in light and in dark surroundings
+};
+
+/// The file names of web pages end in this.
+constexpr auto pageEnding = ".html";
+
+/// Makes a web page of a run piece by piece. Between two pieces the caller can repaint the window, show the progress, or
+/// cancel. The page is one file that needs no network; app/model/web/page has its parts.
+class WebPage
+{
+public:
+    /// The most positions of bodies on a page: more would take a browser seconds to read.
+    static constexpr std::int64_t mostPlaces = 2'000'000;
+    /// The most frames on a page.
+    static constexpr std::int64_t mostPageFrames = 100'000;
+
+    /// `library` must outlive this object.
+    /// @throws UserError if the frames do not exist or do not fit on a page; sim::Error if scene and method do not fit
+    WebPage(const WebPagePlan &plan, const LessonLibrary &library);
+
+    /// Makes the next piece, for some milliseconds. Returns false when the page is finished and written.
+    /// @throws UserError if the frames do not fit on a page, or the file cannot be written
+    bool goOn();
+    /// Returns the frame that is being processed.
+    std::int64_t frame() const { return m_track.cursor().frame; }
+    /// Returns why the page ends before the requested last frame, as endSentence(). Empty if it does not.
+    const QString &endsEarly() const { return m_endsEarly; }
+
+private:
+    /// Adds the frame at the cursor. `before` is the state one output step earlier, or null.
+    void takeFrame(const sim::State *before);
+    /// Adds the same frame of the companion. Returns whether it is computed.
+    bool followCompanion();
+    void finish();
+    QByteArray data() const;
+    void writeTexts(JsonWriter &json) const;
+    void writeNotes(JsonWriter &json) const;
+    void writeHand(JsonWriter &json, NumberColumns &columns) const;
+    void takeHand();
+    Picture pictureOf(const sim::Track &track);
+    /// Returns the method and the step of the run.
+    QString runTitle() const;
+
+    WebPagePlan m_plan;
+    const LessonEntry &m_lesson;
+    const lessons::Step &m_step;
+    sim::Track m_track;
+    ViewCache m_views;
+    PageFigure m_figure;
+    std::optional<CompanionRun> m_companion;
+    PageFigure m_beside;
+    bool m_hasBeside = false; ///< the companion's method can compute the scene
+    bool m_isBehind = false;  ///< the companion has not reached the cursor yet
+    std::unique_ptr<PageListing> m_listing;
+    PagePlots m_plots;
+    std::vector<std::pair<std::int64_t, QString>>
+        m_notes;                          ///< by index of the frame; each stays until the next one
+    std::vector<double> m_handX, m_handY; ///< px, per frame: where the input holds a body; NaN if it does not
+    std::int64_t m_count = 0;             ///< frames on the page
+    QString m_endsEarly;
+};
+
+/// Returns the plots of a page where no window shows any: the one that suits the step.
+std::vector<PlotSpec> plotsOfPage(const sim::Script &script);
+
+}
