@@ -49,9 +49,15 @@ QByteArray compressed(const QByteArray &text)
                                            "all of it, from “springstep:” to its end."));
 }
 
-/// Reverses compressed(). Throws UserError as soon as the text exceeds largestExperiment, so that a short line cannot
-/// fill the memory.
-QByteArray expanded(const QByteArray &data)
+[[noreturn]] void refuseLarge(qint64 largest)
+{
+    throw UserError(ExperimentLineText::tr("The text is larger than %1 MiB, the maximum for an experiment.")
+                        .arg(largest >> 20));
+}
+
+/// Reverses compressed(). Throws UserError as soon as the text exceeds `largest`, so that a short line cannot fill the
+/// memory.
+QByteArray expanded(const QByteArray &data, qint64 largest)
 {
     z_stream stream = {};
     if (data.isEmpty() || inflateInit(&stream) != Z_OK)
@@ -63,39 +69,48 @@ QByteArray expanded(const QByteArray &data)
     QByteArray text;
     std::array<char, 1 << 16> piece;
     int state = Z_OK;
-    while (state == Z_OK && text.size() <= largestExperiment) {
+    while (state == Z_OK && text.size() <= largest) {
         stream.next_out = reinterpret_cast<Bytef *>(piece.data());
         stream.avail_out = static_cast<uInt>(piece.size());
         state = inflate(&stream, Z_NO_FLUSH);
         text.append(piece.data(), static_cast<qsizetype>(piece.size() - stream.avail_out));
     }
-    if (text.size() > largestExperiment)
-        throw UserError(
-            ExperimentLineText::tr("The text is larger than %1 MiB, the maximum for an experiment.")
-                .arg(largestExperiment >> 20));
+    if (text.size() > largest)
+        refuseLarge(largest);
     if (state != Z_STREAM_END)
         refuseCut();
     return text;
 }
 
-QByteArray jsonOf(QString line)
-{
-    if (line.startsWith('{'))
-        return line.toUtf8();
-    line = line.mid(qstrlen(prefix));
-    line.removeIf([](QChar c) { return c.isSpace(); });
-    const auto decoded =
-        QByteArray::fromBase64Encoding(line.toLatin1(), encoding | QByteArray::AbortOnBase64DecodingErrors);
-    if (!decoded)
-        refuseCut();
-    return expanded(*decoded);
 }
 
+QByteArray textInLine(const QString &line, qint64 largest)
+{
+    if (line.startsWith('{')) {
+        const QByteArray text = line.toUtf8();
+        if (text.size() > largest)
+            refuseLarge(largest);
+        return text;
+    }
+    if (!line.startsWith(prefix))
+        refuseCut();
+    QString code = line.mid(qstrlen(prefix));
+    code.removeIf([](QChar c) { return c.isSpace(); });
+    const auto decoded =
+        QByteArray::fromBase64Encoding(code.toLatin1(), encoding | QByteArray::AbortOnBase64DecodingErrors);
+    if (!decoded)
+        refuseCut();
+    return expanded(*decoded, largest);
 }
 
 QString experimentLine(const Experiment &experiment, const LessonLibrary &library)
 {
-    const QByteArray plain = compact(experimentText(experiment, library));
+    return lineOf(experimentText(experiment, library));
+}
+
+QString lineOf(const QByteArray &json)
+{
+    const QByteArray plain = compact(json);
     const QByteArray packed = prefix + compressed(plain).toBase64(encoding);
     const QByteArray &line = packed.size() < plain.size() ? packed : plain;
     if (line.size() > longestLine)
@@ -117,7 +132,7 @@ Experiment experimentFromLine(const QString &line, const LessonLibrary &library)
     if (text.size() > largestExperiment || (!text.startsWith('{') && text.size() > 2 * longestLine))
         throw UserError(
             ExperimentLineText::tr("The text is too long for an experiment in one line. Open it as a file."));
-    return parseExperiment(jsonOf(text), ExperimentLineText::tr("Pasted text"), library);
+    return parseExperiment(textInLine(text), ExperimentLineText::tr("Pasted text"), library);
 }
 
 }

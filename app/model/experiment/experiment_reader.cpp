@@ -47,6 +47,9 @@ private:
     void readFormat() const
     {
         const QString given = text("format", quoted(format));
+        if (given.startsWith("springstep-notebook/"))
+            refuse(m_file, m_fields.find("format")->line,
+                   tr("this is a notebook, not an experiment; \"springstep notebook check\" replays it."));
         if (given != format)
             refuse(m_file, m_fields.find("format")->line,
                    tr("\"format\" is %1; this program reads %2.").arg(quoted(given), quoted(format)));

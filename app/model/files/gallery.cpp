@@ -7,6 +7,7 @@
 #include <QBuffer>
 #include <QDir>
 #include <QSaveFile>
+#include <QStandardPaths>
 #include <QUuid>
 
 #include <algorithm>
@@ -69,6 +70,11 @@ QByteArray contentOf(const QString &path)
     return file.open(QIODevice::ReadOnly) ? file.read(2 * largestExperiment) : QByteArray();
 }
 
+}
+
+QString galleryFolder()
+{
+    return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/gallery");
 }
 
 Gallery::Gallery(QString folder, QObject *parent) : QObject(parent), m_folder(std::move(folder))

@@ -21,6 +21,9 @@ struct KeptExperiment
     QByteArray experiment = {}; ///< the text of an experiment file
 };
 
+/// Returns the folder of the learner's gallery.
+QString galleryFolder();
+
 /// A folder of experiments that the learner keeps, one file each, with a title, a date and a picture. Files that cannot be
 /// read are left alone.
 class Gallery : public QObject

@@ -1,6 +1,8 @@
 #include "app/model/learning/project_desk.h"
 
-#include <QFile>
+#include "app/model/experiment/experiment_line.h"
+#include "app/model/learning/project_start.h"
+
 #include <QSettings>
 
 #include <algorithm>
@@ -11,7 +13,7 @@ namespace app {
 namespace {
 
 const char *const currentProjectKey = "projects/current";
-const QString ticksOfProjects = QStringLiteral("project"); ///< in place of a step, for Progress
+const QString ticksOfProjects = QString::fromLatin1(projectTicks);
 
 }
 
@@ -40,12 +42,10 @@ const Experiment *ProjectDesk::startOf(const QString &lesson)
     if (known != m_starts.end())
         return known->second ? &*known->second : nullptr;
     std::optional<Experiment> &start = m_starts[lesson];
-    QFile file(lessons::projectStartFile(lesson));
-    if (!projectOf(lesson) || !file.open(QIODevice::ReadOnly))
+    if (!projectOf(lesson))
         return nullptr;
     try {
-        start =
-            parseExperiment(file.readAll(), lesson + QStringLiteral("/project.json"), m_session.library());
+        start = projectStart(*m_session.library().lesson(lesson), m_session.library());
     } catch (const UserError &error) { // the lesson is at fault
         m_session.showMessage(error.sentence());
     }
@@ -126,6 +126,7 @@ void ProjectDesk::judge(const QString &lesson, const QString &level)
         return;
     m_judgedLesson = lesson;
     m_judgedLevel = level;
+    m_judged = {place, step, std::max(1, trial.level.run.frames), trial.built};
     m_percent = 0;
     m_job.start(
         [this, trial](const BackgroundJob::Context &context) {
@@ -155,13 +156,24 @@ void ProjectDesk::receive(std::future<std::optional<ProjectVerdict>> future)
     try {
         if (const std::optional<ProjectVerdict> verdict = future.get()) {
             m_verdicts[{lesson, level}] = *verdict;
-            if (verdict->isPassed())
+            if (verdict->isPassed()) {
+                keepProof(lesson, level);
                 m_session.progress().markWritten(lesson, ticksOfProjects, level);
+            }
         }
     } catch (const std::exception &error) { // the lesson is at fault
         m_session.showMessage(QString::fromUtf8(error.what()));
     }
     emit changed();
+}
+
+void ProjectDesk::keepProof(const QString &lesson, const QString &level)
+{
+    try {
+        m_session.proofs().keep(Notes::keyOf(lesson, ticksOfProjects, QStringLiteral("code"), level),
+                                {.run = experimentLine(m_judged, m_session.library())});
+    } catch (const UserError &) { // too large for a line: the tick stays without a proof
+    }
 }
 
 const ProjectVerdict *ProjectDesk::verdict(const QString &lesson, const QString &level) const

@@ -11,6 +11,9 @@
 
 namespace app {
 
+/// The word in place of a step in the keys of projects, for Progress and Proofs.
+inline constexpr auto projectTicks = "project";
+
 /// The projects of the lessons, and the one that the learner works on. The desk opens the place where she works, judges
 /// what she has built, and ticks each level that she has passed.
 class ProjectDesk : public QObject
@@ -64,12 +67,15 @@ private:
     const Experiment *startOf(const QString &lesson);
     void setCurrent(const QString &lesson);
     void receive(std::future<std::optional<ProjectVerdict>> verdict);
+    /// Keeps what was judged as the proof of a level.
+    void keepProof(const QString &lesson, const QString &level);
 
     Session &m_session;
     std::map<QString, std::optional<Experiment>> m_starts; ///< by lesson
     QString m_current;
     QString m_judgedLesson;
     QString m_judgedLevel;
+    Experiment m_judged; ///< what the learner has built for it
     int m_percent = 0;
     std::map<std::pair<QString, QString>, ProjectVerdict> m_verdicts; ///< by lesson and level
     BackgroundJob m_job;

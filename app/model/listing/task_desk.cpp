@@ -151,8 +151,12 @@ void TaskDesk::receive(std::future<std::optional<Verdict>> verdict)
         m_verdict.reset();
         m_session.showMessage(QString::fromUtf8(error.what()));
     }
-    if (m_verdict && m_verdict->kind == Verdict::Kind::right)
-        m_session.progress().markWritten(m_session.lesson().id, m_session.step().id, m_sheet.task);
+    if (m_verdict && m_verdict->kind == Verdict::Kind::right) {
+        const QString &lesson = m_session.lesson().id, &step = m_session.step().id;
+        m_session.proofs().keep(Notes::keyOf(lesson, step, QStringLiteral("code"), m_sheet.task),
+                                {.code = m_session.code().text()});
+        m_session.progress().markWritten(lesson, step, m_sheet.task);
+    }
     emit changed();
 }
 

@@ -1,7 +1,11 @@
 #include "app/model/session/attempts.h"
 
+#include "app/model/experiment/experiment_line.h"
+#include "app/model/learning/notes.h"
+
 #include <QTimer>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -37,11 +41,38 @@ void Attempts::check(const QString &lesson, const lessons::Step &step, const sim
     };
     for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
         const lessons::Try &one = step.tries[static_cast<std::size_t>(i)];
-        if (m_progress.isDone(lesson, step.id, i) || (one.onlyWhilePaused && plays))
+        const QString key = Notes::keyOf(lesson, step.id, QStringLiteral("try"), one.id);
+        // A tick from before runs were kept gets its run when the learner does the thing again.
+        const bool isWanted =
+            !m_progress.isDone(lesson, step.id, i) ||
+            (!one.budget && !one.id.isEmpty() && !m_unkept.contains(key) && !m_proofs.has(key));
+        if (!isWanted || (one.onlyWhilePaused && plays))
             continue;
-        if (one.isDone(timeline) && (!one.budget || keeps(*one.budget)))
+        if (one.isDone(timeline) && (!one.budget || keeps(*one.budget))) {
+            keepProof(key, lesson, step, timeline);
             m_progress.markDone(lesson, step.id, i);
+        }
     }
+}
+
+void Attempts::keepProof(const QString &key, const QString &lesson, const lessons::Step &step,
+                         const sim::Timeline &timeline)
+{
+    const auto lineOfRun = [&](const sim::Script &script) {
+        const std::int64_t frames = std::max<std::int64_t>(1, timeline.cursor().frame);
+        return experimentLine({lesson, step.id, frames, script}, m_library);
+    };
+    try {
+        Proof proof{.run = lineOfRun(timeline.script()), .at = timeline.cursor()};
+        if (const sim::Track *comparison = timeline.comparison()) {
+            proof.beside = lineOfRun(comparison->script());
+            proof.fork = timeline.forkFrame();
+        }
+        m_proofs.keep(key, proof);
+    } catch (const UserError &) { // too long for a file, or a number is not finite
+    }
+    if (!m_proofs.has(key))
+        m_unkept.insert(key);
 }
 
 QString Attempts::todo(const QString &lesson, const lessons::Step &step, int number,

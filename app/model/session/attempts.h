@@ -1,23 +1,30 @@
 #pragma once
 
+#include "app/model/catalog/lesson_library.h"
 #include "app/model/catalog/progress.h"
+#include "app/model/learning/proofs.h"
 #include "lessons/api/checks/budget.h"
 #include "lessons/api/step.h"
 #include "sim/run/timeline.h"
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <QSet>
 
 namespace app {
 
-/// Finds out which of a step's things to try are done, and ticks them.
+/// Finds out which of a step's things to try are done, and ticks them. It keeps the run that earned a tick, for the
+/// learner's notebook.
 class Attempts : public QObject
 {
     Q_OBJECT
 
 public:
-    /// `progress` has the ticks, and must outlive it.
-    explicit Attempts(Progress &progress) : m_progress(progress) {}
+    /// `progress` has the ticks, and `proofs` their runs. All arguments must outlive it.
+    Attempts(Progress &progress, Proofs &proofs, const LessonLibrary &library)
+        : m_progress(progress), m_proofs(proofs), m_library(library)
+    {
+    }
 
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
     void setTiming(lessons::TimeMeasurement timing) { m_timing = std::move(timing); }
@@ -42,8 +49,14 @@ signals:
 
 private:
     void scheduleCheck();
+    /// Keeps the run up to its cursor as the proof of a tick. A run that no file can store is not kept.
+    void keepProof(const QString &key, const QString &lesson, const lessons::Step &step,
+                   const sim::Timeline &timeline);
 
     Progress &m_progress;
+    Proofs &m_proofs;
+    const LessonLibrary &m_library;
+    QSet<QString> m_unkept; ///< keys of ticks whose run was too long to keep
     lessons::TimeMeasurement m_timing = lessons::measureTime;
     bool m_isOwnRun = true;
     bool m_isCheckScheduled = false; ///< whether checkDue() is on its way

@@ -3,6 +3,7 @@
 #include "app/model/catalog/progress.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/learning/notes.h"
+#include "app/model/learning/proofs.h"
 #include "app/model/listing/learner_code.h"
 #include "app/model/listing/line_stepper.h"
 #include "app/model/listing/rule_code.h"
@@ -42,6 +43,7 @@ public:
     const Presentation &presentation() const { return m_presentation; }
     Progress &progress() { return m_progress; }
     Notes &notes() { return m_notes; }
+    Proofs &proofs() { return m_proofs; }
 
     // The open step
     const OpenRun &run() const { return m_run; }
@@ -110,7 +112,8 @@ private:
     OpenRun m_run;
     Progress m_progress;
     Notes m_notes;
-    Attempts m_attempts{m_progress};
+    Proofs m_proofs;
+    Attempts m_attempts{m_progress, m_proofs, m_run.library()};
     Preview m_preview;
     CompanionFollower m_companion;
     Playback m_playback;
