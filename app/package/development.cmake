@@ -17,4 +17,5 @@ install(EXPORT lesson_api NAMESPACE Springstep:: FILE SpringstepLessonApi.cmake 
 configure_package_config_file(SpringstepConfig.cmake.in SpringstepConfig.cmake INSTALL_DESTINATION ${config})
 write_basic_package_version_file(SpringstepConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/SpringstepConfig.cmake
-    ${CMAKE_CURRENT_BINARY_DIR}/SpringstepConfigVersion.cmake DESTINATION ${config} COMPONENT development)
+    ${CMAKE_CURRENT_BINARY_DIR}/SpringstepConfigVersion.cmake
+    ${PROJECT_SOURCE_DIR}/lessons/add_lesson.cmake DESTINATION ${config} COMPONENT development)
