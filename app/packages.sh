@@ -28,6 +28,7 @@ test_packages=(
     "xvfb                    tests/smoke: an X server without a screen"
     "xauth                   the same, for xvfb-run"
     "xdotool                 tests/smoke: mouse and keys for that server"
+    "chromium                tests/web: opens web pages of runs"
     "valgrind                counts the instructions that effects take"
 )
 # Others' solvers, to compare ours with; the benchmarks run without them, too.

@@ -57,11 +57,11 @@ QString overviewOf(const Verb &verb)
 
 QString descriptionOfProgram()
 {
-    QString text = CommandLineText::tr(
-                       "Physically based animation, step by step.\n\n"
-                       "Without a verb, the window opens. If FILE is given, it opens that experiment.\n\n"
-                       "Verbs (each has its own --help, and none needs a display):") +
-                   '\n';
+    QString text =
+        CommandLineText::tr("Physically based animation, step by step.\n\n"
+                            "Without a verb, the window opens and shows FILE, an experiment or a lesson.\n\n"
+                            "Verbs (each has its own --help, and none needs a display):") +
+        '\n';
     for (const Verb &verb : verbs())
         text += overviewOf(verb);
     return text.trimmed();
@@ -121,7 +121,9 @@ CommandLine readVerb(const Verb &verb, const QStringList &given)
     const QString program = "springstep " + verb.name;
     if (const auto exitCode = parse(parser, program, verb.arguments, given))
         return *exitCode;
-    if (parser.positionalArguments().size() != names.size()) {
+    const qsizetype count = parser.positionalArguments().size();
+    const bool repeats = !names.isEmpty() && names.back().endsWith(QLatin1String("..."));
+    if (repeats ? count < names.size() : count != names.size()) {
         const QString takes = names.isEmpty() ? CommandLineText::tr("no arguments") : names.join(' ');
         return reportUsageError(
             CommandLineText::tr("%1 takes %2; see %3 --help.").arg(verb.name, takes, program));
@@ -150,7 +152,8 @@ CommandLine readWindowCall(const QStringList &arguments)
 {
     QCommandLineParser parser;
     parser.setApplicationDescription(descriptionOfProgram());
-    parser.addPositionalArgument("FILE", CommandLineText::tr("An experiment to open."), "[FILE | VERB ...]");
+    parser.addPositionalArgument("FILE", CommandLineText::tr("An experiment or a lesson to open."),
+                                 "[FILE | VERB ...]");
     parser.addOption({{"v", "version"}, CommandLineText::tr("Prints the version.")});
     if (const auto exitCode = parse(parser, "springstep", {}, arguments))
         return *exitCode;

@@ -2,6 +2,7 @@
 #include "app/cli/experiment_argument.h"
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
+#include "app/cli/web_page.h"
 
 #include <QCoreApplication>
 
@@ -23,7 +24,8 @@ FilmKind kindOf(const QString &out)
     try {
         return filmKind(out);
     } catch (const UserError &error) {
-        throw UsageError(error.sentence());
+        throw UsageError(
+            FilmText::tr("%1 For a web page, choose one that ends in .html.").arg(error.sentence()));
     }
 }
 
@@ -87,6 +89,8 @@ int shoot(Film &film, std::int64_t last)
 
 int runFilm(const Arguments &arguments)
 {
+    if (isWebPage(arguments))
+        return runWebPage(arguments);
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     const FilmPlan plan = planFrom(arguments, library);
     listenForInterrupt();

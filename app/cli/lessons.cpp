@@ -124,7 +124,9 @@ QString readableList(const LessonLibrary &library)
     QString text;
     for (std::size_t i = 0; i < library.entries(); ++i) {
         const LessonEntry &lesson = library.entry(i);
-        text += QString::number(lesson.order) + ". " + lesson.id + ": " + lesson.title + '\n';
+        if (lesson.source.isEmpty()) // your own lessons have no number
+            text += QString::number(lesson.order) + ". ";
+        text += lesson.id + ": " + lesson.title + '\n';
         for (const lessons::Step &step : lesson.steps) {
             text += "   " + lesson.id + '/' + step.id + ": " + step.title + '\n';
             for (const lessons::Parameter &parameter : step.parameters)

@@ -46,6 +46,13 @@ const std::vector<Verb> &verbs()
          {},
          {jsonOption()},
          runLessons},
+        {"check",
+         VerbsText::tr(
+             "Checks a lesson of your own, and plays the solution of each thing to try. The exit code is 1 "
+             "if one does not do what it should."),
+         {{"LESSON", VerbsText::tr("The folder of the lesson, or its zip.")}},
+         {jsonOption()},
+         runCheck},
         {"trace",
          VerbsText::tr("Computes the run of an experiment and writes every frame as CSV."),
          {experimentFile()},
@@ -92,26 +99,49 @@ const std::vector<Verb> &verbs()
           {"energy", VerbsText::tr("Shows where energy went.")},
           {"effects", VerbsText::tr("Shows the cost of each effect.")},
           {"plots", VerbsText::tr("Shows the plots.")},
-          {"stability", VerbsText::tr("gauge, reasons, or a map: step or damping."), "WHAT", "gauge"}},
+          {"stability", VerbsText::tr("gauge, reasons, or a map: step, damping or rest."), "WHAT", "gauge"}},
          runScreenshot,
          ApplicationKind::widgets},
         {"film",
-         VerbsText::tr(
-             "Makes a film of the run of an experiment: a WebM video, an animated GIF, or a PNG for each "
-             "frame."),
+         VerbsText::tr("Makes a film of the run of an experiment: a WebM video, an animated GIF, a PNG for "
+                       "each frame, or a "
+                       "web page that plays it."),
          {experimentFile(),
           {"OUT",
-           VerbsText::tr("The film: OUT.webm, OUT.gif, or OUT_%04d.png, where %04d stands for the number of "
-                         "the frame.")}},
+           VerbsText::tr("The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the "
+                         "number of the frame.")}},
          {{"from", VerbsText::tr("The first frame."), "N", "0"},
           {"to", VerbsText::tr("The last frame (default: the file's number of frames)."), "N"},
           sizeOption("640x480"),
           themeOption(),
           {"fps",
-           VerbsText::tr("Frames per second, up to 50 in a GIF and 120 in a video (default 30). Not for PNG "
+           VerbsText::tr("Frames per second, up to 50 in a GIF and 120 otherwise (default 30). Not for PNG "
                          "files."),
            "F"}},
          runFilm,
+         ApplicationKind::widgets},
+        {"notebook",
+         VerbsText::tr(
+             "Checks notebooks by replaying every run, makes a page of one, or writes your own. The exit "
+             "code is 1 if a run does not show what its notebook says."),
+         {{"ACTION",
+           VerbsText::tr(
+               "check FILE..., page FILE OUT.html, page FILE OUT.pdf, or write OUT.springstep-notebook.")},
+          {"FILE...", VerbsText::tr("The notebooks, or the notebook and the page to write.")}},
+         {jsonOption(),
+          {"csv", VerbsText::tr("Prints the result as CSV.")},
+          {"name", VerbsText::tr("The name to write into the notebook."), "NAME"},
+          {"lessons", VerbsText::tr("The lessons to write (default: all)."), "ID,ID"}},
+         runNotebook,
+         ApplicationKind::widgets},
+        {"handout",
+         VerbsText::tr(
+             "Writes a lesson on paper: its texts, pictures and questions with lines to write on, and the "
+             "answers on pages of their own."),
+         {{"LESSON", VerbsText::tr("A lesson, or the folder or the zip of one.")},
+          {"OUT.pdf", VerbsText::tr("The PDF to write.")}},
+         {{"language", VerbsText::tr("en or de (default: that of the system)."), "LANG"}},
+         runHandout,
          ApplicationKind::widgets},
     };
     return all;

@@ -12,7 +12,7 @@ namespace app {
 /// An argument that a verb requires.
 struct Argument
 {
-    QString name;
+    QString name; ///< the last one may end in "...": then there can be more of it
     QString summary;
 };
 
@@ -35,7 +35,7 @@ struct Option
 /// The arguments and options that a verb was given.
 struct Arguments
 {
-    QStringList names;               ///< one for each entry of Verb::arguments
+    QStringList names; ///< one for each entry of Verb::arguments, or more if the last one repeats
     QHash<QString, QString> options; ///< the values of given options, and of those with a default value
 
     bool has(const QString &option) const { return options.contains(option); }
@@ -66,11 +66,14 @@ struct Verb
 const std::vector<Verb> &verbs();
 
 int runLessons(const Arguments &arguments);
+int runCheck(const Arguments &arguments);
 int runTrace(const Arguments &arguments);
 int runAccuracy(const Arguments &arguments);
 int runHardCases(const Arguments &arguments);
 int runCost(const Arguments &arguments);
 int runScreenshot(const Arguments &arguments);
 int runFilm(const Arguments &arguments);
+int runNotebook(const Arguments &arguments);
+int runHandout(const Arguments &arguments);
 
 }

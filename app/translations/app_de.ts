@@ -440,12 +440,29 @@
         <translation>%1 hat Punkte direkt bewegt, nicht über eine Geschwindigkeit.</translation>
     </message>
     <message>
+        <source>%1 has moved points directly, and changed velocities.</source>
+        <translation>%1 hat Punkte direkt bewegt und Geschwindigkeiten geändert.</translation>
+    </message>
+    <message>
         <source>Inside frame %1, step %2 of %3: %4</source>
         <translation>Innerhalb von Bild %1, Zeitschritt %2 von %3: %4</translation>
     </message>
     <message>
         <source>Inside frame %1: %2</source>
         <translation>Innerhalb von Bild %1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>CheckText</name>
+    <message>
+        <source>%1: %2 (steps: %3; languages besides the first: %4)
+</source>
+        <translation>%1: %2 (Schritte: %3; Sprachen außer der ersten: %4)
+</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
     </message>
 </context>
 <context>
@@ -662,8 +679,8 @@
 <context>
     <name>CommandLineText</name>
     <message>
-        <source>An experiment to open.</source>
-        <translation>Ein Experiment, das geöffnet wird.</translation>
+        <source>An experiment or a lesson to open.</source>
+        <translation>Ein Experiment oder eine Lektion, die geöffnet werden.</translation>
     </message>
     <message>
         <source>Prints the version.</source>
@@ -696,12 +713,12 @@
     <message>
         <source>Physically based animation, step by step.
 
-Without a verb, the window opens. If FILE is given, it opens that experiment.
+Without a verb, the window opens and shows FILE, an experiment or a lesson.
 
 Verbs (each has its own --help, and none needs a display):</source>
         <translation>Physikalisch basierte Animation, Schritt für Schritt.
 
-Ohne Verb öffnet sich das Fenster. Wenn FILE angegeben ist, öffnet es dieses Experiment.
+Ohne Verb öffnet sich das Fenster und zeigt FILE, ein Experiment oder eine Lektion.
 
 Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</translation>
     </message>
@@ -1429,6 +1446,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>frame %1 is before the start of the branch, whose &quot;fork&quot; is %2; use frame %2 or a later one.</source>
         <translation>Bild %1 liegt vor dem Anfang des Zweigs, dessen &quot;fork&quot; %2 ist; nimm Bild %2 oder ein späteres.</translation>
     </message>
+    <message>
+        <source>this is a notebook, not an experiment; &quot;springstep notebook check&quot; replays it.</source>
+        <translation>das ist ein Heft, kein Experiment; „springstep notebook check“ spielt es nach.</translation>
+    </message>
 </context>
 <context>
     <name>ExperimentArgumentText</name>
@@ -1634,8 +1655,12 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>&amp;Neu: der Schritt wie veröffentlicht</translation>
     </message>
     <message>
-        <source>&amp;Open an experiment…</source>
-        <translation>Experiment ö&amp;ffnen …</translation>
+        <source>&amp;Open an experiment or a lesson…</source>
+        <translation>Experiment oder Lektion ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>An experiment, or a lesson: its lesson.json or its .springstep-lesson file</source>
+        <translation>Ein Experiment oder eine Lektion: ihre lesson.json oder ihre Datei .springstep-lesson</translation>
     </message>
     <message>
         <source>Reco&amp;ver scenes…</source>
@@ -1685,6 +1710,30 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>What you keep: open, rename or remove it</source>
         <translation>Was du behältst: öffnen, umbenennen oder entfernen</translation>
     </message>
+    <message>
+        <source>&amp;Hand in a notebook…</source>
+        <translation>&amp;Heft abgeben …</translation>
+    </message>
+    <message>
+        <source>Write what you did into a file for your teacher, or onto a page</source>
+        <translation>Schreib, was du gemacht hast, in eine Datei für deine Lehrkraft oder auf eine Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Web page of the run…</source>
+        <translation>&amp;Webseite des Laufs …</translation>
+    </message>
+    <message>
+        <source>One file that plays the run in any browser, with the listing and the plots</source>
+        <translation>Eine Datei, die den Lauf in jedem Browser abspielt, mit Listing und Diagrammen</translation>
+    </message>
+    <message>
+        <source>&amp;Handout of the lesson…</source>
+        <translation>A&amp;rbeitsblatt der Lektion …</translation>
+    </message>
+    <message>
+        <source>The lesson on paper, as a PDF: with lines to write on, and the answers at the end</source>
+        <translation>Die Lektion auf Papier, als PDF: mit Zeilen zum Schreiben und den Antworten am Ende</translation>
+    </message>
 </context>
 <context>
     <name>FilmFileText</name>
@@ -1726,6 +1775,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>--fps is for a film in one file; PNG files have no time in them. Leave it out.</source>
         <translation>--fps ist für einen Film in einer Datei; PNG-Dateien enthalten keine Zeit. Lass es weg.</translation>
+    </message>
+    <message>
+        <source>%1 For a web page, choose one that ends in .html.</source>
+        <translation>%1 Für eine Webseite wähle einen, der auf .html endet.</translation>
     </message>
 </context>
 <context>
@@ -2134,17 +2187,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
-    <name>GrowthTableText</name>
-    <message>
-        <source>step [frames]</source>
-        <translation>Zeitschritt [Bilder]</translation>
-    </message>
-    <message>
-        <source>growth [a frame]</source>
-        <translation>Wachstum [pro Bild]</translation>
-    </message>
-</context>
-<context>
     <name>Gui</name>
     <message>
         <source>No lesson was found in %1. Build the lessons, or name their folder in SPRINGSTEP_LESSONS.</source>
@@ -2547,6 +2589,243 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>LessonCheckText</name>
+    <message>
+        <source>the listing does not compile</source>
+        <translation>das Listing lässt sich nicht übersetzen</translation>
+    </message>
+    <message>
+        <source>one of them stops in frame %1</source>
+        <translation>eins von beiden endet in Bild %1</translation>
+    </message>
+    <message>
+        <source>the listing moves %1 otherwise than the method %2: %3 px apart in frame %4 of a trial run</source>
+        <translation>das Listing bewegt %1 anders als die Methode %2: %3 px Abstand in Bild %4 eines Probelaufs</translation>
+    </message>
+    <message>
+        <source>same motion as %1</source>
+        <translation>dieselbe Bewegung wie %1</translation>
+    </message>
+    <message>
+        <source>it is done in frame %1 without the learner; add a condition such as “- begun: released()”</source>
+        <translation>in Bild %1 ist es ohne dein Zutun getan; füge eine Bedingung wie „- begun: released()“ hinzu</translation>
+    </message>
+    <message>
+        <source>it states no solution; write a “### Solution”</source>
+        <translation>es nennt keine Lösung; schreib ein „### Solution“</translation>
+    </message>
+    <message>
+        <source>done in frame %1</source>
+        <translation>getan in Bild %1</translation>
+    </message>
+    <message>
+        <source>its solution does not do it in %1 frames</source>
+        <translation>seine Lösung schafft es in %1 Bildern nicht</translation>
+    </message>
+    <message>
+        <source>its solution does not do it in %1 frames: %2</source>
+        <translation>seine Lösung schafft es in %1 Bildern nicht: %2</translation>
+    </message>
+    <message>
+        <source>its condition does not hold up to frame %1</source>
+        <translation>seine Bedingung trifft bis Bild %1 nicht zu</translation>
+    </message>
+    <message>
+        <source>ends in frame %1</source>
+        <translation>endet in Bild %1</translation>
+    </message>
+    <message>
+        <source>%1, at (%2, %3)</source>
+        <translation>%1, bei (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1, with %2</source>
+        <translation>%1, mit %2</translation>
+    </message>
+    <message>
+        <source>two of its curves look the same</source>
+        <translation>zwei seiner Kurven sehen gleich aus</translation>
+    </message>
+    <message>
+        <source>the listing itself does not pass</source>
+        <translation>das Listing selbst besteht nicht</translation>
+    </message>
+    <message>
+        <source>the empty place passes</source>
+        <translation>die leere Stelle besteht</translation>
+    </message>
+    <message>
+        <source>near miss %1 is not told from the others or from the solution</source>
+        <translation>der beinahe richtige Versuch %1 wird nicht von den anderen oder von der Lösung unterschieden</translation>
+    </message>
+    <message>
+        <source>passes, with %1 near misses</source>
+        <translation>besteht, mit %1 beinahe richtigen Versuchen</translation>
+    </message>
+    <message>
+        <source>there is no step %1</source>
+        <translation>es gibt keinen Schritt %1</translation>
+    </message>
+    <message>
+        <source>the start scene passes</source>
+        <translation>die Anfangsszene besteht</translation>
+    </message>
+    <message>
+        <source>it states no solution; save one as %1</source>
+        <translation>es nennt keine Lösung; sichere eine als %1</translation>
+    </message>
+    <message>
+        <source>%1 passes</source>
+        <translation>%1 besteht</translation>
+    </message>
+</context>
+<context>
+    <name>LessonFolderText</name>
+    <message>
+        <source>%1: this is not UTF-8. Save the file with the encoding UTF-8.</source>
+        <translation>%1: Das ist kein UTF-8. Sichere die Datei mit der Kodierung UTF-8.</translation>
+    </message>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>&quot;format&quot; is %1; this program reads %2.</source>
+        <translation>„format“ ist %1; dieses Programm liest %2.</translation>
+    </message>
+    <message>
+        <source>a name of your own</source>
+        <translation>ein eigener Name</translation>
+    </message>
+    <message>
+        <source>a lesson cannot have the id %1; an id has up to 40 characters, a to z, 0 to 9 and _, and begins with a letter.</source>
+        <translation>eine Lektion kann nicht die Kennung %1 haben; eine Kennung hat bis zu 40 Zeichen, a bis z, 0 bis 9 und _, und beginnt mit einem Buchstaben.</translation>
+    </message>
+    <message>
+        <source>there is another lesson with the id %1, “%2”. Choose another id.</source>
+        <translation>es gibt eine andere Lektion mit der Kennung %1, „%2“. Wähle eine andere.</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>%1 has %2 characters; it can have 1 to %3.</source>
+        <translation>%1 hat %2 Zeichen; es kann 1 bis %3 haben.</translation>
+    </message>
+    <message>
+        <source>a list of ids</source>
+        <translation>eine Liste von Kennungen</translation>
+    </message>
+    <message>
+        <source>a step cannot have the id %1; each has one of its own, made of a to z, 0 to 9 and _, and not lesson, recall or project.</source>
+        <translation>ein Schritt kann nicht die Kennung %1 haben; jeder hat eine eigene aus a bis z, 0 bis 9 und _, und nicht lesson, recall oder project.</translation>
+    </message>
+    <message>
+        <source>a lesson has 1 to %1 steps, and &quot;steps&quot; lists %2.</source>
+        <translation>eine Lektion hat 1 bis %1 Schritte, und „steps“ nennt %2.</translation>
+    </message>
+    <message>
+        <source>%1: the file is missing. It has %2.</source>
+        <translation>%1: Die Datei fehlt. Darin steht %2.</translation>
+    </message>
+    <message>
+        <source>%1: the listing has more than %2 bytes.</source>
+        <translation>%1: Das Listing hat mehr als %2 Bytes.</translation>
+    </message>
+    <message>
+        <source>%1: a listing computes whole frames, and the scene has steps of another length. Set &quot;h&quot; to 1 in %2.json.</source>
+        <translation>%1: Ein Listing berechnet ganze Bilder, und die Szene hat Schritte von anderer Länge. Setz „h“ in %2.json auf 1.</translation>
+    </message>
+    <message>
+        <source>%1: a near miss of the task %2 does not compile: %3</source>
+        <translation>%1: Ein beinahe richtiger Versuch der Aufgabe %2 lässt sich nicht übersetzen: %3</translation>
+    </message>
+    <message>
+        <source>%1: a lesson has files .md, .json and .code. Remove it.</source>
+        <translation>%1: Eine Lektion hat Dateien .md, .json und .code. Entferne sie.</translation>
+    </message>
+    <message>
+        <source>%1: there is no step %2 in &quot;steps&quot; of lesson.json; there is %3. Add it there, or rename the file.</source>
+        <translation>%1: In „steps“ von lesson.json gibt es keinen Schritt %2; es gibt %3. Trag ihn dort ein, oder benenne die Datei um.</translation>
+    </message>
+    <message>
+        <source>the scene that the project starts with</source>
+        <translation>die Szene, mit der das Projekt beginnt</translation>
+    </message>
+    <message>
+        <source>%1, step %2: the languages differ in %3. Make them the same.</source>
+        <translation>%1, Schritt %2: Die Sprachen unterscheiden sich in %3. Gleiche sie an.</translation>
+    </message>
+    <message>
+        <source>their predictions</source>
+        <translation>ihren Vorhersagen</translation>
+    </message>
+    <message>
+        <source>their tasks</source>
+        <translation>ihren Aufgaben</translation>
+    </message>
+    <message>
+        <source>their questions</source>
+        <translation>ihren Fragen</translation>
+    </message>
+    <message>
+        <source>a text cannot show pictures. The scene is the picture; remove “![”.</source>
+        <translation>Ein Text kann keine Bilder zeigen. Die Szene ist das Bild; entferne „![“.</translation>
+    </message>
+    <message>
+        <source>the scene of the step, as the window saves it</source>
+        <translation>die Szene des Schritts, wie das Fenster sie sichert</translation>
+    </message>
+    <message>
+        <source>the texts of the step</source>
+        <translation>die Texte des Schritts</translation>
+    </message>
+    <message>
+        <source>%1: the scene is one of the lesson %2, which is not built in. Use a scene of the sandbox or of a lesson of the program.</source>
+        <translation>%1: Die Szene gehört zur Lektion %2, die nicht eingebaut ist. Nimm eine Szene des Sandkastens oder einer Lektion des Programms.</translation>
+    </message>
+    <message>
+        <source>%1: a listing computes this scene. Choose a method in the window, and write the listing into %2.code.</source>
+        <translation>%1: Ein Listing berechnet diese Szene. Wähle im Fenster eine Methode, und schreib das Listing in %2.code.</translation>
+    </message>
+    <message>
+        <source>%1: a step has at most %2 things to try, predictions and tasks, and a thing to try as many conditions and drags.</source>
+        <translation>%1: Ein Schritt hat höchstens %2 Versuche, Vorhersagen und Aufgaben, und ein Versuch ebenso viele Bedingungen und Züge mit der Maus.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonPackageText</name>
+    <message>
+        <source>%1: the file could not be read: %2.</source>
+        <translation>%1: Die Datei ließ sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 MiB, the maximum for a lesson.</source>
+        <translation>%1: Die Datei ist größer als %2 MiB, das Höchste für eine Lektion.</translation>
+    </message>
+    <message>
+        <source>%1 is a link or a device. Put the file itself there.</source>
+        <translation>%1 ist eine Verknüpfung oder ein Gerät. Leg die Datei selbst dorthin.</translation>
+    </message>
+    <message>
+        <source>%1: a lesson has at most %2 files, with %3 MiB in all of them.</source>
+        <translation>%1: Eine Lektion hat höchstens %2 Dateien mit zusammen %3 MiB.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such folder or file; check its name.</source>
+        <translation>%1: Diesen Ordner oder diese Datei gibt es nicht; prüf den Namen.</translation>
+    </message>
+    <message>
+        <source>%1: there is no lesson.json, which describes the lesson. Choose the folder that has it, or write it.</source>
+        <translation>%1: Es gibt keine lesson.json, die die Lektion beschreibt. Wähle den Ordner, der sie hat, oder schreib sie.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+</context>
+<context>
     <name>LessonPluginText</name>
     <message>
         <source>It is not a lesson that can be used: %1.</source>
@@ -2623,6 +2902,182 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>its questions could not be read (%1)</source>
         <translation>ihre Fragen konnten nicht gelesen werden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>LessonStepText</name>
+    <message>
+        <source>%1 stands for a number, and this condition does not compare one. Write a comparison with the number on its left, or a sentence without %1.</source>
+        <translation>%1 steht für eine Zahl, und diese Bedingung vergleicht keine. Schreib einen Vergleich mit der Zahl auf der linken Seite, oder einen Satz ohne %1.</translation>
+    </message>
+    <message>
+        <source>nothing says when the thing to try “%1” is done. Write a “### Done when” with a list, as in “- pulled: released(%2)”.</source>
+        <translation>Nichts sagt, wann der Versuch „%1“ getan ist. Schreib ein „### Done when“ mit einer Liste, etwa „- pulled: released(%2)“.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonWriterText</name>
+    <message>
+        <source>## Try {#pull}
+
+Pull **%1** aside, and let go of it. What does it do?
+
+### Hint
+
+Press **Space**. Hold the mouse button on %1, move the mouse, and let go.
+
+### Answer
+
+Write here what one can see then.
+
+### Done when
+
+- begun: held(%1) or released(%1)
+- let_go: released(%1)
+
+### Missing
+
+- let_go: let go of it.
+
+### Solution
+
+- drag %1: %2, %3, 10
+- frames: 30
+
+</source>
+        <translation>## Try {#pull}
+
+Zieh **%1** zur Seite und lass los. Was tut es?
+
+### Hint
+
+Drück die **Leertaste**. Halte die Maustaste auf %1, beweg die Maus und lass los.
+
+### Answer
+
+Schreib hier, was man dann sieht.
+
+### Done when
+
+- begun: held(%1) or released(%1)
+- let_go: released(%1)
+
+### Missing
+
+- let_go: lass es los.
+
+### Solution
+
+- drag %1: %2, %3, 10
+- frames: 30
+
+</translation>
+    </message>
+    <message>
+        <source>## Predict {#where}
+
+Nobody touches anything. Where is %1 after 60 frames? Click the place.
+
+### Run
+
+- frames: 60
+
+### Ask
+
+- place: %1
+
+### Answer
+
+Write here why it is there.
+
+</source>
+        <translation>## Predict {#where}
+
+Niemand berührt etwas. Wo ist %1 nach 60 Bildern? Klick auf die Stelle.
+
+### Run
+
+- frames: 60
+
+### Ask
+
+- place: %1
+
+### Answer
+
+Schreib hier, warum es dort ist.
+
+</translation>
+    </message>
+    <message>
+        <source># The title of the step
+
+Write here what a learner should look at, why it is so, and the rule to keep. Save this file, and the window shows what you wrote.
+
+Below are parts that a step can have. Change them, copy them, or remove them.
+
+</source>
+        <translation># Der Titel des Schritts
+
+Schreib hier, worauf man achten soll, warum es so ist, und welche Regel man sich merkt. Sichere diese Datei, und das Fenster zeigt, was du geschrieben hast.
+
+Darunter stehen Teile, die ein Schritt haben kann. Ändere sie, kopier sie oder entferne sie.
+
+</translation>
+    </message>
+    <message>
+        <source>## Word: Step
+
+Forms: none
+
+A word that the text uses, in one sentence.
+
+## Why: Why is it so?
+
+Write here a question that learners ask, and the answer.
+
+## Learnt
+
+Write here in one sentence what a learner knows now.
+</source>
+        <translation>## Word: Schritt
+
+Forms: none
+
+Ein Wort, das der Text verwendet, in einem Satz.
+
+## Why: Warum ist das so?
+
+Schreib hier eine Frage, die sich stellt, und die Antwort.
+
+## Learnt
+
+Schreib hier in einem Satz, was man jetzt weiß.
+</translation>
+    </message>
+    <message>
+        <source>My lesson</source>
+        <translation>Meine Lektion</translation>
+    </message>
+    <message>
+        <source>What it is about, in one sentence.</source>
+        <translation>Worum es geht, in einem Satz.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+    <message>
+        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program. Open one first.</source>
+        <translation>Eine neue Lektion beginnt mit einer Szene des Sandkastens oder einer Lektion des Programms. Öffne zuerst eine.</translation>
+    </message>
+    <message>
+        <source>%1 is not empty. Choose a new folder for the lesson.</source>
+        <translation>%1 ist nicht leer. Wähle einen neuen Ordner für die Lektion.</translation>
+    </message>
+    <message>
+        <source>%1: the folder could not be made. Choose another place.</source>
+        <translation>%1: Der Ordner ließ sich nicht anlegen. Wähle einen anderen Ort.</translation>
     </message>
 </context>
 <context>
@@ -3264,6 +3719,41 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>MapTableText</name>
+    <message>
+        <source>step [frames]</source>
+        <translation>Zeitschritt [Bilder]</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>still moving</source>
+        <translation>bewegt sich noch</translation>
+    </message>
+    <message>
+        <source>grows</source>
+        <translation>wächst</translation>
+    </message>
+    <message>
+        <source>cannot be computed</source>
+        <translation>nicht zu berechnen</translation>
+    </message>
+    <message>
+        <source>growth [a frame]</source>
+        <translation>Wachstum [pro Bild]</translation>
+    </message>
+    <message>
+        <source>time to rest [frames]</source>
+        <translation>Zeit bis zur Ruhe [Bilder]</translation>
+    </message>
+    <message>
+        <source>outcome</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
@@ -3288,6 +3778,241 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+</context>
+<context>
+    <name>NotebookCheckText</name>
+    <message>
+        <source>Its run takes more than %1 s to replay.</source>
+        <translation>Sein Lauf braucht zum Nachspielen mehr als %1 s.</translation>
+    </message>
+    <message>
+        <source>It was ticked by a version that kept no runs.</source>
+        <translation>Es wurde in einer Version abgehakt, die keine Läufe aufhob.</translation>
+    </message>
+    <message>
+        <source>Its run is of another step.</source>
+        <translation>Sein Lauf gehört zu einem anderen Schritt.</translation>
+    </message>
+    <message>
+        <source>At frame %1 its run does not do it.</source>
+        <translation>Bei Bild %1 leistet sein Lauf das nicht.</translation>
+    </message>
+    <message>
+        <source>Still to do: %1</source>
+        <translation>Noch zu tun: %1</translation>
+    </message>
+    <message>
+        <source>Its answer cannot be read.</source>
+        <translation>Seine Antwort ist nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>The notebook counts “%1” as %2, but the run gives “%3”.</source>
+        <translation>Das Heft zählt „%1“ als %2, aber der Lauf ergibt „%3“.</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>not right</source>
+        <translation>nicht richtig</translation>
+    </message>
+    <message>
+        <source>The notebook says that the run gives “%1”, but it gives “%2”.</source>
+        <translation>Laut Heft ergibt der Lauf „%1“, er ergibt aber „%2“.</translation>
+    </message>
+    <message>
+        <source>“%1” was said; it is “%2”.</source>
+        <translation>Gesagt wurde „%1“; es ist „%2“.</translation>
+    </message>
+</context>
+<context>
+    <name>NotebookFileText</name>
+    <message>
+        <source>the file</source>
+        <translation>die Datei</translation>
+    </message>
+    <message>
+        <source>this is not a notebook: its &quot;format&quot; is %1, and this program reads %2.</source>
+        <translation>das ist kein Heft: sein &quot;format&quot; ist %1, und dieses Programm liest %2.</translation>
+    </message>
+    <message>
+        <source>the seal of the file</source>
+        <translation>das Siegel der Datei</translation>
+    </message>
+    <message>
+        <source>&quot;name&quot; has %1 letters; it can have up to %2.</source>
+        <translation>&quot;name&quot; hat %1 Buchstaben; möglich sind bis zu %2.</translation>
+    </message>
+    <message>
+        <source>a list of what was done</source>
+        <translation>eine Liste dessen, was gemacht wurde</translation>
+    </message>
+    <message>
+        <source>&quot;entries&quot; has %1 entries; it can have up to %2.</source>
+        <translation>&quot;entries&quot; hat %1 Einträge; möglich sind bis zu %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not a time; write it as 2026-01-31T12:00:00Z.</source>
+        <translation>&quot;%1&quot; ist keine Zeit; schreib sie wie 2026-01-31T12:00:00Z.</translation>
+    </message>
+    <message>
+        <source>an entry</source>
+        <translation>ein Eintrag</translation>
+    </message>
+    <message>
+        <source>the id of what was done</source>
+        <translation>die Kennung dessen, was gemacht wurde</translation>
+    </message>
+    <message>
+        <source>the id of a step</source>
+        <translation>die Kennung eines Schritts</translation>
+    </message>
+    <message>
+        <source>the answer</source>
+        <translation>die Antwort</translation>
+    </message>
+    <message>
+        <source>what the run showed</source>
+        <translation>was der Lauf zeigte</translation>
+    </message>
+    <message>
+        <source>&quot;kind&quot; is %1; it can be %2.</source>
+        <translation>&quot;kind&quot; ist %1; möglich ist %2.</translation>
+    </message>
+    <message>
+        <source>the runs are larger than %1 MiB together, the maximum for a notebook.</source>
+        <translation>die Läufe sind zusammen größer als %1 MiB, das Höchstmaß für ein Heft.</translation>
+    </message>
+    <message>
+        <source>the run of %1 is damaged, or larger than %2 MiB; ask for the notebook again.</source>
+        <translation>der Lauf von %1 ist beschädigt oder größer als %2 MiB; bitte noch einmal um das Heft.</translation>
+    </message>
+    <message>
+        <source>there is no %1 called %2 in %3; the notebook may be from another version of the lesson.</source>
+        <translation>in %3 gibt es kein „%1“ namens %2; das Heft stammt vielleicht aus einer anderen Version der Lektion.</translation>
+    </message>
+    <message>
+        <source>%1 is there twice; ask for the notebook again.</source>
+        <translation>%1 steht zweimal da; bitte noch einmal um das Heft.</translation>
+    </message>
+    <message>
+        <source>%1: this is a folder; give the file of a notebook.</source>
+        <translation>%1: Das ist ein Ordner; gib die Datei eines Hefts an.</translation>
+    </message>
+    <message>
+        <source>%1: there is no such file; check its name and folder.</source>
+        <translation>%1: Diese Datei gibt es nicht; prüfe Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be read: %2.</source>
+        <translation>%1: Die Datei ließ sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 MiB, the maximum for a notebook.</source>
+        <translation>%1: Die Datei ist größer als %2 MiB, das Höchstmaß für ein Heft.</translation>
+    </message>
+    <message>
+        <source>%1: this is not a notebook; a notebook is text in UTF-8.</source>
+        <translation>%1: Das ist kein Heft; ein Heft ist Text in UTF-8.</translation>
+    </message>
+    <message>
+        <source>The notebook would be too large. Choose fewer lessons, or leave out the gallery.</source>
+        <translation>Das Heft würde zu groß. Wähle weniger Lektionen oder lass die Galerie weg.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be written: %2. Check the folder.</source>
+        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Prüfe den Ordner.</translation>
+    </message>
+</context>
+<context>
+    <name>NotebookPageText</name>
+    <message>
+        <source>Notebook</source>
+        <translation>Heft</translation>
+    </message>
+    <message>
+        <source>Notebook of %1</source>
+        <translation>Heft von %1</translation>
+    </message>
+    <message>
+        <source>Springstep, %1</source>
+        <translation>Springstep, %1</translation>
+    </message>
+    <message>
+        <source>Nothing is done yet.</source>
+        <translation>Noch ist nichts gemacht.</translation>
+    </message>
+    <message>
+        <source>Project: %1</source>
+        <translation>Projekt: %1</translation>
+    </message>
+    <message>
+        <source>Built and kept</source>
+        <translation>Gebaut und behalten</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>The scene at that moment</source>
+        <translation>Die Szene in diesem Augenblick</translation>
+    </message>
+</context>
+<context>
+    <name>NotebookReportText</name>
+    <message>
+        <source>%1 of %2 are shown by their runs.</source>
+        <translation>%1 von %2 sind durch ihre Läufe belegt.</translation>
+    </message>
+    <message>
+        <source>The file was changed after it was written.</source>
+        <translation>Die Datei wurde nach dem Schreiben verändert.</translation>
+    </message>
+    <message>
+        <source>Nothing is in it.</source>
+        <translation>Es enthält nichts.</translation>
+    </message>
+</context>
+<context>
+    <name>NotebookText</name>
+    <message>
+        <source>%1: %2 of %3</source>
+        <translation>%1: %2 von %3</translation>
+    </message>
+    <message>
+        <source>%1 of %2 notebooks could not be read.</source>
+        <translation>%1 von %2 Heften ließen sich nicht lesen.</translation>
+    </message>
+    <message>
+        <source>Stopped before every notebook was checked.</source>
+        <translation>Angehalten, bevor jedes Heft geprüft war.</translation>
+    </message>
+    <message>
+        <source>notebook page takes FILE OUT; see springstep notebook --help.</source>
+        <translation>notebook page nimmt FILE OUT; siehe springstep notebook --help.</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a page; it can end in .html or .pdf.</source>
+        <translation>%1 ist kein Name einer Seite; er kann auf .html oder .pdf enden.</translation>
+    </message>
+    <message>
+        <source>--lessons: %1</source>
+        <translation>--lessons: %1</translation>
+    </message>
+    <message>
+        <source>notebook write takes FILE; see springstep notebook --help.</source>
+        <translation>notebook write nimmt FILE; siehe springstep notebook --help.</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a notebook; it ends in %2.</source>
+        <translation>%1 ist kein Name eines Hefts; er endet auf %2.</translation>
+    </message>
+    <message>
+        <source>notebook cannot %1; it can &quot;check&quot;, &quot;page&quot; or &quot;write&quot;.</source>
+        <translation>notebook kann nicht %1; es kann &quot;check&quot;, &quot;page&quot; oder &quot;write&quot;.</translation>
     </message>
 </context>
 <context>
@@ -3357,20 +4082,24 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 <context>
     <name>PredictionText</name>
     <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
         <source>frames</source>
         <translation>Bilder</translation>
     </message>
     <message>
         <source>exactly as you said</source>
-        <translation>genau wie du gesagt hast</translation>
+        <translation>genau so, wie du es gesagt hast</translation>
     </message>
     <message>
-        <source>you said %1 too much</source>
-        <translation>du hast %1 zu viel gesagt</translation>
+        <source>your number is %1 too high</source>
+        <translation>deine Zahl ist um %1 zu hoch</translation>
     </message>
     <message>
-        <source>you said %1 too little</source>
-        <translation>du hast %1 zu wenig gesagt</translation>
+        <source>your number is %1 too low</source>
+        <translation>deine Zahl ist um %1 zu niedrig</translation>
     </message>
     <message>
         <source>%1, %2</source>
@@ -4064,6 +4793,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>Saved as %1.</source>
         <translation>Gespeichert als %1.</translation>
     </message>
+    <message>
+        <source>Could not write the handout: %1</source>
+        <translation>Das Arbeitsblatt konnte nicht geschrieben werden: %1</translation>
+    </message>
 </context>
 <context>
     <name>SceneOverlay</name>
@@ -4083,8 +4816,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>--mode ist %1; möglich ist &quot;learn&quot; oder &quot;measure&quot;.</translation>
     </message>
     <message>
-        <source>--stability is %1; it can be &quot;gauge&quot;, &quot;reasons&quot;, or a map: &quot;step&quot; or &quot;damping&quot;.</source>
-        <translation>--stability ist %1; möglich ist &quot;gauge&quot;, &quot;reasons&quot; oder eine Karte: &quot;step&quot; oder &quot;damping&quot;.</translation>
+        <source>--stability is %1; it can be &quot;gauge&quot;, &quot;reasons&quot;, or a map: &quot;step&quot;, &quot;damping&quot; or &quot;rest&quot;.</source>
+        <translation>--stability ist %1; möglich ist &quot;gauge&quot;, &quot;reasons&quot; oder eine Karte: &quot;step&quot;, &quot;damping&quot; oder &quot;rest&quot;.</translation>
     </message>
     <message>
         <source>%1 is not a step; name it as LESSON/STEP, as &quot;springstep lessons&quot; lists them.</source>
@@ -4605,16 +5338,16 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Zeigt die Diagramme.</translation>
     </message>
     <message>
-        <source>gauge, reasons, or a map: step or damping.</source>
-        <translation>gauge, reasons oder eine Karte: step oder damping.</translation>
+        <source>gauge, reasons, or a map: step, damping or rest.</source>
+        <translation>gauge, reasons oder eine Karte: step, damping oder rest.</translation>
     </message>
     <message>
-        <source>Makes a film of the run of an experiment: a WebM video, an animated GIF, or a PNG for each frame.</source>
-        <translation>Macht aus dem Lauf eines Experiments einen Film: ein WebM-Video, ein animiertes GIF oder ein PNG für jedes Bild.</translation>
+        <source>Makes a film of the run of an experiment: a WebM video, an animated GIF, a PNG for each frame, or a web page that plays it.</source>
+        <translation>Macht aus dem Lauf eines Experiments einen Film: ein WebM-Video, ein animiertes GIF, ein PNG für jedes Bild oder eine Webseite, die ihn abspielt.</translation>
     </message>
     <message>
-        <source>The film: OUT.webm, OUT.gif, or OUT_%04d.png, where %04d stands for the number of the frame.</source>
-        <translation>Der Film: OUT.webm, OUT.gif oder OUT_%04d.png, wobei %04d für die Nummer des Bildes steht.</translation>
+        <source>The film: OUT.webm, OUT.gif, OUT.html, or OUT_%04d.png, where %04d stands for the number of the frame.</source>
+        <translation>Der Film: OUT.webm, OUT.gif, OUT.html oder OUT_%04d.png, wobei %04d für die Nummer des Bildes steht.</translation>
     </message>
     <message>
         <source>The first frame.</source>
@@ -4625,8 +5358,56 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Das letzte Bild (Vorgabe: die Bilderzahl der Datei).</translation>
     </message>
     <message>
-        <source>Frames per second, up to 50 in a GIF and 120 in a video (default 30). Not for PNG files.</source>
-        <translation>Bilder pro Sekunde, bis 50 in einem GIF und bis 120 in einem Video (Vorgabe 30). Nicht für PNG-Dateien.</translation>
+        <source>Frames per second, up to 50 in a GIF and 120 otherwise (default 30). Not for PNG files.</source>
+        <translation>Bilder pro Sekunde, bis 50 in einem GIF und sonst bis 120 (Vorgabe 30). Nicht für PNG-Dateien.</translation>
+    </message>
+    <message>
+        <source>Checks notebooks by replaying every run, makes a page of one, or writes your own. The exit code is 1 if a run does not show what its notebook says.</source>
+        <translation>Prüft Hefte, indem es jeden Lauf nachspielt, macht aus einem eine Seite oder schreibt dein eigenes. Der Rückgabewert ist 1, wenn ein Lauf nicht zeigt, was sein Heft sagt.</translation>
+    </message>
+    <message>
+        <source>check FILE..., page FILE OUT.html, page FILE OUT.pdf, or write OUT.springstep-notebook.</source>
+        <translation>check FILE..., page FILE OUT.html, page FILE OUT.pdf oder write OUT.springstep-notebook.</translation>
+    </message>
+    <message>
+        <source>The notebooks, or the notebook and the page to write.</source>
+        <translation>Die Hefte, oder das Heft und die Seite, die geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>Prints the result as CSV.</source>
+        <translation>Gibt das Ergebnis als CSV aus.</translation>
+    </message>
+    <message>
+        <source>The name to write into the notebook.</source>
+        <translation>Der Name, der ins Heft kommt.</translation>
+    </message>
+    <message>
+        <source>The lessons to write (default: all).</source>
+        <translation>Die Lektionen, die hineinkommen (Vorgabe: alle).</translation>
+    </message>
+    <message>
+        <source>Checks a lesson of your own, and plays the solution of each thing to try. The exit code is 1 if one does not do what it should.</source>
+        <translation>Prüft eine eigene Lektion und spielt die Lösung jedes Versuchs. Der Rückgabewert ist 1, wenn eine nicht tut, was sie soll.</translation>
+    </message>
+    <message>
+        <source>The folder of the lesson, or its zip.</source>
+        <translation>Der Ordner der Lektion, oder ihr Zip.</translation>
+    </message>
+    <message>
+        <source>Writes a lesson on paper: its texts, pictures and questions with lines to write on, and the answers on pages of their own.</source>
+        <translation>Schreibt eine Lektion auf Papier: ihre Texte, Bilder und Fragen mit Zeilen zum Schreiben und die Antworten auf eigenen Seiten.</translation>
+    </message>
+    <message>
+        <source>A lesson, or the folder or the zip of one.</source>
+        <translation>Eine Lektion oder ihr Ordner oder ihr Zip.</translation>
+    </message>
+    <message>
+        <source>The PDF to write.</source>
+        <translation>Das PDF, das geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>en or de (default: that of the system).</source>
+        <translation>en oder de (Vorgabe: die des Systems).</translation>
     </message>
 </context>
 <context>
@@ -4686,6 +5467,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>&amp;Stability of the step</source>
         <translation>&amp;Stabilität des Zeitschritts</translation>
+    </message>
+    <message>
+        <source>Map of the time to rest</source>
+        <translation>Karte der Zeit bis zur Ruhe</translation>
+    </message>
+    <message>
+        <source>How many frames the run takes to come to rest, for each stiffness and damping</source>
+        <translation>Nach wie vielen Bildern der Lauf in Ruhe ist, für jede Steifigkeit und jede Dämpfung</translation>
     </message>
     <message>
         <source>&amp;Unlock: panels can be moved</source>
@@ -4781,10 +5570,274 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>WebPageCliText</name>
+    <message>
+        <source>--%1 is for films; a web page has the size and the colours of its reader&apos;s browser. Leave it out.</source>
+        <translation>--%1 ist für Filme; eine Webseite hat die Größe und die Farben des Browsers, der sie zeigt. Lass es weg.</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>Setting up the run</source>
+        <translation>Der Lauf wird vorbereitet</translation>
+    </message>
+    <message>
+        <source>Stopped at frame %1 of %2.</source>
+        <translation>Bei Bild %1 von %2 angehalten.</translation>
+    </message>
+</context>
+<context>
+    <name>WebPageText</name>
+    <message>
+        <source>A web page has room for %1 frames of this scene, and this would be %2. Choose fewer frames.</source>
+        <translation>Eine Webseite hat Platz für %1 Bilder dieser Szene, und das wären %2. Wähle weniger Bilder.</translation>
+    </message>
+    <message>
+        <source>The last frame, %1, comes before the first, %2. Swap them.</source>
+        <translation>Das letzte Bild, %1, kommt vor dem ersten, %2. Vertausche sie.</translation>
+    </message>
+    <message>
+        <source>The bodies of %1 frames do not fit on a web page. Choose fewer frames.</source>
+        <translation>Die Körper von %1 Bildern passen nicht auf eine Webseite. Wähle weniger Bilder.</translation>
+    </message>
+    <message>
+        <source>The run does not reach frame %1: it stops at frame %2. Begin the page earlier.</source>
+        <translation>Der Lauf kommt nicht bis Bild %1: Er endet bei Bild %2. Beginne die Seite früher.</translation>
+    </message>
+</context>
+<context>
+    <name>WebPageWords</name>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>One frame back</source>
+        <translation>Ein Bild zurück</translation>
+    </message>
+    <message>
+        <source>One frame forward</source>
+        <translation>Ein Bild vor</translation>
+    </message>
+    <message>
+        <source>To the start</source>
+        <translation>Zum Anfang</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>Fit the scene</source>
+        <translation>Szene einpassen</translation>
+    </message>
+    <message>
+        <source>Trails</source>
+        <translation>Spuren</translation>
+    </message>
+    <message>
+        <source>Light colours</source>
+        <translation>Helle Farben</translation>
+    </message>
+    <message>
+        <source>Dark colours</source>
+        <translation>Dunkle Farben</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>%1 at (%2, %3)</source>
+        <translation>%1 bei (%2, %3)</translation>
+    </message>
+    <message>
+        <source>About this step</source>
+        <translation>Über diesen Schritt</translation>
+    </message>
+    <message>
+        <source>Listing</source>
+        <translation>Listing</translation>
+    </message>
+    <message>
+        <source>Beside each line: the values that this frame has set</source>
+        <translation>Neben jeder Zeile: die Werte, die dieses Bild gesetzt hat</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>time, frames</source>
+        <translation>Zeit, Bilder</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Left, Right</source>
+        <translation>Links, Rechts</translation>
+    </message>
+    <message>
+        <source>Home, End</source>
+        <translation>Pos1, Ende</translation>
+    </message>
+    <message>
+        <source>Shift with arrows, or drag</source>
+        <translation>Umschalt mit Pfeiltasten, oder ziehen</translation>
+    </message>
+    <message>
+        <source>Mouse wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>play or pause</source>
+        <translation>abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>one frame back or forward; with Ctrl, ten</source>
+        <translation>ein Bild zurück oder vor; mit Strg zehn</translation>
+    </message>
+    <message>
+        <source>first or last frame</source>
+        <translation>erstes oder letztes Bild</translation>
+    </message>
+    <message>
+        <source>move the view</source>
+        <translation>die Ansicht verschieben</translation>
+    </message>
+    <message>
+        <source>zoom</source>
+        <translation>vergrößern oder verkleinern</translation>
+    </message>
+    <message>
+        <source>light or dark colours</source>
+        <translation>helle oder dunkle Farben</translation>
+    </message>
+    <message>
+        <source>Made with Springstep</source>
+        <translation>Mit Springstep gemacht</translation>
+    </message>
+    <message>
+        <source>The run needs JavaScript. Allow it in this browser, and load the page again.</source>
+        <translation>Der Lauf braucht JavaScript. Erlaube es in diesem Browser, und lade die Seite neu.</translation>
+    </message>
+    <message>
+        <source>This browser is too old to show the run. Use one from 2023 or later.</source>
+        <translation>Dieser Browser ist zu alt für den Lauf. Nimm einen von 2023 oder später.</translation>
+    </message>
+    <message>
+        <source>The run on this page cannot be read: the file is damaged. Ask for it again.</source>
+        <translation>Der Lauf auf dieser Seite ist nicht lesbar: Die Datei ist beschädigt. Lass sie dir noch einmal geben.</translation>
+    </message>
+</context>
+<context>
     <name>WebmFileText</name>
     <message>
         <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
         <translation>%1 ließ sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+    </message>
+</context>
+<context>
+    <name>ZipText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>the zip is damaged. Get it again, or make a new zip of the folder.</source>
+        <translation>Das Zip ist beschädigt. Hol es noch einmal, oder mach ein neues Zip des Ordners.</translation>
+    </message>
+    <message>
+        <source>this is not a zip, or its end is missing. Get it again.</source>
+        <translation>Das ist kein Zip, oder sein Ende fehlt. Hol es noch einmal.</translation>
+    </message>
+    <message>
+        <source>%1 is in a folder. All files of a lesson are side by side.</source>
+        <translation>%1 liegt in einem Ordner. Alle Dateien einer Lektion liegen nebeneinander.</translation>
+    </message>
+    <message>
+        <source>%1 is there twice. Make a new zip of the folder.</source>
+        <translation>%1 ist doppelt da. Mach ein neues Zip des Ordners.</translation>
+    </message>
+    <message>
+        <source>the zip has several parts, or is too large for a lesson.</source>
+        <translation>Das Zip hat mehrere Teile oder ist zu groß für eine Lektion.</translation>
+    </message>
+    <message>
+        <source>the zip has more than %1 files.</source>
+        <translation>Das Zip hat mehr als %1 Dateien.</translation>
+    </message>
+    <message>
+        <source>the files are larger than %1 MiB together.</source>
+        <translation>Die Dateien sind zusammen größer als %1 MiB.</translation>
+    </message>
+    <message>
+        <source>the name of a file is not UTF-8. Give it a name without accents.</source>
+        <translation>Der Name einer Datei ist kein UTF-8. Gib ihr einen Namen ohne Akzente und Umlaute.</translation>
+    </message>
+    <message>
+        <source>%1 leads out of the lesson. This zip is not safe; nothing was read.</source>
+        <translation>%1 führt aus der Lektion hinaus. Dieses Zip ist nicht sicher; nichts wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 is a link. Put the file itself into the zip.</source>
+        <translation>%1 ist eine Verknüpfung. Leg die Datei selbst in das Zip.</translation>
+    </message>
+    <message>
+        <source>%1 has a password. Make a zip without one.</source>
+        <translation>%1 hat ein Passwort. Mach ein Zip ohne Passwort.</translation>
+    </message>
+    <message>
+        <source>%1 is packed in a way that this program cannot read. Make a usual zip.</source>
+        <translation>%1 ist auf eine Art gepackt, die dieses Programm nicht lesen kann. Mach ein gewöhnliches Zip.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than %2 MiB.</source>
+        <translation>%1 ist größer als %2 MiB.</translation>
+    </message>
+    <message>
+        <source>the zip is empty.</source>
+        <translation>Das Zip ist leer.</translation>
+    </message>
+    <message>
+        <source>%1 is larger than the zip says. This zip is not safe; nothing was read.</source>
+        <translation>%1 ist größer, als das Zip sagt. Dieses Zip ist nicht sicher; nichts wurde gelesen.</translation>
     </message>
 </context>
 <context>
@@ -4812,6 +5865,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>films as GIF</source>
         <translation>Filme als GIF</translation>
+    </message>
+    <message>
+        <source>running your code</source>
+        <translation>Ausführen deines Codes</translation>
+    </message>
+    <message>
+        <source>films as video</source>
+        <translation>Filme als Video</translation>
     </message>
     <message>
         <source>experiments as short text</source>
@@ -5088,11 +6149,11 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>Stops the run as soon as this is true, even inside a frame.
 You can use x, y, vx, vy of bodies, frame, phase, and all parameters;
-+ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt(), distance(a, b), speed(a).
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt(), distance(a, b), speed(a), still(a), held(a), released(a).
 Press Enter to add it.</source>
         <translation>Hält den Lauf an, sobald das wahr ist, auch innerhalb eines Bildes.
 Du kannst x, y, vx, vy von Körpern, frame, phase und alle Parameter verwenden;
-+ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt(), distance(a, b), speed(a).
++ - * / ( ), &lt; &lt;= &gt; &gt;= == !=, and, or, not, abs(), sqrt(), distance(a, b), speed(a), still(a), held(a), released(a).
 Drück Eingabe, um es hinzuzufügen.</translation>
     </message>
     <message>
@@ -5945,12 +7006,16 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Ohne Speichern weiter: Deine Änderungen gehen verloren</translation>
     </message>
     <message>
-        <source>Open an experiment</source>
-        <translation>Experiment öffnen</translation>
+        <source>Open an experiment or a lesson</source>
+        <translation>Experiment oder Lektion öffnen</translation>
     </message>
     <message>
-        <source>Experiments (*.json)</source>
-        <translation>Experimente (*.json)</translation>
+        <source>Experiments and lessons (*.springstep *.json *%1)</source>
+        <translation>Experimente und Lektionen (*.springstep *.json *%1)</translation>
+    </message>
+    <message>
+        <source>Experiments (*.springstep *.json)</source>
+        <translation>Experimente (*.springstep *.json)</translation>
     </message>
     <message>
         <source>Save the experiment</source>
@@ -6433,40 +7498,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Karte des Wachstums</translation>
     </message>
     <message>
-        <source>a step of %1&#x2009;frames</source>
-        <translation>ein Zeitschritt von %1&#x2009;Bildern</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: disturbances %2</source>
-        <translation>%1: Störungen %2</translation>
-    </message>
-    <message>
-        <source>%1: stable</source>
-        <translation>%1: stabil</translation>
-    </message>
-    <message>
-        <source>a step of %1</source>
-        <translation>ein Zeitschritt von %1</translation>
-    </message>
-    <message>
-        <source>%1
-Click or press Enter to use k %2 and %3</source>
-        <translation>%1
-Ein Klick oder Eingabe setzt k %2 und %3</translation>
-    </message>
-    <message>
-        <source>The map is being computed.</source>
-        <translation>Die Karte wird berechnet.</translation>
-    </message>
-    <message>
-        <source>You are at %1. The arrow keys move over the map, and Enter uses the values at a place.</source>
-        <translation>Du bist bei %1. Die Pfeiltasten gehen über die Karte, Eingabe übernimmt die Werte eines Orts.</translation>
-    </message>
-    <message>
         <source>unstable</source>
         <translation>instabil</translation>
     </message>
@@ -6475,8 +7506,20 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>stabil</translation>
     </message>
     <message>
-        <source>you are here</source>
-        <translation>du bist hier</translation>
+        <source>disturbances %1</source>
+        <translation>Störungen %1</translation>
+    </message>
+    <message>
+        <source>a step of %1</source>
+        <translation>ein Zeitschritt von %1</translation>
+    </message>
+    <message>
+        <source>Click or press Enter to use k %1 and %2</source>
+        <translation>Ein Klick oder Eingabe setzt k %1 und %2</translation>
+    </message>
+    <message>
+        <source>stiffness k, 1/frame²</source>
+        <translation>Steifigkeit k, 1/Bild²</translation>
     </message>
     <message>
         <source>step, frames</source>
@@ -6485,10 +7528,6 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>damp, kept per frame</source>
         <translation>damp, pro Bild behalten</translation>
-    </message>
-    <message>
-        <source>stiffness k, 1/frame²</source>
-        <translation>Steifigkeit k, 1/Bild²</translation>
     </message>
     <message>
         <source>×10 a frame</source>
@@ -6547,6 +7586,170 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>First build: %1 of %2</source>
         <translation>Erstes Bauen: %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>app::HandInDialog</name>
+    <message>
+        <source>Hand in a notebook</source>
+        <translation>Heft abgeben</translation>
+    </message>
+    <message>
+        <source>A notebook has what you did: what you tried, predicted, wrote and built, each with its run. Your teacher can replay it. Nothing is sent: the files stay on this computer until you pass them on.</source>
+        <translation>Ein Heft enthält, was du gemacht hast: was du ausprobiert, vorhergesagt, geschrieben und gebaut hast, jeweils mit seinem Lauf. Deine Lehrkraft kann es nachspielen. Nichts wird verschickt: Die Dateien bleiben auf diesem Computer, bis du sie weitergibst.</translation>
+    </message>
+    <message>
+        <source>may stay empty</source>
+        <translation>darf leer bleiben</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>The name that stands in the notebook. Without it, the notebook names nobody</source>
+        <translation>Der Name, der im Heft steht. Ohne ihn nennt das Heft niemanden</translation>
+    </message>
+    <message>
+        <source>&amp;Name</source>
+        <translation>&amp;Name</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Space chooses a lesson, or leaves it out</source>
+        <translation>Die Leertaste wählt eine Lektion aus oder lässt sie weg</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons, and how much you did in them</source>
+        <translation>&amp;Lektionen, und wie viel du darin gemacht hast</translation>
+    </message>
+    <message>
+        <source>Also puts in the scenes that you keep in the gallery</source>
+        <translation>Legt auch die Szenen hinein, die du in der Galerie behältst</translation>
+    </message>
+    <message>
+        <source>Note&amp;book (.springstep-notebook)</source>
+        <translation>&amp;Heft (.springstep-notebook)</translation>
+    </message>
+    <message>
+        <source>A file whose runs your teacher can replay</source>
+        <translation>Eine Datei, deren Läufe deine Lehrkraft nachspielen kann</translation>
+    </message>
+    <message>
+        <source>&amp;Web page (.html)</source>
+        <translation>&amp;Webseite (.html)</translation>
+    </message>
+    <message>
+        <source>A page to read in any browser, with pictures</source>
+        <translation>Eine Seite mit Bildern, die jeder Browser zeigt</translation>
+    </message>
+    <message>
+        <source>&amp;PDF (.pdf)</source>
+        <translation>&amp;PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>The same on paper</source>
+        <translation>Dasselbe auf Papier</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Where to write, without an ending</source>
+        <translation>Wohin geschrieben wird, ohne Endung</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Auswählen …</translation>
+    </message>
+    <message>
+        <source>Choose a folder and a name</source>
+        <translation>Wähle einen Ordner und einen Namen</translation>
+    </message>
+    <message>
+        <source>F&amp;ile</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this page (Esc)</source>
+        <translation>Diese Seite schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Scenes of the &amp;gallery (%1)</source>
+        <translation>Szenen der &amp;Galerie (%1)</translation>
+    </message>
+    <message>
+        <source>Notebooks (*.springstep-notebook)</source>
+        <translation>Hefte (*.springstep-notebook)</translation>
+    </message>
+    <message>
+        <source>Wri&amp;te</source>
+        <translation>&amp;Schreiben</translation>
+    </message>
+    <message>
+        <source>Write the files</source>
+        <translation>Die Dateien schreiben</translation>
+    </message>
+    <message>
+        <source>There is nothing to hand in yet. Do a thing to try, answer a prediction, or keep a scene first.</source>
+        <translation>Es gibt noch nichts abzugeben. Probier erst etwas aus, sag etwas vorher oder behalte eine Szene.</translation>
+    </message>
+    <message>
+        <source>Choose a lesson, or the scenes of the gallery.</source>
+        <translation>Wähle eine Lektion oder die Szenen der Galerie.</translation>
+    </message>
+    <message>
+        <source>Choose what to write: the notebook, the web page or the PDF.</source>
+        <translation>Wähle, was geschrieben wird: das Heft, die Webseite oder das PDF.</translation>
+    </message>
+    <message>
+        <source>Type the name of a file.</source>
+        <translation>Gib den Namen einer Datei ein.</translation>
+    </message>
+    <message>
+        <source>This writes %1.</source>
+        <translation>Das schreibt %1.</translation>
+    </message>
+    <message>
+        <source>%1 already exists. Replace it, or choose another name.</source>
+        <translation>%1 gibt es schon. Ersetze die Datei oder wähle einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&amp;Replace</source>
+        <translation>&amp;Ersetzen</translation>
+    </message>
+    <message>
+        <source>Write the files, and overwrite those that exist</source>
+        <translation>Die Dateien schreiben und vorhandene überschreiben</translation>
+    </message>
+    <message>
+        <source>Writing…</source>
+        <translation>Schreibt …</translation>
+    </message>
+    <message>
+        <source>%1 written to %2.</source>
+        <translation>%1 steht jetzt in %2.</translation>
+    </message>
+    <message>
+        <source>Could not write: %1</source>
+        <translation>Das Schreiben ist misslungen: %1</translation>
+    </message>
+    <message>
+        <source>notebook</source>
+        <comment>name of a file</comment>
+        <translation>heft</translation>
     </message>
 </context>
 <context>
@@ -6668,6 +7871,53 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::LessonDesk</name>
+    <message>
+        <source>New &amp;lesson from this scene…</source>
+        <translation>Neue Lektion &amp;aus dieser Szene …</translation>
+    </message>
+    <message>
+        <source>Write a small lesson with this scene into a folder, to go on with an editor</source>
+        <translation>Eine kleine Lektion mit dieser Szene in einen Ordner schreiben, um in einem Editor weiterzumachen</translation>
+    </message>
+    <message>
+        <source>There is no place for lessons of your own</source>
+        <translation>Es gibt keinen Platz für eigene Lektionen</translation>
+    </message>
+    <message>
+        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program</source>
+        <translation>Eine neue Lektion beginnt mit einer Szene aus dem Sandkasten oder aus einer Lektion des Programms</translation>
+    </message>
+    <message>
+        <source>Could not open the lesson: %1</source>
+        <translation>Die Lektion ließ sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>Choose a new folder for the lesson</source>
+        <translation>Einen neuen Ordner für die Lektion wählen</translation>
+    </message>
+    <message>
+        <source>Folder of a lesson (*)</source>
+        <translation>Ordner einer Lektion (*)</translation>
+    </message>
+    <message>
+        <source>Could not begin a lesson: %1</source>
+        <translation>Die Lektion ließ sich nicht anlegen: %1</translation>
+    </message>
+    <message>
+        <source>The lesson is in %1. Write its texts in first.md: each time you save, they change here.</source>
+        <translation>Die Lektion ist in %1. Schreib ihre Texte in first.md: Mit jedem Speichern ändern sie sich hier.</translation>
+    </message>
+    <message>
+        <source>The lesson is in %1. Open its first.md in an editor: each time you save, it changes here.</source>
+        <translation>Die Lektion ist in %1. Öffne ihre first.md in einem Editor: Mit jedem Speichern ändert sie sich hier.</translation>
+    </message>
+    <message>
+        <source>Could not show the lesson: %1</source>
+        <translation>Die Lektion ließ sich nicht anzeigen: %1</translation>
+    </message>
+</context>
+<context>
     <name>app::LessonList</name>
     <message>
         <source>Lessons</source>
@@ -6691,6 +7941,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>%1, not yet done</source>
         <translation>%1, noch nicht geschafft</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>Deine</translation>
+    </message>
+    <message>
+        <source>Lessons that you opened with File &gt; Open</source>
+        <translation>Lektionen, die du mit Datei &gt; Öffnen geöffnet hast</translation>
     </message>
     <message>
         <source>1 file is not a lesson</source>
@@ -6962,6 +8220,14 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <source>These lessons have no concepts</source>
         <translation>Diese Lektionen haben keine Begriffe</translation>
     </message>
+    <message>
+        <source>%1 A web page is being made.</source>
+        <translation>%1 Gerade entsteht eine Webseite.</translation>
+    </message>
+    <message>
+        <source>Cancels the page; everything else is kept</source>
+        <translation>Bricht die Webseite ab; alles andere bleibt</translation>
+    </message>
 </context>
 <context>
     <name>app::MapPage</name>
@@ -6994,8 +8260,8 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zurück zum offenen Schritt (Esc)</translation>
     </message>
     <message>
-        <source>You know %1 of %2 concepts. Each rests on those above it that a line leads to.</source>
-        <translation>Du kennst %1 von %2 Begriffen. Jeder beruht auf denen über ihm, zu denen eine Linie führt.</translation>
+        <source>You know %1 of %2 concepts. Lines lead up from a concept to those that it rests on.</source>
+        <translation>Du kennst %1 von %2 Begriffen. Linien führen von einem Begriff nach oben zu denen, auf denen er beruht.</translation>
     </message>
     <message>
         <source>Go on: %1</source>
@@ -7032,6 +8298,33 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>Leads to: %1.</source>
         <translation>Führt zu: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::MapPlot</name>
+    <message>
+        <source>a step of %1&#x2009;frames</source>
+        <translation>ein Zeitschritt von %1&#x2009;Bildern</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>The map is being computed.</source>
+        <translation>Die Karte wird berechnet.</translation>
+    </message>
+    <message>
+        <source>You are at %1. The arrow keys move over the map, and Enter uses the values at a place.</source>
+        <translation>Du bist bei %1. Die Pfeiltasten gehen über die Karte, Eingabe übernimmt die Werte eines Orts.</translation>
+    </message>
+    <message>
+        <source>you are here</source>
+        <translation>du bist hier</translation>
     </message>
 </context>
 <context>
@@ -8750,6 +10043,71 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     </message>
 </context>
 <context>
+    <name>app::SettlingMonitor</name>
+    <message>
+        <source>Change %1 and %2</source>
+        <translation>%1 und %2 ändern</translation>
+    </message>
+</context>
+<context>
+    <name>app::SettlingPlot</name>
+    <message>
+        <source>Map of the time to rest</source>
+        <translation>Karte der Zeit bis zur Ruhe</translation>
+    </message>
+    <message numerus="yes">
+        <source>at rest after %n frames</source>
+        <translation>
+            <numerusform>nach %n Bild in Ruhe</numerusform>
+            <numerusform>nach %n Bildern in Ruhe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>still moving after %1 frames</source>
+        <translation>nach %1 Bildern noch in Bewegung</translation>
+    </message>
+    <message>
+        <source>the motion grows without bound</source>
+        <translation>die Bewegung wächst ohne Grenze</translation>
+    </message>
+    <message>
+        <source>cannot be computed</source>
+        <translation>nicht zu berechnen</translation>
+    </message>
+    <message>
+        <source>Click or press Enter to begin the run again with %1 %2 and %3 %4</source>
+        <translation>Ein Klick oder Eingabe beginnt den Lauf neu mit %1 %2 und %3 %4</translation>
+    </message>
+    <message>
+        <source>Your run from its start, with all you did: how many frames after frame %1, your last input, it is at rest.</source>
+        <translation>Dein Lauf von Anfang an, mit allem, was du getan hast: wie viele Bilder nach Bild %1, deiner letzten Eingabe, er in Ruhe ist.</translation>
+    </message>
+    <message>
+        <source>Your run from its start: after how many frames it is at rest.</source>
+        <translation>Dein Lauf von Anfang an: nach wie vielen Bildern er in Ruhe ist.</translation>
+    </message>
+    <message>
+        <source>At rest, each body stays within 1&#x2009;px of its last place, and moves less than 0.05&#x2009;px in a frame.</source>
+        <translation>In Ruhe heißt: Jeder Körper bleibt höchstens 1&#x2009;px von seinem letzten Ort entfernt und bewegt sich um weniger als 0,05&#x2009;px pro Bild.</translation>
+    </message>
+    <message>
+        <source>Input after frame %1 is left out.</source>
+        <translation>Eingaben nach Bild %1 fehlen dabei.</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>still moving</source>
+        <translation>bewegt sich</translation>
+    </message>
+    <message>
+        <source>grows</source>
+        <translation>wächst</translation>
+    </message>
+</context>
+<context>
     <name>app::SizeMenu</name>
     <message>
         <source>Si&amp;ze of text and controls</source>
@@ -8829,7 +10187,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Karte</translation>
     </message>
     <message>
-        <source>Stiffness and step</source>
+        <source>k and step</source>
         <translation>k und Zeitschritt</translation>
     </message>
     <message>
@@ -8837,7 +10195,7 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
         <translation>Zeigt, welche Steifigkeit und welcher Zeitschritt stabil sind; alles andere bleibt gleich. Noch ein Klick schließt die Karte</translation>
     </message>
     <message>
-        <source>Stiffness and damping</source>
+        <source>k and damping</source>
         <translation>k und Dämpfung</translation>
     </message>
     <message>
@@ -8863,6 +10221,18 @@ Ein Klick oder Eingabe setzt k %2 und %3</translation>
     <message>
         <source>There is no map for your code: it may compute anything, whatever the stiffness is.</source>
         <translation>Für deinen Code gibt es keine Karte: Er kann alles Mögliche berechnen, wie groß die Steifigkeit auch ist.</translation>
+    </message>
+    <message>
+        <source>Time to rest</source>
+        <translation>Zeit bis Ruhe</translation>
+    </message>
+    <message>
+        <source>Shows how many frames the run takes to come to rest, for each stiffness and damping. Click again to close</source>
+        <translation>Zeigt, nach wie vielen Bildern der Lauf in Ruhe ist, für jede Steifigkeit und jede Dämpfung. Noch ein Klick schließt die Karte</translation>
+    </message>
+    <message>
+        <source>There is no map of the time to rest for this step: it needs the stiffness k, a damping, and at most %1 points.</source>
+        <translation>Für diesen Schritt gibt es keine Karte der Zeit bis zur Ruhe: Dafür braucht er die Steifigkeit k, eine Dämpfung und höchstens %1 Punkte.</translation>
     </message>
 </context>
 <context>
@@ -9210,8 +10580,8 @@ Klicken, um bis dorthin zu laufen.</translation>
         <translation>In einem Bild</translation>
     </message>
     <message>
-        <source>**%1** runs one line of the code, and **%2** takes it back. On the code's page **Engine** they go from phase to phase: springs pull, damping takes its share, things move.</source>
-        <translation>**%1** führt eine Zeile des Codes aus, und **%2** nimmt sie zurück. Auf der Seite **Engine** des Codes gehen sie von Phase zu Phase: Federn ziehen, die Dämpfung nimmt ihren Anteil, die Dinge bewegen sich.</translation>
+        <source>**%1** runs one line of the code, and **%2** takes it back. On the code's page **Engine** they go from phase to phase: springs pull, damping slows things down, things move.</source>
+        <translation>**%1** führt eine Zeile des Codes aus, und **%2** nimmt sie zurück. Auf der Seite **Engine** des Codes gehen sie von Phase zu Phase: Federn ziehen, die Dämpfung bremst, alles bewegt sich.</translation>
     </message>
     <message>
         <source>The code that runs</source>
@@ -9355,6 +10725,89 @@ Klicken, um bis dorthin zu laufen.</translation>
     <message>
         <source>the keys</source>
         <translation>die Tasten</translation>
+    </message>
+</context>
+<context>
+    <name>app::WebPageDialog</name>
+    <message>
+        <source>Web page of the run</source>
+        <translation>Webseite des Laufs</translation>
+    </message>
+    <message>
+        <source>Progress of the web page</source>
+        <translation>Fortschritt der Webseite</translation>
+    </message>
+    <message>
+        <source>One file that plays the run in any browser, also without a network: the scene, the listing with its values, the plots that are open, and the text of the step.</source>
+        <translation>Eine Datei, die den Lauf in jedem Browser abspielt, auch ohne Netz: die Szene, das Listing mit seinen Werten, die offenen Diagramme und den Text des Schritts.</translation>
+    </message>
+    <message>
+        <source>First frame</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>The first frame of the page</source>
+        <translation>Das erste Bild der Seite</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>The last frame of the page; the run is computed up to there</source>
+        <translation>Das letzte Bild der Seite; der Lauf wird bis dahin berechnet</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>&amp;Erstes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Letztes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Save as…</source>
+        <translation>&amp;Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Choose a file, and make the page; you can use the window meanwhile</source>
+        <translation>Wähle eine Datei, und die Seite entsteht; das Fenster kannst du derweil benutzen</translation>
+    </message>
+    <message>
+        <source>Cancelled. No file was written.</source>
+        <translation>Abgebrochen. Es wurde keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 is saved, up to the frame where the run stops. %2</source>
+        <translation>%1 ist gespeichert, bis zu dem Bild, bei dem der Lauf endet. %2</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;bbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Cancel the page (Esc)</source>
+        <translation>Die Seite abbrechen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close this dialog (Esc)</source>
+        <translation>Diesen Dialog schließen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -10601,6 +12054,97 @@ auf dem Schirm (30 pro Sekunde)</translation>
     <message>
         <source>there is no key %1; there is %2.</source>
         <translation>es gibt keine Taste %1; es gibt %2.</translation>
+    </message>
+</context>
+<context>
+    <name>Handout</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Answers: %1</source>
+        <translation>Antworten: %1</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Sag voraus</translation>
+    </message>
+    <message>
+        <source>Mark the place in the picture.</source>
+        <translation>Kreuze die Stelle im Bild an.</translation>
+    </message>
+    <message>
+        <source>Try this</source>
+        <translation>Probier das</translation>
+    </message>
+    <message>
+        <source>Write it yourself: %1</source>
+        <translation>Schreib es selbst: %1</translation>
+    </message>
+    <message>
+        <source>Build: %1</source>
+        <translation>Bau: %1</translation>
+    </message>
+</context>
+<context>
+    <name>HandoutExportText</name>
+    <message>
+        <source>Handout of the lesson</source>
+        <translation>Arbeitsblatt der Lektion</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The pictures of “%1” are drawn…</source>
+        <translation>Die Bilder von „%1“ werden gezeichnet …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>HandoutCliText</name>
+    <message>
+        <source>--language is %1; it can be %2.</source>
+        <translation>--language ist %1; möglich ist %2.</translation>
+    </message>
+    <message>
+        <source>handout: %1</source>
+        <translation>handout: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a handout; it ends in .pdf.</source>
+        <translation>%1 ist kein Name für ein Arbeitsblatt; er endet auf .pdf.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pictures</source>
+        <translation>%1 von %2 Bildern</translation>
+    </message>
+    <message>
+        <source>Stopped before the handout was written.</source>
+        <translation>Abgebrochen, bevor das Arbeitsblatt geschrieben war.</translation>
+    </message>
+</context>
+<context>
+    <name>WholeFileText</name>
+    <message>
+        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Datei konnte nicht geschrieben werden: %2. Wähle einen anderen Ordner oder Namen.</translation>
+    </message>
+</context>
+<context>
+    <name>app::YourLessons</name>
+    <message>
+        <source>Could not find %1, so it is no longer among your lessons. If you moved it, open it from its new place.</source>
+        <translation>%1 war nicht zu finden und steht nicht mehr unter deinen Lektionen. Wenn du sie verschoben hast, öffne sie von dort.</translation>
     </message>
 </context>
 </TS>

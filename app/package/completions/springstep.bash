@@ -4,6 +4,10 @@ _springstep_steps() {
     springstep lessons 2>/dev/null | sed -n 's|^ *\([a-z0-9_]*/[a-z0-9_]*\): .*|\1|p'
 }
 
+_springstep_lessons() {
+    springstep lessons 2>/dev/null | sed -n 's|^[0-9]*\. \([a-z0-9_]*\): .*|\1|p'
+}
+
 _springstep_cases() {
     springstep lessons 2>/dev/null | sed -n 's/^ *case .*; one of //p' | tr -d ','
 }
@@ -38,9 +42,12 @@ _springstep_offer_value() {
     case $1 in
         --theme) _springstep_offer "light dark contrast" ;;
         --mode) _springstep_offer "learn measure" ;;
-        --stability) _springstep_offer "gauge reasons step damping" ;;
+        --stability) _springstep_offer "gauge reasons step damping rest" ;;
         --case) _springstep_offer "$(_springstep_cases)" ;;
         --svg) _springstep_offer_files svg ;;
+        --name) ;; # of a learner
+        --language) _springstep_offer "en de" ;;
+        --lessons) _springstep_offer "$(_springstep_lessons)" ;;
         --tolerance | --frames | --frame | --phase | --size | --from | --to | --fps) ;; # numbers
         *) return 1 ;;
     esac
@@ -64,8 +71,20 @@ _springstep() {
         return
     fi
     case $verb in
+        check) _springstep_offer_files 'springstep-lesson' ;;
         trace) _springstep_offer_files 'json|springstep' ;;
-        film) _springstep_offer_files 'json|springstep|webm|gif|png' ;;
+        film) _springstep_offer_files 'json|springstep|webm|gif|html|png' ;;
+        notebook)
+            if ((COMP_CWORD == 2)); then
+                _springstep_offer "check page write"
+            else
+                _springstep_offer_files 'springstep-notebook|html|pdf'
+            fi
+            ;;
+        handout)
+            _springstep_offer "$(_springstep_lessons)"
+            _springstep_offer_files 'springstep-lesson|pdf'
+            ;;
         accuracy | cost)
             _springstep_offer "$(_springstep_steps)"
             _springstep_offer_files 'json|springstep'

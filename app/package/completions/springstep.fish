@@ -4,6 +4,10 @@ function __springstep_steps
     springstep lessons 2>/dev/null | string replace -rf '^ *([a-z0-9_]+/[a-z0-9_]+): (.*)' '$1\t$2'
 end
 
+function __springstep_lessons
+    springstep lessons 2>/dev/null | string replace -rf '^[0-9]+\. ([a-z0-9_]+): .*' '$1'
+end
+
 function __springstep_cases
     springstep lessons 2>/dev/null | string replace -rf '^ *case .*; one of (.*)' '$1' | string split ', '
 end
@@ -41,11 +45,17 @@ function __springstep_values
         case --mode
             string split ' ' 'learn measure'
         case --stability
-            string split ' ' 'gauge reasons step damping'
+            string split ' ' 'gauge reasons step damping rest'
         case --case
             __springstep_cases
         case --svg
             __springstep_files svg
+        case --name
+            return 0 # of a learner
+        case --language
+            string split ' ' 'en de'
+        case --lessons
+            __springstep_lessons
         case --tolerance --frames --frame --phase --size --from --to --fps
             return 0 # numbers
         case '*'
@@ -64,13 +74,24 @@ function __springstep_words
     else if __springstep_verb_is accuracy cost
         __springstep_steps
         __springstep_files 'json|springstep'
+    else if __springstep_verb_is notebook
+        if test (count $words) -eq 2
+            string split ' ' 'check page write'
+        else
+            __springstep_files 'springstep-notebook|html|pdf'
+        end
     else if __springstep_verb_is screenshot
         __springstep_steps
         __springstep_files 'png|jpg'
+    else if __springstep_verb_is handout
+        __springstep_lessons
+        __springstep_files 'springstep-lesson|pdf'
+    else if __springstep_verb_is check
+        __springstep_files 'springstep-lesson'
     else if __springstep_verb_is trace
         __springstep_files 'json|springstep'
     else if __springstep_verb_is film
-        __springstep_files 'json|springstep|webm|gif|png'
+        __springstep_files 'json|springstep|webm|gif|html|png'
     end
 end
 

@@ -22,8 +22,11 @@ public:
     Command *saveAs;
     Command *keep;    ///< puts the experiment into the gallery
     Command *gallery; ///< shows the gallery
+    Command *handIn;  ///< writes the learner's notebook
     Command *exportPicture;
     Command *exportFilm;
+    Command *exportWebPage;
+    Command *exportHandout; ///< the lesson on paper
     Command *quit;
 };
 

@@ -87,10 +87,11 @@ BreakpointList::BreakpointList(const OpenRun &run, Playback &playback, const The
     m_error->hide();
     m_field->setObjectName("stopWhen");
     m_field->setAccessibleName(tr("Stop when"));
-    m_field->setToolTip(
-        tr("Stops the run as soon as this is true, even inside a frame.\nYou can use x, y, "
-           "vx, vy of bodies, frame, phase, and all parameters;\n+ - * / ( ), < <= > >= == "
-           "!=, and, or, not, abs(), sqrt(), distance(a, b), speed(a).\nPress Enter to add it."));
+    m_field->setToolTip(tr("Stops the run as soon as this is true, even inside a frame.\nYou can use x, y, "
+                           "vx, vy of bodies, frame, phase, and all parameters;\n+ - * / ( ), < <= > >= == "
+                           "!=, and, or, not, abs(), sqrt(), distance(a, b), speed(a), still(a), held(a), "
+                           "released(a).\nPress Enter to "
+                           "add it."));
     m_field->setAccessibleDescription(m_field->toolTip());
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

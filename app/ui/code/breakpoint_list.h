@@ -8,7 +8,6 @@
 class QLabel;
 class QLineEdit;
 class QScrollArea;
-class QVBoxLayout;
 
 namespace app {
 

@@ -3,6 +3,7 @@
 #include "app/model/film/gif_file.h"
 #include "app/model/run/run_program.h"
 #include "app/model/text/quoting.h"
+#include "app/ui/film/step_alone.h"
 
 #include <QCoreApplication>
 #include <QResizeEvent>
@@ -21,18 +22,6 @@ struct FilmText
 
 constexpr qint64 sliceMilliseconds = 15; ///< length of one piece of measuring
 constexpr int mostSamples = 24;          ///< pictures, evenly spaced, from which the film's colours are taken
-
-/// Returns a library with only the experiment's step and no tasks, so that making a film completes no task.
-LessonLibrary libraryOf(const Experiment &experiment, const LessonLibrary &library)
-{
-    const LessonEntry &lesson = *library.lesson(experiment.lesson);
-    lessons::Step step = *lesson.step(experiment.step);
-    step.tries.clear();
-    step.measures.clear();
-    LessonLibrary alone;
-    alone.lessons.push_back({lesson.id, lesson.order, lesson.title, lesson.summary, {std::move(step)}});
-    return alone;
-}
 
 /// Returns the colours that carry meaning or fill large areas. The film keeps them exactly.
 std::vector<QRgb> inksOf(const Tokens &t)
@@ -64,7 +53,7 @@ FilmPlan checked(FilmPlan plan)
 }
 
 Film::Film(const FilmPlan &plan, const LessonLibrary &library)
-    : m_plan(checked(plan)), m_library(libraryOf(plan.experiment, library)), m_session(m_library),
+    : m_plan(checked(plan)), m_library(stepAlone(plan.experiment, library)), m_session(m_library),
       m_theme(plan.scheme), m_view(m_session, m_theme)
 {
     m_view.setFixedSize(plan.size);

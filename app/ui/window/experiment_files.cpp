@@ -2,6 +2,7 @@
 
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/files/recent_files.h"
+#include "app/model/lesson_folders/lesson_package.h"
 #include "app/model/text/quoting.h"
 #include "app/ui/dialogs/ask_file.h"
 #include "app/ui/dialogs/notice.h"
@@ -47,8 +48,18 @@ bool ExperimentFiles::opens(const std::function<void()> &action)
 
 void ExperimentFiles::open(const QString &path)
 {
-    if (opens([&] { m_document.open(path); }))
+    if (isLessonPath(path))
+        emit lessonChosen(path);
+    else if (opens([&] { m_document.open(path); }))
         addRecentFile(path);
+}
+
+void ExperimentFiles::openOrAsk(const QString &path)
+{
+    if (isLessonPath(path))
+        open(path);
+    else
+        unlessLost([this, path] { open(path); });
 }
 
 bool ExperimentFiles::save(const QString &path)
@@ -82,17 +93,18 @@ void ExperimentFiles::unlessLost(const std::function<void()> &action)
 void ExperimentFiles::askOpen()
 {
     const QString path =
-        askWhatToOpen(&m_window, tr("Open an experiment"), m_document.path(), tr("Experiments (*.json)"));
+        askWhatToOpen(&m_window, tr("Open an experiment or a lesson"), m_document.path(),
+                      tr("Experiments and lessons (*.springstep *.json *%1)").arg(lessonEnding));
     if (!path.isEmpty())
-        unlessLost([this, path] { open(path); });
+        openOrAsk(path);
 }
 
 bool ExperimentFiles::askSave()
 {
     const QString path = m_document.path();
-    const QString suggestion = path.isEmpty() ? m_session.step().id + ".json" : path;
-    const QString chosen =
-        askWhereToSave(&m_window, tr("Save the experiment"), suggestion, tr("Experiments (*.json)"));
+    const QString suggestion = path.isEmpty() ? m_session.step().id + ".springstep" : path;
+    const QString chosen = askWhereToSave(&m_window, tr("Save the experiment"), suggestion,
+                                          tr("Experiments (*.springstep *.json)"));
     return !chosen.isEmpty() && save(chosen);
 }
 
@@ -133,7 +145,7 @@ void ExperimentFiles::fillRecent(QMenu &menu)
 void ExperimentFiles::openRecent(const QString &path)
 {
     if (QFileInfo::exists(path)) {
-        unlessLost([this, path] { open(path); });
+        openOrAsk(path);
         return;
     }
     dropRecentFile(path);
@@ -170,7 +182,7 @@ bool ExperimentFiles::takesDrop(QDropEvent &event)
     event.setDropAction(Qt::CopyAction);
     event.accept();
     if (event.type() == QEvent::Drop)
-        unlessLost([this, path] { open(path); });
+        openOrAsk(path);
     return true;
 }
 

@@ -26,7 +26,8 @@ public:
     Document &document() { return m_document; }
     const Document &document() const { return m_document; }
 
-    /// Opens a file. If it is invalid, the reason is shown and nothing changes.
+    /// Opens an experiment, or announces that a lesson was chosen. If a file is invalid, the reason is shown and nothing
+    /// changes.
     void open(const QString &path);
     /// Writes the run so far. Returns whether it was written; a failure is shown.
     bool save(const QString &path);
@@ -54,8 +55,12 @@ public:
     bool opens(const std::function<void()> &action);
 
 signals:
+    /// A lesson without C++ was chosen: a folder or a file.
+    void lessonChosen(const QString &path);
 
 private:
+    /// Opens a file, but asks first if unsaved changes would be lost. A lesson takes nothing away.
+    void openOrAsk(const QString &path);
     void openRecent(const QString &path);
 
     Session &m_session;

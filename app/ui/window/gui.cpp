@@ -2,9 +2,12 @@
 
 #include "app/model/analysis/settling_monitor.h"
 #include "app/model/catalog/lesson_documents.h"
+#include "app/model/files/gallery.h"
+#include "app/model/lesson_folders/your_lessons.h"
 #include "app/model/session/session.h"
 #include "app/model/text/language.h"
 #include "app/ui/effects/effects_panel.h"
+#include "app/ui/learn/lessons/lesson_desk.h"
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/settings/appearance.h"
 #include "app/ui/window/failure_notice.h"
@@ -79,6 +82,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
         retranslate(work.library, LessonLibrary::load(LessonLibrary::folders(), &language));
     }
     work.language = language.code();
+    YourLessons yours(work.library);
     Theme theme(storedScheme());
     theme.apply(application);
     LessonDocuments documents(work.library, LessonDocuments::folder());
@@ -87,6 +91,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     QObject::connect(&documents, &LessonDocuments::mistakeChanged, &window, &MainWindow::showDocumentMistake);
     if (!documents.mistake().isEmpty())
         window.showDocumentMistake(documents.mistake());
+    window.findChild<LessonDesk *>()->setLessons(yours);
     window.fitInto(window.screen()->availableSize());
     const LastStep last = LastStep::load();
     if (!from)
@@ -100,7 +105,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
         QTimer::singleShot(0, &window, &MainWindow::welcome);
     else if (last.lesson.isEmpty())
         QTimer::singleShot(0, &window, &MainWindow::showMap); // nobody has begun
-    window.keepGalleryIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/gallery");
+    window.keepGalleryIn(galleryFolder());
     window.autosaveIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();
     QApplication::processEvents(); // what the session has postponed needs this application

@@ -21,8 +21,10 @@
 #include "app/ui/effects/effects_panel.h"
 #include "app/ui/energy/energy_panel.h"
 #include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/lessons/lesson_desk.h"
 #include "app/ui/learn/step/narration.h"
 #include "app/ui/map/map_page.h"
+#include "app/ui/notebook/notebook_desk.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/plots/plot_export.h"
 #include "app/ui/plots/plots_panel.h"
@@ -275,10 +277,11 @@ void MainWindow::makeFiles()
     m_learn->setMapCommand(*m_commands.help.map);
     if (!MapPage::hasConcepts(m_session.library()))
         m_commands.help.map->setObstacle(tr("These lessons have no concepts"));
-    m_export =
-        std::make_unique<SceneExport>(m_session, m_centre->scene(), m_centre->notice(), m_theme, *this);
+    m_export = std::make_unique<SceneExport>(m_session, m_centre->scene(), *m_plots, m_centre->notice(),
+                                             m_theme, *this);
     m_gallery = std::make_unique<GalleryDesk>(m_session, m_centre->scene(), m_learn->projects(), *m_files,
                                               m_centre->notice(), m_theme, *this);
+    m_notebook = std::make_unique<NotebookDesk>(m_session, *this);
     for (Command *command : {m_commands.file.keep, m_commands.file.gallery})
         command->setObstacle(tr("There is no folder for the gallery"));
     connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::updateTitle);
@@ -303,8 +306,11 @@ void MainWindow::connectCommands()
     on(file.saveAs, [this] { m_files->askSave(); });
     on(file.keep, [this] { m_gallery->keep(); });
     on(file.gallery, [this] { m_gallery->showPage(); });
+    on(file.handIn, [this] { m_notebook->show(); });
     on(file.exportPicture, [this] { m_export->askPicture(); });
     on(file.exportFilm, [this] { m_export->showFilm(); });
+    on(file.exportWebPage, [this] { m_export->showWebPage(); });
+    on(file.exportHandout, [this] { m_export->askHandout(); });
     on(file.quit, [this] { close(); });
     on(edit.copyText, [this] { m_files->copyAsText(); });
     on(edit.pasteText, [this] { m_files->pasteText(); });
@@ -380,7 +386,11 @@ void MainWindow::makeMenus()
     connect(size, &SizeMenu::restartWanted, this, &MainWindow::restartUnlessFilming);
     new Appearance(*this, m_centre->bar(), m_centre->scene(), view, m_theme);
     const Submenus submenus{recent, &m_centre->transport().runs(), arrange, language, size};
-    setMenuWidget(new Header(makeMenuBar(m_commands, *m_sandbox, submenus, this), m_commands, m_theme, this));
+    auto *lessons =
+        new LessonDesk(m_session, m_files->document(), m_commands.list, m_centre->notice(), *this);
+    connect(m_files.get(), &ExperimentFiles::lessonChosen, lessons, &LessonDesk::open);
+    setMenuWidget(new Header(makeMenuBar(m_commands, *m_sandbox, lessons->begin(), submenus, this),
+                             m_commands, m_theme, this));
 }
 
 void MainWindow::updateTitle()
@@ -504,19 +514,24 @@ void MainWindow::autosaveIn(const QString &folder, int within)
 void MainWindow::keepGalleryIn(const QString &folder)
 {
     m_gallery->setFolder(folder);
+    m_notebook->setGallery(folder);
     for (Command *command : {m_commands.file.keep, m_commands.file.gallery})
         command->setObstacle({});
 }
 
 void MainWindow::restartUnlessFilming(const QString &sentence)
 {
-    if (!m_export->isMakingFilm()) {
+    const bool films = m_export->isMakingFilm();
+    if (!films && !m_export->isMakingWebPage()) {
         startAgain();
         return;
     }
-    m_centre->notice().ask(
-        tr("%1 A film is being made.").arg(sentence),
-        {{tr("Restart now"), tr("Cancels the film; everything else is kept"), [this] { startAgain(); }}});
+    m_centre->notice().ask(films ? tr("%1 A film is being made.").arg(sentence)
+                                 : tr("%1 A web page is being made.").arg(sentence),
+                           {{tr("Restart now"),
+                             films ? tr("Cancels the film; everything else is kept")
+                                   : tr("Cancels the page; everything else is kept"),
+                             [this] { startAgain(); }}});
 }
 
 void MainWindow::startAgain()

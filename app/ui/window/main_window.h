@@ -35,6 +35,7 @@ class HelpPages;
 class LearnPanel;
 class LeftPages;
 class MeasureSeries;
+class NotebookDesk;
 class NumbersPanel;
 class PlotsPanel;
 class RailChoice;
@@ -154,6 +155,7 @@ private:
     std::unique_ptr<ExperimentFiles> m_files;
     std::unique_ptr<RecoveryPrompt> m_recovery;
     std::unique_ptr<GalleryDesk> m_gallery;
+    std::unique_ptr<NotebookDesk> m_notebook;
     std::unique_ptr<HelpPages> m_help;
     std::unique_ptr<SceneExport> m_export;
     std::optional<Handover> m_handover;

@@ -19,7 +19,7 @@ class Menus
 public:
     explicit Menus(QMenuBar &bar) : m_bar(bar) {}
 
-    void addFile(const FileCommands &file, QMenu *recent) const
+    void addFile(const FileCommands &file, Command &newLesson, QMenu *recent) const
     {
         QMenu *menu = m_bar.addMenu(tr("&File"));
         menu->addActions({file.startNew, file.open});
@@ -28,7 +28,11 @@ public:
         menu->addSeparator();
         menu->addActions({file.save, file.saveAs});
         menu->addActions({file.keep, file.gallery});
-        menu->addMenu(tr("&Export"))->addActions({file.exportPicture, file.exportFilm});
+        menu->addSeparator();
+        menu->addActions({&newLesson, file.handIn});
+        menu->addSeparator();
+        menu->addMenu(tr("&Export"))
+            ->addActions({file.exportPicture, file.exportFilm, file.exportWebPage, file.exportHandout});
         menu->addSeparator();
         menu->addAction(file.quit);
     }
@@ -91,13 +95,13 @@ private:
 
 }
 
-QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, const Submenus &submenus,
-                      QWidget *parent)
+QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, Command &newLesson,
+                      const Submenus &submenus, QWidget *parent)
 {
     auto *bar = new QMenuBar(parent);
     bar->setNativeMenuBar(false);
     const Menus menus(*bar);
-    menus.addFile(commands.file, submenus.recentFiles);
+    menus.addFile(commands.file, newLesson, submenus.recentFiles);
     menus.addEdit(commands.edit, sandbox);
     menus.addRun(commands.run, submenus.otherRuns);
     menus.addView(commands.view, submenus);

@@ -6,6 +6,7 @@ class QWidget;
 
 namespace app {
 
+class Command;
 struct Commands;
 class SandboxCommands;
 
@@ -19,8 +20,8 @@ struct Submenus
     QMenu *size;
 };
 
-/// Returns the menu bar of the window, filled with its commands.
-QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, const Submenus &submenus,
-                      QWidget *parent);
+/// Returns the menu bar of the window, filled with its commands. `newLesson` begins a lesson.
+QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, Command &newLesson,
+                      const Submenus &submenus, QWidget *parent);
 
 }

@@ -5,7 +5,10 @@
 #include "app/ui/dialogs/ask_file.h"
 #include "app/ui/dialogs/report_errors.h"
 #include "app/ui/film/film_dialog.h"
+#include "app/ui/film/handout_export.h"
 #include "app/ui/film/picture_file.h"
+#include "app/ui/film/web_page_dialog.h"
+#include "app/ui/plots/plots_panel.h"
 #include "app/ui/scene/scene_view.h"
 
 #include <QClipboard>
@@ -14,9 +17,9 @@
 
 namespace app {
 
-SceneExport::SceneExport(Session &session, SceneView &scene, Notice &notice, const Theme &theme,
-                         QWidget &window)
-    : m_session(session), m_scene(scene), m_notice(notice), m_theme(theme), m_window(window)
+SceneExport::SceneExport(Session &session, SceneView &scene, PlotsPanel &plots, Notice &notice,
+                         const Theme &theme, QWidget &window)
+    : m_session(session), m_scene(scene), m_plots(plots), m_notice(notice), m_theme(theme), m_window(window)
 {
 }
 
@@ -43,11 +46,37 @@ bool SceneExport::savePicture(const QString &path)
     return true;
 }
 
+void SceneExport::askHandout()
+{
+    QString path;
+    if (attempt(m_notice, tr("Could not write the handout: %1"),
+                [&] { path = exportHandout(m_window, m_session.lesson(), m_session.library()); }) &&
+        !path.isEmpty())
+        m_session.showMessage(tr("Saved as %1.").arg(shownPath(QFileInfo(path).fileName())));
+}
+
 void SceneExport::showFilm()
 {
     if (!m_film)
         m_film = new FilmDialog(m_session, m_scene, m_theme, &m_window);
     m_film->offer();
+}
+
+void SceneExport::showWebPage()
+{
+    if (!m_webPage)
+        m_webPage = new WebPageDialog(m_session, &m_window);
+    std::vector<PlotSpec> plots;
+    if (m_plots.isVisible()) {
+        for (const PlotSpec &plot : m_plots.list().plots())
+            plots.push_back(pinned(plot, m_session.selected()));
+    }
+    m_webPage->offer(std::move(plots));
+}
+
+bool SceneExport::isMakingWebPage() const
+{
+    return m_webPage && m_webPage->isMaking();
 }
 
 bool SceneExport::isMakingFilm() const

@@ -10,17 +10,20 @@ namespace app {
 
 class FilmDialog;
 class Notice;
+class PlotsPanel;
 class SceneView;
 class Session;
+class WebPageDialog;
 
-/// Exports pictures and films of the scene.
+/// Exports pictures, films and web pages of the scene, and the lesson on paper.
 class SceneExport
 {
     Q_DECLARE_TR_FUNCTIONS(SceneExport)
 
 public:
     /// Dialogs belong to `window`. All arguments must outlive it.
-    SceneExport(Session &session, SceneView &scene, Notice &notice, const Theme &theme, QWidget &window);
+    SceneExport(Session &session, SceneView &scene, PlotsPanel &plots, Notice &notice, const Theme &theme,
+                QWidget &window);
 
     /// Copies the picture to the clipboard.
     void copyPicture();
@@ -30,16 +33,24 @@ public:
     bool savePicture(const QString &path);
     /// Shows the dialog that makes films.
     void showFilm();
+    /// Shows the dialog that makes web pages.
+    void showWebPage();
+    /// Asks where to save the lesson on paper, and writes it. A failure is shown.
+    void askHandout();
     /// Returns whether a film is being made.
     bool isMakingFilm() const;
+    /// Returns whether a web page is being made.
+    bool isMakingWebPage() const;
 
 private:
     Session &m_session;
     SceneView &m_scene;
+    PlotsPanel &m_plots;
     Notice &m_notice;
     const Theme &m_theme;
     QWidget &m_window;
-    FilmDialog *m_film = nullptr; ///< made when it is shown first
+    FilmDialog *m_film = nullptr;       ///< made when it is shown first
+    WebPageDialog *m_webPage = nullptr; ///< likewise
 };
 
 }

@@ -27,15 +27,14 @@ private slots:
             QTest::newRow(name) << arguments << sentence;
         };
         row("the window without a display", {},
-            "there is no display for the window; set DISPLAY, or use a verb that needs none: lessons, trace, "
-            "accuracy, hardcases, cost, screenshot, film.");
+            "there is no display for the window; set DISPLAY, or use a verb that needs none: lessons, "
+            "check, trace, accuracy, hardcases, cost, screenshot, film, notebook, handout.");
         row("a verb with a slip", {"tracee", "x"},
-            "there is no verb \"tracee\"; the verbs are lessons, trace, accuracy, hardcases, cost, "
-            "screenshot, film.");
+            "there is no verb \"tracee\"; the verbs are lessons, check, trace, accuracy, "
+            "hardcases, cost, screenshot, film, notebook, handout.");
         row("neither verb nor file", {"lesons"},
-            "there is no verb and no file \"lesons\"; the verbs are lessons, trace, accuracy, hardcases, "
-            "cost, "
-            "screenshot, film.");
+            "there is no verb and no file \"lesons\"; the verbs are lessons, check, trace, accuracy, "
+            "hardcases, cost, screenshot, film, notebook, handout.");
         row("an unknown option", {"--fast"}, "Unknown option 'fast'; see springstep --help.");
         row("an unknown option of a verb", {"lessons", "--xml"},
             "Unknown option 'xml'; see springstep lessons --help.");

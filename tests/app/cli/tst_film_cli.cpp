@@ -25,6 +25,7 @@ private slots:
     void badUseIsOneSentenceAndCodeTwo_data();
     void badUseIsOneSentenceAndCodeTwo();
     void aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo();
+    void aRunThatStopsMakesAPageUpToThere();
     void codeThatStopsARunIsNamedWithItsLine();
     void interruptedItLeavesNoHalfFile_data();
     void interruptedItLeavesNoHalfFile();
@@ -98,6 +99,14 @@ void FilmCliTest::badUseIsOneSentenceAndCodeTwo_data()
     row("too fast", {from, out("x.gif"), "--fps", "60"}, "--fps");
     row("a time in pictures", {from, out("x_%d.png"), "--fps", "25"}, "--fps");
     row("a folder that is not there", {from, out("nowhere/x.gif")}, "nowhere");
+    row("another ending", {from, out("x.htm")}, ".html");
+    row("a page of a certain size", {from, out("x.html"), "--size", "320x200"}, "--size");
+    row("a page with a theme", {from, out("x.html"), "--theme", "dark"}, "--theme");
+    row("a page that plays too fast", {from, out("x.html"), "--fps", "500"}, "--fps");
+    row("a page whose frames are the wrong way round", {from, out("x.html"), "--from", "9", "--to", "3"},
+        "Swap");
+    row("a page of a long run", {from, out("x.html"), "--to", "5000000"}, "100000 frames");
+    row("a page in a folder that is not there", {from, out("nowhere/x.html")}, "nowhere");
 }
 
 void FilmCliTest::badUseIsOneSentenceAndCodeTwo()
@@ -125,6 +134,17 @@ void FilmCliTest::aRunThatStopsMakesAFilmUpToThereAndTheAnswerIsNo()
     QCOMPARE(answer.err, trace.err);
     QCOMPARE(there("d_*").size(), 5);
     QVERIFY(QFile::exists(out(qPrintable(QString("d_%1.png").arg(last)))));
+}
+
+void FilmCliTest::aRunThatStopsMakesAPageUpToThere()
+{
+    const QString from = file("\"method\": \"explicit_euler\", \"parameters\": {\"k\": 1, \"damp\": 1}, "
+                              "\"frames\": 90000");
+    const Answer trace = springstep({"trace", from});
+    const Answer answer = springstep({"film", from, out("stops.html")});
+    QCOMPARE(answer.code, 1);
+    QCOMPARE(answer.err, trace.err);
+    QCOMPARE(there("stops*"), QStringList("stops.html"));
 }
 
 void FilmCliTest::codeThatStopsARunIsNamedWithItsLine()

@@ -197,6 +197,8 @@ void GermanTest::theReasonsOfStabilityAreNotCut()
         german.window.showGrowthMap(plane);
         look(plane == MapPlane::step ? "map of steps" : "map of damping", &german.window);
     }
+    german.window.showSettlingMap(true);
+    look("map of the time to rest", &german.window);
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }
 

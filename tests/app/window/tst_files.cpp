@@ -109,12 +109,12 @@ void FilesTest::aNameWithoutAnEndingIsOneOfAnExperiment()
         QVERIFY(dialog);
         QCOMPARE(dialog->directory().path(), folder.path());
         auto *name = dialog->findChild<QLineEdit *>("fileNameEdit");
-        QCOMPARE(name->text(), QString("fixed_centre.json"));
+        QCOMPARE(name->text(), QString("fixed_centre.springstep"));
         name->setText("my walk");
         QTest::keyClick(name, Qt::Key_Return);
     });
     fixture.key(Qt::Key_S, ctrl);
-    QVERIFY(QFile::exists(folder.filePath("my walk.json")));
+    QVERIFY(QFile::exists(folder.filePath("my walk.springstep")));
     QVERIFY(!fixture.isMarked());
 }
 

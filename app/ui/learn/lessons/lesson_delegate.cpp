@@ -46,7 +46,8 @@ void LessonDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     const bool isOpenStep = kind != LessonModel::Kind::lesson && index.data(LessonModel::openRole).toBool();
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    paintRow(*painter, option, isOpenStep);
+    if (kind != LessonModel::Kind::heading)
+        paintRow(*painter, option, isOpenStep);
     switch (kind) {
     case LessonModel::Kind::lesson:
         paintLesson(*painter, option.rect, index);
@@ -56,6 +57,9 @@ void LessonDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
         break;
     case LessonModel::Kind::summary:
         paintSummary(*painter, option.rect, index);
+        break;
+    case LessonModel::Kind::heading:
+        paintHeading(*painter, option.rect, index);
         break;
     case LessonModel::Kind::problem:
         paintProblem(*painter, option.rect, index);
@@ -150,6 +154,20 @@ void LessonDelegate::paintSummary(QPainter &painter, const QRect &row, const QMo
     const QRect place = row.adjusted(left - row.left() + markSize + gap, 0, -sideMargin - padding, 0);
     paintText(painter, place, index.data().toString(), m_theme.ui(13, open ? QFont::Medium : QFont::Normal),
               open ? tokens.ink : tokens.ink2);
+}
+
+void LessonDelegate::paintHeading(QPainter &painter, const QRect &row, const QModelIndex &index) const
+{
+    const Tokens &tokens = m_theme.tokens();
+    const int side = sideMargin + (hasText(row) ? padding : 0);
+    const QRect place = row.adjusted(side, 0, -side, 0);
+    if (hasText(row)) {
+        paintText(painter, place, index.data().toString(), m_theme.ui(12, QFont::DemiBold), tokens.ink3);
+        return;
+    }
+    painter.setPen(QPen(tokens.line2, 1.0));
+    painter.drawLine(QPointF(place.left(), row.center().y() + 0.5),
+                     QPointF(place.right(), row.center().y() + 0.5));
 }
 
 void LessonDelegate::paintProblem(QPainter &painter, const QRect &row, const QModelIndex &index) const

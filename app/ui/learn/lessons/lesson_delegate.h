@@ -29,6 +29,7 @@ private:
     void paintLesson(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintStep(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintSummary(QPainter &painter, const QRect &row, const QModelIndex &index) const;
+    void paintHeading(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintProblem(QPainter &painter, const QRect &row, const QModelIndex &index) const;
     void paintRing(QPainter &painter, const QRectF &place, double share) const;
     void paintText(QPainter &painter, const QRect &place, const QString &text, const QFont &font,

@@ -32,6 +32,7 @@ LessonList::LessonList(Session &session, const Theme &theme, QWidget *parent)
     setMouseTracking(true);
     connect(this, &QTreeView::clicked, this, &LessonList::openRow);
     session.onChange(ChangeKind::step, this, &LessonList::follow);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &LessonList::follow);
     connect(&theme, &Theme::changed, viewport(), qOverload<>(&QWidget::update));
     follow();
 }
@@ -50,6 +51,8 @@ void LessonList::follow()
 void LessonList::showOpen()
 {
     const QModelIndex lesson = m_model->openLesson();
+    if (!lesson.isValid())
+        return;
     if (openLessonHeight() <= viewport()->height()) {
         scrollTo(m_model->index(m_model->rowCount(lesson) - 1, 0, lesson));
         scrollTo(lesson);
@@ -80,8 +83,9 @@ int LessonList::contentHeight() const
 
 int LessonList::openLessonHeight() const
 {
-    return LessonDelegate::lessonHeight +
-           m_model->rowCount(m_model->openLesson()) * LessonDelegate::stepHeight;
+    const QModelIndex lesson = m_model->openLesson();
+    const int rows = lesson.isValid() ? m_model->rowCount(lesson) : 0;
+    return LessonDelegate::lessonHeight + rows * LessonDelegate::stepHeight;
 }
 
 QSize LessonList::sizeHint() const

@@ -1,6 +1,7 @@
 #include "app/ui/learn/lessons/lesson_model.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -9,6 +10,12 @@ namespace {
 /// The id of top-level rows. The id of a step's row is the index of its lesson plus one.
 constexpr quintptr topLevel = 0;
 
+/// Returns the number of rows of the learner's lessons, with their heading.
+int yourRows(const LessonLibrary &library)
+{
+    return library.yours.empty() ? 0 : static_cast<int>(library.yours.size()) + 1;
+}
+
 QString openLine()
 {
     return LessonModel::tr("open");
@@ -16,7 +23,8 @@ QString openLine()
 
 }
 
-LessonModel::LessonModel(Session &session, QObject *parent) : QAbstractItemModel(parent), m_session(session)
+LessonModel::LessonModel(Session &session, QObject *parent)
+    : QAbstractItemModel(parent), m_session(session), m_shape(shape())
 {
     session.onChange(ChangeKind::step | ChangeKind::texts, this, &LessonModel::refresh);
     connect(&session.progress(), &Progress::changed, this, &LessonModel::refresh);
@@ -24,26 +32,38 @@ LessonModel::LessonModel(Session &session, QObject *parent) : QAbstractItemModel
 
 void LessonModel::refresh()
 {
+    if (std::vector<std::size_t> now = shape(); now != m_shape) {
+        beginResetModel();
+        m_shape = std::move(now);
+        endResetModel();
+    }
     emit dataChanged(index(0, 0), index(rowCount() - 1, 0));
-    for (int i = 0; i < static_cast<int>(m_session.library().lessons.size()); ++i) {
-        const QModelIndex lesson = index(i, 0);
-        emit dataChanged(index(0, 0, lesson), index(rowCount(lesson) - 1, 0, lesson));
+    for (int i = 0; i < rowCount(); ++i) {
+        const QModelIndex row = index(i, 0);
+        if (const int steps = rowCount(row))
+            emit dataChanged(index(0, 0, row), index(steps - 1, 0, row));
     }
 }
 
 QModelIndex LessonModel::openLesson() const
 {
-    const auto &all = m_session.library().lessons;
-    const auto found = std::find_if(all.begin(), all.end(), [this](const auto &one) { return isOpen(one); });
-    return index(static_cast<int>(found - all.begin()), 0);
+    for (int row = 0; row < rowCount(); ++row) {
+        const LessonEntry *lesson = lessonAt(row);
+        if (lesson && isOpen(*lesson))
+            return index(row, 0);
+    }
+    return {};
 }
 
 QModelIndex LessonModel::openRow() const
 {
+    const QModelIndex lesson = openLesson();
+    if (!lesson.isValid())
+        return {};
     const auto &steps = m_session.lesson().steps;
     const auto row =
         m_summaryShown ? static_cast<std::ptrdiff_t>(steps.size()) : &m_session.step() - steps.data();
-    return index(static_cast<int>(row), 0, openLesson());
+    return index(static_cast<int>(row), 0, lesson);
 }
 
 void LessonModel::setSummaryShown(bool shown)
@@ -54,7 +74,7 @@ void LessonModel::setSummaryShown(bool shown)
 
 void LessonModel::open(const QModelIndex &index)
 {
-    if (!index.isValid() || kindOf(index) == Kind::problem)
+    if (!index.isValid() || kindOf(index) == Kind::problem || kindOf(index) == Kind::heading)
         return;
     const LessonEntry &lesson = lessonOf(index);
     if (kindOf(index) == Kind::summary) {
@@ -120,7 +140,8 @@ int LessonModel::rowCount(const QModelIndex &parent) const
 {
     const LessonLibrary &library = m_session.library();
     if (!parent.isValid())
-        return static_cast<int>(library.lessons.size()) + (library.problems.empty() ? 0 : 1);
+        return static_cast<int>(library.lessons.size()) + yourRows(library) +
+               (library.problems.empty() ? 0 : 1);
     return kindOf(parent) == Kind::lesson ? static_cast<int>(lessonOf(parent).steps.size()) + 1 : 0;
 }
 
@@ -133,21 +154,44 @@ LessonModel::Kind LessonModel::kindOf(const QModelIndex &index) const
 {
     if (index.internalId() != topLevel)
         return index.row() < static_cast<int>(lessonOf(index).steps.size()) ? Kind::step : Kind::summary;
-    const bool isLesson = index.row() < static_cast<int>(m_session.library().lessons.size());
-    return isLesson ? Kind::lesson : Kind::problem;
+    const LessonLibrary &library = m_session.library();
+    if (lessonAt(index.row()))
+        return Kind::lesson;
+    const bool isHeading = index.row() == static_cast<int>(library.lessons.size()) && !library.yours.empty();
+    return isHeading ? Kind::heading : Kind::problem;
 }
 
 const LessonEntry &LessonModel::lessonOf(const QModelIndex &index) const
 {
-    const std::size_t number = index.internalId() == topLevel
-                                   ? static_cast<std::size_t>(index.row())
-                                   : static_cast<std::size_t>(index.internalId()) - 1;
-    return m_session.library().lessons[number];
+    return *lessonAt(index.internalId() == topLevel ? index.row() : static_cast<int>(index.internalId()) - 1);
+}
+
+const LessonEntry *LessonModel::lessonAt(int row) const
+{
+    const LessonLibrary &library = m_session.library();
+    const auto number = static_cast<std::size_t>(row);
+    if (number < library.lessons.size())
+        return &library.lessons[number];
+    const std::size_t before = library.lessons.size() + 1; // with the heading
+    return number >= before && number - before < library.yours.size() ? &library.yours[number - before]
+                                                                      : nullptr;
+}
+
+std::vector<std::size_t> LessonModel::shape() const
+{
+    std::vector<std::size_t> counts;
+    for (int row = 0; row < rowCount(); ++row) {
+        const LessonEntry *lesson = lessonAt(row);
+        counts.push_back(lesson ? lesson->steps.size() : 0);
+    }
+    return counts;
 }
 
 Qt::ItemFlags LessonModel::flags(const QModelIndex &index) const
 {
-    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable : Qt::NoItemFlags;
+    if (!index.isValid() || kindOf(index) == Kind::heading)
+        return Qt::NoItemFlags; // the arrow keys pass over a heading
+    return Qt::ItemIsEnabled | Qt::ItemIsSelectable;
 }
 
 QVariant LessonModel::data(const QModelIndex &index, int role) const
@@ -159,6 +203,8 @@ QVariant LessonModel::data(const QModelIndex &index, int role) const
         return static_cast<int>(kind);
     if (kind == Kind::problem)
         return problemData(role);
+    if (kind == Kind::heading)
+        return headingData(role);
     const LessonEntry &lesson = lessonOf(index);
     if (kind == Kind::lesson)
         return lessonData(lesson, role);
@@ -219,6 +265,19 @@ QVariant LessonModel::summaryData(const LessonEntry &lesson, int role) const
         return tr("%1: what you learnt").arg(lesson.title);
     case openRole:
         return isOpen(lesson) && m_summaryShown;
+    default:
+        return {};
+    }
+}
+
+QVariant LessonModel::headingData(int role)
+{
+    switch (role) {
+    case Qt::DisplayRole:
+    case Qt::AccessibleTextRole:
+        return tr("Yours");
+    case Qt::ToolTipRole:
+        return tr("Lessons that you opened with File > Open");
     default:
         return {};
     }

@@ -4,16 +4,18 @@
 
 #include <QAbstractItemModel>
 
+#include <vector>
+
 namespace app {
 
-/// A model of the lessons, their steps and the learner's progress. A last row lists files that are not valid
-/// lessons.
+/// A model of the lessons, their steps and the learner's progress: the lessons of the program, then, below a heading, those
+/// of the learner. A last row lists files that are not valid lessons.
 class LessonModel : public QAbstractItemModel
 {
     Q_OBJECT
 
 public:
-    enum class Kind { lesson, step, summary, problem };
+    enum class Kind { lesson, step, summary, heading, problem };
     enum Role {
         kindRole = Qt::UserRole, ///< the Kind as a number
         doneRole,                ///< lesson: number of steps done; step: whether it is done
@@ -23,6 +25,7 @@ public:
 
     explicit LessonModel(Session &session, QObject *parent = nullptr);
 
+    /// Returns the row of the open lesson; not valid if a sandbox is open.
     QModelIndex openLesson() const;
     /// Returns the row of the open step, or of the lesson's summary while that is shown.
     QModelIndex openRow() const;
@@ -49,15 +52,21 @@ private:
     QVariant lessonData(const LessonEntry &lesson, int role) const;
     QVariant stepData(const LessonEntry &lesson, const lessons::Step &step, int role) const;
     QVariant summaryData(const LessonEntry &lesson, int role) const;
+    static QVariant headingData(int role);
     QVariant problemData(int role) const;
     Kind kindOf(const QModelIndex &index) const;
     const LessonEntry &lessonOf(const QModelIndex &index) const;
     int doneIn(const LessonEntry &lesson) const;
     bool isOpen(const LessonEntry &lesson) const { return &lesson == &m_session.lesson(); }
+    /// Returns the lesson of a top-level row; null if it is another kind of row.
+    const LessonEntry *lessonAt(int row) const;
+    /// Returns the number of steps in each lesson, which decides on the rows.
+    std::vector<std::size_t> shape() const;
     void refresh();
 
     Session &m_session;
     bool m_summaryShown = false;
+    std::vector<std::size_t> m_shape; ///< as the views know it
 };
 
 }

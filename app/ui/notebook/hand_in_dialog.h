@@ -1,0 +1,62 @@
+#pragma once
+
+#include "app/model/notebook/notebook_page.h"
+#include "app/model/session/session.h"
+
+#include <QDialog>
+
+class QCheckBox;
+class QLabel;
+class QLineEdit;
+class QListWidget;
+class QPushButton;
+class QVBoxLayout;
+
+namespace app {
+
+/// A dialog that writes what the learner did into files: a notebook to hand in, a web page and a PDF to read. It names a
+/// learner only if she types her name, and sends nothing anywhere.
+class HandInDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// `session` must outlive it. `gallery` is the folder of the gallery; empty: there is none.
+    HandInDialog(Session &session, QString gallery, QWidget *parent = nullptr);
+
+    /// Shows the dialog with what is done by now.
+    void offer();
+    /// Returns the message at the bottom: what will be written, or what was.
+    QString message() const;
+
+private:
+    void addFields(QVBoxLayout &column);
+    void addFiles(QVBoxLayout &column);
+    void addButtons(QVBoxLayout &column);
+    QCheckBox *box(const QString &name, const QString &text, const QString &help, QVBoxLayout &column);
+    void list();
+    void choose();
+    void write();
+    void writeFiles(const QStringList &files) const;
+    void followChange();
+    QString base() const;
+    /// Returns the files that are chosen: the paths of notebook, page and PDF.
+    QStringList files() const;
+    bool hasContent() const;
+    QStringList lessons() const;
+
+    Session &m_session;
+    QString m_folder; ///< of the gallery
+    QLineEdit *m_name = nullptr;
+    QListWidget *m_lessons = nullptr;
+    QCheckBox *m_gallery = nullptr;
+    QCheckBox *m_notebook = nullptr;
+    QCheckBox *m_page = nullptr;
+    QCheckBox *m_pdf = nullptr;
+    QLineEdit *m_file = nullptr; ///< the path without an ending
+    QLabel *m_message = nullptr;
+    QPushButton *m_write = nullptr;
+    bool m_mayReplace = false;
+};
+
+}

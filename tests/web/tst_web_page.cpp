@@ -1,0 +1,502 @@
+// `springstep film FILE OUT.html` and its page in a real browser: the positions are those of `trace`, every control works by
+// mouse and by keys, no text of an experiment runs, and nothing is loaded.
+
+#include "tests/web/browser.h"
+
+#include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using web::Browser;
+
+namespace {
+
+constexpr double mostError = 1e-6; ///< px
+constexpr qint64 mostBytes = 500'000;
+constexpr int ctrl = 2, shift = 8;
+constexpr int rateFrames = 90; ///< pictures, to measure the frame rate
+
+/// A row of `trace`.
+struct Place
+{
+    qint64 frame = 0;
+    QString body;
+    double x = 0.0, y = 0.0;
+};
+
+/// Runs the program. Returns what it printed; ends the test if it fails.
+QByteArray springstep(const QStringList &arguments)
+{
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("SPRINGSTEP_LESSONS", LESSON_DIR);
+    process.setProcessEnvironment(environment);
+    process.start(PROGRAM, arguments);
+    if (!process.waitForFinished(120'000) || process.exitCode() != 0)
+        qFatal("%s: %s", qPrintable(arguments.join(' ')), process.readAllStandardError().constData());
+    return process.readAllStandardOutput();
+}
+
+QList<Place> traceOf(const QString &file)
+{
+    QList<Place> places;
+    for (const QByteArray &line : springstep({"trace", file}).split('\n').mid(1)) {
+        const QList<QByteArray> cells = line.split(',');
+        if (cells.size() >= 4)
+            places.append({cells[0].toLongLong(), cells[1], cells[2].toDouble(), cells[3].toDouble()});
+    }
+    return places;
+}
+
+QJsonObject walker()
+{
+    return {{"lesson", "walking_gait"}, {"step", "ground"}, {"frames", 600}};
+}
+
+/// A net of 200 bodies with springs that falls on the floor.
+QJsonObject net()
+{
+    constexpr int across = 20, down = 10;
+    QJsonObject bodies;
+    QJsonArray springs;
+    const auto name = [](int x, int y) { return QString("p%1_%2").arg(x).arg(y); };
+    for (int y = 0; y < down; ++y) {
+        for (int x = 0; x < across; ++x) {
+            bodies[name(x, y)] = QJsonObject{{"x", 80 + 20 * x}, {"y", 40 + 20 * y}, {"size", 12}};
+            if (x > 0)
+                springs << QJsonObject{{"a", name(x - 1, y)}, {"b", name(x, y)}, {"k", 0.2}, {"length", 20}};
+            if (y > 0)
+                springs << QJsonObject{{"a", name(x, y - 1)}, {"b", name(x, y)}, {"k", 0.2}, {"length", 20}};
+        }
+    }
+    return {{"lesson", "sandbox"},
+            {"step", "build"},
+            {"frames", 200},
+            {"scene", QJsonObject{{"bodies", bodies},
+                                  {"springs", springs},
+                                  {"sticks", QJsonArray()},
+                                  {"gaits", QJsonArray()},
+                                  {"feet", QJsonArray()},
+                                  {"effects", QJsonArray{"gravity", "damping", "walls"}}}}};
+}
+
+}
+
+class WebPageTest : public QObject
+{
+    Q_OBJECT
+
+    QTemporaryDir m_folder;
+    Browser m_browser;
+
+    /// Writes an experiment. Returns its file.
+    QString file(const QString &name, QJsonObject experiment)
+    {
+        experiment["format"] = "springstep-experiment/1";
+        QFile file(m_folder.filePath(name + ".json"));
+        if (!file.open(QFile::WriteOnly))
+            qFatal("The experiment cannot be written.");
+        file.write(QJsonDocument(experiment).toJson());
+        return file.fileName();
+    }
+    /// Makes the page of an experiment. Returns its file.
+    QString page(const QString &experiment, const QStringList &options = {})
+    {
+        const QString out = QFileInfo(experiment).path() + '/' + QFileInfo(experiment).baseName() + ".html";
+        springstep(QStringList{"film", experiment, out} + options);
+        return out;
+    }
+    void openWalker() { m_browser.open(m_folder.filePath("walker.html")); }
+    qint64 frame() { return m_browser.valueOf("run.frame").toInteger(); }
+    void goTo(int frame) { m_browser.valueOf(QString("run.frame = %1").arg(frame)); }
+    double zoom() { return m_browser.valueOf("run.zoom").toDouble(); }
+    /// Returns where the origin of the scene is on the screen.
+    QPointF origin()
+    {
+        const QJsonValue place = m_browser.valueOf("run.placeOnScreen(0, 0)");
+        return {place["x"].toDouble(), place["y"].toDouble()};
+    }
+    bool isPlaying() { return m_browser.valueOf("run.isPlaying").toBool(); }
+
+private slots:
+    void initTestCase();
+    void aPageOfTheWalkerIsSmall();
+    void positionsAreThoseOfTrace_data();
+    void positionsAreThoseOfTrace();
+    void thePageBeginsWhereItIsTold();
+    void buttonsMoveTime();
+    void playRunsToTheEnd();
+    void theSliderScrubs();
+    void theViewIsDraggedAndZoomed();
+    void keysMoveTime();
+    void keysMoveTheView();
+    void everyControlIsReachedByTab();
+    void aPlotIsScrubbed();
+    void theListingShowsTheValuesOfTheFrame();
+    void theSwitchChangesTheColours();
+    void titleAndTextAreThere();
+    void noTextOfAnExperimentRuns();
+    void nothingIsLoaded();
+    void aDamagedPageSaysSo();
+    void twoHundredBodiesAreDrawn();
+};
+
+void WebPageTest::initTestCase()
+{
+    page(file("walker", walker()));
+}
+
+void WebPageTest::aPageOfTheWalkerIsSmall()
+{
+    const qint64 size = QFileInfo(m_folder.filePath("walker.html")).size();
+    qInfo("%lld bytes for 600 frames of the walker", static_cast<long long>(size));
+    QVERIFY(size < mostBytes);
+}
+
+void WebPageTest::positionsAreThoseOfTrace_data()
+{
+    QTest::addColumn<QJsonObject>("experiment");
+    QTest::newRow("walker") << walker();
+    QTest::newRow("tree") << QJsonObject{{"lesson", "swaying_tree"}, {"step", "branches"}, {"frames", 40}};
+    QTest::newRow("steps of two frames")
+        << QJsonObject{{"lesson", "multi_foot"}, {"step", "any_number"}, {"h", 2}, {"frames", 60}};
+    const QJsonObject more = {{"frame", 20}, {"event", "set"}, {"parameter", "feet"}, {"value", 9}};
+    QTest::newRow("feet are added") << QJsonObject{
+        {"lesson", "multi_foot"}, {"step", "any_number"}, {"frames", 60}, {"input", QJsonArray{more}}};
+    const QJsonObject far = {{"x", 1e12}, {"y", -3e15}};
+    QTest::newRow("far away") << QJsonObject{{"lesson", "single_spring"},
+                                             {"step", "radial"},
+                                             {"frames", 30},
+                                             {"bodies", QJsonObject{{"foot", far}}}};
+}
+
+void WebPageTest::positionsAreThoseOfTrace()
+{
+    QFETCH(QJsonObject, experiment);
+    const QString from = file("run", experiment);
+    const QList<Place> places = traceOf(from);
+    QVERIFY(!places.isEmpty());
+    m_browser.open(page(from));
+    QCOMPARE(m_browser.complaints(), QList<QString>());
+    const qint64 last = places.last().frame;
+    QCOMPARE(m_browser.valueOf("run.frame = 1e9, run.frame").toInteger(), last);
+    const QList<qint64> frames = {0, places[places.size() / 3].frame, places[places.size() / 2].frame, last};
+    for (const qint64 at : frames) {
+        const QJsonValue shown =
+            m_browser.valueOf(QString("(() => { run.frame = %1; return Object.fromEntries(run.bodies.map("
+                                      "(body) => [body, run.positionOf(body)])); })()")
+                                  .arg(at));
+        for (const Place &place : places) {
+            if (place.frame != at)
+                continue;
+            const QJsonValue here = shown[place.body];
+            const double error = std::hypot(here["x"].toDouble() - place.x, here["y"].toDouble() - place.y);
+            QVERIFY2(here.isObject() && error <= mostError,
+                     qPrintable(QString("%1 at frame %2 is %3 px off").arg(place.body).arg(at).arg(error)));
+        }
+    }
+}
+
+void WebPageTest::thePageBeginsWhereItIsTold()
+{
+    const QString from = file("part", walker());
+    const QList<Place> places = traceOf(from);
+    m_browser.open(page(from, {"--from", "40", "--to", "70"}));
+    QCOMPARE(frame(), 40);
+    QCOMPARE(m_browser.valueOf("run.count").toInt(), 31);
+    const auto place = std::find_if(places.begin(), places.end(),
+                                    [](const Place &one) { return one.frame == 40 && one.body == "body"; });
+    QVERIFY(std::abs(m_browser.valueOf("run.positionOf('body').x").toDouble() - place->x) <= mostError);
+}
+
+void WebPageTest::buttonsMoveTime()
+{
+    openWalker();
+    QCOMPARE(frame(), 0);
+    m_browser.click("button[name=forward]");
+    m_browser.click("button[name=forward]");
+    QCOMPARE(frame(), 2);
+    QVERIFY(m_browser.waitFor("document.querySelector('.clock').textContent.startsWith('Frame 2 of 600')"));
+    m_browser.click("button[name=back]");
+    QCOMPARE(frame(), 1);
+    m_browser.click("button[name=start]");
+    QCOMPARE(frame(), 0);
+    m_browser.click("button.play");
+    QVERIFY(isPlaying());
+    QVERIFY(m_browser.waitFor("run.frame > 3"));
+    m_browser.click("button.play");
+    QVERIFY(!isPlaying());
+    const bool wasPressed = m_browser.valueOf("run.painter.showsTrails").toBool();
+    m_browser.click("button[name=trails]");
+    QCOMPARE(m_browser.valueOf("run.painter.showsTrails").toBool(), !wasPressed);
+}
+
+void WebPageTest::playRunsToTheEnd()
+{
+    openWalker();
+    goTo(590);
+    m_browser.valueOf("const box = document.querySelector('select'); box.value = '4'; "
+                      "box.dispatchEvent(new Event('change')); true");
+    m_browser.click("button.play");
+    QVERIFY(m_browser.waitFor("run.frame === 600 && !run.isPlaying"));
+    m_browser.click("button.play"); // begins again
+    QVERIFY(m_browser.waitFor("run.isPlaying && run.frame > 0 && run.frame < 590"));
+    m_browser.click("button.play");
+}
+
+void WebPageTest::theSliderScrubs()
+{
+    openWalker();
+    const QPointF middle = m_browser.middleOf("input[type=range]");
+    m_browser.click(middle);
+    QVERIFY(std::abs(frame() - 300) <= 5);
+    m_browser.drag(middle, middle - QPointF(60.0, 0.0));
+    QVERIFY(frame() < 290);
+    QCOMPARE(m_browser.valueOf("document.querySelector('input[type=range]').getAttribute('aria-label')"),
+             QJsonValue("Frame"));
+    goTo(30);
+    QVERIFY(
+        m_browser.waitFor("document.querySelector('input[type=range]').getAttribute('aria-valuetext') === "
+                          "'Frame 30 of 600, 1.00 s'"));
+}
+
+void WebPageTest::theViewIsDraggedAndZoomed()
+{
+    openWalker();
+    const QPointF middle = m_browser.middleOf(".view canvas");
+    const QPointF before = origin();
+    m_browser.drag(middle, middle + QPointF(50.0, -20.0));
+    QCOMPARE(origin() - before, QPointF(50.0, -20.0));
+    const double was = zoom();
+    m_browser.turnWheel(middle, -120.0);
+    QVERIFY(m_browser.waitFor(QString("run.zoom > 1.2 * %1").arg(was)));
+    m_browser.click("button[name=zoomOut]");
+    QVERIFY(std::abs(zoom() - was) < 1e-9);
+    m_browser.click("button[name=zoomIn]");
+    QVERIFY(zoom() > 1.2 * was);
+    m_browser.click("button[name=fit]");
+    QVERIFY(std::abs(zoom() - was) < 1e-9);
+    QCOMPARE(origin(), before);
+}
+
+void WebPageTest::keysMoveTime()
+{
+    openWalker();
+    m_browser.press("ArrowRight");
+    QCOMPARE(frame(), 1);
+    m_browser.press("ArrowRight", ctrl);
+    QCOMPARE(frame(), 11);
+    m_browser.press("ArrowLeft");
+    QCOMPARE(frame(), 10);
+    m_browser.press("End");
+    QCOMPARE(frame(), 600);
+    m_browser.press("Home");
+    QCOMPARE(frame(), 0);
+    m_browser.press(" ");
+    QVERIFY(isPlaying());
+    QVERIFY(m_browser.waitFor("run.frame > 3"));
+    m_browser.press(" ");
+    QVERIFY(!isPlaying());
+    m_browser.valueOf("document.querySelector('input[type=range]').focus()");
+    const qint64 was = frame();
+    m_browser.press("ArrowRight");
+    QCOMPARE(frame(), was + 1);
+}
+
+void WebPageTest::keysMoveTheView()
+{
+    openWalker();
+    const QPointF before = origin();
+    const double was = zoom();
+    m_browser.press("ArrowRight", shift);
+    QVERIFY(origin().x() < before.x());
+    m_browser.press("+");
+    QVERIFY(zoom() > was);
+    m_browser.press("-");
+    QVERIFY(std::abs(zoom() - was) < 1e-9);
+    m_browser.press("0");
+    QCOMPARE(origin(), before);
+    m_browser.press("t");
+    QCOMPARE(m_browser.valueOf("document.querySelector('button[name=trails]').getAttribute('aria-pressed')"),
+             QJsonValue("false"));
+}
+
+void WebPageTest::everyControlIsReachedByTab()
+{
+    openWalker();
+    const int controls =
+        m_browser.valueOf("document.querySelectorAll('button, input, select, summary, .view canvas').length")
+            .toInt();
+    const int nameless =
+        m_browser
+            .valueOf("[...document.querySelectorAll('button, input, select, canvas')].filter("
+                     "(one) => !one.getAttribute('aria-label')).length")
+            .toInt();
+    QCOMPARE(nameless, 0);
+    m_browser.valueOf("window.seen = new Set(); document.addEventListener('focusin', (event) => { "
+                      "if (event.target.matches('button, input, select, summary, .view canvas')) "
+                      "seen.add(event.target); }), true");
+    for (int i = 0; i < controls + 5; ++i)
+        m_browser.press("Tab");
+    QCOMPARE(m_browser.valueOf("seen.size").toInt(), controls);
+    // A button with the focus takes Space and Enter itself.
+    m_browser.valueOf("document.querySelector('button[name=forward]').focus()");
+    const qint64 was = frame();
+    m_browser.press(" ");
+    m_browser.press("Enter");
+    QCOMPARE(frame(), was + 2);
+}
+
+void WebPageTest::aPlotIsScrubbed()
+{
+    openWalker();
+    QCOMPARE(m_browser.valueOf("document.querySelectorAll('.plot').length").toInt(), 1);
+    m_browser.click(".plot canvas");
+    QVERIFY(frame() > 200 && frame() < 400);
+    QVERIFY(m_browser.waitFor("document.querySelector('.plot .number').textContent.endsWith('px')"));
+}
+
+void WebPageTest::theListingShowsTheValuesOfTheFrame()
+{
+    const QString code =
+        "void frame()\n{\n    double number = 2.0 * frame_number;\n    body.position.x += 1.5;\n}\n";
+    m_browser.open(page(file("listing", {{"lesson", "walking_gait"},
+                                         {"step", "ground"},
+                                         {"frames", 20},
+                                         {"method", "listing"},
+                                         {"code", code}})));
+    QCOMPARE(m_browser.complaints(), QList<QString>());
+    goTo(0);
+    QCOMPARE(m_browser.valueOf("run.valueAt(3)").toString(), QString());
+    goTo(6);
+    QCOMPARE(m_browser.valueOf("run.valueAt(3)").toString(), QString("number = 12.0"));
+    QVERIFY(m_browser.waitFor(
+        "document.querySelectorAll('.listing li')[2].querySelector('.value').textContent === "
+        "'number = 12.0'"));
+    QVERIFY(m_browser.valueOf("document.querySelectorAll('.listing li')[2].classList.contains('changed')")
+                .toBool());
+    QCOMPARE(m_browser.valueOf("document.querySelectorAll('.listing code')[3].textContent").toString(),
+             QString("    body.position.x += 1.5;"));
+    m_browser.open(m_folder.filePath("walker.html")); // a built-in method, with the step's own listing
+    goTo(50);
+    QVERIFY(
+        m_browser.waitFor("[...document.querySelectorAll('.value')].some((one) => one.textContent !== '')"));
+}
+
+void WebPageTest::theSwitchChangesTheColours()
+{
+    const auto background = [this] {
+        return m_browser.valueOf("getComputedStyle(document.documentElement).backgroundColor").toString();
+    };
+    const auto prefer = [this](const char *scheme) {
+        const QJsonObject feature = {{"name", "prefers-color-scheme"}, {"value", scheme}};
+        m_browser.call("Emulation.setEmulatedMedia", {{"features", QJsonArray{feature}}});
+    };
+    prefer("light");
+    openWalker();
+    const QString light = background();
+    prefer("dark");
+    const QString dark = background();
+    QVERIFY(light != dark);
+    m_browser.click("header button");
+    QCOMPARE(background(), light);
+    QVERIFY(!m_browser.valueOf("run.painter.isDark").toBool());
+    m_browser.press("c");
+    QCOMPARE(background(), dark);
+    prefer("light");
+    QCOMPARE(background(), dark); // as the reader chose
+}
+
+void WebPageTest::titleAndTextAreThere()
+{
+    openWalker();
+    QCOMPARE(m_browser.valueOf("document.title").toString(),
+             QString("%1 – Walking")
+                 .arg(m_browser.valueOf("document.querySelector('h1').textContent").toString()));
+    QCOMPARE(m_browser.valueOf("document.documentElement.lang").toString(), QString("en"));
+    QVERIFY(
+        m_browser.valueOf("document.querySelector('.prose').textContent.includes('Press Space and watch')")
+            .toBool());
+    QVERIFY(m_browser.valueOf("document.querySelectorAll('.prose strong').length").toInt() > 0);
+}
+
+void WebPageTest::noTextOfAnExperimentRuns()
+{
+    const QString nasty =
+        "</script><script>window.hacked = 1</script><img src=x onerror='window.hacked = 2'>";
+    const QString code = "// " + nasty + "\nvoid frame()\n{\n    body.position.x += 1.0;\n}\n";
+    QJsonObject experiment = {{"lesson", "walking_gait"},
+                              {"step", "ground"},
+                              {"frames", 10},
+                              {"method", "listing"},
+                              {"code", code},
+                              {"name", nasty},
+                              {"named", true}};
+    m_browser.open(page(file("nasty", experiment)));
+    QVERIFY(m_browser.waitFor("document.querySelector('.listing code').textContent.includes('onerror')"));
+    QVERIFY(
+        m_browser.valueOf("document.querySelector('header').textContent.includes('window.hacked')").toBool());
+    QVERIFY(m_browser.valueOf("window.hacked === undefined").toBool());
+    QCOMPARE(m_browser.valueOf("document.images.length").toInt(), 0);
+    QCOMPARE(m_browser.requests(), QList<QString>());
+    // Nor could a script run that got in by some other way.
+    m_browser.valueOf(
+        "const script = document.createElement('script'); script.textContent = 'window.hacked = 3'; "
+        "document.body.append(script); true");
+    QVERIFY(m_browser.valueOf("window.hacked === undefined").toBool());
+}
+
+void WebPageTest::nothingIsLoaded()
+{
+    openWalker();
+    m_browser.press("End");
+    QVERIFY(m_browser.waitFor("document.querySelector('.clock').textContent.startsWith('Frame 600')"));
+    QCOMPARE(m_browser.requests(), QList<QString>());
+    QCOMPARE(m_browser.complaints(), QList<QString>());
+}
+
+void WebPageTest::aDamagedPageSaysSo()
+{
+    QFile whole(m_folder.filePath("walker.html"));
+    QVERIFY(whole.open(QFile::ReadOnly));
+    QByteArray text = whole.readAll();
+    const qsizetype data = text.indexOf("id=\"run\">");
+    text.remove(data + 200, 300);
+    QFile half(m_folder.filePath("half.html"));
+    QVERIFY(half.open(QFile::WriteOnly));
+    half.write(text);
+    half.close();
+    m_browser.call("Page.navigate", {{"url", QUrl::fromLocalFile(half.fileName()).toString()}});
+    QVERIFY(m_browser.waitFor("document.querySelector('.message')?.textContent.includes('damaged')"));
+}
+
+void WebPageTest::twoHundredBodiesAreDrawn()
+{
+    const QString from = file("net", net());
+    const QString out = page(from);
+    qInfo("%lld bytes for 200 frames of 200 bodies", static_cast<long long>(QFileInfo(out).size()));
+    m_browser.open(out);
+    QCOMPARE(m_browser.complaints(), QList<QString>());
+    QCOMPARE(m_browser.valueOf("run.bodies.length").toInt(), 200);
+    const QString measure =
+        "new Promise((done) => { run.play(); let left = %1, drawn = 0; const draw = run.painter.draw; "
+        "run.painter.draw = (index) => { const start = performance.now(); draw.call(run.painter, index); "
+        "drawn += performance.now() - start; }; const start = performance.now(); const next = () => { "
+        "if (--left > 0) requestAnimationFrame(next); else { run.pause(); "
+        "done({rate: %1000 / (performance.now() - start), drawn: drawn / run.frame}); } }; "
+        "requestAnimationFrame(next); })";
+    const QJsonValue result = m_browser.valueOf(QString(measure).replace("%1", QString::number(rateFrames)));
+    qInfo("%.0f pictures a second with 200 bodies; drawing one takes %.2f ms", result["rate"].toDouble(),
+          result["drawn"].toDouble());
+    QVERIFY(result["rate"].toDouble() > 0.0);
+}
+
+QTEST_GUILESS_MAIN(WebPageTest)
+#include "tst_web_page.moc"
