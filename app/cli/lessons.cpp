@@ -124,7 +124,7 @@ QString readableList(const LessonLibrary &library)
     QString text;
     for (std::size_t i = 0; i < library.entries(); ++i) {
         const LessonEntry &lesson = library.entry(i);
-        if (lesson.source.isEmpty()) // your own lessons have no number
+        if (lesson.source.isEmpty()) // lessons without C++ have no number
             text += QString::number(lesson.order) + ". ";
         text += lesson.id + ": " + lesson.title + '\n';
         for (const lessons::Step &step : lesson.steps) {

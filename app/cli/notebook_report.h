@@ -11,12 +11,12 @@ namespace app {
 /// A notebook that was checked, or why it could not be read.
 struct CheckedNotebook
 {
-    QString file; ///< its name, as it was given
+    QString file; ///< the name as given on the command line
     Notebook notebook = {};
     std::vector<NotebookFinding> findings = {}; ///< one for each entry
     QString mistake = {};                       ///< empty: it could be read
 
-    /// Returns whether everything that it says is shown, and it is as it was written.
+    /// Returns whether the runs show every entry, and the seal is intact.
     bool holds() const;
 };
 

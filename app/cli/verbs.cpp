@@ -49,7 +49,7 @@ const std::vector<Verb> &verbs()
         {"check",
          VerbsText::tr(
              "Checks a lesson of your own, and plays the solution of each thing to try. The exit code is 1 "
-             "if one does not do what it should."),
+             "if one fails."),
          {{"LESSON", VerbsText::tr("The folder of the lesson, or its zip.")}},
          {jsonOption()},
          runCheck},
@@ -135,9 +135,9 @@ const std::vector<Verb> &verbs()
          runNotebook,
          ApplicationKind::widgets},
         {"handout",
-         VerbsText::tr(
-             "Writes a lesson on paper: its texts, pictures and questions with lines to write on, and the "
-             "answers on pages of their own."),
+         VerbsText::tr("Writes a lesson on paper: its texts, pictures and questions with lines to write on. "
+                       "The answers "
+                       "follow on separate pages."),
          {{"LESSON", VerbsText::tr("A lesson, or the folder or the zip of one.")},
           {"OUT.pdf", VerbsText::tr("The PDF to write.")}},
          {{"language", VerbsText::tr("en or de (default: that of the system)."), "LANG"}},

@@ -5386,16 +5386,16 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Die Lektionen, die hineinkommen (Vorgabe: alle).</translation>
     </message>
     <message>
-        <source>Checks a lesson of your own, and plays the solution of each thing to try. The exit code is 1 if one does not do what it should.</source>
-        <translation>Prüft eine eigene Lektion und spielt die Lösung jedes Versuchs. Der Rückgabewert ist 1, wenn eine nicht tut, was sie soll.</translation>
+        <source>Checks a lesson of your own, and plays the solution of each thing to try. The exit code is 1 if one fails.</source>
+        <translation>Prüft eine eigene Lektion und spielt die Lösung jedes Versuchs. Der Rückgabewert ist 1, wenn eine nicht gelingt.</translation>
     </message>
     <message>
         <source>The folder of the lesson, or its zip.</source>
         <translation>Der Ordner der Lektion, oder ihr Zip.</translation>
     </message>
     <message>
-        <source>Writes a lesson on paper: its texts, pictures and questions with lines to write on, and the answers on pages of their own.</source>
-        <translation>Schreibt eine Lektion auf Papier: ihre Texte, Bilder und Fragen mit Zeilen zum Schreiben und die Antworten auf eigenen Seiten.</translation>
+        <source>Writes a lesson on paper: its texts, pictures and questions with lines to write on. The answers follow on separate pages.</source>
+        <translation>Schreibt eine Lektion auf Papier: ihre Texte, Bilder und Fragen mit Zeilen zum Schreiben. Die Antworten folgen auf eigenen Seiten.</translation>
     </message>
     <message>
         <source>A lesson, or the folder or the zip of one.</source>

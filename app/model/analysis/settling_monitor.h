@@ -28,7 +28,7 @@ public:
     bool canMap() const;
     /// Returns whether a map is being computed or will be soon.
     bool isMapping() const { return m_due.isActive() || m_job.isRunning(); }
-    /// Returns what is known so far; null if nothing is.
+    /// Returns the cells computed so far; null before the first ones.
     const sim::SettlingMap *map() const { return m_map.get(); }
     /// Returns the frame of the last input, from which frames are counted.
     std::int64_t countedFrom() const;
@@ -39,7 +39,7 @@ public:
     const std::vector<TriedSpot> &tried() const { return m_tried; }
     /// Returns the nearest settings to `spot` that are possible in the open step.
     TriedSpot settable(const TriedSpot &spot) const { return app::settable(m_run.step(), spot); }
-    /// Begins the run again with the stiffness and damping of `spot` and the same input, in one edit. Playback goes on.
+    /// Restarts the run with the stiffness and damping of `spot` and the same input, as one edit. Playback continues.
     void adopt(const TriedSpot &spot);
 
     static constexpr int restMilliseconds = 300;       ///< before a map is computed

@@ -25,7 +25,7 @@ using HandoutPicture = std::function<QImage(const HandoutMoment &moment)>;
 
 /// Writes a lesson on paper into `document`, in the language of `lesson`: the text and the listing of each step, its
 /// predictions with a picture of where they begin, things to try and tasks with lines to write on, the questions after the
-/// lesson and its project. The answers begin on a page of their own, with pictures of where the predictions end. Returns
+/// lesson and its project. The answers begin on a new page, with pictures of where the predictions end. Returns
 /// false if cancelled.
 /// @throws UserError, sim::Error if a prediction has no run
 bool writeHandout(QTextDocument &document, const LessonEntry &lesson, const HandoutPicture &picture,

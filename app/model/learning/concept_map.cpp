@@ -56,7 +56,7 @@ QHash<QString, std::size_t> indicesOf(const std::vector<TaughtConcept> &all)
     throw lessons::DocumentError(one.file, one.line, why);
 }
 
-/// A topological order of the concepts: each comes after those that it rests on.
+/// A topological order of the concepts: each comes after its prerequisites.
 struct ConceptOrder
 {
     std::vector<std::size_t> indices;

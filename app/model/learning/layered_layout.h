@@ -5,7 +5,7 @@
 
 namespace app {
 
-/// A layered drawing of an acyclic graph: each node is in a row below those that it rests on. No edge passes through
+/// A layered drawing of an acyclic graph: each node is in a row below its predecessors. No edge passes through
 /// a node. The unit of x is the distance between two nodes side by side.
 struct LayeredLayout
 {

@@ -35,7 +35,7 @@ public:
 
     /// Opens the place of a project with its start scene, which can be undone there.
     void start(const QString &lesson);
-    /// Opens the place of a project as it was left.
+    /// Opens the step of a project, with the scene as the learner left it.
     void goOn(const QString &lesson);
     /// Puts the current project away. What was built stays.
     void putAway();

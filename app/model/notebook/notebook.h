@@ -58,7 +58,7 @@ struct Notebook
     QString name = {};   ///< that the learner typed; empty if she typed none
     QDateTime when = {}; ///< UTC, when it was written
     std::vector<NotebookEntry> entries = {};
-    /// Whether it is as it was written. It tells accidents, not intent: anybody can compute the seal again.
+    /// Whether the file is unchanged since it was written. The seal finds accidents only: anybody can compute it again.
     bool isSealed = true;
 };
 
