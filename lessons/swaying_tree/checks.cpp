@@ -61,13 +61,16 @@ std::int64_t framesSinceButton(const Timeline &run)
 }
 
 /// Returns the state just before the last release of the button. Empty while the button is down and before a
-/// release.
+/// release, and if the tree has had another number of branches since: their bends cannot be compared with its own.
 std::optional<sim::State> stateBeforeRelease(const Timeline &run)
 {
     const std::int64_t since = framesSinceButton(run);
     if (since < 0 || isBlowing(run) || run.cursor().frame - since < 1)
         return {};
-    return run.track().stateAt(run.cursor().frame - since - 1);
+    sim::State state = run.track().stateAt(run.cursor().frame - since - 1);
+    if (state.pointCount() != run.state().pointCount())
+        return {};
+    return state;
 }
 
 /// Returns the largest angle between a branch and the direction to the pointer, in degrees.

@@ -61,6 +61,7 @@ private slots:
     void heldBranchKeepsItsAngleAndMovesItsChildren();
     void windIsDrawnWhileTheButtonIsDown();
     void theLargestBendIsTheShortWay();
+    void bendOfAnotherTreeDoesNotCount();
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, swayingTreeAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
@@ -331,6 +332,21 @@ void SwayingTree::theLargestBendIsTheShortWay()
     QVERIFY((state.angle - scene.start.angle).abs().maxCoeff() > 180.0); // full turns are counted there
     const double bend = pointer.measures.front().of(scene, state, nullptr, script.values);
     QVERIFY2(bend > 1.0 && bend <= 180.0, qPrintable(QString::number(bend)));
+}
+
+void SwayingTree::bendOfAnotherTreeDoesNotCount()
+{
+    const lessons::Step &rest = step("rest");
+    sim::Script script = pressed("rest", {275, 390});
+    script.input.push_back({60, sim::Pointer{{275, 390}, false}});
+    sim::Timeline same(script);
+    same.seek({300, 0});
+    QVERIFY(rest.tries[0].isDone(same)); // bent, let go, and back
+    script.input.push_back({200, sim::Set{"min_scale", 0.15}});
+    sim::Timeline grown(script);
+    grown.seek({300, 0});
+    QVERIFY(grown.state().pointCount() > same.state().pointCount());
+    QVERIFY(!rest.tries[0].isDone(grown));
 }
 
 void SwayingTree::windIsDrawnWhileTheButtonIsDown()
