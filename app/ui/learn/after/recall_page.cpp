@@ -1,11 +1,11 @@
 #include "app/ui/learn/after/recall_page.h"
 
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/scroll_page.h"
 #include "app/ui/learn/step_button.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -14,19 +14,7 @@ namespace app {
 RecallPage::RecallPage(RecallDesk &desk, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_desk(desk), m_theme(theme)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
-    auto *area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidget(makeText());
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(area, 1);
-    column->addWidget(makeButtons());
+    layOutPage(*this, makeText(), makeButtons());
     connect(&desk, &RecallDesk::changed, this, &RecallPage::refresh);
     connect(&theme, &Theme::changed, this, &RecallPage::refresh);
     refresh();

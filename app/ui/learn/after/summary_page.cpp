@@ -5,6 +5,7 @@
 #include "app/ui/learn/after/recall_box.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
+#include "app/ui/learn/scroll_page.h"
 #include "app/ui/learn/step_button.h"
 
 #include <QLabel>
@@ -31,19 +32,7 @@ QString linkTo(const QString &text, const LessonSummary &summary, const StepSumm
 SummaryPage::SummaryPage(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme)
 {
-    setObjectName("panel");
-    setAttribute(Qt::WA_StyledBackground);
-    auto *area = new QScrollArea(this);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    area->setWidget(makeText());
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(area, 1);
-    column->addWidget(makeButtons());
+    layOutPage(*this, makeText(), makeButtons());
     session.onChange(ChangeKind::step, this, &SummaryPage::open);
     session.onChange(ChangeKind::texts, this, &SummaryPage::refresh);
     connect(&session.progress(), &Progress::changed, this, &SummaryPage::refresh);

@@ -1,5 +1,7 @@
 #include "app/ui/learn/step/step_room.h"
 
+#include "app/ui/learn/scroll_page.h"
+
 #include <QCoreApplication>
 #include <QTimer>
 #include <QVBoxLayout>
@@ -12,16 +14,6 @@ namespace {
 
 constexpr int leastTries = 120;    ///< px, the least height of the things to try, if they need more
 constexpr int separatorHeight = 1; ///< px, of the line above them
-
-QScrollArea *makeArea(QWidget &panel)
-{
-    auto *area = new QScrollArea(&panel);
-    area->setWidgetResizable(true);
-    area->setFrameShape(QFrame::NoFrame);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setFocusPolicy(Qt::NoFocus);
-    return area;
-}
 
 /// Calls `scroll` once all widgets have their new heights, unless `box` is gone by then.
 template <typename Scroll>
@@ -36,7 +28,7 @@ void afterLayout(const QWidget *box, Scroll scroll)
 
 }
 
-StepRoom::StepRoom(QWidget &panel) : m_panel(panel), m_area(makeArea(panel))
+StepRoom::StepRoom(QWidget &panel) : m_panel(panel), m_area(makeScrollArea(panel))
 {
     auto *page = new QWidget;
     page->setObjectName("panel");
@@ -50,6 +42,11 @@ StepRoom::StepRoom(QWidget &panel) : m_panel(panel), m_area(makeArea(panel))
         column->setSpacing(0);
     }
     m_area->setWidget(page);
+    QObject::connect(&bar(), &QScrollBar::actionTriggered, &bar(), [this] { m_whole.clear(); });
+    QObject::connect(&bar(), &QScrollBar::rangeChanged, &bar(), [this] {
+        if (m_whole && m_isCut)
+            scrollToWhole();
+    });
     // The text takes only the height that it needs, so that the tasks follow directly below it.
     m_column->addWidget(m_area, 1000);
 }
@@ -64,7 +61,7 @@ void StepRoom::addBelow(QWidget *tries, QWidget *buttons)
 {
     m_tries = tries;
     m_buttons = buttons;
-    m_tryArea = makeArea(m_panel);
+    m_tryArea = makeScrollArea(m_panel);
     m_tryArea->setObjectName("tries");
     m_tryArea->setWidget(tries);
     for (QWidget *clear : {m_tryArea->viewport(), tries})
@@ -80,12 +77,15 @@ void StepRoom::addBelow(QWidget *tries, QWidget *buttons)
 
 void StepRoom::fit(int leastText)
 {
+    const bool hasWhole = m_whole && m_whole->geometry().bottom() < bar().value() + viewport()->height();
     const int text = page()->layout()->totalHeightForWidth(m_panel.width());
     const int tries = triesHeight();
     const int left =
         m_panel.height() - separatorHeight - m_buttons->sizeHint().height() - std::min(text, leastText);
     m_tryArea->setFixedHeight(std::clamp(left, std::min(tries, leastTries), tries));
     m_area->setMaximumHeight(std::max(1, text));
+    if (hasWhole)
+        scrollToWhole();
 }
 
 int StepRoom::triesHeight() const
@@ -109,14 +109,25 @@ int StepRoom::leastHeight() const
 
 void StepRoom::showTopOf(const QWidget *box)
 {
+    m_whole.clear();
     afterLayout(box, [this, box] { bar().setValue(box->y()); });
 }
 
 void StepRoom::showWhole(const QWidget *box)
 {
-    afterLayout(box, [this, box] {
+    m_whole = box;
+    scrollToWhole();
+}
+
+void StepRoom::scrollToWhole()
+{
+    afterLayout(m_whole, [this, box = m_whole.data()] {
+        if (box != m_whole || !box->isVisible())
+            return;
         const int top = box->y(), end = top + box->height() - viewport()->height();
-        bar().setValue(std::max(end, std::min(top, bar().value())));
+        const int wanted = std::max(end, std::min(top, bar().value()));
+        bar().setValue(wanted);
+        m_isCut = bar().value() < wanted;
     });
 }
 

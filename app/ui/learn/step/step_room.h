@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 
@@ -32,13 +33,15 @@ public:
 
     /// Scrolls to the top of `box`, once the layout is done.
     void showTopOf(const QWidget *box);
-    /// Scrolls so that the whole box is in view, or at least its end, once the layout is done.
+    /// Scrolls so that the whole box is in view, or at least its end, once the layout is done. While it is, fit() keeps it
+    /// so, until the learner scrolls.
     void showWhole(const QWidget *box);
     /// The same for one of the things to try.
     void showTry(QWidget *box);
 
 private:
     int triesHeight() const;
+    void scrollToWhole();
 
     QWidget &m_panel;
     QScrollArea *m_area;
@@ -47,6 +50,8 @@ private:
     QWidget *m_tries = nullptr;
     QScrollArea *m_tryArea = nullptr;
     QWidget *m_buttons = nullptr;
+    QPointer<const QWidget> m_whole; ///< what showWhole() keeps in view
+    bool m_isCut = false; ///< whether the range of the bar ended above it: a long text gets its height later
 };
 
 }

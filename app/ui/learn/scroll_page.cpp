@@ -1,0 +1,31 @@
+#include "app/ui/learn/scroll_page.h"
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+namespace app {
+
+QScrollArea *makeScrollArea(QWidget &panel)
+{
+    auto *area = new QScrollArea(&panel);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    return area;
+}
+
+void layOutPage(QWidget &panel, QWidget *text, QWidget *buttons)
+{
+    panel.setObjectName("panel");
+    panel.setAttribute(Qt::WA_StyledBackground);
+    QScrollArea *area = makeScrollArea(panel);
+    area->setWidget(text);
+    auto *column = new QVBoxLayout(&panel);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(area, 1);
+    column->addWidget(buttons);
+}
+
+}
