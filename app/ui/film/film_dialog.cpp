@@ -4,15 +4,16 @@
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
 #include "app/ui/dialogs/dialog_place.h"
+#include "app/ui/film/export_progress.h"
 #include "app/ui/film/film_name.h"
 #include "app/ui/film/film_size.h"
+#include "app/ui/film/frame_range.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardPaths>
@@ -24,13 +25,6 @@ namespace {
 constexpr int margin = 20;
 constexpr int pageWidth = 460;
 constexpr int usualRate = 30;
-
-QLabel *label(const QString &text, QWidget *buddy, QWidget *parent)
-{
-    auto *label = new QLabel(text, parent);
-    label->setBuddy(buddy);
-    return label;
-}
 
 QString folder()
 {
@@ -46,49 +40,22 @@ FilmDialog::FilmDialog(const Session &session, const SceneView &view, const Them
     setWindowTitle(tr("Film of the run"));
     setModal(false);
     m_fields = fields();
-    m_progress = new QProgressBar(this);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedHeight(6);
-    m_progress->setAccessibleName(tr("Progress of the film"));
-    QSizePolicy keepsRoom = m_progress->sizePolicy();
-    keepsRoom.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(keepsRoom);
-    m_progress->hide(); // until there is progress to show
-    m_message = new QLabel(this);
-    m_message->setObjectName("caption");
-    m_message->setTextFormat(Qt::PlainText);
-    m_message->setWordWrap(true);
-    m_message->setMinimumHeight(2 * m_message->fontMetrics().lineSpacing());
-    m_message->setAlignment(Qt::AlignTop);
+    m_progress = new ExportProgress(tr("Progress of the film"), this);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(margin, margin, margin, margin);
     column->setSpacing(12);
     column->addWidget(m_fields);
     column->addWidget(m_progress);
-    column->addWidget(m_message);
     column->addStretch(1);
     column->addWidget(buttons());
-    resize(pageWidth, sizeHint().height());
+    resize(pageWidth, column->totalHeightForWidth(pageWidth));
     connect(&m_next, &QTimer::timeout, this, &FilmDialog::goOn);
     connect(m_name, &FilmName::changed, this, &FilmDialog::askAgain);
-    for (const QSpinBox *frame : {m_from, m_to})
-        connect(frame, &QSpinBox::valueChanged, this, [this] {
-            m_name->forbidReplacing();
-            askAgain();
-        });
+    connect(m_range, &FrameRange::changed, this, [this] {
+        m_name->forbidReplacing();
+        askAgain();
+    });
     showState();
-}
-
-QSpinBox *FilmDialog::frameBox(const QString &name, const QString &help)
-{
-    auto *box = new QSpinBox(this);
-    box->setRange(0, static_cast<int>(mostFrames));
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setAlignment(Qt::AlignRight);
-    box->setAccessibleName(name);
-    box->setToolTip(help);
-    box->setFixedWidth(96);
-    return box;
 }
 
 QWidget *FilmDialog::fields()
@@ -98,32 +65,23 @@ QWidget *FilmDialog::fields()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(10);
     grid->setHorizontalSpacing(12);
-    m_from = frameBox(tr("First frame"), tr("The first frame of the film"));
-    m_to = frameBox(tr("Last frame"), tr("The last frame of the film; the run is computed up to there"));
-    m_rate = frameBox(tr("Frames a second"), tr("The speed of the film: 30 is as fast as in the window"));
+    m_range = new FrameRange(*grid, tr("The first frame of the film"),
+                             tr("The last frame of the film; the run is computed up to there"));
+    m_rate = makeFrameBox(tr("Frames a second"), tr("The speed of the film: 30 is as fast as in the window"),
+                          fields);
     m_rate->setRange(1, static_cast<int>(mostGifRate));
     m_rate->setValue(usualRate);
     m_size = new FilmSize(*m_view.viewport(), fields);
-    int row = 0;
-    const auto add = [&](const QString &text, QWidget *field, QWidget *buddy) {
-        grid->addWidget(label(text, buddy, fields), row, 0);
-        grid->addWidget(field, row++, 1, field == buddy ? Qt::AlignLeft : Qt::Alignment());
-    };
-    add(tr("&First frame"), m_from, m_from);
-    add(tr("&Last frame"), m_to, m_to);
-    add(tr("Frames a &second"), m_rate, m_rate);
-    add(tr("&Width"), m_size, &m_size->width());
+    addRow(*grid, tr("Frames a &second"), m_rate, m_rate);
+    addRow(*grid, tr("&Width"), m_size, &m_size->width());
     m_name = new FilmName(fields);
-    add(tr("F&ile"), m_name, &m_name->field());
+    addRow(*grid, tr("F&ile"), m_name, &m_name->field());
     grid->setColumnStretch(1, 1);
-    auto *hint =
-        new QLabel(tr("A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes "
-                      "a picture of each frame, with its number instead of %04d."),
-                   fields);
-    hint->setObjectName("caption");
-    hint->setTextFormat(Qt::PlainText);
-    hint->setWordWrap(true);
-    grid->addWidget(hint, row, 1);
+    grid->addWidget(
+        makeCaption(tr("A name that ends in .webm or .gif makes one file. A name such as walk_%04d.png makes "
+                       "a picture of each frame, with its number instead of %04d."),
+                    fields),
+        grid->rowCount(), 1);
     return fields;
 }
 
@@ -147,14 +105,13 @@ QWidget *FilmDialog::buttons()
 
 QString FilmDialog::message() const
 {
-    return m_message->text();
+    return m_progress->message();
 }
 
 void FilmDialog::offer()
 {
     if (!isMaking()) {
-        m_from->setValue(0);
-        m_to->setValue(static_cast<int>(m_session.experiment().frames));
+        m_range->set(0, static_cast<int>(m_session.experiment().frames));
         m_name->suggest(folder(), m_session.step().id);
         m_name->forbidReplacing();
         askAgain();
@@ -170,7 +127,7 @@ void FilmDialog::askAgain()
 {
     if (isMaking())
         return;
-    m_message->clear();
+    m_progress->setMessage({});
     showState();
 }
 
@@ -182,8 +139,8 @@ FilmPlan FilmDialog::plan() const
     plan.size = m_size->size();
     plan.scheme = m_theme.scheme();
     plan.extras = m_view.extras();
-    plan.from = m_from->value();
-    plan.to = m_to->value();
+    plan.from = m_range->first();
+    plan.to = m_range->last();
     plan.rate = m_rate->value();
     return plan;
 }
@@ -192,20 +149,20 @@ void FilmDialog::start()
 {
     m_making = m_name->name();
     try {
-        const QString objection = m_name->objection(m_from->value(), m_to->value());
+        const QString objection = m_name->objection(m_range->first(), m_range->last());
         if (!objection.isEmpty()) {
             m_name->allowReplacing();
             showState();
-            m_message->setText(objection);
+            m_progress->setMessage(objection);
             return;
         }
         m_film = std::make_unique<Film>(plan(), m_session.library());
         m_next.start(0);
-        m_message->setText(tr("Choosing its colours…"));
+        m_progress->setMessage(tr("Choosing its colours…"));
     } catch (const UserError &error) {
-        m_message->setText(error.sentence());
+        m_progress->setMessage(error.sentence());
     } catch (const sim::Error &error) {
-        m_message->setText(sentenceFor(error));
+        m_progress->setMessage(sentenceFor(error));
     }
     showState();
 }
@@ -214,18 +171,16 @@ void FilmDialog::goOn()
 {
     try {
         if (m_film->goOn()) {
-            m_message->setText(tr("Frame %1 of %2").arg(m_film->frame()).arg(m_to->value()));
+            m_progress->setMessage(tr("Frame %1 of %2").arg(m_film->frame()).arg(m_range->last()));
             showState();
             return;
         }
         const QString why = m_film->endsEarly();
         const QString name = shownPath(QFileInfo(m_making).fileName());
-        const int all = m_progress->maximum();
+        const auto all = static_cast<int>(m_film->total());
         end(why.isEmpty() ? tr("%1 is saved.").arg(name)
                           : tr("%1 is saved, up to the frame where the run stops. %2").arg(name, why));
-        m_progress->setMaximum(all);
-        m_progress->setValue(all);
-        m_progress->show();
+        m_progress->showDone(all, all);
     } catch (const UserError &error) {
         end(error.sentence());
     }
@@ -243,7 +198,7 @@ void FilmDialog::end(const QString &sentence)
     m_next.stop();
     m_film.reset();
     m_name->forbidReplacing();
-    m_message->setText(sentence);
+    m_progress->setMessage(sentence);
     showState();
 }
 
@@ -257,9 +212,10 @@ void FilmDialog::showState()
                                 : tr("Make the film; you can use the window meanwhile"));
     m_stop->setText(isMaking() ? tr("Ca&ncel") : tr("Close"));
     m_stop->setToolTip(isMaking() ? tr("Cancel the film (Esc)") : tr("Close this page (Esc)"));
-    m_progress->setVisible(isMaking());
-    m_progress->setMaximum(m_film ? static_cast<int>(m_film->total()) : 1);
-    m_progress->setValue(m_film ? static_cast<int>(m_film->done()) : 0);
+    if (m_film)
+        m_progress->showDone(static_cast<int>(m_film->done()), static_cast<int>(m_film->total()));
+    else
+        m_progress->hideBar();
 }
 
 void FilmDialog::done(int result)

@@ -5,15 +5,15 @@
 #include <QDialog>
 #include <QTimer>
 
-class QLabel;
-class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
 namespace app {
 
+class ExportProgress;
 class FilmName;
 class FilmSize;
+class FrameRange;
 
 /// A dialog that asks for the settings of a film of the run and makes it while the window stays usable.
 class FilmDialog : public QDialog
@@ -32,7 +32,6 @@ public:
     void done(int result) override;
 
 private:
-    QSpinBox *frameBox(const QString &name, const QString &help);
     QWidget *fields();
     QWidget *buttons();
     void start();
@@ -46,14 +45,12 @@ private:
     const Session &m_session;
     const SceneView &m_view;
     const Theme &m_theme;
-    QSpinBox *m_from;
-    QSpinBox *m_to;
+    FrameRange *m_range;
     QSpinBox *m_rate;
     FilmSize *m_size;
     FilmName *m_name;
     QWidget *m_fields; ///< all settings
-    QProgressBar *m_progress;
-    QLabel *m_message;
+    ExportProgress *m_progress;
     QPushButton *m_make;
     QPushButton *m_stop;
     std::unique_ptr<Film> m_film;

@@ -5,16 +5,15 @@
 #include "app/model/text/user_error.h"
 #include "app/ui/dialogs/ask_file.h"
 #include "app/ui/dialogs/dialog_place.h"
+#include "app/ui/film/export_progress.h"
+#include "app/ui/film/frame_range.h"
 #include "app/ui/film/page_colors.h"
 
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
-#include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 
-#include <algorithm>
 #include <utility>
 
 namespace app {
@@ -25,15 +24,6 @@ constexpr int dialogMargin = 20;
 constexpr int dialogWidth = 440;
 constexpr int usualFrames = 300; ///< of a run that has not been played yet
 
-QLabel *wrappedText(const QString &text, QWidget *parent)
-{
-    auto *label = new QLabel(text, parent);
-    label->setObjectName("caption");
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
-
 }
 
 WebPageDialog::WebPageDialog(const Session &session, QWidget *parent) : QDialog(parent), m_session(session)
@@ -41,43 +31,21 @@ WebPageDialog::WebPageDialog(const Session &session, QWidget *parent) : QDialog(
     setWindowTitle(tr("Web page of the run"));
     setModal(false);
     m_fields = fields();
-    m_progress = new QProgressBar(this);
-    m_progress->setTextVisible(false);
-    m_progress->setFixedHeight(6);
-    m_progress->setAccessibleName(tr("Progress of the web page"));
-    QSizePolicy keepsRoom = m_progress->sizePolicy();
-    keepsRoom.setRetainSizeWhenHidden(true);
-    m_progress->setSizePolicy(keepsRoom);
-    m_message = wrappedText({}, this);
-    m_message->setMinimumHeight(2 * m_message->fontMetrics().lineSpacing());
-    m_message->setAlignment(Qt::AlignTop);
+    m_progress = new ExportProgress(tr("Progress of the web page"), this);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(dialogMargin, dialogMargin, dialogMargin, dialogMargin);
     column->setSpacing(12);
-    column->addWidget(wrappedText(
+    column->addWidget(makeCaption(
         tr("One file that plays the run in any browser, also without a network: the scene, the listing with "
            "its values, the plots that are open, and the text of the step."),
         this));
     column->addWidget(m_fields);
     column->addWidget(m_progress);
-    column->addWidget(m_message);
     column->addStretch(1);
     column->addWidget(buttons());
-    resize(dialogWidth, sizeHint().height());
+    resize(dialogWidth, column->totalHeightForWidth(dialogWidth));
     connect(&m_next, &QTimer::timeout, this, &WebPageDialog::goOn);
     showState();
-}
-
-QSpinBox *WebPageDialog::frameBox(const QString &name, const QString &help)
-{
-    auto *box = new QSpinBox(this);
-    box->setRange(0, static_cast<int>(mostFrames));
-    box->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    box->setAlignment(Qt::AlignRight);
-    box->setAccessibleName(name);
-    box->setToolTip(help);
-    box->setFixedWidth(96);
-    return box;
 }
 
 QWidget *WebPageDialog::fields()
@@ -87,16 +55,8 @@ QWidget *WebPageDialog::fields()
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setVerticalSpacing(10);
     grid->setHorizontalSpacing(12);
-    m_from = frameBox(tr("First frame"), tr("The first frame of the page"));
-    m_to = frameBox(tr("Last frame"), tr("The last frame of the page; the run is computed up to there"));
-    int row = 0;
-    for (const auto &[text, box] :
-         {std::pair{tr("&First frame"), m_from}, std::pair{tr("&Last frame"), m_to}}) {
-        auto *label = new QLabel(text, fields);
-        label->setBuddy(box);
-        grid->addWidget(label, row, 0);
-        grid->addWidget(box, row++, 1, Qt::AlignLeft);
-    }
+    m_range = new FrameRange(*grid, tr("The first frame of the page"),
+                             tr("The last frame of the page; the run is computed up to there"));
     grid->setColumnStretch(1, 1);
     return fields;
 }
@@ -123,17 +83,16 @@ QWidget *WebPageDialog::buttons()
 
 QString WebPageDialog::message() const
 {
-    return m_message->text();
+    return m_progress->message();
 }
 
 void WebPageDialog::offer(std::vector<PlotSpec> plots)
 {
     if (!isMaking()) {
         m_plots = std::move(plots);
-        m_from->setValue(0);
         const auto played = static_cast<int>(m_session.experiment().frames);
-        m_to->setValue(played > 1 ? played : usualFrames);
-        m_message->clear();
+        m_range->set(0, played > 1 ? played : usualFrames);
+        m_progress->setMessage({});
         showState();
     }
     placeOverParent(*this);
@@ -155,8 +114,8 @@ void WebPageDialog::make(const QString &path)
     WebPagePlan plan;
     plan.experiment = m_session.experiment();
     plan.out = path;
-    plan.from = m_from->value();
-    plan.to = m_to->value();
+    plan.from = m_range->first();
+    plan.to = m_range->last();
     plan.plots = m_plots;
     plan.light = pageColors(Scheme::light);
     plan.dark = pageColors(Scheme::dark);
@@ -164,11 +123,11 @@ void WebPageDialog::make(const QString &path)
     try {
         m_page = std::make_unique<WebPage>(plan, m_session.library());
         m_next.start(0);
-        m_message->clear();
+        m_progress->setMessage({});
     } catch (const UserError &error) {
-        m_message->setText(error.sentence());
+        m_progress->setMessage(error.sentence());
     } catch (const sim::Error &error) {
-        m_message->setText(sentenceFor(error));
+        m_progress->setMessage(sentenceFor(error));
     }
     showState();
 }
@@ -177,7 +136,7 @@ void WebPageDialog::goOn()
 {
     try {
         if (m_page->goOn()) {
-            m_message->setText(tr("Frame %1 of %2").arg(m_page->frame()).arg(m_to->value()));
+            m_progress->setMessage(tr("Frame %1 of %2").arg(m_page->frame()).arg(m_range->last()));
             showState();
             return;
         }
@@ -194,7 +153,7 @@ void WebPageDialog::end(const QString &sentence)
 {
     m_next.stop();
     m_page.reset();
-    m_message->setText(sentence);
+    m_progress->setMessage(sentence);
     showState();
 }
 
@@ -204,9 +163,11 @@ void WebPageDialog::showState()
     m_save->setEnabled(!isMaking());
     m_stop->setText(isMaking() ? tr("Ca&ncel") : tr("Close"));
     m_stop->setToolTip(isMaking() ? tr("Cancel the page (Esc)") : tr("Close this dialog (Esc)"));
-    m_progress->setVisible(isMaking());
-    m_progress->setRange(m_from->value(), std::max(m_from->value() + 1, m_to->value()));
-    m_progress->setValue(m_page ? static_cast<int>(m_page->frame()) : m_from->value());
+    if (m_page)
+        m_progress->showDone(static_cast<int>(m_page->frame()) - m_range->first(),
+                             m_range->last() - m_range->first());
+    else
+        m_progress->hideBar();
 }
 
 void WebPageDialog::done(int result)

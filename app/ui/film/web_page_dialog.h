@@ -6,12 +6,12 @@
 #include <QDialog>
 #include <QTimer>
 
-class QLabel;
-class QProgressBar;
 class QPushButton;
-class QSpinBox;
 
 namespace app {
+
+class ExportProgress;
+class FrameRange;
 
 /// A dialog that asks for the frames of a web page and makes it while the window stays usable.
 class WebPageDialog : public QDialog
@@ -32,7 +32,6 @@ public:
     void done(int result) override;
 
 private:
-    QSpinBox *frameBox(const QString &name, const QString &help);
     QWidget *fields();
     QWidget *buttons();
     void askPath();
@@ -42,11 +41,9 @@ private:
 
     const Session &m_session;
     std::vector<PlotSpec> m_plots;
-    QSpinBox *m_from;
-    QSpinBox *m_to;
+    FrameRange *m_range;
     QWidget *m_fields; ///< all settings
-    QProgressBar *m_progress;
-    QLabel *m_message;
+    ExportProgress *m_progress;
     QPushButton *m_save;
     QPushButton *m_stop;
     std::unique_ptr<WebPage> m_page;
