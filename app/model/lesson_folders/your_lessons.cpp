@@ -135,6 +135,24 @@ const LessonEntry &YourLessons::open(const QString &path)
     return lesson;
 }
 
+void YourLessons::remove(const QString &source)
+{
+    m_paths.removeAll(source);
+    m_known.remove(source);
+    QStringList remembered = QSettings().value(yoursKey).toStringList();
+    if (remembered.removeAll(source) > 0)
+        QSettings().setValue(yoursKey, remembered);
+    std::erase_if(m_library.yours, [&source](const LessonEntry &lesson) { return lesson.source == source; });
+    const QStringList watched = m_watcher.files() + m_watcher.directories();
+    for (const QString &path : watched) {
+        if (path == source || path.startsWith(source + '/'))
+            m_watcher.removePath(path);
+    }
+    emit changed();
+    if (m_mistakes.remove(source) > 0)
+        emit mistakeChanged(mistake());
+}
+
 void YourLessons::refresh()
 {
     const QString before = mistake();

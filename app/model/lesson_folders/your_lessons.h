@@ -24,6 +24,8 @@ public:
     /// Reads a lesson, adds it to the library or brings it up to date there, and remembers it.
     /// @throws UserError: as readLesson(); nothing has changed
     const LessonEntry &open(const QString &path);
+    /// Takes a lesson out of the library and forgets it. Its files stay. No step of it may be open.
+    void remove(const QString &source);
     /// Returns the first mistake in a file of a lesson: file, line and remedy. Empty if there is none.
     QString mistake() const { return m_mistakes.isEmpty() ? QString() : m_mistakes.first(); }
     /// Returns a sentence about lessons of earlier starts that are gone and were forgotten. Empty if there are none.

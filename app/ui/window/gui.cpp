@@ -7,7 +7,6 @@
 #include "app/model/session/session.h"
 #include "app/model/text/language.h"
 #include "app/ui/effects/effects_panel.h"
-#include "app/ui/learn/lessons/lesson_desk.h"
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/settings/appearance.h"
 #include "app/ui/window/failure_notice.h"
@@ -91,7 +90,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     QObject::connect(&documents, &LessonDocuments::mistakeChanged, &window, &MainWindow::showDocumentMistake);
     if (!documents.mistake().isEmpty())
         window.showDocumentMistake(documents.mistake());
-    window.findChild<LessonDesk *>()->setLessons(yours);
+    window.offerYourLessons(yours);
     window.fitInto(window.screen()->availableSize());
     const LastStep last = LastStep::load();
     if (!from)

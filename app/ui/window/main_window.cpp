@@ -386,11 +386,10 @@ void MainWindow::makeMenus()
     connect(size, &SizeMenu::restartWanted, this, &MainWindow::restartUnlessFilming);
     new Appearance(*this, m_centre->bar(), m_centre->scene(), view, m_theme);
     const Submenus submenus{recent, &m_centre->transport().runs(), arrange, language, size};
-    auto *lessons =
-        new LessonDesk(m_session, m_files->document(), m_commands.list, m_centre->notice(), *this);
-    connect(m_files.get(), &ExperimentFiles::lessonChosen, lessons, &LessonDesk::open);
-    setMenuWidget(new Header(makeMenuBar(m_commands, *m_sandbox, lessons->begin(), submenus, this),
-                             m_commands, m_theme, this));
+    m_lessons = new LessonDesk(m_session, m_files->document(), m_commands.list, m_centre->notice(), *this);
+    connect(m_files.get(), &ExperimentFiles::lessonChosen, m_lessons, &LessonDesk::open);
+    setMenuWidget(new Header(makeMenuBar(m_commands, *m_sandbox, *m_lessons, submenus, this), m_commands,
+                             m_theme, this));
 }
 
 void MainWindow::updateTitle()
@@ -517,6 +516,11 @@ void MainWindow::keepGalleryIn(const QString &folder)
     m_notebook->setGallery(folder);
     for (Command *command : {m_commands.file.keep, m_commands.file.gallery})
         command->setObstacle({});
+}
+
+void MainWindow::offerYourLessons(YourLessons &lessons)
+{
+    m_lessons->setLessons(lessons);
 }
 
 void MainWindow::restartUnlessFilming(const QString &sentence)

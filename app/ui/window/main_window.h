@@ -34,6 +34,7 @@ class GalleryDesk;
 class HelpPages;
 class LearnPanel;
 class LeftPages;
+class LessonDesk;
 class MeasureSeries;
 class NotebookDesk;
 class NumbersPanel;
@@ -49,6 +50,7 @@ class StabilityGauge;
 class StabilityPanel;
 class Tour;
 class WindowLayouts;
+class YourLessons;
 
 /// The window: lessons on the left, the scene with its time in the middle, code and parameters on the right. It
 /// makes its parts and connects them.
@@ -107,6 +109,8 @@ public:
     void autosaveIn(const QString &folder, int within = Autosave::saveWithin);
     /// Keeps the gallery in `folder` from now on. Before, there is none.
     void keepGalleryIn(const QString &folder);
+    /// Offers to open and to begin lessons without C++, which are kept in `lessons`. `lessons` must outlive the window.
+    void offerYourLessons(YourLessons &lessons);
 
     /// Closes the window so that another one can continue from handover(). Nothing is lost, so nothing is asked.
     void startAgain();
@@ -168,6 +172,7 @@ private:
     SettlingMonitor *m_settling;
     SceneColumn *m_centre;
     LearnPanel *m_learn = nullptr;
+    LessonDesk *m_lessons = nullptr;
     BuildPanel *m_build = nullptr;
     LeftPages *m_leftPages = nullptr;
     AccuracyPanel *m_accuracy = nullptr;

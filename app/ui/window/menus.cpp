@@ -2,6 +2,7 @@
 
 #include "app/ui/actions/commands.h"
 #include "app/ui/actions/sandbox_commands.h"
+#include "app/ui/learn/lessons/lesson_desk.h"
 
 #include <QCoreApplication>
 #include <QMenu>
@@ -19,7 +20,7 @@ class Menus
 public:
     explicit Menus(QMenuBar &bar) : m_bar(bar) {}
 
-    void addFile(const FileCommands &file, Command &newLesson, QMenu *recent) const
+    void addFile(const FileCommands &file, const LessonDesk &lessons, QMenu *recent) const
     {
         QMenu *menu = m_bar.addMenu(tr("&File"));
         menu->addActions({file.startNew, file.open});
@@ -29,7 +30,7 @@ public:
         menu->addActions({file.save, file.saveAs});
         menu->addActions({file.keep, file.gallery});
         menu->addSeparator();
-        menu->addActions({&newLesson, file.handIn});
+        menu->addActions({&lessons.begin(), &lessons.forget(), file.handIn});
         menu->addSeparator();
         menu->addMenu(tr("&Export"))
             ->addActions({file.exportPicture, file.exportFilm, file.exportWebPage, file.exportHandout});
@@ -95,13 +96,13 @@ private:
 
 }
 
-QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, Command &newLesson,
+QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, const LessonDesk &lessons,
                       const Submenus &submenus, QWidget *parent)
 {
     auto *bar = new QMenuBar(parent);
     bar->setNativeMenuBar(false);
     const Menus menus(*bar);
-    menus.addFile(commands.file, newLesson, submenus.recentFiles);
+    menus.addFile(commands.file, lessons, submenus.recentFiles);
     menus.addEdit(commands.edit, sandbox);
     menus.addRun(commands.run, submenus.otherRuns);
     menus.addView(commands.view, submenus);

@@ -6,8 +6,8 @@ class QWidget;
 
 namespace app {
 
-class Command;
 struct Commands;
+class LessonDesk;
 class SandboxCommands;
 
 /// The menus inside others that are more than a list of commands.
@@ -20,8 +20,8 @@ struct Submenus
     QMenu *size;
 };
 
-/// Returns the menu bar of the window, filled with its commands. `newLesson` begins a lesson.
-QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, Command &newLesson,
+/// Returns the menu bar of the window, filled with its commands.
+QMenuBar *makeMenuBar(const Commands &commands, const SandboxCommands &sandbox, const LessonDesk &lessons,
                       const Submenus &submenus, QWidget *parent);
 
 }

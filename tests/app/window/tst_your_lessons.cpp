@@ -118,6 +118,7 @@ private slots:
     void aMistakeIsToldAndTheLastGoodStateStays();
     void whatIsSavedIsShownAtTheSameStepAndFrame();
     void aNewLessonBeginsWithTheSceneOfTheSandbox();
+    void aLessonIsTakenOutOfTheListAndPutBack();
 
 private:
     QUrl m_url;
@@ -259,6 +260,26 @@ void YourLessonsTest::aNewLessonBeginsWithTheSceneOfTheSandbox()
     QVERIFY(!fixture.desk.begin().obstacle().isEmpty());
     fixture.window.setMode(MainWindow::Mode::build);
     QVERIFY(fixture.desk.begin().isEnabled());
+}
+
+void YourLessonsTest::aLessonIsTakenOutOfTheListAndPutBack()
+{
+    const LessonCopy copy;
+    YoursFixture fixture;
+    QVERIFY(!fixture.desk.forget().isEnabled()); // a lesson of the program is open
+    fixture.dropFile(copy.path);
+    fixture.goTo(20);
+    fixture.key(Qt::Key_Delete, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(!fixture.rows().contains("Yours"));
+    QCOMPARE(fixture.session.lesson().id, fixture.library.lessons.front().id);
+    QVERIFY(QFileInfo::exists(copy.at("lesson.json")));
+    LessonLibrary next = programLessons();
+    QCOMPARE(YourLessons(next).farewell(), QString());
+    QVERIFY(next.yours.empty());
+    QVERIFY(fixture.answer("Put it back"));
+    QCOMPARE(fixture.session.lesson().id, clockLesson);
+    QVERIFY(fixture.rows().contains("Yours"));
+    QVERIFY(fixture.desk.forget().isEnabled());
 }
 
 SUITE(tst_your_lessons, YourLessonsTest)

@@ -20,10 +20,14 @@ LessonDesk::LessonDesk(Session &session, Document &document, CommandList &list, 
     : QObject(&window), m_session(session), m_document(document),
       m_begin(*list.add(tr("New &lesson from this scene…"), {QKeySequence("Ctrl+Shift+T")},
                         KeyGroup::experiments)),
+      m_forget(*list.add(tr("Re&move this lesson from the list"), {QKeySequence("Ctrl+Shift+Del")},
+                         KeyGroup::experiments)),
       m_notice(notice), m_window(window)
 {
     m_begin.setHelp(tr("Write a small lesson with this scene into a folder, to go on with an editor"));
+    m_forget.setHelp(tr("Take the open lesson out of your lessons; its files stay where they are"));
     connect(&m_begin, &QAction::triggered, this, &LessonDesk::askNew);
+    connect(&m_forget, &QAction::triggered, this, &LessonDesk::removeOpen);
     session.onChange(ChangeKind::step, this, &LessonDesk::follow);
     follow();
 }
@@ -48,6 +52,9 @@ void LessonDesk::follow()
         : !m_session.lesson().source.isEmpty()
             ? tr("A new lesson begins with a scene of the sandbox or of a lesson of the program")
             : QString());
+    m_forget.setObstacle(m_lessons && !m_session.lesson().source.isEmpty()
+                             ? QString()
+                             : tr("The open lesson is not one of yours"));
 }
 
 void LessonDesk::open(const QString &path)
@@ -84,6 +91,16 @@ void LessonDesk::askNew()
              : tr("The lesson is in %1. Open its first.md in an editor: each time you save, it changes "
                   "here."))
             .arg(shownPath(folder)));
+}
+
+void LessonDesk::removeOpen()
+{
+    const QString source = m_session.lesson().source;
+    const LessonEntry &first = m_session.library().lessons.front();
+    m_session.openStep(first.id, first.steps.front().id);
+    m_lessons->remove(source);
+    m_notice.ask(tr("%1 is no longer in the list. Its files are still there.").arg(shownPath(source)),
+                 {{tr("Put it back"), tr("Opens the lesson again"), [this, source] { open(source); }}});
 }
 
 void LessonDesk::leave(const LessonEntry &lesson)

@@ -23,12 +23,14 @@ class LessonDesk : public QObject
     Q_OBJECT
 
 public:
-    /// Adds its command to `list`. Dialogs belong to `window`, which owns this object. All arguments must outlive it. There are
+    /// Adds its commands to `list`. Dialogs belong to `window`, which owns this object. All arguments must outlive it. There are
     /// no lessons until setLessons().
     LessonDesk(Session &session, Document &document, CommandList &list, Notice &notice, QWidget &window);
 
     /// The command that begins a new lesson with the open scene.
     Command &begin() const { return m_begin; }
+    /// The command that takes the open lesson out of the list.
+    Command &forget() const { return m_forget; }
 
     /// `lessons` must outlive this object.
     void setLessons(YourLessons &lessons);
@@ -36,6 +38,8 @@ public:
     void open(const QString &path);
     /// Asks for a folder, writes a lesson with the open scene there, and opens it here and in the desktop's editor.
     void askNew();
+    /// Takes the open lesson out of the list and opens the first one. Its files stay, and it can be put back.
+    void removeOpen();
 
 private:
     /// The step that was open before a lesson is replaced.
@@ -54,6 +58,7 @@ private:
     Session &m_session;
     Document &m_document;
     Command &m_begin;
+    Command &m_forget;
     Notice &m_notice;
     QWidget &m_window;
     YourLessons *m_lessons = nullptr;
