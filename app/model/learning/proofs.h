@@ -38,7 +38,7 @@ public:
     bool has(const QString &key) const;
     std::optional<Proof> find(const QString &key) const;
     /// Keeps `proof` in place of an earlier one, unless it is too long. Without a time, it gets the present one. The keys
-    /// are those of Notes::keyOf(): "lesson/step/try:id", "lesson/step/code:id", "lesson/project/code:level".
+    /// are those of Notes: "lesson/step/try:id", "lesson/step/code:id", "lesson/project/code:level", "lesson/recall:id".
     void keep(const QString &key, Proof proof);
 
 private:

@@ -1,6 +1,7 @@
 #include "app/model/learning/recall_desk.h"
 
 #include "app/model/breakpoints/breakpoint_monitor.h"
+#include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/run/same_run.h"
 #include "app/model/text/quoting.h"
@@ -22,7 +23,7 @@ const QString recallKind = QStringLiteral("recall");
 
 QString recallKey(const LessonEntry &lesson, const lessons::RecallQuestion &question)
 {
-    return QStringLiteral("%1/%2:%3").arg(lesson.id, recallKind, question.id);
+    return RecallDesk::keyOf(lesson.id, question.id);
 }
 
 /// Returns the step that a document calls "lesson/step"; null if there is none.
@@ -51,6 +52,11 @@ RecallDesk::RecallDesk(Session &session, QObject *parent) : QObject(parent), m_s
         if (!m_lesson.isEmpty() && !question())
             stop(); // the document has it no more
     });
+}
+
+QString RecallDesk::keyOf(const QString &lesson, const QString &question)
+{
+    return QStringLiteral("%1/%2:%3").arg(lesson, recallKind, question);
 }
 
 std::vector<std::size_t> RecallDesk::shuffled(const lessons::RecallQuestion &question)
@@ -179,18 +185,30 @@ void RecallDesk::followRun()
 {
     const lessons::RecallQuestion *now = question();
     if (m_isStarting || m_isDone || !now || sameScript(m_session.timeline().script(), m_begun) ||
-        !holds(now->task->setup.until))
+        !isTaskDone(*now->task, m_session.step(), m_session.timeline()))
         return;
     m_isDone = true;
-    m_session.notes().keep(recallKey(*lesson(), *now), {.kind = recallKind, .said = {}, .isRight = true});
+    const QString key = recallKey(*lesson(), *now);
+    keepProof(key);
+    m_session.notes().keep(key, {.kind = recallKind, .said = {}, .isRight = true});
     emit changed();
 }
 
-bool RecallDesk::holds(const QString &condition) const
+void RecallDesk::keepProof(const QString &key)
 {
     const sim::Timeline &run = m_session.timeline();
+    const std::int64_t frames = std::max<std::int64_t>(1, run.cursor().frame);
     try {
-        return Condition::parse(condition, conditionNames(m_session.step(), run))
+        const Experiment done{m_session.lesson().id, m_session.step().id, frames, run.script()};
+        m_session.proofs().keep(key, {.run = experimentLine(done, m_session.library()), .at = run.cursor()});
+    } catch (const UserError &) { // too long for a file, or a number is not finite
+    }
+}
+
+bool isTaskDone(const lessons::RecallTask &task, const lessons::Step &step, const sim::Timeline &run)
+{
+    try {
+        return Condition::parse(task.setup.until, conditionNames(step, run))
             .holds({run.state(), run.cursor().frame, nullptr, {}, &run.track()});
     } catch (const UserError &) {
         return false; // a name in it does not exist under this method

@@ -10,7 +10,7 @@
 namespace app {
 
 /// The recall questions of the lessons. The desk keeps the answers in the learner's notes, and opens the scene in which a
-/// question is answered by doing.
+/// question is answered by doing. It keeps the run that did it, for the learner's notebook.
 class RecallDesk : public QObject
 {
     Q_OBJECT
@@ -18,6 +18,9 @@ class RecallDesk : public QObject
 public:
     /// `session` must outlive this object.
     explicit RecallDesk(Session &session, QObject *parent = nullptr);
+
+    /// Returns the key of the answer to a question, in the notes and the proofs: "lesson/recall:id".
+    static QString keyOf(const QString &lesson, const QString &question);
 
     /// Returns the order in which the window shows the choices of a question: always the same, but not that of the document,
     /// in which the right one comes first.
@@ -51,7 +54,7 @@ private:
     bool setUp(const lessons::RecallTask &task);
     void followStep();
     void followRun();
-    bool holds(const QString &condition) const;
+    void keepProof(const QString &key);
 
     Session &m_session;
     QString m_lesson; ///< ids; empty: nothing is answered in the scene
@@ -60,6 +63,9 @@ private:
     bool m_isDone = false;
     bool m_isStarting = false;
 };
+
+/// Returns whether a run of the step of `task` fulfils its condition at the cursor.
+bool isTaskDone(const lessons::RecallTask &task, const lessons::Step &step, const sim::Timeline &run);
 
 /// Checks that the scenes of all questions exist, and that their values and conditions fit them.
 /// @throws lessons::DocumentError if not

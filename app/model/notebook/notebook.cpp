@@ -7,7 +7,9 @@
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/project_desk.h"
 #include "app/model/learning/proofs.h"
+#include "app/model/learning/recall_desk.h"
 #include "app/model/notebook/notebook_file.h"
+#include "app/model/notebook/notebook_question.h"
 
 #include <utility>
 
@@ -31,6 +33,8 @@ public:
     {
         for (const lessons::Step &step : m_lesson.steps)
             addStep(step);
+        for (const lessons::RecallQuestion &question : m_lesson.recall.questions)
+            addRecall(question);
         if (!m_lesson.project)
             return std::move(m_entries);
         const QString place = QString::fromLatin1(projectTicks);
@@ -50,6 +54,9 @@ private:
             if (m_progress.isDone(m_lesson.id, step.id, i))
                 addProved({.kind = Kind::tried, .lesson = m_lesson.id, .step = step.id, .id = id},
                           Notes::keyOf(m_lesson.id, step.id, QStringLiteral("try"), id));
+            if (const Note *note =
+                    m_notes.find(Notes::keyOf(m_lesson.id, step.id, QStringLiteral("choice"), id)))
+                addChoice(step.id, id, note->said, *note);
         }
         for (const lessons::Prediction &prediction : step.predictions)
             addPrediction(step, prediction);
@@ -58,6 +65,35 @@ private:
                 addProved({.kind = Kind::code, .lesson = m_lesson.id, .step = step.id, .id = task.id},
                           Notes::keyOf(m_lesson.id, step.id, QStringLiteral("code"), task.id));
         }
+    }
+
+    void addRecall(const lessons::RecallQuestion &question)
+    {
+        const QString key = RecallDesk::keyOf(m_lesson.id, question.id);
+        const Note *note = m_notes.find(key);
+        if (!note)
+            return;
+        bool isNumber = false;
+        const uint index = note->said.toUInt(&isNumber);
+        if (isNumber)
+            addChoice({}, question.id, QString::number(index + 1), *note);
+        else if (question.task)
+            addProved({.kind = Kind::answer, .lesson = m_lesson.id, .id = question.id, .when = note->at},
+                      key);
+    }
+
+    /// Adds a choice with this number, unless the question of today has no such choice.
+    void addChoice(const QString &step, const QString &id, const QString &number, const Note &note)
+    {
+        const std::optional<NotebookQuestion> question = notebookQuestion(m_lesson, step, id);
+        if (question && question->choice(number))
+            m_entries.push_back({.kind = Kind::answer,
+                                 .lesson = m_lesson.id,
+                                 .step = step,
+                                 .id = id,
+                                 .when = note.at,
+                                 .said = number,
+                                 .isRight = note.isRight});
     }
 
     void addProved(NotebookEntry entry, const QString &key)
@@ -139,6 +175,8 @@ QString wordFor(Kind kind)
         return QStringLiteral("level");
     case Kind::prediction:
         return QStringLiteral("prediction");
+    case Kind::answer:
+        return QStringLiteral("answer");
     case Kind::scene:
         break;
     }

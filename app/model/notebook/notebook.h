@@ -34,18 +34,21 @@ struct NotebookEntry
         code,       ///< a task in the listing is ticked
         level,      ///< a level of a project is ticked
         prediction, ///< a prediction was made
+        answer,     ///< a recall question, or the question of a thing to try, was answered
         scene,      ///< a scene is kept in the gallery
     };
     Kind kind = Kind::tried;
     QString lesson = {};
-    QString step = {};   ///< empty for levels and scenes
-    QString id = {};     ///< of the thing to try, task, level or prediction; the title of a scene
+    QString step = {};   ///< empty for levels, scenes, and answers to recall questions
+    QString id = {};     ///< of the thing to try, task, level, prediction or question; the title of a scene
     QDateTime when = {}; ///< UTC; invalid if it was not recorded
     NotebookRun run = {};
-    QString code = {};    ///< of a task: the text of the listing; empty if it was not recorded
-    QString said = {};    ///< of a prediction, as notes have it; see answerInNote()
-    QString found = {};   ///< likewise: what the run showed
-    bool isRight = false; ///< of a prediction
+    QString code = {}; ///< of a task: the text of the listing; empty if it was not recorded
+    /// Of a prediction, as notes have it; see answerInNote(). Of an answer: the number of the choice in the document, from 1;
+    /// empty if it was given by doing something in a scene, and has a run.
+    QString said = {};
+    QString found = {};   ///< of a prediction, likewise: what the run showed
+    bool isRight = false; ///< of a prediction or a choice
     friend bool operator==(const NotebookEntry &, const NotebookEntry &) = default;
 };
 
@@ -62,7 +65,7 @@ struct Notebook
     bool isSealed = true;
 };
 
-/// The word for a kind in files and tables: "try", "code", "level", "prediction", "scene".
+/// The word for a kind in files and tables: "try", "code", "level", "prediction", "answer", "scene".
 QString wordFor(NotebookEntry::Kind kind);
 
 /// What to put into a notebook.

@@ -4,7 +4,12 @@
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/project_judge.h"
 #include "app/model/learning/project_start.h"
+#include "app/model/learning/recall_desk.h"
+#include "app/model/learning/run_setup.h"
 #include "app/model/listing/code_judge.h"
+#include "app/model/notebook/notebook_question.h"
+#include "app/model/run/same_run.h"
+#include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
 #include "sim/run/timeline.h"
@@ -73,6 +78,11 @@ private:
     {
         if (m_entry.kind == Kind::prediction)
             return findPrediction();
+        const std::optional<NotebookQuestion> question =
+            m_entry.kind == Kind::answer ? notebookQuestion(m_lesson, m_entry.step, m_entry.id)
+                                         : std::nullopt;
+        if (question && !question->task)
+            return findChoice(*question);
         if (m_entry.kind == Kind::code ? m_entry.code.isEmpty() : m_entry.run.text.isEmpty())
             return NotebookFinding{Result::noRun,
                                    NotebookCheckText::tr("It was ticked by a version that kept no runs.")};
@@ -83,6 +93,8 @@ private:
             return findCode();
         case Kind::level:
             return findLevel();
+        case Kind::answer:
+            return findTask(*question->task);
         default:
             break;
         }
@@ -154,10 +166,51 @@ private:
         if (isDone())
             return NotebookFinding{};
         const QString todo = one.conditions.todo(run);
-        const QString why =
-            NotebookCheckText::tr("At frame %1 its run does not do it.").arg(run.cursor().frame);
+        const QString why = notDone(run);
         return notShown(todo.isEmpty() ? why
                                        : why + ' ' + NotebookCheckText::tr("Still to do: %1").arg(todo));
+    }
+
+    static QString notDone(const sim::Timeline &run)
+    {
+        return NotebookCheckText::tr("At frame %1 its run does not do it.").arg(run.cursor().frame);
+    }
+
+    /// Replays the run that answers a recall question.
+    std::optional<NotebookFinding> findTask(const lessons::RecallTask &task)
+    {
+        const Experiment experiment = experimentIn(m_entry.run.text);
+        if (OpenRun::keyOf(experiment.lesson, experiment.step) != task.setup.step)
+            return notShown(otherStep());
+        const lessons::Step &step = *m_library.lesson(experiment.lesson)->step(experiment.step);
+        sim::Timeline run(experiment.script, replayBudget);
+        if (!replay(run))
+            return std::nullopt;
+        const bool isAsSetUp = sameScript(run.script(), scriptFor(task.setup, step)); // nobody did anything
+        return !isAsSetUp && isTaskDone(task, step, run) ? NotebookFinding{} : notShown(notDone(run));
+    }
+
+    NotebookFinding findChoice(const NotebookQuestion &question) const
+    {
+        const lessons::RecallChoice *said = question.choice(m_entry.said);
+        if (!said)
+            return notShown(NotebookCheckText::tr("Its answer cannot be read."));
+        const bool isRight = question.isRight(m_entry.said);
+        // Sentences that become parts of a sentence lose their full stop.
+        const QString words = oneLine(said->text), right = oneLine(question.choices[question.right].text);
+        if (m_entry.isRight != isRight)
+            return notShown(
+                NotebookCheckText::tr("The notebook counts “%1” as %2, but the answer of the lesson is “%3”.")
+                    .arg(words, rightWord(), right));
+        if (isRight)
+            return {Result::right};
+        return {Result::off, NotebookCheckText::tr("“%1” was said; it is “%2”.").arg(words, right)};
+    }
+
+    /// Returns what the notebook says about an answer.
+    QString rightWord() const
+    {
+        return m_entry.isRight ? NotebookCheckText::tr("right") : NotebookCheckText::tr("not right");
     }
 
     std::optional<NotebookFinding> findCode()
@@ -203,10 +256,7 @@ private:
             return notShown(
                 m_entry.isRight != isRight
                     ? NotebookCheckText::tr("The notebook counts “%1” as %2, but the run gives “%3”.")
-                          .arg(m_entry.said,
-                               m_entry.isRight ? NotebookCheckText::tr("right")
-                                               : NotebookCheckText::tr("not right"),
-                               computed)
+                          .arg(m_entry.said, rightWord(), computed)
                     : NotebookCheckText::tr("The notebook says that the run gives “%1”, but it gives “%2”.")
                           .arg(m_entry.found, computed));
         if (isRight)
@@ -218,7 +268,7 @@ private:
     const NotebookEntry &m_entry;
     const LessonLibrary &m_library;
     const LessonEntry &m_lesson;
-    const lessons::Step *m_step; ///< null for levels and scenes
+    const lessons::Step *m_step; ///< null if the entry is of no step
     const sim::ShouldContinue &m_shouldContinue;
     const std::chrono::steady_clock::time_point m_begun = std::chrono::steady_clock::now();
     bool m_isCancelled = false;

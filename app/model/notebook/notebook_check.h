@@ -11,9 +11,9 @@ namespace app {
 struct NotebookFinding
 {
     enum class Result {
-        shown,    ///< the run does what the tick says, or the scene can be opened
-        right,    ///< the prediction is good
-        off,      ///< the prediction is not good; that is no fault
+        shown,    ///< the run does what the tick says or the question asks for, or the scene can be opened
+        right,    ///< the prediction is good, or the choice right
+        off,      ///< the prediction is not good, or the choice not right; that is no fault
         notShown, ///< the run, the code or the answer is not what the notebook says
         noRun,    ///< the run or the code was not recorded
     };

@@ -2,6 +2,7 @@
 
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/experiment/json_fields.h"
+#include "app/model/notebook/notebook_question.h"
 #include "app/model/text/json_writer.h"
 #include "app/model/text/quoting.h"
 
@@ -25,7 +26,8 @@ struct NotebookFileText
 using Kind = NotebookEntry::Kind;
 
 constexpr auto notebookFormat = "springstep-notebook/1";
-constexpr Kind allKinds[] = {Kind::tried, Kind::code, Kind::level, Kind::prediction, Kind::scene};
+constexpr Kind allKinds[] = {Kind::tried,      Kind::code,   Kind::level,
+                             Kind::prediction, Kind::answer, Kind::scene};
 
 /// How runs are written: in one compressed line for a file, and as they are for the seal, because compression may differ
 /// between machines.
@@ -60,11 +62,13 @@ void writeEntry(const NotebookEntry &entry, RunText form, JsonWriter &json)
     json.field("id", entry.id);
     if (entry.when.isValid())
         json.field("when", entry.when.toString(Qt::ISODate));
-    if (entry.kind == Kind::prediction) {
+    const bool isSaid = entry.kind == Kind::prediction || !entry.said.isEmpty();
+    if (isSaid)
         json.field("said", entry.said);
+    if (entry.kind == Kind::prediction)
         json.field("found", entry.found);
+    if (isSaid)
         json.field("right", entry.isRight);
-    }
     if (!entry.code.isEmpty())
         json.field("code", entry.code);
     writeRunOf(entry.run, form, json);
@@ -169,27 +173,40 @@ private:
         entry.lesson = text(fields, "lesson", lessonIds(m_library));
         entry.id = text(fields, "id", tr("the id of what was done"));
         entry.when = time(fields, "when");
-        const bool isOfStep = entry.kind != Kind::level && entry.kind != Kind::scene;
+        const bool isOfStep = entry.kind == Kind::answer
+                                  ? fields.find("step") != nullptr
+                                  : entry.kind != Kind::level && entry.kind != Kind::scene;
         QStringList known = {"kind", "lesson", "id", "when"};
         if (isOfStep) {
             entry.step = text(fields, "step", tr("the id of a step"));
             known << "step";
         }
-        if (entry.kind == Kind::prediction) {
+        checkNames(fields, entry);
+        const bool isChosen = isChoice(entry);
+        if (entry.kind == Kind::prediction || isChosen) {
             entry.said = text(fields, "said", tr("the answer"));
-            entry.found = text(fields, "found", tr("what the run showed"));
             entry.isRight = truthOf(m_file, fields.require("right", "true, false"), "right");
-            known << QStringList{"said", "found", "right"};
+            known << QStringList{"said", "right"};
+        }
+        if (entry.kind == Kind::prediction) {
+            entry.found = text(fields, "found", tr("what the run showed"));
+            known << "found";
         } else if (entry.kind == Kind::code) {
             entry.code = optionalText(fields, "code");
             known << "code";
-        } else {
+        } else if (!isChosen) {
             entry.run = readRunOf(fields, entry.id);
             known << QStringList{"run", "frame", "phase", "beside", "fork"};
         }
         fields.refuseOthers(known);
-        checkNames(fields, entry);
         return entry;
+    }
+
+    /// Returns whether the entry answers a question with choices.
+    bool isChoice(const NotebookEntry &entry) const
+    {
+        return entry.kind == Kind::answer &&
+               !notebookQuestion(*m_library.lesson(entry.lesson), entry.step, entry.id)->task;
     }
 
     Kind readKind(const JsonFields &fields) const
@@ -253,6 +270,8 @@ private:
             return hasId(step->codeTasks, entry.id);
         case Kind::prediction:
             return hasId(step->predictions, entry.id);
+        case Kind::answer:
+            return notebookQuestion(lesson, entry.step, entry.id).has_value();
         case Kind::level:
             return lesson.project && hasId(lesson.project->levels, entry.id);
         case Kind::scene:

@@ -1,6 +1,7 @@
 #include "app/model/notebook/notebook_page.h"
 
 #include "app/model/learning/prediction_text.h"
+#include "app/model/notebook/notebook_question.h"
 #include "app/model/text/pdf.h"
 
 #include <QBuffer>
@@ -91,58 +92,61 @@ private:
         m_html += QStringLiteral("<h%1>%2</h%1>\n").arg(QString::number(level), text.toHtmlEscaped());
     }
 
-    bool has(const QString &lesson, const QString &step) const
-    {
-        return std::any_of(m_notebook.entries.begin(), m_notebook.entries.end(), [&](const auto &entry) {
-            return entry.kind != Kind::scene && entry.lesson == lesson && entry.step == step;
-        });
-    }
-
     void addLesson(const LessonEntry &lesson)
     {
-        const bool hasAny =
-            std::any_of(m_notebook.entries.begin(), m_notebook.entries.end(), [&](const auto &entry) {
-                return entry.kind != Kind::scene && entry.lesson == lesson.id;
-            });
-        if (!hasAny)
+        const auto isHere = [&](const NotebookEntry &entry) {
+            return entry.kind != Kind::scene && entry.lesson == lesson.id;
+        };
+        if (std::none_of(m_notebook.entries.begin(), m_notebook.entries.end(), isHere))
             return;
         addHeading(2, lesson.title);
-        for (const lessons::Step &step : lesson.steps) {
-            if (!has(lesson.id, step.id))
-                continue;
-            addHeading(3, step.title);
-            addEntries(lesson, &step);
-        }
-        if (!lesson.project || !has(lesson.id, {}))
-            return;
-        addHeading(3, tr("Project: %1").arg(lesson.project->title));
-        addEntries(lesson, nullptr);
+        for (const lessons::Step &step : lesson.steps)
+            addSection(step.title, lesson, [&](const NotebookEntry &entry) { return entry.step == step.id; });
+        addSection(lesson.recall.title, lesson, [](const NotebookEntry &entry) {
+            return entry.kind == Kind::answer && entry.step.isEmpty();
+        });
+        if (lesson.project)
+            addSection(tr("Project: %1").arg(lesson.project->title), lesson,
+                       [](const NotebookEntry &entry) { return entry.kind == Kind::level; });
     }
 
-    void addEntries(const LessonEntry &lesson, const lessons::Step *step)
+    /// Adds the entries of `lesson` that `isIn` chooses below a heading; nothing if there are none.
+    template <class IsIn>
+    void addSection(const QString &heading, const LessonEntry &lesson, const IsIn &isIn)
     {
+        bool isFirst = true;
         for (const NotebookEntry &entry : m_notebook.entries) {
-            if (entry.kind == Kind::scene || entry.lesson != lesson.id ||
-                entry.step != (step ? step->id : QString()))
+            if (entry.kind == Kind::scene || entry.lesson != lesson.id || !isIn(entry))
                 continue;
+            if (isFirst)
+                addHeading(3, heading);
+            isFirst = false;
             m_html += QStringLiteral("<div class=\"entry\">\n");
-            switch (entry.kind) {
-            case Kind::tried:
-                addTry(*step, entry);
-                break;
-            case Kind::prediction:
-                addPrediction(*step, entry);
-                break;
-            case Kind::code:
-                addCode(*step, entry);
-                break;
-            case Kind::level:
-                addLevel(lesson, entry);
-                break;
-            case Kind::scene:
-                break;
-            }
+            addEntry(lesson, entry);
             m_html += QStringLiteral("</div>\n");
+        }
+    }
+
+    void addEntry(const LessonEntry &lesson, const NotebookEntry &entry)
+    {
+        switch (entry.kind) {
+        case Kind::tried:
+            addTry(*lesson.step(entry.step), entry);
+            break;
+        case Kind::prediction:
+            addPrediction(*lesson.step(entry.step), entry);
+            break;
+        case Kind::code:
+            addCode(*lesson.step(entry.step), entry);
+            break;
+        case Kind::level:
+            addLevel(lesson, entry);
+            break;
+        case Kind::answer:
+            addAnswer(lesson, entry);
+            break;
+        case Kind::scene:
+            break;
         }
     }
 
@@ -189,6 +193,43 @@ private:
             addParagraph((entry.isRight ? QStringLiteral("✓ ") : QStringLiteral("→ ")) +
                          htmlOf(outcomeSentence(*one, *said, *found)));
         addWhen(entry);
+    }
+
+    void addAnswer(const LessonEntry &lesson, const NotebookEntry &entry)
+    {
+        const auto question = notebookQuestion(lesson, entry.step, entry.id);
+        if (!question)
+            return;
+        if (question->task) {
+            addParagraph(QStringLiteral("✓ ") + htmlOf(question->text));
+            addParagraph(htmlOf(question->task->answer));
+            addMoment(entry);
+            return;
+        }
+        addParagraph(htmlOf(question->text));
+        if (const lessons::RecallChoice *said = question->choice(entry.said))
+            addChoice(*said, question->isRight(entry.said), entry);
+        addWhen(entry);
+    }
+
+    void addChoice(const lessons::RecallChoice &said, bool isRight, const NotebookEntry &entry)
+    {
+        // As in the window, a thing to try tells its answer once it is done.
+        if (!entry.step.isEmpty() && !isTried(entry)) {
+            addParagraph(htmlOf(said.text));
+            return;
+        }
+        addParagraph((isRight ? QStringLiteral("✓ ") : QStringLiteral("→ ")) + htmlOf(said.text));
+        if (!said.explanation.isEmpty())
+            addParagraph(htmlOf(said.explanation));
+    }
+
+    bool isTried(const NotebookEntry &choice) const
+    {
+        return std::any_of(m_notebook.entries.begin(), m_notebook.entries.end(), [&](const auto &entry) {
+            return entry.kind == Kind::tried && entry.lesson == choice.lesson && entry.step == choice.step &&
+                   entry.id == choice.id;
+        });
     }
 
     void addCode(const lessons::Step &step, const NotebookEntry &entry)

@@ -1,11 +1,13 @@
 // The recall questions of the lessons: their scenes fit, and what is asked for can be done. What the desk keeps.
 
+#include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/recall_desk.h"
+#include "app/model/notebook/notebook_check.h"
 #include "lessons/api/text/document.h"
+#include "tests/app/notebook/notebook_maker.h"
 #include "tests/app/support/two_lessons.h"
 #include "tests/suite.h"
 
-#include <QSettings>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -84,6 +86,18 @@ void carryOut(const RecallSolution &solution, Session &session, const RecallDesk
     goOn(session, desk, solution.frames);
 }
 
+/// Returns what a check finds about the answer in a notebook of this learner: the word for it.
+QString foundInNotebook(const QString &lesson, Session &session)
+{
+    const Notebook book = collectNotebook({.lessons = {lesson}}, session.library(), session.progress(),
+                                          session.notes(), session.proofs());
+    for (const NotebookEntry &entry : book.entries) {
+        if (entry.kind == NotebookEntry::Kind::answer)
+            return wordFor(checkEntry(entry, session.library())->result);
+    }
+    return {};
+}
+
 /// Returns lessons of which the first has a question with choices, and one about its first step.
 LessonLibrary lessonsWithQuestions()
 {
@@ -105,7 +119,7 @@ class RecallQuestionsTest : public QObject
     Q_OBJECT
 
 private slots:
-    void init() { QSettings().clear(); }
+    void init() { tests::forgetRecords(); }
 
     void everyQuestionFitsItsScene();
     void aSceneThatDoesNotFitIsNamed_data();
@@ -192,6 +206,7 @@ void RecallQuestionsTest::whatIsAskedForCanBeDone()
     desk.startAgain();
     carryOut(solution, session, desk);
     QVERIFY(desk.isDone());
+    QCOMPARE(foundInNotebook(lesson.id, session), QString("shown"));
 }
 
 void RecallQuestionsTest::everySceneHasASolutionHere()
@@ -279,6 +294,12 @@ void RecallQuestionsTest::waitingIsNotDoing()
     QVERIFY(desk.isDone());
     QCOMPARE(changes.count(), before + 1);
     QVERIFY(desk.isAnswered(library.lessons[0], *desk.question()));
+    QCOMPARE(foundInNotebook("one", session), QString("shown"));
+    // Nor does a notebook count it: its run shows nothing where nothing was done.
+    desk.startAgain();
+    session.proofs().keep(RecallDesk::keyOf("one", "task"),
+                          {.run = experimentLine(session.experiment(), library), .at = {20, 0}});
+    QCOMPARE(foundInNotebook("one", session), QString("not shown"));
 }
 
 void RecallQuestionsTest::anotherStepEndsIt()

@@ -3,6 +3,7 @@
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/project_desk.h"
+#include "app/model/learning/recall_desk.h"
 #include "app/model/session/attempts.h"
 #include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/attempts/formulations.h"
@@ -130,6 +131,23 @@ void predictAll(const LessonEntry &lesson, Record &record)
     }
 }
 
+/// Keeps the notes that the window keeps.
+void chooseAll(const LessonEntry &lesson, Record &record)
+{
+    for (const lessons::Step &step : lesson.steps) {
+        for (const lessons::Try &one : step.tries) {
+            const QString right = QString::number(one.choices.right + 1);
+            if (!one.choices.isEmpty())
+                record.notes.keep(Notes::keyOf(lesson.id, step.id, "choice", one.id),
+                                  {"choice", right, right, true});
+        }
+    }
+    for (const lessons::RecallQuestion &question : lesson.recall.questions) {
+        if (!question.task)
+            record.notes.keep(RecallDesk::keyOf(lesson.id, question.id), {"recall", "0", "0", true});
+    }
+}
+
 void passLevels(const LessonEntry &lesson, Record &record)
 {
     for (const lessons::ProjectLevel &level : lesson.project->levels) {
@@ -178,6 +196,7 @@ void doTheRest(const QString &lesson, Record &record)
     const LessonEntry &entry = *allLessons().lesson(lesson);
     writeTasks(entry, record);
     predictAll(entry, record);
+    chooseAll(entry, record);
     passLevels(entry, record);
 }
 

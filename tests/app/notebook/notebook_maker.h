@@ -25,7 +25,8 @@ const app::LessonLibrary &allLessons();
 
 /// Does each thing to try of a lesson, as its scripted attempts do. Its runs are recorded as the window records them.
 void tryAll(const QString &lesson, Record &record);
-/// Writes each task of a lesson in a right way, passes each level of its project, and makes each prediction well.
+/// Writes each task of a lesson in a right way, passes each level of its project, makes each prediction well, and makes each
+/// right choice.
 void doTheRest(const QString &lesson, Record &record);
 /// Returns the notebook of a learner who did all in a lesson. It is computed once.
 const app::Notebook &notebookOfAll(const QString &lesson);

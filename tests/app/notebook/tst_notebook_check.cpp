@@ -5,6 +5,7 @@
 #include "app/cli/notebook_report.h"
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/project_start.h"
+#include "app/model/learning/recall_desk.h"
 #include "app/model/notebook/notebook_check.h"
 #include "app/model/notebook/notebook_file.h"
 #include "tests/suite.h"
@@ -25,6 +26,40 @@ using Found = NotebookFinding::Result;
 using Forgery = std::function<NotebookEntry &(Notebook &)>;
 
 const QString usualLesson = QStringLiteral("single_spring");
+
+/// The right choices are the first of `share_kept`, and the second of `no_damping`.
+NotebookEntry choiceOf(const QString &step, const QString &id, const QString &said, bool isRight)
+{
+    return {.kind = EntryKind::answer,
+            .lesson = usualLesson,
+            .step = step,
+            .id = id,
+            .said = said,
+            .isRight = isRight};
+}
+
+/// Answers a recall question in its scene, as a learner does: she drags the foot to the left of the body.
+const NotebookEntry &answerInScene()
+{
+    static const NotebookEntry entry = [] {
+        forgetRecords();
+        Session session(allLessons());
+        RecallDesk desk(session);
+        const LessonEntry &lesson = *allLessons().lesson(usualLesson);
+        desk.start(lesson, lesson.recall.questions.back());
+        const sim::Timeline &run = session.timeline();
+        const sim::Vec2 body = run.state().positionOf(run.track().interval().scene.find("body"));
+        session.input().grab("foot");
+        for (int i = 0; i < 20 && !desk.isDone(); ++i) {
+            session.input().moveTo(body - sim::Vec2{60.0, 0.0});
+            session.playback().frameForward();
+        }
+        return collectNotebook({.lessons = {usualLesson}}, allLessons(), session.progress(), session.notes(),
+                               session.proofs())
+            .entries.at(0);
+    }();
+    return entry;
+}
 
 QByteArray plainRun(const QString &lesson, const QString &step)
 {
@@ -67,6 +102,9 @@ private slots:
     void aNotebookOfALessonIsSmall();
     void aForgeryIsFoundOut_data();
     void aForgeryIsFoundOut();
+    void anAnswerIsChecked_data();
+    void anAnswerIsChecked();
+    void answersCount();
     void aTickWithoutARunIsNamed();
     void anOldTickGetsItsRunWhenItIsDoneAgain();
     void aCancelledCheckSaysNothing();
@@ -100,7 +138,7 @@ void NotebookCheckTest::whatWasDoneIsShown()
         tries += static_cast<qsizetype>(step.tries.size());
     for (const NotebookEntry &entry : read.entries) {
         const NotebookFinding finding = *checkEntry(entry, allLessons());
-        const Found expected = entry.kind == EntryKind::prediction ? Found::right : Found::shown;
+        const Found expected = entry.said.isEmpty() ? Found::shown : Found::right;
         QVERIFY2(finding.result == expected, qPrintable(entry.step + '/' + entry.id + ": " +
                                                         wordFor(finding.result) + ' ' + finding.why));
         tries -= entry.kind == EntryKind::tried;
@@ -187,6 +225,86 @@ void NotebookCheckTest::aForgeryIsFoundOut()
     QVERIFY(seal != own);
     const QByteArray unsealed = QString(changed).replace(own, seal).toUtf8();
     QVERIFY(!parseNotebook(unsealed, "a.springstep-notebook", allLessons()).isSealed);
+}
+
+void NotebookCheckTest::anAnswerIsChecked_data()
+{
+    QTest::addColumn<NotebookEntry>("entry");
+    QTest::addColumn<QString>("result");
+    QTest::addColumn<QString>("why");
+    const auto row = [](const char *name, const NotebookEntry &entry, const char *result,
+                        const char *why = "") {
+        QTest::newRow(name) << entry << QString(result) << QString(why);
+    };
+    const auto inScene = [&](const char *name, auto change, const char *result, const char *why = "") {
+        NotebookEntry entry = answerInScene();
+        change(entry);
+        row(name, entry, result, why);
+    };
+    const QString recall = "share_kept", guess = "no_damping", step = "fixed_centre";
+    row("a right choice", choiceOf({}, recall, "1", true), "right");
+    row("a wrong choice", choiceOf({}, recall, "2", false), "off", " was said; it is ");
+    row("a wrong choice that counts as right", choiceOf({}, recall, "2", true), "not shown", " as right, ");
+    row("a right choice that counts as wrong", choiceOf({}, recall, "1", false), "not shown",
+        " as not right, ");
+    row("a choice that is not there", choiceOf({}, recall, "9", true), "not shown", "cannot be read");
+    row("a choice below the first", choiceOf({}, recall, "0", true), "not shown", "cannot be read");
+    row("a choice that is none", choiceOf({}, recall, "the first", true), "not shown", "cannot be read");
+    row("a right guess", choiceOf(step, guess, "2", true), "right");
+    row("a wrong guess", choiceOf(step, guess, "1", false), "off", "as wide as at first");
+    row("a wrong guess that counts as right", choiceOf(step, guess, "3", true), "not shown", "Each swing");
+    inScene(
+        "done in the scene", [](NotebookEntry &) {}, "shown");
+    inScene(
+        "another moment", [](NotebookEntry &entry) { entry.run.at = {}; }, "not shown", "At frame 0");
+    inScene(
+        "a run without input", [](NotebookEntry &entry) { entry.run.text = plainRun(usualLesson, "radial"); },
+        "not shown", "does not do it");
+    inScene(
+        "the run of another step",
+        [](NotebookEntry &entry) { entry.run.text = plainRun(usualLesson, "drag"); }, "not shown",
+        "another step");
+    inScene(
+        "a text for a run", [](NotebookEntry &entry) { entry.run.text = "{}"; }, "not shown");
+    inScene(
+        "no run", [](NotebookEntry &entry) { entry.run = {}; }, "no run");
+}
+
+void NotebookCheckTest::anAnswerIsChecked()
+{
+    QFETCH(NotebookEntry, entry);
+    QFETCH(QString, result);
+    QFETCH(QString, why);
+    const Notebook book{.when = QDateTime({2026, 1, 31}, {12, 0}, Qt::UTC), .entries = {entry}};
+    const Notebook read = parseNotebook(notebookText(book), "a.springstep-notebook", allLessons());
+    QVERIFY(read.isSealed);
+    QCOMPARE(read.entries, book.entries);
+    const CheckedNotebook checked = checkedOf(read);
+    const NotebookFinding &finding = checked.findings[0];
+    QCOMPARE(wordFor(finding.result), result);
+    QVERIFY2(finding.why.contains(why), qPrintable(finding.why));
+    QVERIFY(notebookCsv({checked}).contains("\"answer\",\"" + entry.id + '"'));
+    QVERIFY(notebookTable({checked}).simplified().contains(" answer " + entry.id + ' ' + result));
+}
+
+void NotebookCheckTest::answersCount()
+{
+    Record record;
+    const LessonEntry &lesson = *allLessons().lesson(usualLesson);
+    record.notes.keep(Notes::keyOf(usualLesson, "fixed_centre", "choice", "no_damping"),
+                      {"choice", "1", "2", false});
+    record.notes.keep(RecallDesk::keyOf(usualLesson, "share_kept"), {"recall", "2", "0", false});
+    record.notes.keep(RecallDesk::keyOf(usualLesson, "left_of_body"), {"recall", {}, {}, true});
+    QCOMPARE(notebookEntries(lesson, record.progress, record.notes), 3);
+    // A question that has changed since has no such choice.
+    record.notes.keep(RecallDesk::keyOf(usualLesson, "sign_of_pull"), {"recall", "7", "0", false});
+    record.notes.keep(RecallDesk::keyOf(usualLesson, "twice_the_pull"), {"recall", "0", "0", true});
+    const Notebook book = collectNotebook({.lessons = {usualLesson}}, allLessons(), record.progress,
+                                          record.notes, record.proofs);
+    QStringList said;
+    for (const NotebookEntry &entry : book.entries)
+        said << entry.step + '/' + entry.id + ' ' + entry.said;
+    QCOMPARE(said, QStringList({"fixed_centre/no_damping 1", "/share_kept 3", "/left_of_body "}));
 }
 
 void NotebookCheckTest::aTickWithoutARunIsNamed()

@@ -12,12 +12,14 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+
 using namespace app;
 using namespace tests;
 
 namespace {
 
-/// A notebook with one try and its run, one prediction, one task, and one scene.
+/// A notebook with one try and its run, one prediction, one task, two choices, an answer in a scene, and one scene.
 Notebook shortNotebook()
 {
     const QString lesson = QStringLiteral("single_spring");
@@ -48,6 +50,24 @@ Notebook shortNotebook()
                             .id = "pull",
                             .when = when,
                             .code = "// a < b && \"c\" <script>\nvoid frame()\n{\n}\n"});
+    book.entries.push_back({.kind = NotebookEntry::Kind::answer,
+                            .lesson = lesson,
+                            .step = "offset",
+                            .id = "from_left",
+                            .when = when,
+                            .said = "3",
+                            .isRight = false});
+    book.entries.push_back({.kind = NotebookEntry::Kind::answer,
+                            .lesson = lesson,
+                            .id = "share_kept",
+                            .when = when,
+                            .said = "2",
+                            .isRight = true});
+    book.entries.push_back({.kind = NotebookEntry::Kind::answer,
+                            .lesson = lesson,
+                            .id = "left_of_body",
+                            .when = when,
+                            .run = {run, {7, 1}}});
     book.entries.push_back({.kind = NotebookEntry::Kind::scene,
                             .lesson = lesson,
                             .id = "<b>Walker</b> & co",
@@ -83,6 +103,8 @@ private slots:
     void aBadFileIsOneSentence();
     void aPathThatIsNoNotebookIsNamed();
     void thePageEscapesWhatLearnersWrite();
+    void thePageHasTheAnswers_data();
+    void thePageHasTheAnswers();
     void markdownBecomesHtml_data();
     void markdownBecomesHtml();
     void thePdfHasPages();
@@ -140,6 +162,17 @@ void NotebookFileTest::aBadFileIsOneSentence_data()
     changed("an unknown task", "\"pull\"", "\"push\"", "there is no code called \"push\"");
     changed("an unknown kind", "\"prediction\"", "\"guess\"", "\"kind\" is \"guess\"");
     changed("an unknown field", "\"said\"", "\"told\"", "\"said\"");
+    changed("a recall question that is not there", "\"share_kept\"", "\"share_lost\"",
+            "there is no answer called \"share_lost\" in \"single_spring\"");
+    changed("a thing to try without choices", "\"from_left\"", "\"negative\"",
+            "there is no answer called \"negative\" in \"single_spring/offset\"");
+    changed("an unknown step of an answer", "\"offset\"", "\"onset\"", "no step \"onset\"");
+    changed("a choice without its number", "\"said\": \"2\",", "", "\"said\"");
+    changed("a choice that is a number", "\"said\": \"2\"", "\"said\": 2", "\"said\"");
+    changed("a choice without a verdict", ",\n   \"right\": true", "", "\"right\"");
+    changed("a choice with a run", "\"said\": \"2\"", "\"said\": \"2\", \"run\": \"{}\"", "\"run\"");
+    changed("an answer in a scene with a choice", "\"frame\": 7", "\"frame\": 7, \"said\": \"1\"",
+            "\"said\"");
     changed("a time that is none", "2026-01-31T12:00:00Z", "noon", "is not a time");
     changed("a frame below 0", "\"frame\": 12", "\"frame\": -1", "\"frame\" is -1");
     changed("a damaged run", "springstep:", "springstep:AAAA", "is damaged");
@@ -192,9 +225,62 @@ void NotebookFileTest::thePageEscapesWhatLearnersWrite()
     QVERIFY(page.contains("Notebook of &lt;script&gt;alert(1)&lt;/script&gt;"));
     QVERIFY(page.contains("// a &lt; b &amp;&amp; &quot;c&quot; &lt;script&gt;"));
     QVERIFY(page.contains("&lt;b&gt;Walker&lt;/b&gt; &amp; co"));
-    QCOMPARE(page.count("src=\"data:image/png;base64,"), 2); // the try and the scene
+    QCOMPARE(page.count("src=\"data:image/png;base64,"), 3); // the try, the answer and the scene
     QVERIFY(!page.contains("http"));
     QVERIFY(!page.contains("**"));
+}
+
+void NotebookFileTest::thePageHasTheAnswers_data()
+{
+    using Entries = std::vector<NotebookEntry>;
+    const QString lesson = "single_spring", step = "fixed_centre", guess = "no_damping";
+    const auto answer = [&](const QString &in, const QString &id, const QString &said) {
+        return NotebookEntry{
+            .kind = NotebookEntry::Kind::answer, .lesson = lesson, .step = in, .id = id, .said = said};
+    };
+    const NotebookEntry tried{.lesson = lesson, .step = step, .id = guess};
+    QTest::addColumn<Entries>("entries");
+    QTest::addColumn<QStringList>("paragraphs");
+    const LessonEntry &entry = *allLessons().lesson(lesson);
+    const lessons::RecallQuestion &recall = entry.recall.questions[1];
+    QCOMPARE(recall.id, QString("share_kept"));
+    const lessons::RecallQuestion &task = entry.recall.questions.back();
+    const auto wide = std::find_if(entry.step(step)->tries.begin(), entry.step(step)->tries.end(),
+                                   [&](const lessons::Try &one) { return one.id == guess; });
+    const QStringList &expected = wide->choices.texts;
+    QTest::newRow("right") << Entries{answer({}, recall.id, "1")}
+                           << QStringList{recall.text, "✓ " + recall.choices[0].text,
+                                          recall.choices[0].explanation};
+    QTest::newRow("wrong") << Entries{answer({}, recall.id, "2")}
+                           << QStringList{recall.text, "→ " + recall.choices[1].text,
+                                          recall.choices[1].explanation};
+    QTest::newRow("unreadable") << Entries{answer({}, recall.id, "<b>")} << QStringList{recall.text};
+    QTest::newRow("in a scene") << Entries{answer({}, task.id, {})}
+                                << QStringList{"✓ " + task.text, task.task->answer};
+    QTest::newRow("a guess before it is tried")
+        << Entries{answer(step, guess, "1")} << QStringList{wide->text, expected[0]};
+    QTest::newRow("a wrong guess") << Entries{tried, answer(step, guess, "1")}
+                                   << QStringList{"✓ " + wide->text, wide->text, "→ " + expected[0],
+                                                  wide->answer};
+    QTest::newRow("a right guess") << Entries{tried, answer(step, guess, "2")}
+                                   << QStringList{"✓ " + wide->text, wide->text, "✓ " + expected[1],
+                                                  wide->answer};
+}
+
+void NotebookFileTest::thePageHasTheAnswers()
+{
+    QFETCH(std::vector<NotebookEntry>, entries);
+    QFETCH(QStringList, paragraphs);
+    const Notebook book{.when = QDateTime({2026, 1, 31}, {12, 0}, Qt::UTC), .entries = entries};
+    const QString page = notebookHtml(book, allLessons(), {}), body = page.section("<h3>", 1);
+    const QString heading = entries[0].step.isEmpty() ? "What do you remember?" : "A fixed centre";
+    QVERIFY2(body.startsWith(heading), qPrintable(body));
+    QStringList shown;
+    for (const QString &part : body.split("<p>").mid(1))
+        shown << part.section("</p>", 0, 0);
+    for (QString &one : paragraphs)
+        one = htmlOf(one);
+    QCOMPARE(shown, paragraphs);
 }
 
 void NotebookFileTest::markdownBecomesHtml_data()
