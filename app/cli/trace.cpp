@@ -1,13 +1,12 @@
 #include "app/cli/experiment_argument.h"
 #include "app/cli/terminal.h"
+#include "app/cli/trace_rows.h"
 #include "app/cli/verbs.h"
 #include "app/model/experiment/experiment.h"
 #include "app/model/run/run_program.h"
-#include "sim/run/script/composed_interval.h"
 
 #include <QCoreApplication>
 
-#include <charconv>
 #include <optional>
 
 namespace app {
@@ -23,59 +22,14 @@ struct TraceText
 /// budget keeps the memory constant for long runs.
 constexpr std::size_t keyframeBudget = std::size_t{1} << 20;
 
-/// Appends the shortest text that reads back as the same number, in any locale.
-template <class Number>
-void append(std::string &text, Number value)
-{
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, value);
-    text.append(digits, end);
-}
-
-const char *titles(lessons::TraceColumns columns)
-{
-    switch (columns) {
-    case lessons::TraceColumns::position:
-        return "frame,body,x,y\n";
-    case lessons::TraceColumns::positionAndAngle:
-        return "frame,body,x,y,angle\n";
-    case lessons::TraceColumns::positionAndVelocity:
-        break;
-    }
-    return "frame,body,x,y,vx,vy\n";
-}
-
-void appendRow(std::string &text, const sim::Track &track, lessons::TraceColumns columns)
-{
-    const sim::State &state = track.state();
-    const auto cell = [&text](double value) {
-        text += ',';
-        append(text, value);
-    };
-    for (int point = 0; point < state.pointCount(); ++point) {
-        append(text, track.cursor().frame);
-        text += ',';
-        text += track.interval().scene.names[static_cast<std::size_t>(point)];
-        cell(state.positionOf(point).x);
-        cell(state.positionOf(point).y);
-        if (columns == lessons::TraceColumns::positionAndAngle)
-            cell(state.angle[point]);
-        if (columns == lessons::TraceColumns::positionAndVelocity) {
-            cell(state.velocityOf(point).x);
-            cell(state.velocityOf(point).y);
-        }
-        text += '\n';
-    }
-}
-
 /// Writes the rows up to frame `frames`, and sets `last` to the last written frame. Returns whether all rows were
 /// written.
 bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns columns, Output &output,
                std::int64_t &last)
 {
     RunProgress progress(frames);
-    output.buffer() += titles(columns);
-    appendRow(output.buffer(), track, columns);
+    output.buffer() += traceTitles(columns);
+    appendTraceRow(output.buffer(), track, columns);
     for (std::int64_t frame = track.framesPerOutput(); frame <= frames; frame += track.framesPerOutput()) {
         // Called within a frame, too, because one frame can take long.
         const auto goesOn = [&] {
@@ -84,7 +38,7 @@ bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns col
         };
         if (!goesOn() || !track.seek({frame, 0}, goesOn) || track.stop())
             return false;
-        appendRow(output.buffer(), track, columns);
+        appendTraceRow(output.buffer(), track, columns);
         last = frame;
         if (!output.rowDone())
             return false;
