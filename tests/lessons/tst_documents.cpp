@@ -2,7 +2,7 @@
 
 #include "lessons/api/text/document.h"
 #include "lessons/api/text/recall.h"
-#include "tests/lessons/support/support.h"
+#include "tests/lessons/support/documents.h"
 #include "tests/suite.h"
 
 #include <QDirIterator>
@@ -15,65 +15,6 @@ using namespace support;
 using lessons::Document;
 
 namespace {
-
-const QString documentFolder = QStringLiteral(":/documents/");
-
-/// A text of a document, and where it stands.
-struct DocumentPlace
-{
-    QString where;
-    QString text;
-};
-
-QString idOf(const LoadedLesson &lesson)
-{
-    return lesson.metadata.value("id").toString();
-}
-
-/// Returns the document of a step in a language; "en" has no code in its name.
-Document documentOf(const QString &lesson, const QString &step, const QString &language)
-{
-    const QString name = language == u"en" ? step : step + '.' + language;
-    QFile file(QStringLiteral("%1%2/%3.md").arg(documentFolder, lesson, name));
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    return lessons::parseDocument(file.readAll(), file.fileName());
-}
-
-/// Returns all texts of a document in order. Code of near misses is left out.
-std::vector<DocumentPlace> placesIn(const Document &document)
-{
-    std::vector<DocumentPlace> all = {{"title", document.title}, {"story", document.story}};
-    for (const lessons::TryText &one : document.tries) {
-        const QString name = "try " + one.id;
-        all.insert(all.end(), {{name, one.text}, {name + " hint", one.hint}, {name + " answer", one.answer}});
-        for (auto at = one.missing.begin(); at != one.missing.end(); ++at)
-            all.push_back({name + " missing " + at.key(), at.value()});
-        for (const QString &choice : one.choices.texts)
-            all.push_back({name + " choice", choice});
-    }
-    for (const lessons::Prediction &one : document.predictions) {
-        const QString name = "prediction " + one.id;
-        all.insert(all.end(), {{name, one.text}, {name + " answer", one.answer}});
-    }
-    for (const lessons::CodeTask &task : document.tasks) {
-        const QString name = "task " + task.id;
-        all.insert(all.end(),
-                   {{name + " title", task.title}, {name, task.text}, {name + " comment", task.comment}});
-        for (const QString &hint : task.hints)
-            all.push_back({name + " hint", hint});
-        for (const lessons::NearMiss &miss : task.nearMisses)
-            all.push_back({name + " near miss", miss.sentence});
-    }
-    for (const lessons::Term &term : document.explanation.terms)
-        all.push_back({"word " + term.name, term.text});
-    for (const lessons::Concept &one : document.explanation.concepts)
-        all.insert(all.end(), {{"concept " + one.id + " title", one.title}, {"concept " + one.id, one.text}});
-    for (const lessons::Why &why : document.explanation.whys)
-        all.insert(all.end(), {{"why", why.question}, {"answer of " + why.question, why.answer}});
-    all.push_back({"learnt", document.explanation.learnt});
-    return all;
-}
 
 /// Returns what a run says, in a few lines.
 QStringList linesOf(const lessons::RunSetup &run)
@@ -219,10 +160,8 @@ private slots:
     void languagesHaveTheSameEmphasis();
     void languagesHaveTheSameCodeAndNumbers_data() { addTranslationRows(); }
     void languagesHaveTheSameCodeAndNumbers();
-    void germanNumbersHaveACommaInProse_data() { addStepRows(); }
-    void germanNumbersHaveACommaInProse();
-    void wordsAreExplainedBeforeTheyAreUsed_data();
-    void wordsAreExplainedBeforeTheyAreUsed();
+    void numbersHaveACommaInTranslations_data() { addTranslationRows(); }
+    void numbersHaveACommaInTranslations();
     void everyLessonHasThreeToFiveQuestions();
     void questionsAreAboutThisLessonOrTheTwoBefore();
     void languagesHaveTheSameQuestions_data();
@@ -231,49 +170,19 @@ private slots:
     void linksLeadSomewhere();
 
 private:
-    /// Returns all lessons in their order.
-    const std::vector<LoadedLesson> &allLessons();
     /// Adds one row for each document.
     void addTranslationRows();
-    /// Returns the codes of all languages, of which English comes first.
-    QStringList languages();
     /// Compares each text of the row's document with the English one.
     template <class Same>
     void eachText(Same same);
-
-    std::vector<LoadedLesson> m_lessons;
 };
-
-const std::vector<LoadedLesson> &DocumentsTest::allLessons()
-{
-    if (m_lessons.empty()) {
-        for (const QString &id : lessonIds())
-            m_lessons.push_back(loadLesson(id));
-        std::sort(m_lessons.begin(), m_lessons.end(), [](const LoadedLesson &a, const LoadedLesson &b) {
-            return a.metadata.value("order").toInt() < b.metadata.value("order").toInt();
-        });
-    }
-    return m_lessons;
-}
-
-QStringList DocumentsTest::languages()
-{
-    QStringList codes = {"en"};
-    for (const LoadedLesson &lesson : allLessons()) { // the plugins bring the documents
-        for (const QString &name : QDir(documentFolder + idOf(lesson)).entryList({"*.*.md"})) {
-            if (!codes.contains(name.section('.', 1, 1)))
-                codes << name.section('.', 1, 1);
-        }
-    }
-    return codes;
-}
 
 void DocumentsTest::addTranslationRows()
 {
     QTest::addColumn<QString>("lesson");
     QTest::addColumn<QString>("id");
     QTest::addColumn<QString>("language");
-    const QStringList codes = languages();
+    const QStringList codes = documentLanguages();
     for (const LoadedLesson &lesson : allLessons()) {
         for (const lessons::Step &step : lesson.steps) {
             for (const QString &code : codes)
@@ -285,10 +194,10 @@ void DocumentsTest::addTranslationRows()
 
 void DocumentsTest::everyStepHasADocumentInEveryLanguage()
 {
-    QVERIFY(languages().contains("de"));
+    QCOMPARE(documentLanguages().size(), 4);
     for (const LoadedLesson &lesson : allLessons()) {
         for (const lessons::Step &step : lesson.steps) {
-            for (const QString &code : languages())
+            for (const QString &code : documentLanguages())
                 QVERIFY2(!documentOf(step.lesson, step.id, code).title.isEmpty(),
                          qPrintable(step.lesson + '/' + step.id + ' ' + code));
         }
@@ -362,11 +271,14 @@ void DocumentsTest::languagesHaveTheSameCodeAndNumbers()
     });
 }
 
-void DocumentsTest::germanNumbersHaveACommaInProse()
+void DocumentsTest::numbersHaveACommaInTranslations()
 {
     QFETCH(QString, lesson);
     QFETCH(QString, id);
-    for (const DocumentPlace &place : placesIn(documentOf(lesson, id, "de"))) {
+    QFETCH(QString, language);
+    if (language == "en")
+        return;
+    for (const DocumentPlace &place : placesIn(documentOf(lesson, id, language))) {
         QString prose = place.text;
         for (const QString &code : foundIn(place.text, "`[^`]*`")) {
             if (!hasOnlyNumbers(code)) // code keeps the point
@@ -376,116 +288,6 @@ void DocumentsTest::germanNumbersHaveACommaInProse()
                      foundIn(prose, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])"),
                  qPrintable(place.where + ": " + place.text));
     }
-}
-
-namespace {
-
-/// A word of the glossary, and the step that explains it.
-struct TaughtWord
-{
-    QString name;
-    QStringList forms;
-    std::size_t step = 0;
-};
-
-/// Returns the words of which a form is in `text` as a whole word. A form within a longer one does not count.
-QStringList wordsIn(QString text, const std::vector<TaughtWord> &words)
-{
-    std::vector<std::pair<QString, QString>> forms;
-    for (const TaughtWord &word : words) {
-        for (const QString &form : word.forms)
-            forms.emplace_back(form, word.name);
-    }
-    std::stable_sort(forms.begin(), forms.end(),
-                     [](const auto &a, const auto &b) { return a.first.size() > b.first.size(); });
-    QStringList found;
-    for (const auto &[form, name] : forms) {
-        const QRegularExpression whole("(?<![\\w])" + QRegularExpression::escape(form) + "(?![\\w])",
-                                       QRegularExpression::CaseInsensitiveOption |
-                                           QRegularExpression::UseUnicodePropertiesOption);
-        if (text.contains(whole) && !found.contains(name))
-            found << name;
-        text.replace(whole, QStringLiteral("#"));
-    }
-    return found;
-}
-
-/// Words that a step uses before another one explains them. To be emptied as the texts are rewritten.
-struct EarlyWord
-{
-    const char *language;
-    const char *word;
-    const char *usedIn; ///< the first step that uses it
-    const char *reason;
-};
-
-const EarlyWord earlyWords[] = {
-    {"en", "Coincident points", "walking_gait/bones", "“one place” means a single place there"},
-    {"en", "Curve", "single_spring/drag", "predictions ask for the curve in a plot, not for a Bézier curve"},
-    {"en", "Energy drift", "two_body/mutual", "the name of a row in the energy table"},
-    {"en", "Stick", "walking_gait/ground", "the verb: feet stick to the ground"},
-    {"en", "Energy", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
-    {"en", "Stiff", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
-    {"de", "Bogen", "single_spring/drag", "“Kurve” is the curve in a plot there, as in English"},
-    {"de", "Energiedrift", "two_body/mutual", "the name of a row in the energy table"},
-    {"de", "Energie", "swaying_tree/real_sway", "the tree shows energy before lesson 9 explains it"},
-    {"de", "Steif", "hard_cases/limit", "the limit is about stiff springs, which a later step explains"},
-};
-
-}
-
-void DocumentsTest::wordsAreExplainedBeforeTheyAreUsed_data()
-{
-    QTest::addColumn<QString>("language");
-    for (const QString &code : languages())
-        QTest::newRow(qPrintable(code)) << code;
-}
-
-void DocumentsTest::wordsAreExplainedBeforeTheyAreUsed()
-{
-    QFETCH(QString, language);
-    QStringList names;
-    std::vector<Document> documents;
-    std::vector<TaughtWord> words;
-    for (const LoadedLesson &lesson : allLessons()) {
-        for (const lessons::Step &step : lesson.steps) {
-            if (step.points == lessons::PointSource::scene)
-                continue; // the sandbox can be opened at any time
-            documents.push_back(documentOf(step.lesson, step.id, language));
-            for (const lessons::Term &term : documents.back().explanation.terms)
-                words.push_back({term.name, term.forms.split('|', Qt::SkipEmptyParts),
-                                 static_cast<std::size_t>(names.size())});
-            names << step.lesson + '/' + step.id;
-        }
-    }
-    QStringList early;
-    for (std::size_t i = 0; i < documents.size(); ++i) {
-        QString text;
-        for (const DocumentPlace &place : placesIn(documents[i])) {
-            if (!place.where.startsWith("word "))
-                text += '\n' + place.text;
-        }
-        text.remove(QRegularExpression("[*`]"));
-        for (const QString &name : wordsIn(text, words)) {
-            const auto word =
-                std::find_if(words.begin(), words.end(), [&](const auto &one) { return one.name == name; });
-            const QString line = name + " in ";
-            const bool isKnown =
-                early.filter(QRegularExpression("^" + QRegularExpression::escape(line))).isEmpty();
-            if (word->step > i && isKnown)
-                early << line + names[static_cast<qsizetype>(i)];
-        }
-    }
-    QStringList allowed;
-    for (const EarlyWord &one : earlyWords) {
-        QVERIFY(*one.reason);
-        if (language == one.language)
-            allowed << QStringLiteral("%1 in %2").arg(one.word, one.usedIn);
-    }
-    std::sort(early.begin(), early.end());
-    std::sort(allowed.begin(), allowed.end());
-    QVERIFY2(early == allowed,
-             qPrintable("\nUsed too early:\n" + early.join('\n') + "\nAllowed:\n" + allowed.join('\n')));
 }
 
 void DocumentsTest::everyLessonHasThreeToFiveQuestions()
@@ -519,7 +321,7 @@ void DocumentsTest::languagesHaveTheSameQuestions_data()
     for (const LoadedLesson &lesson : allLessons()) {
         if (recallOf(idOf(lesson), "en").questions.empty())
             continue;
-        for (const QString &code : languages())
+        for (const QString &code : documentLanguages())
             QTest::addRow("%s.%s", qPrintable(idOf(lesson)), qPrintable(code)) << idOf(lesson) << code;
     }
 }

@@ -69,7 +69,6 @@ class SceneShapesTest : public QObject
     Q_OBJECT
 
 private slots:
-    void aViewIsMadeOnce();
     void aLegBendsAsItsControlPointSays_data();
     void aLegBendsAsItsControlPointSays();
     void aGhostsLegBendsToo();
@@ -89,27 +88,6 @@ private slots:
     void aTentacleGetsThinner();
     void windStandsStillWithTime();
 };
-
-void SceneShapesTest::aViewIsMadeOnce()
-{
-    sim::Scene scene = scenes::pointsAt({{200, 200}, {300, 200}});
-    drawn_scenes::letGlide(scene, {1.0, 0.0});
-    lessons::Step step = drawn_scenes::step("once", scene, drawn_scenes::feetOnly(scene));
-    int made = 0;
-    step.view = [&made](const sim::Scene &built, const sim::Values &) {
-        ++made;
-        return drawn_scenes::feetOnly(built);
-    };
-    SceneFixture fixture({step});
-    for (int i = 0; i < 20; ++i)
-        fixture.session.playback().frameForward();
-    fixture.goTo(3);
-    QCOMPARE(made, 1);
-    fixture.session.editor().setMethod("semi_implicit_euler"); // another run
-    fixture.goTo(20);
-    QVERIFY(fixture.session.presentation().picture().view != nullptr);
-    QVERIFY(made <= 3);
-}
 
 void SceneShapesTest::aLegBendsAsItsControlPointSays_data()
 {
