@@ -5,23 +5,23 @@
     <name>Conditions</name>
     <message>
         <source>take it with the mouse, and let go of it.</source>
-        <translation>nimm es mit der Maus und lass es los.</translation>
+        <translation>greif mit der Maus zu und lass wieder los.</translation>
     </message>
     <message>
         <source>let go while the mouse moves, at %2&#x202f;px per frame or more. Yours left at %1.</source>
-        <translation>lass los, während sich die Maus bewegt, mit %2&#x202f;px pro Bild oder mehr. Losgelassen wurde bei %1.</translation>
+        <translation>lass los, während sich die Maus bewegt, mit %2&#x202f;px pro Bild oder mehr. Du hast bei %1 losgelassen.</translation>
     </message>
     <message>
         <source>take it with the mouse.</source>
-        <translation>nimm es mit der Maus.</translation>
+        <translation>greif mit der Maus zu.</translation>
     </message>
     <message>
         <source>take it with the mouse, and hold it.</source>
-        <translation>nimm es mit der Maus und halte es.</translation>
+        <translation>greif mit der Maus zu und halte fest.</translation>
     </message>
     <message>
         <source>carry it %2&#x202f;px or more. It came %1&#x202f;px.</source>
-        <translation>trag es %2&#x202f;px weit oder mehr. Es kam %1&#x202f;px weit.</translation>
+        <translation>trag weiter: %2&#x202f;px oder mehr. Es waren %1&#x202f;px.</translation>
     </message>
     <message>
         <source>let time run (**Space**) until nothing moves.</source>
