@@ -140,7 +140,7 @@ const std::vector<Verb> &verbs()
                        "follow on separate pages."),
          {{"LESSON", VerbsText::tr("A lesson, or the folder or the zip of one.")},
           {"OUT.pdf", VerbsText::tr("The PDF to write.")}},
-         {{"language", VerbsText::tr("en or de (default: that of the system)."), "LANG"}},
+         {{"language", VerbsText::tr("en, de, es or fr (default: that of the system)."), "LANG"}},
          runHandout,
          ApplicationKind::widgets},
     };

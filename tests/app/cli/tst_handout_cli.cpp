@@ -61,7 +61,7 @@ void HandoutCliTest::badUseIsOneSentenceAndCodeTwo_data()
     QTest::newRow("another ending") << QStringList{"two_body", "out.txt"}
                                     << "\"out.txt\" is not the name of a handout; it ends in .pdf.";
     QTest::newRow("another language") << QStringList{"two_body", "out.pdf", "--language", "xx"}
-                                      << "--language is \"xx\"; it can be de, en.";
+                                      << "--language is \"xx\"; it can be de, en, es, fr.";
     QTest::newRow("no such lesson") << QStringList{"two_bodies", "out.pdf", "--language", "en"}
                                     << "handout: there is no lesson \"two_bodies\"";
     QTest::newRow("no such folder") << QStringList{"two_body", "/nowhere/out.pdf", "--language", "en"}

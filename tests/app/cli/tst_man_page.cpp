@@ -1,6 +1,7 @@
 // The manual page and the help texts agree with the table of verbs.
 
 #include "app/cli/verbs.h"
+#include "app/model/text/language.h"
 #include "tests/app/cli/program.h"
 #include "tests/suite.h"
 
@@ -13,13 +14,33 @@ using namespace program;
 
 namespace {
 
+/// Returns the source of a manual page: "springstep.1". Empty if there is none.
+QString sourceOf(const QString &name)
+{
+    QFile file(SOURCE_DIR "/app/man/" + name);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+/// Returns the lines of a manual page that are the same in every language: its synopsis, the headings of its verbs, the
+/// names of options, and where paragraphs and sections begin.
+QStringList frameOf(const QString &page)
+{
+    QStringList lines = page.section("\n.SH ", 2, 2).split('\n').mid(1);
+    bool isName = false; // the line after .TP names an option
+    for (const QString &line : page.split('\n')) {
+        if (line == ".TP" || line == ".PP" || line.startsWith(".SS ") || isName)
+            lines << line;
+        else if (line.startsWith(".SH "))
+            lines << ".SH";
+        isName = line == ".TP";
+    }
+    return lines;
+}
+
 /// Returns the manual page without the escapes and font macros of roff.
 QString manualPage()
 {
-    QFile file(SOURCE_DIR "/app/springstep.1");
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    QString text = QString::fromUtf8(file.readAll());
+    QString text = sourceOf("springstep.1");
     text.replace("\\-", "-").remove('"');
     return text.replace(
         QRegularExpression("^\\.(B|I|BR|RB|BI|IB|RI|IR) ", QRegularExpression::MultilineOption), QString());
@@ -124,6 +145,22 @@ private slots:
             QVERIFY2(help.contains("--" + option.name + value + ' ' + summary), qPrintable(option.name));
             QVERIFY2(help.contains(option.defaultValue), qPrintable(option.name));
         }
+    }
+
+    void translationsDescribeTheSameOptions_data()
+    {
+        QTest::addColumn<QString>("name");
+        for (const QString &code : app::Language::known()) {
+            if (code != "en")
+                QTest::newRow(qPrintable(code)) << "springstep." + code + ".1";
+        }
+    }
+    void translationsDescribeTheSameOptions()
+    {
+        QFETCH(QString, name);
+        const QString english = sourceOf("springstep.1"), translated = sourceOf(name);
+        QCOMPARE(frameOf(translated), frameOf(english));
+        QVERIFY(translated.section('\n', 1) != english.section('\n', 1));
     }
 
 private:
