@@ -37,6 +37,7 @@ ParameterSlider::ParameterSlider(const lessons::Parameter &parameter, const Them
     setPageStep(std::max(1, steps / 10));
     setFocusPolicy(Qt::StrongFocus);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setLayoutDirection(Qt::LeftToRight); // numbers grow to the right in every language
     connect(this, &QSlider::valueChanged, this, [this](int position) { emit chosen(valueAt(position)); });
     connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
 }

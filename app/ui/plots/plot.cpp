@@ -64,6 +64,7 @@ void installPlotAccess()
 Plot::Plot(const Theme &theme, QWidget *parent) : QCustomPlot(parent), m_theme(theme)
 {
     installPlotAccess();
+    setLayoutDirection(Qt::LeftToRight); // axes are the same in every language
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setAntialiasedElements(QCP::aeAll);

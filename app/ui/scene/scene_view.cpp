@@ -40,6 +40,7 @@ SceneView::SceneView(Session &session, const Theme &theme, QWidget *parent)
       m_drag(session.playback(), session.input()), m_tools(session.run(), session.playback(), session.input())
 {
     setFrameShape(QFrame::NoFrame);
+    setLayoutDirection(Qt::LeftToRight); // x grows to the right in every language
     setRenderHint(QPainter::Antialiasing);
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     setOptimizationFlags(DontSavePainterState | DontAdjustForAntialiasing);

@@ -39,6 +39,7 @@ FootfallStrip::FootfallStrip(const OpenRun &run, Playback &playback, Preview &pr
       m_timeline(timeline), m_theme(theme)
 {
     setObjectName("footfall");
+    setLayoutDirection(Qt::LeftToRight); // as the timeline
     setAccessibleName(tr("Feet on the ground"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);

@@ -25,6 +25,7 @@ TimelineStrip::TimelineStrip(Session &session, const Theme &theme, QWidget *pare
     : QWidget(parent), m_session(session), m_theme(theme)
 {
     installTimelineAccess();
+    setLayoutDirection(Qt::LeftToRight); // time runs to the right in every language
     setObjectName("timeline");
     setAccessibleName(tr("Timeline"));
     setAccessibleDescription(

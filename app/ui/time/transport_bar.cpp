@@ -45,6 +45,7 @@ TransportBar::TransportBar(Session &session, const RunCommands &commands, const 
       m_layout(new QHBoxLayout(this)), m_cancel(new QShortcut(RunCommands::cancelKey, this))
 {
     setObjectName("transport");
+    setLayoutDirection(Qt::LeftToRight); // as the timeline below it
     setFixedHeight(52);
     setAutoFillBackground(true);
     build();

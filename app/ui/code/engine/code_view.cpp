@@ -38,6 +38,7 @@ long foldLevel(const CodeRow &row)
 
 CodeView::CodeView(const Theme &theme, QWidget *parent) : QsciScintilla(parent), m_theme(theme)
 {
+    setLayoutDirection(Qt::LeftToRight); // code is not mirrored
     setAccessibleName(tr("Code that runs"));
     setAccessibleDescription(
         tr("Up and Down go from line to line. Enter runs to a line, or folds a section at its heading. %1 "

@@ -29,6 +29,7 @@ constexpr int marginWidths[] = {30, 13, 3, 7}; ///< px: numbers, the arrow, chan
 ListingEditor::ListingEditor(const Theme &theme, Kind kind, QWidget *parent)
     : QsciScintilla(parent), m_theme(theme), m_kind(kind)
 {
+    setLayoutDirection(Qt::LeftToRight); // code is not mirrored
     if (kind == Kind::listing) {
         setAccessibleName(tr("Listing: the code that you can change"));
         setAccessibleDescription(
