@@ -9,7 +9,7 @@ app_packages=(
     "qt6-svg-dev             the window's icons"
     "qt6-l10n-tools          translations of the texts"
     "qt6-tools-dev           the same, as CMake finds it"
-    "qt6-translations-l10n   the window system's own words (file dialogs, keys) in German"
+    "qt6-translations-l10n   the window system's own words (file dialogs, keys) in other languages"
     "libeigen3-dev           arrays of the simulation core"
     "libqscintilla2-qt6-dev  the code panel"
     "libqcustomplot-dev      axes and grids of the plots"

@@ -800,6 +800,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>the concept “%1” rests on one that rests on it. Remove one of the two ids.</source>
         <translation>Der Begriff „%1“ beruht auf einem, der auf ihm beruht. Entferne eine der beiden ids.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>ConditionNamesText</name>
@@ -1620,10 +1624,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>the lesson %1 has no step %2; it has %3.</source>
         <translation>die Lektion %1 hat keinen Schritt %2; sie hat %3.</translation>
     </message>
-    <message>
-        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
-        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
-    </message>
 </context>
 <context>
     <name>ExperimentWriterText</name>
@@ -2180,6 +2180,13 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
+    <name>GlossaryText</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>GroundLayersText</name>
     <message>
         <source>%1&#x202f;px</source>
@@ -2195,6 +2202,83 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1 could not be written: give a folder that you may write to, and a name that ends in .png or .jpg.</source>
         <translation>%1 ließ sich nicht schreiben: Nenne einen Ordner, in den du schreiben darfst, und einen Namen, der auf .png oder .jpg endet.</translation>
+    </message>
+</context>
+<context>
+    <name>Handout</name>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Date:</source>
+        <translation>Datum:</translation>
+    </message>
+    <message>
+        <source>Answers: %1</source>
+        <translation>Antworten: %1</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Sag voraus</translation>
+    </message>
+    <message>
+        <source>Mark the place in the picture.</source>
+        <translation>Kreuze die Stelle im Bild an.</translation>
+    </message>
+    <message>
+        <source>Try this</source>
+        <translation>Probier das</translation>
+    </message>
+    <message>
+        <source>Write it yourself: %1</source>
+        <translation>Schreib es selbst: %1</translation>
+    </message>
+    <message>
+        <source>Build: %1</source>
+        <translation>Bau: %1</translation>
+    </message>
+</context>
+<context>
+    <name>HandoutCliText</name>
+    <message>
+        <source>--language is %1; it can be %2.</source>
+        <translation>--language ist %1; möglich ist %2.</translation>
+    </message>
+    <message>
+        <source>handout: %1</source>
+        <translation>handout: %1</translation>
+    </message>
+    <message>
+        <source>%1 is not the name of a handout; it ends in .pdf.</source>
+        <translation>%1 ist kein Name für ein Arbeitsblatt; er endet auf .pdf.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 pictures</source>
+        <translation>%1 von %2 Bildern</translation>
+    </message>
+    <message>
+        <source>Stopped before the handout was written.</source>
+        <translation>Abgebrochen, bevor das Arbeitsblatt geschrieben war.</translation>
+    </message>
+</context>
+<context>
+    <name>HandoutExportText</name>
+    <message>
+        <source>Handout of the lesson</source>
+        <translation>Arbeitsblatt der Lektion</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The pictures of “%1” are drawn…</source>
+        <translation>Die Bilder von „%1“ werden gezeichnet …</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
@@ -2384,12 +2468,12 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 <context>
     <name>Highlights</name>
     <message>
-        <source>%1 px</source>
-        <translation>%1 px</translation>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
     </message>
     <message>
-        <source>%1 px/frame</source>
-        <translation>%1 px/Bild</translation>
+        <source>%1&#x2009;px/frame</source>
+        <translation>%1&#x2009;px/Bild</translation>
     </message>
     <message>
         <source>the arrow from %1 to %2</source>
@@ -2582,10 +2666,26 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
-    <name>LearnerCode</name>
+    <name>KeyNames</name>
     <message>
-        <source>other code</source>
-        <translation>anderer Code</translation>
+        <source>Page Up</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>Page Down</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
     </message>
 </context>
 <context>
@@ -2819,10 +2919,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1: there is no lesson.json, which describes the lesson. Choose the folder that has it, or write it.</source>
         <translation>%1: Es gibt keine lesson.json, die die Lektion beschreibt. Wähle den Ordner, der sie hat, oder schreib sie.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
-        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
 </context>
 <context>
@@ -3062,10 +3158,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>What it is about, in one sentence.</source>
         <translation>Worum es geht, in einem Satz.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
-        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
     <message>
         <source>A new lesson begins with a scene of the sandbox or of a lesson of the program. Open one first.</source>
@@ -3811,6 +3903,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Das Heft zählt „%1“ als %2, aber der Lauf ergibt „%3“.</translation>
     </message>
     <message>
+        <source>The notebook counts “%1” as %2, but the answer of the lesson is “%3”.</source>
+        <translation>Das Heft zählt „%1“ als %2, aber die Antwort der Lektion ist „%3“.</translation>
+    </message>
+    <message>
         <source>right</source>
         <translation>richtig</translation>
     </message>
@@ -3920,10 +4016,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>The notebook would be too large. Choose fewer lessons, or leave out the gallery.</source>
         <translation>Das Heft würde zu groß. Wähle weniger Lektionen oder lass die Galerie weg.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be written: %2. Check the folder.</source>
-        <translation>%1: Die Datei ließ sich nicht schreiben: %2. Prüfe den Ordner.</translation>
     </message>
 </context>
 <context>
@@ -4348,6 +4440,41 @@ Schreib hier in einem Satz, was man jetzt weiß.
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Return</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+</context>
+<context>
     <name>QuantityText</name>
     <message>
         <source>time</source>
@@ -4595,6 +4722,17 @@ Schreib hier in einem Satz, was man jetzt weiß.
     </message>
 </context>
 <context>
+    <name>RuleErrorText</name>
+    <message>
+        <source>Line %1 of your rule, for %2: %3</source>
+        <translation>Zeile %1 deiner Regel, für %2: %3</translation>
+    </message>
+    <message>
+        <source>Line %1 of your rule, for %2 and %3: %4</source>
+        <translation>Zeile %1 deiner Regel, für %2 und %3: %4</translation>
+    </message>
+</context>
+<context>
     <name>Ruler</name>
     <message>
         <source>%1&#x2009;px, %2°</source>
@@ -4626,17 +4764,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>Frame %1, after %2, %3</source>
         <translation>Bild %1, nach „%2“, %3</translation>
-    </message>
-</context>
-<context>
-    <name>RuleErrorText</name>
-    <message>
-        <source>Line %1 of your rule, for %2: %3</source>
-        <translation>Zeile %1 deiner Regel, für %2: %3</translation>
-    </message>
-    <message>
-        <source>Line %1 of your rule, for %2 and %3: %4</source>
-        <translation>Zeile %1 deiner Regel, für %2 und %3: %4</translation>
     </message>
 </context>
 <context>
@@ -5206,8 +5333,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>%1 = %2 / %3 = %4</translation>
     </message>
     <message>
-        <source>angle = %1° = %2 rad</source>
-        <translation>Winkel = %1° = %2 rad</translation>
+        <source>angle = %1° = %2&#x2009;rad</source>
+        <translation>Winkel = %1° = %2&#x2009;rad</translation>
     </message>
     <message>
         <source>cosine</source>
@@ -5406,8 +5533,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Das PDF, das geschrieben wird.</translation>
     </message>
     <message>
-        <source>en or de (default: that of the system).</source>
-        <translation>en oder de (Vorgabe: die des Systems).</translation>
+        <source>en, de, es or fr (default: that of the system).</source>
+        <translation>en, de, es oder fr (Vorgabe: die des Systems).</translation>
     </message>
 </context>
 <context>
@@ -5771,6 +5898,13 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
         <translation>%1 ließ sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+    </message>
+</context>
+<context>
+    <name>WholeFileText</name>
+    <message>
+        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
+        <translation>%1: Die Datei konnte nicht geschrieben werden: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
 </context>
 <context>
@@ -6871,6 +7005,19 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::EnergyListModel</name>
+    <message>
+        <source>%1: %2 %3</source>
+        <translation>%1: %2 %3</translation>
+    </message>
+    <message>
+        <source>%1: %2&#x2009;%3
+%4</source>
+        <translation>%1: %2&#x2009;%3
+%4</translation>
+    </message>
+</context>
+<context>
     <name>app::EnergyPanel</name>
     <message>
         <source>Where it went</source>
@@ -7095,16 +7242,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Fortschritt des Films</translation>
     </message>
     <message>
-        <source>First frame</source>
-        <translation>Erstes Bild</translation>
-    </message>
-    <message>
         <source>The first frame of the film</source>
         <translation>Das erste Bild des Films</translation>
-    </message>
-    <message>
-        <source>Last frame</source>
-        <translation>Letztes Bild</translation>
     </message>
     <message>
         <source>The last frame of the film; the run is computed up to there</source>
@@ -7117,14 +7256,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>The speed of the film: 30 is as fast as in the window</source>
         <translation>Das Tempo des Films: 30 ist so schnell wie im Fenster</translation>
-    </message>
-    <message>
-        <source>&amp;First frame</source>
-        <translation>&amp;Erstes Bild</translation>
-    </message>
-    <message>
-        <source>&amp;Last frame</source>
-        <translation>&amp;Letztes Bild</translation>
     </message>
     <message>
         <source>Frames a &amp;second</source>
@@ -7325,6 +7456,25 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>A frame is a whole number from 0 to %1.</source>
         <translation>Ein Bild ist eine ganze Zahl von 0 bis %1.</translation>
+    </message>
+</context>
+<context>
+    <name>app::FrameRange</name>
+    <message>
+        <source>First frame</source>
+        <translation>Erstes Bild</translation>
+    </message>
+    <message>
+        <source>Last frame</source>
+        <translation>Letztes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;First frame</source>
+        <translation>&amp;Erstes Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Last frame</source>
+        <translation>&amp;Letztes Bild</translation>
     </message>
 </context>
 <context>
@@ -7775,29 +7925,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
-    <name>KeyNames</name>
-    <message>
-        <source>Page Up</source>
-        <translation>Bild auf</translation>
-    </message>
-    <message>
-        <source>Page Down</source>
-        <translation>Bild ab</translation>
-    </message>
-    <message>
-        <source>Ctrl</source>
-        <translation>Strg</translation>
-    </message>
-    <message>
-        <source>Alt</source>
-        <translation>Alt</translation>
-    </message>
-    <message>
-        <source>Shift</source>
-        <translation>Umschalt</translation>
-    </message>
-</context>
-<context>
     <name>app::LanguageMenu</name>
     <message>
         <source>Lan&amp;guage</source>
@@ -7916,6 +8043,30 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>Could not show the lesson: %1</source>
         <translation>Die Lektion ließ sich nicht anzeigen: %1</translation>
     </message>
+    <message>
+        <source>Re&amp;move this lesson from the list</source>
+        <translation>&amp;Diese Lektion aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Take the open lesson out of your lessons; its files stay where they are</source>
+        <translation>Die offene Lektion aus deinen Lektionen nehmen; ihre Dateien bleiben, wo sie sind</translation>
+    </message>
+    <message>
+        <source>The open lesson is not one of yours</source>
+        <translation>Die offene Lektion ist keine von deinen</translation>
+    </message>
+    <message>
+        <source>%1 is no longer in the list. Its files are still there.</source>
+        <translation>%1 steht nicht mehr in der Liste. Die Dateien sind noch da.</translation>
+    </message>
+    <message>
+        <source>Put it back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Opens the lesson again</source>
+        <translation>Öffnet die Lektion wieder</translation>
+    </message>
 </context>
 <context>
     <name>app::LessonList</name>
@@ -7928,7 +8079,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <name>app::LessonModel</name>
     <message>
         <source>open</source>
-        <translation>offen</translation>
+        <translation>gerade geöffnet</translation>
     </message>
     <message>
         <source>%1, %2 of %3 steps done</source>
@@ -8102,10 +8253,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>Delete rule</source>
         <translation>Regel löschen</translation>
     </message>
-    <message>
-        <source>Type to change it; the run is computed again after a short pause. Tab indents, Ctrl+Space completes a name, Esc leaves the editor.</source>
-        <translation>Tippe, um sie zu ändern; der Ablauf wird nach einer kurzen Pause neu berechnet. Tab rückt ein, Strg+Leertaste ergänzt einen Namen, Esc verlässt den Editor.</translation>
-    </message>
 </context>
 <context>
     <name>app::ListingPanel</name>
@@ -8128,14 +8275,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>This is the step&apos;s own listing.</source>
         <translation>Das ist das Listing des Schritts.</translation>
-    </message>
-    <message>
-        <source>your code</source>
-        <translation>dein Code</translation>
-    </message>
-    <message>
-        <source>Line %1: %2</source>
-        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>No line that runs comes after line %1. Choose a line inside a function.</source>
@@ -8844,7 +8983,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>the prediction</source>
-        <translation>der Vorhersage</translation>
+        <translation>die Vorhersage</translation>
     </message>
     <message>
         <source>prediction</source>
@@ -10294,11 +10433,11 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
     <message>
         <source>Everything is at rest. Touch something, or press &lt;b&gt;%1&lt;/b&gt; to stop.</source>
-        <translation>Alles ruht. Fass etwas an, oder drück &lt;b&gt;%1&lt;/b&gt;, um anzuhalten.</translation>
+        <translation>Alles ruht. Fass etwas an. &lt;b&gt;%1&lt;/b&gt; hält an.</translation>
     </message>
     <message>
         <source>Playing. Press &lt;b&gt;%1&lt;/b&gt; to stop anywhere.</source>
-        <translation>Läuft. Drück &lt;b&gt;%1&lt;/b&gt;, um irgendwo anzuhalten.</translation>
+        <translation>Läuft. &lt;b&gt;%1&lt;/b&gt; hält an.</translation>
     </message>
     <message>
         <source>Inside frame %1, after %2. &lt;b&gt;%3&lt;/b&gt; next phase, &lt;b&gt;%4&lt;/b&gt; next frame.</source>
@@ -10580,7 +10719,7 @@ Klicken, um bis dorthin zu laufen.</translation>
         <translation>In einem Bild</translation>
     </message>
     <message>
-        <source>**%1** runs one line of the code, and **%2** takes it back. On the code's page **Engine** they go from phase to phase: springs pull, damping slows things down, things move.</source>
+        <source>**%1** runs one line of the code, and **%2** takes it back. On the code&apos;s page **Engine** they go from phase to phase: springs pull, damping slows things down, things move.</source>
         <translation>**%1** führt eine Zeile des Codes aus, und **%2** nimmt sie zurück. Auf der Seite **Engine** des Codes gehen sie von Phase zu Phase: Federn ziehen, die Dämpfung bremst, alles bewegt sich.</translation>
     </message>
     <message>
@@ -10742,28 +10881,12 @@ Klicken, um bis dorthin zu laufen.</translation>
         <translation>Eine Datei, die den Lauf in jedem Browser abspielt, auch ohne Netz: die Szene, das Listing mit seinen Werten, die offenen Diagramme und den Text des Schritts.</translation>
     </message>
     <message>
-        <source>First frame</source>
-        <translation>Erstes Bild</translation>
-    </message>
-    <message>
         <source>The first frame of the page</source>
         <translation>Das erste Bild der Seite</translation>
     </message>
     <message>
-        <source>Last frame</source>
-        <translation>Letztes Bild</translation>
-    </message>
-    <message>
         <source>The last frame of the page; the run is computed up to there</source>
         <translation>Das letzte Bild der Seite; der Lauf wird bis dahin berechnet</translation>
-    </message>
-    <message>
-        <source>&amp;First frame</source>
-        <translation>&amp;Erstes Bild</translation>
-    </message>
-    <message>
-        <source>&amp;Last frame</source>
-        <translation>&amp;Letztes Bild</translation>
     </message>
     <message>
         <source>&amp;Save as…</source>
@@ -10888,6 +11011,13 @@ Billigeres ist so genau.</translation>
 for %1&#x2009;µs (30 a second)</source>
         <translation>Ein Bild steht %1&#x2009;µs
 auf dem Schirm (30 pro Sekunde)</translation>
+    </message>
+</context>
+<context>
+    <name>app::YourLessons</name>
+    <message>
+        <source>Could not find %1, so it is no longer among your lessons. If you moved it, open it from its new place.</source>
+        <translation>%1 war nicht zu finden und steht nicht mehr unter deinen Lektionen. Wenn du sie verschoben hast, öffne sie von dort.</translation>
     </message>
 </context>
 <context>
@@ -12054,97 +12184,6 @@ auf dem Schirm (30 pro Sekunde)</translation>
     <message>
         <source>there is no key %1; there is %2.</source>
         <translation>es gibt keine Taste %1; es gibt %2.</translation>
-    </message>
-</context>
-<context>
-    <name>Handout</name>
-    <message>
-        <source>Name</source>
-        <translation>Name</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Datum</translation>
-    </message>
-    <message>
-        <source>Answers: %1</source>
-        <translation>Antworten: %1</translation>
-    </message>
-    <message>
-        <source>Predict</source>
-        <translation>Sag voraus</translation>
-    </message>
-    <message>
-        <source>Mark the place in the picture.</source>
-        <translation>Kreuze die Stelle im Bild an.</translation>
-    </message>
-    <message>
-        <source>Try this</source>
-        <translation>Probier das</translation>
-    </message>
-    <message>
-        <source>Write it yourself: %1</source>
-        <translation>Schreib es selbst: %1</translation>
-    </message>
-    <message>
-        <source>Build: %1</source>
-        <translation>Bau: %1</translation>
-    </message>
-</context>
-<context>
-    <name>HandoutExportText</name>
-    <message>
-        <source>Handout of the lesson</source>
-        <translation>Arbeitsblatt der Lektion</translation>
-    </message>
-    <message>
-        <source>PDF (*.pdf)</source>
-        <translation>PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>The pictures of “%1” are drawn…</source>
-        <translation>Die Bilder von „%1“ werden gezeichnet …</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Abbrechen</translation>
-    </message>
-</context>
-<context>
-    <name>HandoutCliText</name>
-    <message>
-        <source>--language is %1; it can be %2.</source>
-        <translation>--language ist %1; möglich ist %2.</translation>
-    </message>
-    <message>
-        <source>handout: %1</source>
-        <translation>handout: %1</translation>
-    </message>
-    <message>
-        <source>%1 is not the name of a handout; it ends in .pdf.</source>
-        <translation>%1 ist kein Name für ein Arbeitsblatt; er endet auf .pdf.</translation>
-    </message>
-    <message>
-        <source>%1 of %2 pictures</source>
-        <translation>%1 von %2 Bildern</translation>
-    </message>
-    <message>
-        <source>Stopped before the handout was written.</source>
-        <translation>Abgebrochen, bevor das Arbeitsblatt geschrieben war.</translation>
-    </message>
-</context>
-<context>
-    <name>WholeFileText</name>
-    <message>
-        <source>%1: the file could not be written: %2. Choose another folder or name.</source>
-        <translation>%1: Die Datei konnte nicht geschrieben werden: %2. Wähle einen anderen Ordner oder Namen.</translation>
-    </message>
-</context>
-<context>
-    <name>app::YourLessons</name>
-    <message>
-        <source>Could not find %1, so it is no longer among your lessons. If you moved it, open it from its new place.</source>
-        <translation>%1 war nicht zu finden und steht nicht mehr unter deinen Lektionen. Wenn du sie verschoben hast, öffne sie von dort.</translation>
     </message>
 </context>
 </TS>

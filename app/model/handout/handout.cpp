@@ -33,7 +33,7 @@ public:
     {
         m_paper.addHeading(1, m_lesson.title);
         m_paper.addText(m_lesson.summary);
-        m_paper.addFields({tr("Name"), tr("Date")});
+        m_paper.addFields({tr("Name:"), tr("Date:")});
         for (const lessons::Step &step : m_lesson.steps) {
             if (!addStep(step))
                 return false;

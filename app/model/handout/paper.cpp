@@ -150,7 +150,7 @@ void Paper::addFields(const QStringList &names)
 {
     beginBlock(14.0);
     for (const QString &name : names)
-        m_cursor.insertText(QStringLiteral("%1: %2   ").arg(name, QString(28, '_')));
+        m_cursor.insertText(QStringLiteral("%1 %2   ").arg(name, QString(28, '_')));
 }
 
 void Paper::addPicture(const QImage &picture)

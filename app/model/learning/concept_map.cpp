@@ -121,7 +121,7 @@ ConceptMap::ConceptMap(const LessonLibrary &library)
                          .text = one.content->text,
                          .lesson = one.lesson->id,
                          .step = one.step->id,
-                         .where = QStringLiteral("%1: %2").arg(one.lesson->title, one.step->title)};
+                         .where = ConceptMapText::tr("%1: %2").arg(one.lesson->title, one.step->title)};
         for (const std::size_t earlier : earlierOnes(one, all, indices)) {
             if (placeOf[earlier] >= place)
                 continue; // a cycle

@@ -1,11 +1,18 @@
 #include "app/model/text/glossary.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <optional>
 
 namespace app {
 
 namespace {
+
+struct GlossaryText
+{
+    Q_DECLARE_TR_FUNCTIONS(GlossaryText)
+};
 
 struct Form
 {
@@ -64,7 +71,7 @@ Glossary::Glossary(const LessonLibrary &library)
             for (const lessons::Term &term : step.explanation.terms) {
                 if (!find(term.name))
                     m_entries.push_back(
-                        {term, lesson.id, step.id, QStringLiteral("%1: %2").arg(lesson.title, step.title)});
+                        {term, lesson.id, step.id, GlossaryText::tr("%1: %2").arg(lesson.title, step.title)});
             }
         }
     }

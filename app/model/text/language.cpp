@@ -54,8 +54,9 @@ QString Language::chosen(const QString &code)
 
 QString Language::nameOf(const QString &code)
 {
-    // QLocale says "American English", which is too specific.
-    return code == "en" ? QStringLiteral("English") : QLocale(code).nativeLanguageName();
+    // QLocale says "American English" and "español de España", which is too specific.
+    const QString name = code == "en" ? QStringLiteral("English") : QLocale(code).nativeLanguageName();
+    return name.left(1).toUpper() + name.mid(1).section(' ', 0, 0);
 }
 
 Language::Language(const QString &code) : m_code(code)

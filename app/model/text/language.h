@@ -16,7 +16,7 @@ namespace app {
 class Language
 {
 public:
-    /// Returns the codes of the available languages, sorted by language name: "de", "en".
+    /// Returns the codes of the available languages, sorted by language name: "de", "en", "es".
     static QStringList known();
     /// Returns the first of `wanted` ("de-AT", "en") that is available, or English if there is none.
     static QString firstKnown(const QStringList &wanted);

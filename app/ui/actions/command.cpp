@@ -11,6 +11,15 @@ struct KeyNames
     Q_DECLARE_TR_FUNCTIONS(KeyNames)
 };
 
+/// Keys whose names in menus are translated here: in some languages, Qt's own are not those on keyboards ("Control",
+/// "Retorno").
+[[maybe_unused]] constexpr const char *namesInMenus[] = {
+    QT_TRANSLATE_NOOP("QShortcut", "Ctrl"),   QT_TRANSLATE_NOOP("QShortcut", "Shift"),
+    QT_TRANSLATE_NOOP("QShortcut", "Esc"),    QT_TRANSLATE_NOOP("QShortcut", "Tab"),
+    QT_TRANSLATE_NOOP("QShortcut", "Return"), QT_TRANSLATE_NOOP("QShortcut", "Backspace"),
+    QT_TRANSLATE_NOOP("QShortcut", "Ins"),    QT_TRANSLATE_NOOP("QShortcut", "Del"),
+};
+
 QString nameOf(Qt::Key key)
 {
     switch (key) {

@@ -40,7 +40,7 @@ double EnergyListModel::amountOf(const EnergyLine &line) const
 
 QString EnergyListModel::spoken(const EnergyLine &line) const
 {
-    return QStringLiteral("%1: %2 %3").arg(line.title, line.number, m_unit);
+    return tr("%1: %2 %3").arg(line.title, line.number, m_unit);
 }
 
 QVariant EnergyListModel::data(const QModelIndex &index, int role) const
@@ -48,7 +48,7 @@ QVariant EnergyListModel::data(const QModelIndex &index, int role) const
     if (role != Qt::ToolTipRole || !index.isValid())
         return LedgerModel::data(index, role);
     const EnergyLine &its = line(index);
-    return QStringLiteral("%1: %2\u2009%3\n%4").arg(its.title, its.number, m_unit, its.help);
+    return tr("%1: %2\u2009%3\n%4").arg(its.title, its.number, m_unit, its.help);
 }
 
 void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,

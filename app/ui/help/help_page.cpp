@@ -17,7 +17,7 @@ namespace app {
 
 namespace {
 
-constexpr int columnWidth = 360;
+constexpr int columnWidth = 450; ///< px, so that a long gesture leaves room for its text
 constexpr int margin = 24;
 constexpr int rowHeight = 28;
 constexpr int rowGap = 3; ///< px, above and below a text
@@ -139,9 +139,10 @@ void HelpPage::arrange()
         rows[column] += group.rows > 0 ? group.rows + 2 : 0;
     }
     const int high = std::max(rows[0], rows[1]) * rowHeight + headHeight;
-    const int most = screen()->availableGeometry().height() - 80;
+    const QSize most = screen()->availableGeometry().size() - QSize(80, 80);
     m_page->setMinimumHeight(0);
-    resize(2 * (columnWidth + margin) + 2 * margin, std::min({high, longestPage, most}));
+    resize(std::min(2 * (columnWidth + margin) + 2 * margin, most.width()),
+           std::min({high, longestPage, most.height()}));
 }
 
 void HelpPage::resizeEvent(QResizeEvent *event)

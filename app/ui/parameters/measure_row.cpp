@@ -15,10 +15,10 @@ namespace app {
 namespace {
 
 constexpr int margin = 16;
-constexpr int nameWidth = 132;
+constexpr int nameWidth = 148; ///< px: "Quantité de mouvement" fits
 constexpr int numberWidth = 64;
 constexpr std::int64_t leastRows = 60;
-constexpr int measureUnitWidth = 62;
+constexpr int measureUnitWidth = 90; ///< px: "por fotograma" and "px/fotograma²" fit
 
 /// The range of values of a time series.
 struct Span

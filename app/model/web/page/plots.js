@@ -31,7 +31,9 @@ function shortNumber(value, step = 0) {
     const digits = step > 0 ? Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) : 2;
     const size = Math.abs(value);
     const isPlain = size < 1e6 && (size === 0 || size >= 1e-3 || digits < 4);
-    return (isPlain ? value.toFixed(Math.min(digits, 8)) : value.toExponential(1)).replace("e+", "e").replaceAll("-", "−");
+    const decimalSign = (0.5).toLocaleString(document.documentElement.lang).charAt(1);
+    return (isPlain ? value.toFixed(Math.min(digits, 8)) : value.toExponential(1))
+        .replace("e+", "e").replaceAll("-", "−").replace(".", decimalSign);
 }
 
 class Plot {

@@ -17,10 +17,10 @@ namespace {
 constexpr int margin = 24;
 
 /// Escapes typed text, so that Markdown shows it literally.
-QString asText(QString typed)
+QString asText(QString plain)
 {
     static const QRegularExpression mark(QStringLiteral("([\\\\`*_{}\\[\\]()<>#+\\-.!|~&])"));
-    return typed.replace(mark, QStringLiteral("\\\\1"));
+    return plain.replace(mark, QStringLiteral("\\\\1"));
 }
 
 }
@@ -81,7 +81,7 @@ void GlossaryPage::refresh()
     QStringList all;
     for (const GlossaryEntry *one : m_glossary.matching(m_search->text()))
         all << QStringLiteral("**%1**\n\n%2 [%3](%4)")
-                   .arg(one->term.name, one->term.text, one->where,
+                   .arg(asText(one->term.name), one->term.text, one->where,
                         stepLink(one->lesson, one->step).toString());
     if (all.isEmpty())
         all << tr("No word found for “%1”. Try only a part of it.").arg(asText(m_search->text()));

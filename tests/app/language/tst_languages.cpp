@@ -1,4 +1,4 @@
-// What is said in German: everything, by the words of the system or of the learner.
+// The languages of the window: all is translated, and the language is that of the system or the one chosen.
 
 #include "app/model/sandbox/sandbox_properties.h"
 #include "app/model/text/numbers.h"
@@ -6,7 +6,7 @@
 #include "app/ui/dialogs/notice.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/pipeline.h"
-#include "tests/app/language/german_support.h"
+#include "tests/app/language/translated_window.h"
 #include "tests/suite.h"
 
 #include <QMenu>
@@ -50,9 +50,9 @@ QStringList sharedLetters(const QList<QAction *> &actions)
 void missIn(const sim::Scene &scene, const sim::Method &method, QSet<QString> &missing)
 {
     const auto look = [&](const std::string &text) {
-        // GermanWindow has some words of the same spelling, so the question is whether there is an entry.
+        // Languages share some words of the same spelling, so the question is whether there is an entry.
         const QString said = QString::fromStdString(text);
-        static const QSet<QString> same = {"Motor", "Wind"};
+        static const QSet<QString> same = {"Motor", "Wind", "Anticipation", "Points", "Branches"};
         if (!text.empty() && phrase(text) == said && said.size() > 1 && !same.contains(capitalised(said)))
             missing.insert(said);
     };
@@ -64,17 +64,19 @@ void missIn(const sim::Scene &scene, const sim::Method &method, QSet<QString> &m
 
 }
 
-class GermanWordsTest : public QObject
+class LanguagesTest : public QObject
 {
     Q_OBJECT
 
 private slots:
-    void thereAreTwoLanguages();
+    void languagesAreNamedInTheirOwnWords();
     void theSystemsWishesAreMet_data();
     void theSystemsWishesAreMet();
     void numbersHaveACommaOnTheScreen();
-    void everyStepSpeaksGerman();
-    void whatTheCoreNamesIsNamedInGerman();
+    void everyStepIsTranslated_data() { addTranslatedLanguages(); }
+    void everyStepIsTranslated();
+    void whatTheCoreNamesIsTranslated_data() { addTranslatedLanguages(); }
+    void whatTheCoreNamesIsTranslated();
     void whatIsBuiltIsCalledAsInThePicture();
     void noLetterOpensTwoEntriesOfAMenu_data();
     void noLetterOpensTwoEntriesOfAMenu();
@@ -82,32 +84,35 @@ private slots:
     void theChoiceOfALanguageIsRemembered();
 };
 
-void GermanWordsTest::thereAreTwoLanguages()
+void LanguagesTest::languagesAreNamedInTheirOwnWords()
 {
-    QCOMPARE(Language::known(), QStringList({"de", "en"}));
+    QCOMPARE(Language::known(), QStringList({"de", "en", "es", "fr"}));
     QCOMPARE(Language::nameOf("de"), QString("Deutsch"));
     QCOMPARE(Language::nameOf("en"), QString("English"));
+    QCOMPARE(Language::nameOf("es"), QString("Español"));
+    QCOMPARE(Language::nameOf("fr"), QString("Français"));
 }
 
-void GermanWordsTest::theSystemsWishesAreMet_data()
+void LanguagesTest::theSystemsWishesAreMet_data()
 {
     QTest::addColumn<QStringList>("wanted");
     QTest::addColumn<QString>("spoken");
     QTest::newRow("German") << QStringList{"de-DE"} << "de";
-    QTest::newRow("GermanWindow of Austria") << QStringList{"de-Latn-AT", "de-AT", "de"} << "de";
-    QTest::newRow("none of them") << QStringList{"fr-FR"} << "en";
-    QTest::newRow("the second") << QStringList{"fr", "de"} << "de";
+    QTest::newRow("German of Austria") << QStringList{"de-Latn-AT", "de-AT", "de"} << "de";
+    QTest::newRow("Spanish of Mexico") << QStringList{"es-Latn-MX", "es-MX", "es"} << "es";
+    QTest::newRow("none of them") << QStringList{"it-IT"} << "en";
+    QTest::newRow("the second") << QStringList{"it", "fr"} << "fr";
     QTest::newRow("English first") << QStringList{"en-GB", "de"} << "en";
     QTest::newRow("C") << QStringList{"C"} << "en";
 }
 
-void GermanWordsTest::theSystemsWishesAreMet()
+void LanguagesTest::theSystemsWishesAreMet()
 {
     QFETCH(QStringList, wanted);
     QTEST(Language::firstKnown(wanted), "spoken");
 }
 
-void GermanWordsTest::numbersHaveACommaOnTheScreen()
+void LanguagesTest::numbersHaveACommaOnTheScreen()
 {
     {
         const Language german("de");
@@ -119,14 +124,15 @@ void GermanWordsTest::numbersHaveACommaOnTheScreen()
     QCOMPARE(fixedNumber(-1234.5, 2), QString("−1234.50"));
 }
 
-void GermanWordsTest::everyStepSpeaksGerman()
+void LanguagesTest::everyStepIsTranslated()
 {
+    QFETCH(QString, language);
     const LessonLibrary english = LessonLibrary::load({LESSON_DIR});
-    Language language("de");
-    const LessonLibrary german = LessonLibrary::load({LESSON_DIR}, &language);
-    QCOMPARE(german.lessons.size(), english.lessons.size());
-    for (std::size_t i = 0; i < german.lessons.size(); ++i) {
-        const LessonEntry &lesson = german.lessons[i];
+    Language spoken(language);
+    const LessonLibrary translated = LessonLibrary::load({LESSON_DIR}, &spoken);
+    QCOMPARE(translated.lessons.size(), english.lessons.size());
+    for (std::size_t i = 0; i < translated.lessons.size(); ++i) {
+        const LessonEntry &lesson = translated.lessons[i];
         QVERIFY2(lesson.summary != english.lessons[i].summary, qPrintable(lesson.id));
         for (std::size_t s = 0; s < lesson.steps.size(); ++s) {
             const lessons::Step &said = lesson.steps[s], &was = english.lessons[i].steps[s];
@@ -140,10 +146,11 @@ void GermanWordsTest::everyStepSpeaksGerman()
     }
 }
 
-void GermanWordsTest::whatTheCoreNamesIsNamedInGerman()
+void LanguagesTest::whatTheCoreNamesIsTranslated()
 {
-    Language language("de");
-    const LessonLibrary library = LessonLibrary::load({LESSON_DIR}, &language);
+    QFETCH(QString, language);
+    Language spoken(language);
+    const LessonLibrary library = LessonLibrary::load({LESSON_DIR}, &spoken);
     QSet<QString> missing;
     for (const LessonEntry &lesson : library.lessons) {
         for (const lessons::Step &step : lesson.steps) {
@@ -165,9 +172,9 @@ void GermanWordsTest::whatTheCoreNamesIsNamedInGerman()
     QVERIFY2(missing.isEmpty(), qPrintable(missing.values().join(" | ")));
 }
 
-void GermanWordsTest::whatIsBuiltIsCalledAsInThePicture()
+void LanguagesTest::whatIsBuiltIsCalledAsInThePicture()
 {
-    const GermanWindow german;
+    const TranslatedWindow german("de");
     sim::Blueprint plan;
     for (const char *name : {"body", "foot1"})
         plan.points.emplace_back().name = name;
@@ -182,18 +189,18 @@ void GermanWordsTest::whatIsBuiltIsCalledAsInThePicture()
     QCOMPARE(sections, QStringList({"Punkt Fuß 1", "Fuß von Körper", "Ganggruppe 0"}));
 }
 
-void GermanWordsTest::noLetterOpensTwoEntriesOfAMenu_data()
+void LanguagesTest::noLetterOpensTwoEntriesOfAMenu_data()
 {
     QTest::addColumn<QString>("language");
-    QTest::newRow("German") << "de";
-    QTest::newRow("English") << "en";
+    for (const QString &code : Language::known())
+        QTest::newRow(qPrintable(code)) << code;
 }
 
-void GermanWordsTest::noLetterOpensTwoEntriesOfAMenu()
+void LanguagesTest::noLetterOpensTwoEntriesOfAMenu()
 {
     QFETCH(QString, language);
-    GermanWindow german({1280, 800}, language);
-    const auto *bar = german.window.findChild<QMenuBar *>();
+    TranslatedWindow shown(language);
+    const auto *bar = shown.window.findChild<QMenuBar *>();
     QList<const QMenu *> menus;
     for (const QAction *action : bar->actions())
         collectMenus(action->menu(), menus);
@@ -203,10 +210,10 @@ void GermanWordsTest::noLetterOpensTwoEntriesOfAMenu()
     QVERIFY2(shared.isEmpty(), qPrintable(shared.join('\n')));
 }
 
-void GermanWordsTest::theLanguageThatIsSpokenAsksForNoNewWindow()
+void LanguagesTest::theLanguageThatIsSpokenAsksForNoNewWindow()
 {
     QSettings().setValue("window/language", "de");
-    GermanWindow german;
+    TranslatedWindow german("de");
     auto *menu = german.window.findChild<QMenu *>("language");
     QVERIFY(menu);
     menu->actions().at(2)->trigger(); // Deutsch
@@ -215,10 +222,10 @@ void GermanWordsTest::theLanguageThatIsSpokenAsksForNoNewWindow()
     QSettings().remove("window/language");
 }
 
-void GermanWordsTest::theChoiceOfALanguageIsRemembered()
+void LanguagesTest::theChoiceOfALanguageIsRemembered()
 {
     QSettings().setValue("window/language", "de");
-    GermanWindow german;
+    TranslatedWindow german("de");
     auto *menu = german.window.findChild<QMenu *>("language");
     QVERIFY(menu);
     QStringList entries;
@@ -227,12 +234,12 @@ void GermanWordsTest::theChoiceOfALanguageIsRemembered()
         if (action->text() == "English")
             action->trigger();
     }
-    QCOMPARE(entries, QStringList({"&Systemsprache", "", "Deutsch", "English"}));
+    QCOMPARE(entries, QStringList({"&Systemsprache", "", "Deutsch", "English", "Español", "Français"}));
     QCOMPARE(QSettings().value("window/language").toString(), QString("en"));
     QCOMPARE(Language::chosen("en"), QString("en"));
     QVERIFY2(german.window.isHidden(), "another language did not ask for a new window");
     QSettings().remove("window/language");
 }
 
-SUITE(tst_german_words, GermanWordsTest)
-#include "tst_german_words.moc"
+SUITE(tst_languages, LanguagesTest)
+#include "tst_languages.moc"
