@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>Trunk length</source>
-        <translation>Longitud del tronco</translation>
+        <translation>Largo del tronco</translation>
     </message>
     <message>
         <source>px</source>
@@ -109,7 +109,7 @@
     </message>
     <message>
         <source>Smallest branch</source>
-        <translation>Rama más pequeña</translation>
+        <translation>Rama mínima</translation>
     </message>
     <message>
         <source>Branches must be larger than this share of the trunk.</source>
@@ -153,7 +153,7 @@
     </message>
     <message>
         <source>Gust speed</source>
-        <translation>Rapidez de ráfaga</translation>
+        <translation>Avance de ráfaga</translation>
     </message>
     <message>
         <source>px/frame</source>
