@@ -186,7 +186,8 @@ private:
         sim::Timeline run(experiment.script, replayBudget);
         if (!replay(run))
             return std::nullopt;
-        const bool isAsSetUp = sameScript(run.script(), scriptFor(task.setup, step)); // nobody did anything
+        const bool isAsSetUp =
+            sameScript(run.script(), scriptFor(task.setup, step)); // the learner did nothing
         return !isAsSetUp && isTaskDone(task, step, run) ? NotebookFinding{} : notShown(notDone(run));
     }
 

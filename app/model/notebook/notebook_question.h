@@ -13,8 +13,7 @@ struct NotebookQuestion
     QString text;                                    ///< Markdown
     std::vector<lessons::RecallChoice> choices = {}; ///< in the order of the document
     std::size_t right = 0;                           ///< index of the right choice
-    const lessons::RecallTask *task =
-        nullptr; ///< it is answered by doing this, and has no choices; null: it has choices
+    const lessons::RecallTask *task = nullptr;       ///< to do in a scene; null: the question has choices
 
     /// Returns the choice that `said` names by its number, from 1; null if there is none.
     const lessons::RecallChoice *choice(const QString &said) const;

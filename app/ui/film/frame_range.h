@@ -11,7 +11,7 @@ namespace app {
 /// Returns a field for a number of frames, from 0 to the most that a run can have.
 QSpinBox *makeFrameBox(const QString &name, const QString &help, QWidget *parent);
 
-/// Adds a row to `form`: a caption, whose letter leads to `buddy`, and `field`.
+/// Adds a row with a label and a field to `form`. The mnemonic of `caption` moves the keyboard focus to `buddy`.
 void addRow(QGridLayout &form, const QString &caption, QWidget *field, QWidget *buddy);
 
 /// The two fields of a form that say which frames are exported.

@@ -59,8 +59,8 @@ int lacking(const QWidget &widget)
     return 0;
 }
 
-/// The texts that a widget shows, as they are seen: cut where it cuts them itself. In the picture, the code and the plots
-/// labels have the place that is left, and the rest of a value is in its tooltip.
+/// Returns the texts of a widget as they are drawn, with the ellipsis if the widget shortens them. Labels in the picture, the
+/// code and the plots are left out: their tooltips have the whole value.
 QStringList seenIn(QWidget &widget)
 {
     if (const auto *label = qobject_cast<const QLabel *>(&widget))
@@ -72,8 +72,8 @@ QStringList seenIn(QWidget &widget)
     return isList || widget.inherits("app::MeasureRow") ? drawnBy(widget) : QStringList();
 }
 
-/// What an ellipsis stands at the end of by right: what goes on ("measuring…"), nothing known yet, and the list of
-/// what is not in the scene or folded, which are told in full elsewhere.
+/// Returns whether a text may end in an ellipsis although nothing is cut: work in progress ("measuring…"), a value that is
+/// not known yet, or a list that stands in full elsewhere.
 bool mayEnd(const QString &text)
 {
     return text.endsWith(" …") || text == "…" || text.count(", ") > 1 ||

@@ -4,5 +4,5 @@
 
 class QWidget;
 
-/// Returns the widgets in `window` whose texts do not have the space that they need, with what is missing.
+/// Returns a line for each widget in `window` whose text is cut: its class, its text, and how many px are missing.
 QStringList cutIn(QWidget &window);

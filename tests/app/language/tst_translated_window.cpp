@@ -93,7 +93,7 @@ void TranslatedWindowTest::nothingIsCut()
         shown.window.showEnergy(measuring);
         shown.window.showEffects(measuring);
         settle();
-        if (measuring) { // what is measured comes later, and then has to find its place
+        if (measuring) { // the results arrive later, and must fit, too
             QTRY_COMPARE(shown.window.study().stage(), AccuracyStudy::Stage::done);
             settle();
         }

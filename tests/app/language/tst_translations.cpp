@@ -82,7 +82,7 @@ bool isPlainNumbers(QString code)
     return !code.remove(QRegularExpression("\\b(rad|px)\\b")).contains(QRegularExpression("[A-Za-z_]"));
 }
 
-/// What is in backticks in a translation, as it is in English: plain numbers have a decimal comma there.
+/// Returns the code in a translation, sorted. Plain numbers in it have the decimal point of English.
 QStringList codeOf(const QString &form)
 {
     QStringList codes = found(form, "`[^`]*`");
