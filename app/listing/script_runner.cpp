@@ -158,7 +158,10 @@ std::vector<Variable> ScriptRunner::variables() const
     asIScriptFunction *function = m_isInitialising ? nullptr : m_context->GetFunction(0);
     int column = 0;
     const int line = function ? m_context->GetLineNumber(0, &column) : 0;
-    const std::size_t at = m_scan.offsetOf(line, column);
+    // At the end of a function, the interpreter is behind its last brace. Its variables still exist.
+    const std::size_t place = m_scan.offsetOf(line, column);
+    const FunctionText *before = place > 0 ? m_scan.functionAt(place - 1) : nullptr;
+    const std::size_t at = before && before->extent.end == place ? place - 1 : place;
     const int count = function ? m_context->GetVarCount(0) : 0;
     for (int i = 0; i < count; ++i) {
         const char *name = m_context->GetVarName(static_cast<asUINT>(i), 0);

@@ -1,5 +1,7 @@
 #include "sim/run/script/state_transfer.h"
 
+#include "sim/scene/effect.h"
+
 #include <numeric>
 #include <unordered_map>
 #include <vector>
@@ -64,6 +66,25 @@ void addInitialTurn(const Scene &from, int old, const Scene &to, State &next, in
         next.angle[point] += turned;
 }
 
+/// Returns whether the points of the two scenes are others, or begin at other positions or angles.
+bool beginDifferently(const Scene &from, const Scene &to)
+{
+    const State &a = from.start, &b = to.start;
+    return from.names != to.names || a.angle.rows() != b.angle.rows() || (a.position != b.position).any() ||
+           (a.angle != b.angle).any();
+}
+
+/// Sets the values of `state` that follow from the rest of it. In a tree that grows at another angle, each branch goes
+/// to the end of its parent.
+void runDependentDrivers(const Scene &scene, State &state)
+{
+    for (const EffectPtr &effect : scene.effects) {
+        const Driver *driver = as<Driver>(effect);
+        if (driver && driver->timing() == DriverTiming::dependent)
+            driver->drive(state, 0.0);
+    }
+}
+
 }
 
 State transferState(const State &state, const Scene &from, const Scene &to)
@@ -103,6 +124,8 @@ State transferState(const State &state, const Scene &from, const Scene &to)
     next.input = state.input;
     if (targetMoved)
         next.input.target = to.start.input.target;
+    if (beginDifferently(from, to))
+        runDependentDrivers(to, next);
     return next;
 }
 
