@@ -17,7 +17,7 @@ struct CheckText
     Q_DECLARE_TR_FUNCTIONS(CheckText)
 };
 
-/// Where a thing is: "swing", "recall", "project".
+/// Returns the document that a finding is about: "swing", "recall", "project".
 QString placeOf(const LessonFinding &one)
 {
     if (one.kind == LessonFinding::Kind::question)

@@ -132,7 +132,7 @@ CommandLine readVerb(const Verb &verb, const QStringList &given)
     for (const Option &option : verb.options) {
         if (parser.isSet(option.name) || !option.defaultValue.isEmpty())
             arguments.options[option.name] =
-                option.valueName.isEmpty() ? QString() : parser.value(option.name);
+                option.valueName.isEmpty() ? QStringList() : parser.values(option.name);
     }
     return VerbCall{&verb, arguments};
 }

@@ -3,6 +3,7 @@
 #include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
 #include "app/cli/web_page.h"
+#include "app/model/text/language.h"
 
 #include <QCoreApplication>
 
@@ -43,6 +44,11 @@ FilmPlan planFrom(const Arguments &arguments, const LessonLibrary &library)
     FilmPlan plan;
     plan.out = arguments.names[1];
     const FilmKind kind = kindOf(plan.out);
+    for (const char *name : {"plot", "ghost"}) {
+        if (arguments.has(name))
+            throw UsageError(FilmText::tr("--%1 is for web pages, which end in .html. Leave it out.")
+                                 .arg(QLatin1String(name)));
+    }
     plan.size = pictureSize(arguments);
     plan.scheme = colorScheme(arguments);
     plan.from = wholeNumberOption(arguments, "from", mostFrames);
@@ -89,9 +95,10 @@ int shoot(Film &film, std::int64_t last)
 
 int runFilm(const Arguments &arguments)
 {
+    Language language(languageCode(arguments));
+    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     if (isWebPage(arguments))
-        return runWebPage(arguments);
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+        return runWebPage(arguments, library);
     const FilmPlan plan = planFrom(arguments, library);
     listenForInterrupt();
     std::optional<Waiting> waiting(FilmText::tr("Setting up the run"));

@@ -1,4 +1,5 @@
 #include "app/model/handout/handout.h"
+#include "app/cli/option_values.h"
 #include "app/cli/terminal.h"
 #include "app/cli/verbs.h"
 #include "app/model/experiment/experiment.h"
@@ -21,18 +22,6 @@ struct HandoutCliText
     Q_DECLARE_TR_FUNCTIONS(HandoutCliText)
 };
 
-/// Returns the code of the language of the handout.
-QString handoutLanguage(const Arguments &arguments)
-{
-    if (!arguments.has("language"))
-        return Language::chosen({});
-    const QString code = arguments.value("language");
-    if (!Language::known().contains(code))
-        throw UsageError(HandoutCliText::tr("--language is %1; it can be %2.")
-                             .arg(quoted(code), Language::known().join(QStringLiteral(", "))));
-    return code;
-}
-
 /// Returns a lesson by its id or its path. One with a path is added to `library`.
 const LessonEntry &lessonFor(const QString &name, LessonLibrary &library)
 {
@@ -54,7 +43,7 @@ int runHandout(const Arguments &arguments)
     if (!out.endsWith(".pdf", Qt::CaseInsensitive))
         throw UsageError(
             HandoutCliText::tr("%1 is not the name of a handout; it ends in .pdf.").arg(quoted(out)));
-    Language language(handoutLanguage(arguments));
+    Language language(languageCode(arguments));
     LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     const LessonEntry &lesson = lessonFor(arguments.names[0], library);
     listenForInterrupt();
@@ -69,12 +58,12 @@ int runHandout(const Arguments &arguments)
             [&](const HandoutMoment &moment) {
                 if (status.isDue())
                     status.show(
-                        HandoutCliText::tr("%1 of %2 pictures").arg(count).arg(handoutPictures(lesson)));
+                        HandoutCliText::tr("%1 of %2 pictures").arg(count).arg(handoutPictureCount(lesson)));
                 ++count;
                 return draw(moment);
             },
             [] { return !isInterrupted(); });
-        status.wipe();
+        status.erase();
     }
     if (!isWritten) {
         printMessage(HandoutCliText::tr("Stopped before the handout was written."));

@@ -76,7 +76,7 @@ int checkNotebooks(const Arguments &arguments)
             try {
                 checked.notebook = readNotebook(file, library);
                 if (!checkEntries(checked, library, status)) {
-                    status.wipe();
+                    status.erase();
                     printMessage(NotebookText::tr("Stopped before every notebook was checked."));
                     return exitInterrupted;
                 }

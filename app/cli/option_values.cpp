@@ -1,5 +1,6 @@
 #include "app/cli/option_values.h"
 
+#include "app/model/text/language.h"
 #include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
@@ -63,6 +64,17 @@ Scheme colorScheme(const Arguments &arguments)
         return Scheme::highContrast;
     throw UsageError(OptionValuesText::tr("--theme is %1; it can be \"light\", \"dark\" or \"contrast\".")
                          .arg(quoted(text)));
+}
+
+QString languageCode(const Arguments &arguments)
+{
+    if (!arguments.has("language"))
+        return Language::chosen({});
+    const QString code = arguments.value("language");
+    if (!Language::known().contains(code))
+        throw UsageError(OptionValuesText::tr("--language is %1; it can be %2.")
+                             .arg(quoted(code), Language::known().join(QStringLiteral(", "))));
+    return code;
 }
 
 }

@@ -17,5 +17,7 @@ std::int64_t wholeNumberOption(const Arguments &arguments, const QString &option
 QSize pictureSize(const Arguments &arguments);
 /// Returns the value of --theme.
 Scheme colorScheme(const Arguments &arguments);
+/// Returns the code of the language of --language: that of the system without it.
+QString languageCode(const Arguments &arguments);
 
 }

@@ -128,10 +128,10 @@ TerminalLine::TerminalLine()
 
 TerminalLine::~TerminalLine()
 {
-    wipe();
+    erase();
 }
 
-void TerminalLine::wipe()
+void TerminalLine::erase()
 {
     if (m_isShown)
         std::fputs("\r\x1b[K", stderr);
@@ -171,7 +171,7 @@ void Waiting::watch()
     std::unique_lock lock(m_lock);
     while (!m_isOver.wait_for(lock, std::chrono::milliseconds(50), [this] { return m_ends; })) {
         if (isInterrupted()) {
-            line.wipe();
+            line.erase();
             printMessage(TerminalText::tr("Stopped: %1").arg(m_what));
             _exit(exitInterrupted);
         }

@@ -36,9 +36,9 @@ public:
     Output();
     /// The buffer to append to. Append whole rows only, because the program can stop after any row.
     std::string &buffer() { return m_buffer; }
-    /// Writes the buffer if it is large. Returns false if the reader has gone, or the writing failed.
-    bool rowDone() { return m_buffer.size() < pieceSize || flush(); }
-    /// Writes the buffer. Returns as rowDone().
+    /// Ends a row: writes the buffer if it is large. Returns false if the reader has closed the pipe, or writing failed.
+    bool endRow() { return m_buffer.size() < pieceSize || flush(); }
+    /// Writes the buffer. Returns as endRow().
     bool flush();
     /// Returns why flush() failed. Empty if the reader has closed the pipe, which is no error.
     QString failure() const;
@@ -62,7 +62,7 @@ public:
     bool isDue() const { return m_isShown && std::chrono::steady_clock::now() >= m_next; }
     void show(const QString &text);
     /// Erases the line.
-    void wipe();
+    void erase();
     /// Makes isDue() false from now on.
     void hide() { m_isShown = false; }
 

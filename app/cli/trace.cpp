@@ -18,7 +18,7 @@ struct TraceText
     Q_DECLARE_TR_FUNCTIONS(TraceText)
 };
 
-/// Bytes. Keyframes only shorten the search for the step that stopped being finite, so a few are enough. A small
+/// In bytes. Keyframes only shorten the search for the step that stopped being finite, so a few are enough. A small
 /// budget keeps the memory constant for long runs.
 constexpr std::size_t keyframeBudget = std::size_t{1} << 20;
 
@@ -40,7 +40,7 @@ bool writeRows(sim::Track &track, std::int64_t frames, lessons::TraceColumns col
             return false;
         appendTraceRow(output.buffer(), track, columns);
         last = frame;
-        if (!output.rowDone())
+        if (!output.endRow())
             return false;
     }
     return true;
@@ -54,7 +54,7 @@ int writeTrace(const Experiment &experiment, lessons::TraceColumns columns)
     Output output;
     listenForInterrupt();
     std::int64_t last = 0;
-    const bool isWhole = writeRows(track, experiment.frames, columns, output, last);
+    const bool isComplete = writeRows(track, experiment.frames, columns, output, last);
     if (!output.flush()) {
         if (output.failure().isEmpty())
             return exitDone;
@@ -64,7 +64,7 @@ int writeTrace(const Experiment &experiment, lessons::TraceColumns columns)
                 .arg(output.failure()));
         return exitBadUse;
     }
-    if (isWhole)
+    if (isComplete)
         return exitDone;
     if (track.stop()) {
         printMessage(endSentence(track));

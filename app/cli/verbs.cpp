@@ -26,6 +26,11 @@ Option themeOption()
     return {"theme", VerbsText::tr("light, dark or contrast."), "THEME", "light"};
 }
 
+Option languageOption()
+{
+    return {"language", VerbsText::tr("en, de, es or fr (default: that of the system)."), "LANG"};
+}
+
 Argument experimentFile()
 {
     return {"FILE", VerbsText::tr("The experiment.")};
@@ -117,7 +122,14 @@ const std::vector<Verb> &verbs()
           {"fps",
            VerbsText::tr("Frames per second, up to 50 in a GIF and 120 otherwise (default 30). Not for PNG "
                          "files."),
-           "F"}},
+           "F"},
+          languageOption(),
+          {"plot",
+           VerbsText::tr(
+               "A plot on a web page, such as \"y(body)\", \"energy\" or \"y(body):x(body)\". Repeat it "
+               "for more."),
+           "NAME"},
+          {"ghost", VerbsText::tr("The run in FILE that a web page shows as the ghost."), "NAME"}},
          runFilm,
          ApplicationKind::widgets},
         {"notebook",
@@ -140,7 +152,7 @@ const std::vector<Verb> &verbs()
                        "follow on separate pages."),
          {{"LESSON", VerbsText::tr("A lesson, or the folder or the zip of one.")},
           {"OUT.pdf", VerbsText::tr("The PDF to write.")}},
-         {{"language", VerbsText::tr("en, de, es or fr (default: that of the system)."), "LANG"}},
+         {languageOption()},
          runHandout,
          ApplicationKind::widgets},
     };

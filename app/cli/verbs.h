@@ -36,10 +36,17 @@ struct Option
 struct Arguments
 {
     QStringList names; ///< one for each entry of Verb::arguments, or more if the last one repeats
-    QHash<QString, QString> options; ///< the values of given options, and of those with a default value
+    QHash<QString, QStringList> options; ///< the values of given options, and of those with a default value
 
     bool has(const QString &option) const { return options.contains(option); }
-    QString value(const QString &option) const { return options.value(option); }
+    /// Returns the values of an option that was given several times.
+    QStringList values(const QString &option) const { return options.value(option); }
+    /// Returns the last of them.
+    QString value(const QString &option) const
+    {
+        const QStringList all = values(option);
+        return all.isEmpty() ? QString() : all.last();
+    }
 };
 
 /// Wrong use of a verb. Its message starts with the program's name.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/cli/verbs.h"
+#include "app/model/catalog/lesson_library.h"
 
 namespace app {
 
@@ -9,6 +10,6 @@ bool isWebPage(const Arguments &arguments);
 
 /// Makes the web page that the arguments of `film` ask for. Returns the exit code.
 /// @throws UsageError, UserError
-int runWebPage(const Arguments &arguments);
+int runWebPage(const Arguments &arguments, const LessonLibrary &library);
 
 }

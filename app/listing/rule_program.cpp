@@ -11,6 +11,9 @@
 #include "sim/simd/flush_denormals.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <mutex>
 #include <set>
 #include <utility>
@@ -39,7 +42,30 @@ Vocabulary makeRuleVocabulary()
     return vocabulary;
 }
 
-RuleFacts factsOf(const SourceScan &scan)
+/// Returns ruleVocabulary() with further parameters.
+Vocabulary vocabularyWith(const std::vector<std::string> &parameters)
+{
+    Vocabulary vocabulary = ruleVocabulary();
+    std::set<std::string> names(vocabulary.parameters.begin(), vocabulary.parameters.end());
+    names.insert(parameters.begin(), parameters.end());
+    vocabulary.parameters.assign(names.begin(), names.end());
+    return vocabulary;
+}
+
+/// Returns a number as a listing writes it: with a point, so that a division stays exact, and without an exponent.
+std::string numberText(double number)
+{
+    std::array<char, 400> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::abs(number),
+                                   std::chars_format::fixed)
+                         .ptr;
+    std::string text(digits.data(), end);
+    if (text.find('.') == std::string::npos)
+        text += ".0";
+    return number < 0.0 ? "(-" + text + ')' : text;
+}
+
+RuleFacts factsOf(const SourceScan &scan, const Vocabulary &vocabulary)
 {
     const auto usesAny = [&](std::initializer_list<const char *> words) {
         return std::any_of(words.begin(), words.end(), [&](const char *word) { return scan.uses(word); });
@@ -53,7 +79,7 @@ RuleFacts factsOf(const SourceScan &scan)
     facts.use.frame = usesAny({"frame_number", "random"});
     facts.use.time = scan.uses(timeName);
     facts.use.velocity = scan.uses("velocity");
-    const std::vector<std::string> &names = ruleVocabulary().parameters;
+    const std::vector<std::string> &names = vocabulary.parameters;
     for (std::size_t i = 0; i < names.size(); ++i) {
         if (names[i] == timeName)
             facts.time = i;
@@ -67,7 +93,10 @@ RuleFacts factsOf(const SourceScan &scan)
 class RuleProgram : public sim::Rule
 {
 public:
-    explicit RuleProgram(const std::string &text) : m_scan(text), m_facts(factsOf(m_scan)) {}
+    RuleProgram(const std::string &text, const std::vector<std::string> &parameters)
+        : m_scan(text), m_vocabulary(vocabularyWith(parameters)), m_facts(factsOf(m_scan, m_vocabulary))
+    {
+    }
 
     /// Compiles the text and returns its mistakes.
     std::vector<CompileError> compile()
@@ -89,7 +118,7 @@ public:
     {
         std::vector<std::string> ids;
         for (const auto &[name, index] : m_facts.parameters)
-            ids.push_back(ruleVocabulary().parameters[name]);
+            ids.push_back(m_vocabulary.parameters[name]);
         return ids;
     }
     void evaluate(const sim::RuleScene &scene, const sim::State &state, std::span<const sim::RuleCall> calls,
@@ -119,10 +148,11 @@ public:
 private:
     std::unique_ptr<RuleInterpreter> make() const
     {
-        return std::make_unique<RuleInterpreter>(m_scan, ruleVocabulary(), m_facts);
+        return std::make_unique<RuleInterpreter>(m_scan, m_vocabulary, m_facts);
     }
 
     SourceScan m_scan;
+    Vocabulary m_vocabulary;
     RuleFacts m_facts;
     bool m_hasForce = false, m_hasPull = false;
     mutable InterpreterPool<RuleInterpreter> m_pool;
@@ -164,9 +194,9 @@ const Vocabulary &ruleVocabulary()
     return vocabulary;
 }
 
-CompiledRule compileRule(const std::string &text)
+CompiledRule compileRule(const std::string &text, const std::vector<std::string> &parameters)
 {
-    const auto program = std::make_shared<RuleProgram>(text);
+    const auto program = std::make_shared<RuleProgram>(text, parameters);
     std::vector<CompileError> errors = program->compile();
     if (errors.empty())
         return {program, {}};
@@ -174,6 +204,24 @@ CompiledRule compileRule(const std::string &text)
         return std::pair(a.line, a.column) < std::pair(b.line, b.column);
     });
     return {nullptr, std::move(errors)};
+}
+
+std::string withNumbers(const std::string &text, const std::map<std::string, double> &values)
+{
+    const SourceScan scan(text);
+    const Tokens &tokens = scan.tokens();
+    std::string result;
+    std::size_t copied = 0;
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const Token &token = tokens[i];
+        const auto value = values.find(std::string(token.text));
+        const bool isMember = i > 0 && tokens.is(i - 1, ".");
+        if (value == values.end() || isMember || scan.declares(token.text, token.offset))
+            continue;
+        result += text.substr(copied, token.offset - copied) + numberText(value->second);
+        copied = token.end();
+    }
+    return result + text.substr(copied);
 }
 
 std::optional<RuleError> ruleErrorIn(const sim::Scene &scene, const sim::Method &method, sim::StepSize step,

@@ -5,6 +5,7 @@
 #include "sim/base/step_size.h"
 #include "sim/scene/rule.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,8 +21,11 @@ struct CompiledRule
 };
 
 /// Compiles the text of a rule for the sandbox: `Vec2 force(Body me)`, `Vec2 pull(Body me, Body other)`, or both. The
-/// result does not depend on a scene. Takes about 1 ms.
-CompiledRule compileRule(const std::string &text);
+/// rule can read `parameters`, too, which a lesson declares. The result does not depend on a scene. Takes about 1 ms.
+CompiledRule compileRule(const std::string &text, const std::vector<std::string> &parameters = {});
+
+/// Returns the text of a rule with numbers in place of the parameters in `values`.
+std::string withNumbers(const std::string &text, const std::map<std::string, double> &values);
 
 /// Returns the names that every rule has besides those of the language: the array `bodies`, `time`, and the parameters of
 /// the effects of the sandbox.

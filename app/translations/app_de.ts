@@ -1780,6 +1780,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>%1 For a web page, choose one that ends in .html.</source>
         <translation>%1 Für eine Webseite wähle einen, der auf .html endet.</translation>
     </message>
+    <message>
+        <source>--%1 is for web pages, which end in .html. Leave it out.</source>
+        <translation>--%1 ist für Webseiten, die auf .html enden. Lass es weg.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
@@ -2173,13 +2177,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
-    <name>GifFileText</name>
-    <message>
-        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
-        <translation>%1 ließ sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
-    </message>
-</context>
-<context>
     <name>GlossaryText</name>
     <message>
         <source>%1: %2</source>
@@ -2241,10 +2238,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 </context>
 <context>
     <name>HandoutCliText</name>
-    <message>
-        <source>--language is %1; it can be %2.</source>
-        <translation>--language ist %1; möglich ist %2.</translation>
-    </message>
     <message>
         <source>handout: %1</source>
         <translation>handout: %1</translation>
@@ -2778,6 +2771,14 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>%1 passes</source>
         <translation>%1 besteht</translation>
     </message>
+    <message>
+        <source>has %1 choices</source>
+        <translation>hat %1 Antworten zur Wahl</translation>
+    </message>
+    <message>
+        <source>%1, in which the hand holds it. Every body can be held: write “if (%2.held) %2.position = hand;”, and leave the forces out then</source>
+        <translation>%1, in dem die Hand ihn hält. Jeder Körper kann gehalten werden: Schreib „if (%2.held) %2.position = hand;“ und lass die Kräfte dann weg</translation>
+    </message>
 </context>
 <context>
     <name>LessonFolderText</name>
@@ -2882,16 +2883,20 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>die Texte des Schritts</translation>
     </message>
     <message>
-        <source>%1: the scene is one of the lesson %2, which is not built in. Use a scene of the sandbox or of a lesson of the program.</source>
-        <translation>%1: Die Szene gehört zur Lektion %2, die nicht eingebaut ist. Nimm eine Szene des Sandkastens oder einer Lektion des Programms.</translation>
-    </message>
-    <message>
         <source>%1: a listing computes this scene. Choose a method in the window, and write the listing into %2.code.</source>
         <translation>%1: Ein Listing berechnet diese Szene. Wähle im Fenster eine Methode, und schreib das Listing in %2.code.</translation>
     </message>
     <message>
         <source>%1: a step has at most %2 things to try, predictions and tasks, and a thing to try as many conditions and drags.</source>
         <translation>%1: Ein Schritt hat höchstens %2 Versuche, Vorhersagen und Aufgaben, und ein Versuch ebenso viele Bedingungen und Züge mit der Maus.</translation>
+    </message>
+    <message>
+        <source>%1 says where the parameter %2 begins. Remove it here.</source>
+        <translation>%1 sagt, wo der Parameter %2 beginnt. Entferne ihn hier.</translation>
+    </message>
+    <message>
+        <source>%1: the scene is one of the lesson %2, which is not built in. Open that lesson, choose File &gt; New lesson from this scene, and take the scene that this writes.</source>
+        <translation>%1: Die Szene gehört zur Lektion %2, die nicht eingebaut ist. Öffne diese Lektion, wähle Datei &gt; Neue Lektion aus dieser Szene, und nimm die Szene, die dabei entsteht.</translation>
     </message>
 </context>
 <context>
@@ -2919,6 +2924,97 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1: there is no lesson.json, which describes the lesson. Choose the folder that has it, or write it.</source>
         <translation>%1: Es gibt keine lesson.json, die die Lektion beschreibt. Wähle den Ordner, der sie hat, oder schreib sie.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonParametersText</name>
+    <message>
+        <source>a parameter cannot be called “%1”: the word has another meaning in code, in conditions or in runs. Choose another id.</source>
+        <translation>ein Parameter kann nicht „%1“ heißen: Das Wort bedeutet im Code, in Bedingungen oder in Läufen etwas anderes. Wähle eine andere Kennung.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no range. Write “- minimum: 0” and “- maximum: 1” below its text, with your numbers.</source>
+        <translation>der Parameter „%1“ hat keinen Bereich. Schreib „- minimum: 0“ und „- maximum: 1“ unter seinen Text, mit deinen Zahlen.</translation>
+    </message>
+    <message>
+        <source>the minimum of “%1” is not below its maximum. Change one of them.</source>
+        <translation>das Minimum von „%1“ liegt nicht unter dem Maximum. Ändere eins davon.</translation>
+    </message>
+    <message>
+        <source>“%1” begins with the value that the scene has there. Remove “- value”.</source>
+        <translation>„%1“ beginnt mit dem Wert, den die Szene dort hat. Entferne „- value“.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no value at the start. Write “- value: %2”, or “- sets: k of a-b” with the names of two bodies that a spring joins.</source>
+        <translation>der Parameter „%1“ hat am Anfang keinen Wert. Schreib „- value: %2“, oder „- sets: k of a-b“ mit den Namen zweier Körper, die eine Feder verbindet.</translation>
+    </message>
+    <message>
+        <source>the step of “%1” is 1, so its numbers are whole. Choose a smaller step, such as 0.1.</source>
+        <translation>der Schritt von „%1“ ist 1, also sind seine Zahlen ganz. Wähle einen kleineren Schritt, etwa 0.1.</translation>
+    </message>
+    <message>
+        <source>the value of “%1” is %2, outside its range from %3 to %4.</source>
+        <translation>der Wert von „%1“ ist %2 und liegt außerhalb des Bereichs von %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>the %1 of “%2” differs between the languages. Remove it here: the numbers are in the first language.</source>
+        <translation>„%1“ von „%2“ ist in den Sprachen verschieden. Entferne es hier: Die Zahlen stehen in der ersten Sprache.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” is missing. Write “## Parameter: name {#%1}”, and a sentence below it.</source>
+        <translation>der Parameter „%1“ fehlt. Schreib „## Parameter: Name {#%1}“ und einen Satz darunter.</translation>
+    </message>
+    <message>
+        <source>%1 declares no parameter “%2”. Remove it here, or add it there.</source>
+        <translation>%1 legt keinen Parameter „%2“ an. Entferne ihn hier oder füge ihn dort hinzu.</translation>
+    </message>
+    <message>
+        <source>“sets” differs between the languages. Remove it here.</source>
+        <translation>„sets“ ist in den Sprachen verschieden. Entferne es hier.</translation>
+    </message>
+    <message>
+        <source>“%1” is not something that a parameter can set. Write “k of a-b” or “length of a-b” with the names of two bodies, and commas between several.</source>
+        <translation>„%1“ kann ein Parameter nicht setzen. Schreib „k of a-b“ oder „length of a-b“ mit den Namen zweier Körper, und Kommas zwischen mehreren.</translation>
+    </message>
+    <message>
+        <source>no spring of the scene joins “%1” and “%2”. Springs join %3.</source>
+        <translation>keine Feder der Szene verbindet „%1“ und „%2“. Federn verbinden: %3.</translation>
+    </message>
+    <message>
+        <source>no spring or stick of the scene joins “%1” and “%2”. They join %3.</source>
+        <translation>keine Feder und kein Stab der Szene verbindet „%1“ und „%2“. Sie verbinden: %3.</translation>
+    </message>
+    <message>
+        <source>“%1” can be %2 to %3 in a scene, and the parameter goes from %4 to %5. Change its minimum or maximum.</source>
+        <translation>„%1“ kann in einer Szene %2 bis %3 sein, und der Parameter geht von %4 bis %5. Ändere sein Minimum oder Maximum.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>a parameter of your own needs a scene of the sandbox. Remove “%1”, or take the scene to the sandbox (Ctrl+B) and save it there.</source>
+        <translation>ein eigener Parameter braucht eine Szene des Sandkastens. Entferne „%1“, oder nimm die Szene in den Sandkasten mit (Strg+B) und speichere sie dort.</translation>
+    </message>
+    <message>
+        <source>“%1” sets several numbers, of which one is %2 and another is %3 in the scene. Make them the same there, or use two parameters.</source>
+        <translation>„%1“ setzt mehrere Zahlen, von denen eine in der Szene %2 ist und eine andere %3. Mach sie dort gleich, oder nimm zwei Parameter.</translation>
+    </message>
+    <message>
+        <source>the scene has %1 there, which does not fit the parameter “%2” from %3 to %4. Change its minimum, maximum or step, or the scene.</source>
+        <translation>die Szene hat dort %1, und das passt nicht zum Parameter „%2“ von %3 bis %4. Ändere sein Minimum, sein Maximum, seinen Schritt oder die Szene.</translation>
+    </message>
+    <message>
+        <source>the scene has a parameter “%1” already. Choose another id.</source>
+        <translation>die Szene hat schon einen Parameter „%1“. Wähle eine andere Kennung.</translation>
+    </message>
+    <message>
+        <source>bodies of the scene are called “%1”. Choose another id.</source>
+        <translation>Körper der Szene heißen „%1“. Wähle eine andere Kennung.</translation>
+    </message>
+    <message>
+        <source>nothing reads the parameter “%1”. Write %1 into the rule of the scene in place of a number, or let it set one: “- sets: k of a-b”.</source>
+        <translation>nichts liest den Parameter „%1“. Schreib %1 statt einer Zahl in die Regel der Szene, oder lass ihn eine setzen: „- sets: k of a-b“.</translation>
     </message>
 </context>
 <context>
@@ -3160,16 +3256,16 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Worum es geht, in einem Satz.</translation>
     </message>
     <message>
-        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program. Open one first.</source>
-        <translation>Eine neue Lektion beginnt mit einer Szene des Sandkastens oder einer Lektion des Programms. Öffne zuerst eine.</translation>
-    </message>
-    <message>
         <source>%1 is not empty. Choose a new folder for the lesson.</source>
         <translation>%1 ist nicht leer. Wähle einen neuen Ordner für die Lektion.</translation>
     </message>
     <message>
         <source>%1: the folder could not be made. Choose another place.</source>
         <translation>%1: Der Ordner ließ sich nicht anlegen. Wähle einen anderen Ort.</translation>
+    </message>
+    <message>
+        <source>There is no step %1 any more. Open another one, and begin the lesson with its scene.</source>
+        <translation>Den Schritt %1 gibt es nicht mehr. Öffne einen anderen und beginne die Lektion mit dessen Szene.</translation>
     </message>
 </context>
 <context>
@@ -4124,6 +4220,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>--theme is %1; it can be &quot;light&quot;, &quot;dark&quot; or &quot;contrast&quot;.</source>
         <translation>--theme ist %1; möglich ist &quot;light&quot;, &quot;dark&quot; oder &quot;contrast&quot;.</translation>
+    </message>
+    <message>
+        <source>--language is %1; it can be %2.</source>
+        <translation>--language ist %1; möglich ist %2.</translation>
     </message>
 </context>
 <context>
@@ -5361,6 +5461,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>y points down: a sine above 0 is down</source>
         <translation>y zeigt nach unten: Sinus über 0 ist unten</translation>
     </message>
+    <message>
+        <source>Unit circle</source>
+        <translation>Einheitskreis</translation>
+    </message>
 </context>
 <context>
     <name>VerbsText</name>
@@ -5535,6 +5639,14 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>en, de, es or fr (default: that of the system).</source>
         <translation>en, de, es oder fr (Vorgabe: die des Systems).</translation>
+    </message>
+    <message>
+        <source>A plot on a web page, such as &quot;y(body)&quot;, &quot;energy&quot; or &quot;y(body):x(body)&quot;. Repeat it for more.</source>
+        <translation>Ein Diagramm auf einer Webseite, wie &quot;y(body)&quot;, &quot;energy&quot; oder &quot;y(body):x(body)&quot;. Für mehr wiederholen.</translation>
+    </message>
+    <message>
+        <source>The run in FILE that a web page shows as the ghost.</source>
+        <translation>Der Lauf in FILE, den eine Webseite als Geist zeigt.</translation>
     </message>
 </context>
 <context>
@@ -5714,6 +5826,30 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>Stopped at frame %1 of %2.</source>
         <translation>Bei Bild %1 von %2 angehalten.</translation>
     </message>
+    <message>
+        <source>--plot is %1; it can be %2, with its bodies, as in %3 and %4.</source>
+        <translation>--plot ist %1; möglich ist %2, mit den Körpern dazu, wie in %3 und %4.</translation>
+    </message>
+    <message>
+        <source>--plot is %1, but there is no %2; there is %3.</source>
+        <translation>--plot ist %1, aber es gibt kein %2; es gibt %3.</translation>
+    </message>
+    <message>
+        <source>--plot is %1, which has no value in this scene. Choose another one.</source>
+        <translation>--plot ist %1, was in dieser Szene keinen Wert hat. Wähle etwas anderes.</translation>
+    </message>
+    <message>
+        <source>--plot is given %1 times; a web page has room for %2 plots.</source>
+        <translation>--plot ist %1-mal angegeben; eine Webseite hat Platz für %2 Diagramme.</translation>
+    </message>
+    <message>
+        <source>--ghost is %1, but FILE has no other run. Keep one in the window.</source>
+        <translation>--ghost ist %1, aber FILE hat keinen anderen Lauf. Behalte einen im Fenster.</translation>
+    </message>
+    <message>
+        <source>--ghost is %1; it can be %2.</source>
+        <translation>--ghost ist %1; möglich ist %2.</translation>
+    </message>
 </context>
 <context>
     <name>WebPageText</name>
@@ -5892,12 +6028,33 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>The run on this page cannot be read: the file is damaged. Ask for it again.</source>
         <translation>Der Lauf auf dieser Seite ist nicht lesbar: Die Datei ist beschädigt. Lass sie dir noch einmal geben.</translation>
     </message>
-</context>
-<context>
-    <name>WebmFileText</name>
     <message>
-        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
-        <translation>%1 ließ sich nicht schreiben: %2. Schaffe Platz oder wähle einen anderen Ordner.</translation>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Choose what the scene shows</source>
+        <translation>Auswählen, was die Szene zeigt</translation>
+    </message>
+    <message>
+        <source>Velocity arrows</source>
+        <translation>Geschwindigkeitspfeile</translation>
+    </message>
+    <message>
+        <source>Onion skins</source>
+        <translation>Zwiebelschalen</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Geist</translation>
+    </message>
+    <message>
+        <source>Guide lines</source>
+        <translation>Hilfslinien</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Legende</translation>
     </message>
 </context>
 <context>
@@ -5972,6 +6129,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>%1 is larger than the zip says. This zip is not safe; nothing was read.</source>
         <translation>%1 ist größer, als das Zip sagt. Dieses Zip ist nicht sicher; nichts wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>%1 is packed as ZIP64, which is for very large files. Make a usual zip.</source>
+        <translation>%1 ist als ZIP64 gepackt, das für sehr große Dateien ist. Mach ein gewöhnliches Zip.</translation>
     </message>
 </context>
 <context>
@@ -6214,6 +6375,14 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>the error is too large, or a frame takes too long. Try another method or step.</source>
         <translation>der Fehler ist zu groß, oder ein Bild dauert zu lang. Versuche ein anderes Verfahren oder einen anderen Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>this run was set up for you. Undo brings your own run back: do it there.</source>
+        <translation>diesen Lauf hat Springstep eingestellt. Rückgängig bringt deinen eigenen zurück: Mach es dort.</translation>
+    </message>
+    <message>
+        <source>your code computes this run, and it has no phases. Press **Reset listing** on the page **Listing**. Undo brings your code back.</source>
+        <translation>diesen Lauf berechnet dein Code, und der hat keine Phasen. Drück auf der Seite **Listing** auf **Listing zurücksetzen**. Rückgängig bringt deinen Code zurück.</translation>
     </message>
 </context>
 <context>
@@ -7219,6 +7388,10 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>&amp;Cancel</source>
         <translation>&amp;Abbrechen</translation>
     </message>
+    <message>
+        <source>%1[*] – Springstep</source>
+        <translation>%1[*] – Springstep</translation>
+    </message>
 </context>
 <context>
     <name>app::FailureNotice</name>
@@ -8012,10 +8185,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Es gibt keinen Platz für eigene Lektionen</translation>
     </message>
     <message>
-        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program</source>
-        <translation>Eine neue Lektion beginnt mit einer Szene aus dem Sandkasten oder aus einer Lektion des Programms</translation>
-    </message>
-    <message>
         <source>Could not open the lesson: %1</source>
         <translation>Die Lektion ließ sich nicht öffnen: %1</translation>
     </message>
@@ -8320,10 +8489,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Zwei Läufe</translation>
     </message>
     <message>
-        <source>%1[*] – Springstep</source>
-        <translation>%1[*] – Springstep</translation>
-    </message>
-    <message>
         <source>Stability</source>
         <translation>Stabilität</translation>
     </message>
@@ -8336,18 +8501,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>Restart now</source>
-        <translation>Jetzt neu starten</translation>
-    </message>
-    <message>
-        <source>%1 A film is being made.</source>
-        <translation>%1 Gerade entsteht ein Film.</translation>
-    </message>
-    <message>
-        <source>Cancels the film; everything else is kept</source>
-        <translation>Bricht den Film ab; alles andere bleibt</translation>
-    </message>
-    <message>
         <source>The panels are back in their original places.</source>
         <translation>Die Leisten stehen wieder an ihren ursprünglichen Plätzen.</translation>
     </message>
@@ -8358,14 +8511,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>These lessons have no concepts</source>
         <translation>Diese Lektionen haben keine Begriffe</translation>
-    </message>
-    <message>
-        <source>%1 A web page is being made.</source>
-        <translation>%1 Gerade entsteht eine Webseite.</translation>
-    </message>
-    <message>
-        <source>Cancels the page; everything else is kept</source>
-        <translation>Bricht die Webseite ab; alles andere bleibt</translation>
     </message>
 </context>
 <context>
@@ -8963,16 +9108,24 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Kreuz verschieben</translation>
     </message>
     <message>
-        <source>%1, predicted</source>
-        <translation>%1, vorhergesagt</translation>
-    </message>
-    <message>
         <source>Plays the run, and compares it with your prediction. Undo brings your own run back.</source>
         <translation>Spielt den Lauf ab und vergleicht ihn mit deiner Vorhersage. Rückgängig bringt deinen eigenen Lauf zurück.</translation>
     </message>
     <message>
         <source>Predict first.</source>
         <translation>Sag erst etwas vorher.</translation>
+    </message>
+    <message>
+        <source>Answered. Fold this prediction</source>
+        <translation>Beantwortet. Diese Vorhersage zuklappen</translation>
+    </message>
+    <message>
+        <source>Answered. Show it again</source>
+        <translation>Beantwortet. Wieder zeigen</translation>
+    </message>
+    <message>
+        <source>%1, answered</source>
+        <translation>%1, beantwortet</translation>
     </message>
 </context>
 <context>
@@ -9374,6 +9527,29 @@ Klick klappt ein oder aus (Eingabe)</translation>
             <numerusform>Geprüft: %n Bild lang stabil.</numerusform>
             <numerusform>Geprüft: %n Bilder lang stabil.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>app::Restart</name>
+    <message>
+        <source>%1 A film is being made.</source>
+        <translation>%1 Gerade entsteht ein Film.</translation>
+    </message>
+    <message>
+        <source>%1 A web page is being made.</source>
+        <translation>%1 Gerade entsteht eine Webseite.</translation>
+    </message>
+    <message>
+        <source>Restart now</source>
+        <translation>Jetzt neu starten</translation>
+    </message>
+    <message>
+        <source>Cancels the film; everything else is kept</source>
+        <translation>Bricht den Film ab; alles andere bleibt</translation>
+    </message>
+    <message>
+        <source>Cancels the page; everything else is kept</source>
+        <translation>Bricht die Webseite ab; alles andere bleibt</translation>
     </message>
 </context>
 <context>
@@ -10552,6 +10728,18 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>Predicted: %1 %2</source>
         <translation>Vorhergesagt: %1 %2</translation>
     </message>
+    <message>
+        <source>%1 of %2 levels of the project passed.</source>
+        <translation>%1 von %2 Stufen des Projekts geschafft.</translation>
+    </message>
+    <message>
+        <source>**Project: %1**</source>
+        <translation>**Projekt: %1**</translation>
+    </message>
+    <message>
+        <source>Still to pass: %1</source>
+        <translation>Noch zu schaffen: %1</translation>
+    </message>
 </context>
 <context>
     <name>app::TaskBox</name>
@@ -10822,13 +11010,6 @@ Klicken, um bis dorthin zu laufen.</translation>
     <message>
         <source>%1 not yet</source>
         <translation>%1 noch nicht</translation>
-    </message>
-</context>
-<context>
-    <name>app::UnitCircle</name>
-    <message>
-        <source>Unit circle</source>
-        <translation>Einheitskreis</translation>
     </message>
 </context>
 <context>

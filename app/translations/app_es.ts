@@ -1780,6 +1780,10 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <source>%1 For a web page, choose one that ends in .html.</source>
         <translation>%1 Para una página web, elige uno que termine en .html.</translation>
     </message>
+    <message>
+        <source>--%1 is for web pages, which end in .html. Leave it out.</source>
+        <translation>--%1 es para páginas web, que terminan en .html. Omítelo.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
@@ -2173,13 +2177,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     </message>
 </context>
 <context>
-    <name>GifFileText</name>
-    <message>
-        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
-        <translation>No se pudo escribir %1: %2. Libera espacio en el disco o elige otra carpeta.</translation>
-    </message>
-</context>
-<context>
     <name>GlossaryText</name>
     <message>
         <source>%1: %2</source>
@@ -2241,10 +2238,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 </context>
 <context>
     <name>HandoutCliText</name>
-    <message>
-        <source>--language is %1; it can be %2.</source>
-        <translation>--language es %1; puede ser %2.</translation>
-    </message>
     <message>
         <source>handout: %1</source>
         <translation>handout: %1</translation>
@@ -2778,6 +2771,14 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <source>%1 passes</source>
         <translation>%1 pasa</translation>
     </message>
+    <message>
+        <source>has %1 choices</source>
+        <translation>tiene %1 respuestas para elegir</translation>
+    </message>
+    <message>
+        <source>%1, in which the hand holds it. Every body can be held: write “if (%2.held) %2.position = hand;”, and leave the forces out then</source>
+        <translation>%1, mientras lo sujeta la mano. Se puede sujetar cualquier cuerpo: escribe «if (%2.held) %2.position = hand;», y deja entonces fuera las fuerzas</translation>
+    </message>
 </context>
 <context>
     <name>LessonFolderText</name>
@@ -2882,16 +2883,20 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>los textos del paso</translation>
     </message>
     <message>
-        <source>%1: the scene is one of the lesson %2, which is not built in. Use a scene of the sandbox or of a lesson of the program.</source>
-        <translation>%1: la escena es de la lección %2, que no viene incluida. Usa una escena del taller o de una lección del programa.</translation>
-    </message>
-    <message>
         <source>%1: a listing computes this scene. Choose a method in the window, and write the listing into %2.code.</source>
         <translation>%1: un listado calcula esta escena. Elige un método en la ventana y escribe el listado en %2.code.</translation>
     </message>
     <message>
         <source>%1: a step has at most %2 things to try, predictions and tasks, and a thing to try as many conditions and drags.</source>
         <translation>%1: un paso tiene como máximo %2 pruebas, predicciones y tareas, y una prueba, otras tantas condiciones y arrastres.</translation>
+    </message>
+    <message>
+        <source>%1 says where the parameter %2 begins. Remove it here.</source>
+        <translation>%1 dice dónde empieza el parámetro %2. Quítalo aquí.</translation>
+    </message>
+    <message>
+        <source>%1: the scene is one of the lesson %2, which is not built in. Open that lesson, choose File &gt; New lesson from this scene, and take the scene that this writes.</source>
+        <translation>%1: la escena es de la lección %2, que no viene incluida. Abre esa lección, elige Archivo &gt; Nueva lección de esta escena, y usa la escena que se escribe así.</translation>
     </message>
 </context>
 <context>
@@ -2919,6 +2924,97 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>%1: there is no lesson.json, which describes the lesson. Choose the folder that has it, or write it.</source>
         <translation>%1: no hay ningún lesson.json, que describe la lección. Elige la carpeta que lo tiene, o escríbelo.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonParametersText</name>
+    <message>
+        <source>a parameter cannot be called “%1”: the word has another meaning in code, in conditions or in runs. Choose another id.</source>
+        <translation>un parámetro no se puede llamar «%1»: la palabra significa otra cosa en el código, en las condiciones o en las ejecuciones. Elige otro id.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no range. Write “- minimum: 0” and “- maximum: 1” below its text, with your numbers.</source>
+        <translation>el parámetro «%1» no tiene rango. Escribe «- minimum: 0» y «- maximum: 1» debajo de su texto, con tus números.</translation>
+    </message>
+    <message>
+        <source>the minimum of “%1” is not below its maximum. Change one of them.</source>
+        <translation>el mínimo de «%1» no está por debajo del máximo. Cambia uno de los dos.</translation>
+    </message>
+    <message>
+        <source>“%1” begins with the value that the scene has there. Remove “- value”.</source>
+        <translation>«%1» empieza con el valor que la escena tiene ahí. Quita «- value».</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no value at the start. Write “- value: %2”, or “- sets: k of a-b” with the names of two bodies that a spring joins.</source>
+        <translation>el parámetro «%1» no tiene valor al principio. Escribe «- value: %2», o «- sets: k of a-b» con los nombres de dos cuerpos unidos por un muelle.</translation>
+    </message>
+    <message>
+        <source>the step of “%1” is 1, so its numbers are whole. Choose a smaller step, such as 0.1.</source>
+        <translation>el paso de «%1» es 1, así que sus números son enteros. Elige un paso más pequeño, por ejemplo 0.1.</translation>
+    </message>
+    <message>
+        <source>the value of “%1” is %2, outside its range from %3 to %4.</source>
+        <translation>el valor de «%1» es %2 y está fuera de su rango, de %3 a %4.</translation>
+    </message>
+    <message>
+        <source>the %1 of “%2” differs between the languages. Remove it here: the numbers are in the first language.</source>
+        <translation>«%1» de «%2» es distinto según el idioma. Quítalo aquí: los números están en el primer idioma.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” is missing. Write “## Parameter: name {#%1}”, and a sentence below it.</source>
+        <translation>falta el parámetro «%1». Escribe «## Parameter: nombre {#%1}» y una frase debajo.</translation>
+    </message>
+    <message>
+        <source>%1 declares no parameter “%2”. Remove it here, or add it there.</source>
+        <translation>%1 no declara ningún parámetro «%2». Quítalo aquí o añádelo allí.</translation>
+    </message>
+    <message>
+        <source>“sets” differs between the languages. Remove it here.</source>
+        <translation>«sets» es distinto según el idioma. Quítalo aquí.</translation>
+    </message>
+    <message>
+        <source>“%1” is not something that a parameter can set. Write “k of a-b” or “length of a-b” with the names of two bodies, and commas between several.</source>
+        <translation>«%1» no es algo que un parámetro pueda fijar. Escribe «k of a-b» o «length of a-b» con los nombres de dos cuerpos, y comas entre varios.</translation>
+    </message>
+    <message>
+        <source>no spring of the scene joins “%1” and “%2”. Springs join %3.</source>
+        <translation>ningún muelle de la escena une «%1» y «%2». Los muelles unen: %3.</translation>
+    </message>
+    <message>
+        <source>no spring or stick of the scene joins “%1” and “%2”. They join %3.</source>
+        <translation>ningún muelle ni barra de la escena une «%1» y «%2». Unen: %3.</translation>
+    </message>
+    <message>
+        <source>“%1” can be %2 to %3 in a scene, and the parameter goes from %4 to %5. Change its minimum or maximum.</source>
+        <translation>«%1» puede ser de %2 a %3 en una escena, y el parámetro va de %4 a %5. Cambia su mínimo o su máximo.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nada</translation>
+    </message>
+    <message>
+        <source>a parameter of your own needs a scene of the sandbox. Remove “%1”, or take the scene to the sandbox (Ctrl+B) and save it there.</source>
+        <translation>un parámetro propio necesita una escena del taller. Quita «%1», o lleva la escena al taller (Ctrl+B) y guárdala allí.</translation>
+    </message>
+    <message>
+        <source>“%1” sets several numbers, of which one is %2 and another is %3 in the scene. Make them the same there, or use two parameters.</source>
+        <translation>«%1» fija varios números, de los que uno es %2 y otro %3 en la escena. Haz que sean iguales allí, o usa dos parámetros.</translation>
+    </message>
+    <message>
+        <source>the scene has %1 there, which does not fit the parameter “%2” from %3 to %4. Change its minimum, maximum or step, or the scene.</source>
+        <translation>la escena tiene ahí %1, que no cabe en el parámetro «%2», de %3 a %4. Cambia su mínimo, su máximo o su paso, o la escena.</translation>
+    </message>
+    <message>
+        <source>the scene has a parameter “%1” already. Choose another id.</source>
+        <translation>la escena ya tiene un parámetro «%1». Elige otro id.</translation>
+    </message>
+    <message>
+        <source>bodies of the scene are called “%1”. Choose another id.</source>
+        <translation>hay cuerpos de la escena que se llaman «%1». Elige otro id.</translation>
+    </message>
+    <message>
+        <source>nothing reads the parameter “%1”. Write %1 into the rule of the scene in place of a number, or let it set one: “- sets: k of a-b”.</source>
+        <translation>nada lee el parámetro «%1». Escribe %1 en la regla de la escena en lugar de un número, o haz que fije uno: «- sets: k of a-b».</translation>
     </message>
 </context>
 <context>
@@ -3160,16 +3256,16 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>De qué trata, en una frase.</translation>
     </message>
     <message>
-        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program. Open one first.</source>
-        <translation>Una lección nueva empieza con una escena del taller o de una lección del programa. Abre antes una.</translation>
-    </message>
-    <message>
         <source>%1 is not empty. Choose a new folder for the lesson.</source>
         <translation>%1 no está vacía. Elige una carpeta nueva para la lección.</translation>
     </message>
     <message>
         <source>%1: the folder could not be made. Choose another place.</source>
         <translation>%1: no se pudo crear la carpeta. Elige otro lugar.</translation>
+    </message>
+    <message>
+        <source>There is no step %1 any more. Open another one, and begin the lesson with its scene.</source>
+        <translation>El paso %1 ya no existe. Abre otro y empieza la lección con su escena.</translation>
     </message>
 </context>
 <context>
@@ -4124,6 +4220,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>--theme is %1; it can be &quot;light&quot;, &quot;dark&quot; or &quot;contrast&quot;.</source>
         <translation>--theme es %1; puede ser &quot;light&quot;, &quot;dark&quot; o &quot;contrast&quot;.</translation>
+    </message>
+    <message>
+        <source>--language is %1; it can be %2.</source>
+        <translation>--language es %1; puede ser %2.</translation>
     </message>
 </context>
 <context>
@@ -5361,6 +5461,10 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>y points down: a sine above 0 is down</source>
         <translation>eje y hacia abajo: seno mayor que 0 es abajo</translation>
     </message>
+    <message>
+        <source>Unit circle</source>
+        <translation>Circunferencia unidad</translation>
+    </message>
 </context>
 <context>
     <name>VerbsText</name>
@@ -5535,6 +5639,14 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>en, de, es or fr (default: that of the system).</source>
         <translation>en, de, es o fr (por defecto: el del sistema).</translation>
+    </message>
+    <message>
+        <source>A plot on a web page, such as &quot;y(body)&quot;, &quot;energy&quot; or &quot;y(body):x(body)&quot;. Repeat it for more.</source>
+        <translation>Una gráfica en una página web, como &quot;y(body)&quot;, &quot;energy&quot; o &quot;y(body):x(body)&quot;. Se puede repetir.</translation>
+    </message>
+    <message>
+        <source>The run in FILE that a web page shows as the ghost.</source>
+        <translation>La ejecución de FILE que una página web muestra como fantasma.</translation>
     </message>
 </context>
 <context>
@@ -5714,6 +5826,30 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>Stopped at frame %1 of %2.</source>
         <translation>Parado en el fotograma %1 de %2.</translation>
     </message>
+    <message>
+        <source>--plot is %1; it can be %2, with its bodies, as in %3 and %4.</source>
+        <translation>--plot es %1; puede ser %2, con sus cuerpos, como en %3 y %4.</translation>
+    </message>
+    <message>
+        <source>--plot is %1, but there is no %2; there is %3.</source>
+        <translation>--plot es %1, pero no hay %2; hay %3.</translation>
+    </message>
+    <message>
+        <source>--plot is %1, which has no value in this scene. Choose another one.</source>
+        <translation>--plot es %1, que no tiene valor en esta escena. Elige otra cosa.</translation>
+    </message>
+    <message>
+        <source>--plot is given %1 times; a web page has room for %2 plots.</source>
+        <translation>--plot aparece %1 veces; en una página web caben %2 gráficas.</translation>
+    </message>
+    <message>
+        <source>--ghost is %1, but FILE has no other run. Keep one in the window.</source>
+        <translation>--ghost es %1, pero FILE no tiene otra ejecución. Conserva una en la ventana.</translation>
+    </message>
+    <message>
+        <source>--ghost is %1; it can be %2.</source>
+        <translation>--ghost es %1; puede ser %2.</translation>
+    </message>
 </context>
 <context>
     <name>WebPageText</name>
@@ -5892,12 +6028,33 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>The run on this page cannot be read: the file is damaged. Ask for it again.</source>
         <translation>No se puede leer la ejecución de esta página: el archivo está dañado. Pídelo otra vez.</translation>
     </message>
-</context>
-<context>
-    <name>WebmFileText</name>
     <message>
-        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
-        <translation>No se pudo escribir %1: %2. Libera espacio en el disco o elige otra carpeta.</translation>
+        <source>Show</source>
+        <translation>Mostrar</translation>
+    </message>
+    <message>
+        <source>Choose what the scene shows</source>
+        <translation>Elegir qué muestra la escena</translation>
+    </message>
+    <message>
+        <source>Velocity arrows</source>
+        <translation>Flechas de velocidad</translation>
+    </message>
+    <message>
+        <source>Onion skins</source>
+        <translation>Papel cebolla</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Fantasma</translation>
+    </message>
+    <message>
+        <source>Guide lines</source>
+        <translation>Líneas guía</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Leyenda</translation>
     </message>
 </context>
 <context>
@@ -5972,6 +6129,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>%1 is larger than the zip says. This zip is not safe; nothing was read.</source>
         <translation>%1 es más grande de lo que dice el zip. Este zip no es seguro; no se ha leído nada.</translation>
+    </message>
+    <message>
+        <source>%1 is packed as ZIP64, which is for very large files. Make a usual zip.</source>
+        <translation>%1 está comprimido como ZIP64, que es para archivos muy grandes. Haz un zip normal.</translation>
     </message>
 </context>
 <context>
@@ -6214,6 +6375,14 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>the error is too large, or a frame takes too long. Try another method or step.</source>
         <translation>el error es demasiado grande, o un fotograma tarda demasiado. Prueba otro método u otro paso de tiempo.</translation>
+    </message>
+    <message>
+        <source>this run was set up for you. Undo brings your own run back: do it there.</source>
+        <translation>esta ejecución la ha preparado Springstep. Deshacer recupera tu propia ejecución: hazlo en ella.</translation>
+    </message>
+    <message>
+        <source>your code computes this run, and it has no phases. Press **Reset listing** on the page **Listing**. Undo brings your code back.</source>
+        <translation>esta ejecución la calcula tu código, y no tiene fases. En la página **Listado**, pulsa **Restablecer el listado**. Deshacer recupera tu código.</translation>
     </message>
 </context>
 <context>
@@ -7219,6 +7388,10 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <source>&amp;Cancel</source>
         <translation>&amp;Cancelar</translation>
     </message>
+    <message>
+        <source>%1[*] – Springstep</source>
+        <translation>%1[*] – Springstep</translation>
+    </message>
 </context>
 <context>
     <name>app::FailureNotice</name>
@@ -8012,10 +8185,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>No hay lugar para tus propias lecciones</translation>
     </message>
     <message>
-        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program</source>
-        <translation>Una lección nueva empieza con una escena del taller o de una lección del programa</translation>
-    </message>
-    <message>
         <source>Could not open the lesson: %1</source>
         <translation>No se pudo abrir la lección: %1</translation>
     </message>
@@ -8320,10 +8489,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Dos ejecuciones</translation>
     </message>
     <message>
-        <source>%1[*] – Springstep</source>
-        <translation>%1[*] – Springstep</translation>
-    </message>
-    <message>
         <source>Stability</source>
         <translation>Estabilidad</translation>
     </message>
@@ -8336,18 +8501,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Parámetros</translation>
     </message>
     <message>
-        <source>Restart now</source>
-        <translation>Reiniciar ahora</translation>
-    </message>
-    <message>
-        <source>%1 A film is being made.</source>
-        <translation>%1 Se está creando un vídeo.</translation>
-    </message>
-    <message>
-        <source>Cancels the film; everything else is kept</source>
-        <translation>Cancela el vídeo; todo lo demás se conserva</translation>
-    </message>
-    <message>
         <source>The panels are back in their original places.</source>
         <translation>Los paneles están otra vez en sus lugares originales.</translation>
     </message>
@@ -8358,14 +8511,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>These lessons have no concepts</source>
         <translation>Estas lecciones no tienen conceptos</translation>
-    </message>
-    <message>
-        <source>%1 A web page is being made.</source>
-        <translation>%1 Se está creando una página web.</translation>
-    </message>
-    <message>
-        <source>Cancels the page; everything else is kept</source>
-        <translation>Cancela la página; todo lo demás se conserva</translation>
     </message>
 </context>
 <context>
@@ -8963,16 +9108,24 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Mover la cruz</translation>
     </message>
     <message>
-        <source>%1, predicted</source>
-        <translation>%1, predicho</translation>
-    </message>
-    <message>
         <source>Plays the run, and compares it with your prediction. Undo brings your own run back.</source>
         <translation>Reproduce la ejecución y la compara con tu predicción. Deshacer recupera tu propia ejecución.</translation>
     </message>
     <message>
         <source>Predict first.</source>
         <translation>Antes, predice algo.</translation>
+    </message>
+    <message>
+        <source>Answered. Fold this prediction</source>
+        <translation>Respondida. Plegar esta predicción</translation>
+    </message>
+    <message>
+        <source>Answered. Show it again</source>
+        <translation>Respondida. Mostrarla de nuevo</translation>
+    </message>
+    <message>
+        <source>%1, answered</source>
+        <translation>%1, respondida</translation>
     </message>
 </context>
 <context>
@@ -9374,6 +9527,29 @@ Haz clic para plegar o desplegar (Intro)</translation>
             <numerusform>Probado: es estable durante %n fotograma.</numerusform>
             <numerusform>Probado: es estable durante %n fotogramas.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>app::Restart</name>
+    <message>
+        <source>%1 A film is being made.</source>
+        <translation>%1 Se está creando un vídeo.</translation>
+    </message>
+    <message>
+        <source>%1 A web page is being made.</source>
+        <translation>%1 Se está creando una página web.</translation>
+    </message>
+    <message>
+        <source>Restart now</source>
+        <translation>Reiniciar ahora</translation>
+    </message>
+    <message>
+        <source>Cancels the film; everything else is kept</source>
+        <translation>Cancela el vídeo; todo lo demás se conserva</translation>
+    </message>
+    <message>
+        <source>Cancels the page; everything else is kept</source>
+        <translation>Cancela la página; todo lo demás se conserva</translation>
     </message>
 </context>
 <context>
@@ -10552,6 +10728,18 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <source>Predicted: %1 %2</source>
         <translation>Predicho: %1 %2</translation>
     </message>
+    <message>
+        <source>%1 of %2 levels of the project passed.</source>
+        <translation>%1 de %2 niveles del proyecto superados.</translation>
+    </message>
+    <message>
+        <source>**Project: %1**</source>
+        <translation>**Proyecto: %1**</translation>
+    </message>
+    <message>
+        <source>Still to pass: %1</source>
+        <translation>Queda por superar: %1</translation>
+    </message>
 </context>
 <context>
     <name>app::TaskBox</name>
@@ -10822,13 +11010,6 @@ Haz clic para ejecutar hasta ella.</translation>
     <message>
         <source>%1 not yet</source>
         <translation>%1 aún no</translation>
-    </message>
-</context>
-<context>
-    <name>app::UnitCircle</name>
-    <message>
-        <source>Unit circle</source>
-        <translation>Circunferencia unidad</translation>
     </message>
 </context>
 <context>

@@ -1780,6 +1780,10 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <source>%1 For a web page, choose one that ends in .html.</source>
         <translation>%1 Pour une page web, choisis un nom qui finit par .html.</translation>
     </message>
+    <message>
+        <source>--%1 is for web pages, which end in .html. Leave it out.</source>
+        <translation>--%1 est pour les pages web, qui finissent par .html. Enlève cette option.</translation>
+    </message>
 </context>
 <context>
     <name>Gestures</name>
@@ -2173,13 +2177,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     </message>
 </context>
 <context>
-    <name>GifFileText</name>
-    <message>
-        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
-        <translation>Impossible d’écrire %1&#xa0;: %2. Libère de l’espace disque, ou choisis un autre dossier.</translation>
-    </message>
-</context>
-<context>
     <name>GlossaryText</name>
     <message>
         <source>%1: %2</source>
@@ -2241,10 +2238,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 </context>
 <context>
     <name>HandoutCliText</name>
-    <message>
-        <source>--language is %1; it can be %2.</source>
-        <translation>--language est %1&#x202f;; valeurs possibles&#xa0;: %2.</translation>
-    </message>
     <message>
         <source>handout: %1</source>
         <translation>handout: %1</translation>
@@ -2778,6 +2771,14 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <source>%1 passes</source>
         <translation>%1 réussit</translation>
     </message>
+    <message>
+        <source>has %1 choices</source>
+        <translation>a %1 réponses au choix</translation>
+    </message>
+    <message>
+        <source>%1, in which the hand holds it. Every body can be held: write “if (%2.held) %2.position = hand;”, and leave the forces out then</source>
+        <translation>%1, pendant que la main le tient. Tout corps peut être tenu&#xa0;: écris «&#x202f;if (%2.held) %2.position = hand;&#x202f;», et laisse alors les forces de côté</translation>
+    </message>
 </context>
 <context>
     <name>LessonFolderText</name>
@@ -2882,16 +2883,20 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>les textes de l’étape</translation>
     </message>
     <message>
-        <source>%1: the scene is one of the lesson %2, which is not built in. Use a scene of the sandbox or of a lesson of the program.</source>
-        <translation>%1&#xa0;: la scène est de la leçon %2, qui n’est pas intégrée. Utilise une scène du bac à sable ou d’une leçon du programme.</translation>
-    </message>
-    <message>
         <source>%1: a listing computes this scene. Choose a method in the window, and write the listing into %2.code.</source>
         <translation>%1&#xa0;: un listing calcule cette scène. Choisis une méthode dans la fenêtre, et écris le listing dans %2.code.</translation>
     </message>
     <message>
         <source>%1: a step has at most %2 things to try, predictions and tasks, and a thing to try as many conditions and drags.</source>
         <translation>%1&#xa0;: une étape a au plus %2 essais, prédictions et exercices, et un essai autant de conditions et de gestes de souris.</translation>
+    </message>
+    <message>
+        <source>%1 says where the parameter %2 begins. Remove it here.</source>
+        <translation>%1 dit où commence le paramètre %2. Supprime-le ici.</translation>
+    </message>
+    <message>
+        <source>%1: the scene is one of the lesson %2, which is not built in. Open that lesson, choose File &gt; New lesson from this scene, and take the scene that this writes.</source>
+        <translation>%1&#xa0;: la scène est de la leçon %2, qui n’est pas intégrée. Ouvre cette leçon, choisis Fichier &gt; Nouvelle leçon à partir de cette scène, et prends la scène ainsi écrite.</translation>
     </message>
 </context>
 <context>
@@ -2919,6 +2924,97 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>%1: there is no lesson.json, which describes the lesson. Choose the folder that has it, or write it.</source>
         <translation>%1&#xa0;: il n’y a pas de lesson.json, qui décrit la leçon. Choisis le dossier qui le contient, ou écris-le.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonParametersText</name>
+    <message>
+        <source>a parameter cannot be called “%1”: the word has another meaning in code, in conditions or in runs. Choose another id.</source>
+        <translation>un paramètre ne peut pas s’appeler «&#x202f;%1&#x202f;»&#xa0;: ce mot a un autre sens dans le code, les conditions ou les simulations. Choisis un autre identifiant.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no range. Write “- minimum: 0” and “- maximum: 1” below its text, with your numbers.</source>
+        <translation>le paramètre «&#x202f;%1&#x202f;» n’a pas d’intervalle. Écris «&#x202f;- minimum: 0&#x202f;» et «&#x202f;- maximum: 1&#x202f;» sous son texte, avec tes nombres.</translation>
+    </message>
+    <message>
+        <source>the minimum of “%1” is not below its maximum. Change one of them.</source>
+        <translation>le minimum de «&#x202f;%1&#x202f;» n’est pas inférieur à son maximum. Change l’un des deux.</translation>
+    </message>
+    <message>
+        <source>“%1” begins with the value that the scene has there. Remove “- value”.</source>
+        <translation>«&#x202f;%1&#x202f;» commence par la valeur que la scène a à cet endroit. Supprime «&#x202f;- value&#x202f;».</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no value at the start. Write “- value: %2”, or “- sets: k of a-b” with the names of two bodies that a spring joins.</source>
+        <translation>le paramètre «&#x202f;%1&#x202f;» n’a pas de valeur au début. Écris «&#x202f;- value: %2&#x202f;», ou «&#x202f;- sets: k of a-b&#x202f;» avec les noms de deux corps qu’un ressort relie.</translation>
+    </message>
+    <message>
+        <source>the step of “%1” is 1, so its numbers are whole. Choose a smaller step, such as 0.1.</source>
+        <translation>le pas de «&#x202f;%1&#x202f;» est 1, ses nombres sont donc entiers. Choisis un pas plus petit, par exemple 0.1.</translation>
+    </message>
+    <message>
+        <source>the value of “%1” is %2, outside its range from %3 to %4.</source>
+        <translation>la valeur de «&#x202f;%1&#x202f;» est %2, en dehors de son intervalle de %3 à %4.</translation>
+    </message>
+    <message>
+        <source>the %1 of “%2” differs between the languages. Remove it here: the numbers are in the first language.</source>
+        <translation>«&#x202f;%1&#x202f;» de «&#x202f;%2&#x202f;» diffère selon la langue. Supprime-le ici&#xa0;: les nombres sont dans la première langue.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” is missing. Write “## Parameter: name {#%1}”, and a sentence below it.</source>
+        <translation>le paramètre «&#x202f;%1&#x202f;» manque. Écris «&#x202f;## Parameter: nom {#%1}&#x202f;», et une phrase en dessous.</translation>
+    </message>
+    <message>
+        <source>%1 declares no parameter “%2”. Remove it here, or add it there.</source>
+        <translation>%1 ne déclare pas de paramètre «&#x202f;%2&#x202f;». Supprime-le ici ou ajoute-le là-bas.</translation>
+    </message>
+    <message>
+        <source>“sets” differs between the languages. Remove it here.</source>
+        <translation>«&#x202f;sets&#x202f;» diffère selon la langue. Supprime-le ici.</translation>
+    </message>
+    <message>
+        <source>“%1” is not something that a parameter can set. Write “k of a-b” or “length of a-b” with the names of two bodies, and commas between several.</source>
+        <translation>Un paramètre ne peut pas régler «&#x202f;%1&#x202f;». Écris «&#x202f;k of a-b&#x202f;» ou «&#x202f;length of a-b&#x202f;» avec les noms de deux corps, et des virgules entre plusieurs.</translation>
+    </message>
+    <message>
+        <source>no spring of the scene joins “%1” and “%2”. Springs join %3.</source>
+        <translation>aucun ressort de la scène ne relie «&#x202f;%1&#x202f;» et «&#x202f;%2&#x202f;». Les ressorts relient&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>no spring or stick of the scene joins “%1” and “%2”. They join %3.</source>
+        <translation>aucun ressort et aucune tige de la scène ne relie «&#x202f;%1&#x202f;» et «&#x202f;%2&#x202f;». Ils relient&#xa0;: %3.</translation>
+    </message>
+    <message>
+        <source>“%1” can be %2 to %3 in a scene, and the parameter goes from %4 to %5. Change its minimum or maximum.</source>
+        <translation>«&#x202f;%1&#x202f;» peut aller de %2 à %3 dans une scène, et le paramètre va de %4 à %5. Change son minimum ou son maximum.</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>rien</translation>
+    </message>
+    <message>
+        <source>a parameter of your own needs a scene of the sandbox. Remove “%1”, or take the scene to the sandbox (Ctrl+B) and save it there.</source>
+        <translation>un paramètre à toi a besoin d’une scène du bac à sable. Supprime «&#x202f;%1&#x202f;», ou emmène la scène dans le bac à sable (Ctrl+B) et enregistre-la là-bas.</translation>
+    </message>
+    <message>
+        <source>“%1” sets several numbers, of which one is %2 and another is %3 in the scene. Make them the same there, or use two parameters.</source>
+        <translation>«&#x202f;%1&#x202f;» règle plusieurs nombres, dont l’un est %2 et un autre %3 dans la scène. Rends-les égaux là-bas, ou prends deux paramètres.</translation>
+    </message>
+    <message>
+        <source>the scene has %1 there, which does not fit the parameter “%2” from %3 to %4. Change its minimum, maximum or step, or the scene.</source>
+        <translation>la scène a %1 à cet endroit, ce qui ne convient pas au paramètre «&#x202f;%2&#x202f;» de %3 à %4. Change son minimum, son maximum ou son pas, ou la scène.</translation>
+    </message>
+    <message>
+        <source>the scene has a parameter “%1” already. Choose another id.</source>
+        <translation>la scène a déjà un paramètre «&#x202f;%1&#x202f;». Choisis un autre identifiant.</translation>
+    </message>
+    <message>
+        <source>bodies of the scene are called “%1”. Choose another id.</source>
+        <translation>des corps de la scène s’appellent «&#x202f;%1&#x202f;». Choisis un autre identifiant.</translation>
+    </message>
+    <message>
+        <source>nothing reads the parameter “%1”. Write %1 into the rule of the scene in place of a number, or let it set one: “- sets: k of a-b”.</source>
+        <translation>rien ne lit le paramètre «&#x202f;%1&#x202f;». Écris %1 dans la règle de la scène à la place d’un nombre, ou fais-lui en régler un&#xa0;: «&#x202f;- sets: k of a-b&#x202f;».</translation>
     </message>
 </context>
 <context>
@@ -3160,16 +3256,16 @@ Un mot que le texte utilise, en une phrase.
         <translation>De quoi elle parle, en une phrase.</translation>
     </message>
     <message>
-        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program. Open one first.</source>
-        <translation>Une nouvelle leçon commence par une scène du bac à sable ou d’une leçon du programme. Ouvres-en d’abord une.</translation>
-    </message>
-    <message>
         <source>%1 is not empty. Choose a new folder for the lesson.</source>
         <translation>%1 n’est pas vide. Choisis un nouveau dossier pour la leçon.</translation>
     </message>
     <message>
         <source>%1: the folder could not be made. Choose another place.</source>
         <translation>%1&#xa0;: le dossier n’a pas pu être créé. Choisis un autre endroit.</translation>
+    </message>
+    <message>
+        <source>There is no step %1 any more. Open another one, and begin the lesson with its scene.</source>
+        <translation>L’étape %1 n’existe plus. Ouvres-en une autre, et commence la leçon avec sa scène.</translation>
     </message>
 </context>
 <context>
@@ -4124,6 +4220,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>--theme is %1; it can be &quot;light&quot;, &quot;dark&quot; or &quot;contrast&quot;.</source>
         <translation>--theme vaut %1&#x202f;; possible&#xa0;: &quot;light&quot;, &quot;dark&quot; ou &quot;contrast&quot;.</translation>
+    </message>
+    <message>
+        <source>--language is %1; it can be %2.</source>
+        <translation>--language est %1&#x202f;; valeurs possibles&#xa0;: %2.</translation>
     </message>
 </context>
 <context>
@@ -5361,6 +5461,10 @@ Un mot que le texte utilise, en une phrase.
         <source>y points down: a sine above 0 is down</source>
         <translation>y pointe en bas&#xa0;: un sinus positif, en bas</translation>
     </message>
+    <message>
+        <source>Unit circle</source>
+        <translation>Cercle trigonométrique</translation>
+    </message>
 </context>
 <context>
     <name>VerbsText</name>
@@ -5535,6 +5639,14 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>en, de, es or fr (default: that of the system).</source>
         <translation>en, de, es ou fr (par défaut&#xa0;: celle du système).</translation>
+    </message>
+    <message>
+        <source>A plot on a web page, such as &quot;y(body)&quot;, &quot;energy&quot; or &quot;y(body):x(body)&quot;. Repeat it for more.</source>
+        <translation>Un graphique sur une page web, comme &quot;y(body)&quot;, &quot;energy&quot; ou &quot;y(body):x(body)&quot;. À répéter pour en avoir plus.</translation>
+    </message>
+    <message>
+        <source>The run in FILE that a web page shows as the ghost.</source>
+        <translation>La simulation de FILE qu’une page web montre comme fantôme.</translation>
     </message>
 </context>
 <context>
@@ -5714,6 +5826,30 @@ Un mot que le texte utilise, en une phrase.
         <source>Stopped at frame %1 of %2.</source>
         <translation>Arrêt à l’image %1 sur %2.</translation>
     </message>
+    <message>
+        <source>--plot is %1; it can be %2, with its bodies, as in %3 and %4.</source>
+        <translation>--plot est %1&#x202f;; valeurs possibles&#xa0;: %2, avec leurs corps, comme dans %3 et %4.</translation>
+    </message>
+    <message>
+        <source>--plot is %1, but there is no %2; there is %3.</source>
+        <translation>--plot est %1, mais il n’y a pas %2&#x202f;; il y a %3.</translation>
+    </message>
+    <message>
+        <source>--plot is %1, which has no value in this scene. Choose another one.</source>
+        <translation>--plot est %1, qui n’a pas de valeur dans cette scène. Choisis autre chose.</translation>
+    </message>
+    <message>
+        <source>--plot is given %1 times; a web page has room for %2 plots.</source>
+        <translation>--plot est donné %1 fois&#x202f;; une page web a de la place pour %2 graphiques.</translation>
+    </message>
+    <message>
+        <source>--ghost is %1, but FILE has no other run. Keep one in the window.</source>
+        <translation>--ghost est %1, mais FILE n’a pas d’autre simulation. Gardes-en une dans la fenêtre.</translation>
+    </message>
+    <message>
+        <source>--ghost is %1; it can be %2.</source>
+        <translation>--ghost est %1&#x202f;; valeurs possibles&#xa0;: %2.</translation>
+    </message>
 </context>
 <context>
     <name>WebPageText</name>
@@ -5892,12 +6028,33 @@ Un mot que le texte utilise, en une phrase.
         <source>The run on this page cannot be read: the file is damaged. Ask for it again.</source>
         <translation>La simulation de cette page est illisible&#xa0;: le fichier est endommagé. Redemande-le.</translation>
     </message>
-</context>
-<context>
-    <name>WebmFileText</name>
     <message>
-        <source>Could not write %1: %2. Free some disk space, or choose another folder.</source>
-        <translation>Impossible d’écrire %1&#xa0;: %2. Libère de l’espace disque, ou choisis un autre dossier.</translation>
+        <source>Show</source>
+        <translation>Affichage</translation>
+    </message>
+    <message>
+        <source>Choose what the scene shows</source>
+        <translation>Choisir ce que la scène montre</translation>
+    </message>
+    <message>
+        <source>Velocity arrows</source>
+        <translation>Flèches de vitesse</translation>
+    </message>
+    <message>
+        <source>Onion skins</source>
+        <translation>Pelures d’oignon</translation>
+    </message>
+    <message>
+        <source>Ghost</source>
+        <translation>Fantôme</translation>
+    </message>
+    <message>
+        <source>Guide lines</source>
+        <translation>Lignes de repère</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>Légende</translation>
     </message>
 </context>
 <context>
@@ -5972,6 +6129,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>%1 is larger than the zip says. This zip is not safe; nothing was read.</source>
         <translation>%1 est plus gros que ce que dit le zip. Ce zip n’est pas sûr&#x202f;; rien n’a été lu.</translation>
+    </message>
+    <message>
+        <source>%1 is packed as ZIP64, which is for very large files. Make a usual zip.</source>
+        <translation>%1 est compressé en ZIP64, un format pour de très gros fichiers. Fais un zip ordinaire.</translation>
     </message>
 </context>
 <context>
@@ -6214,6 +6375,14 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>the error is too large, or a frame takes too long. Try another method or step.</source>
         <translation>l’erreur est trop grande, ou une image prend trop de temps. Essaie une autre méthode ou un autre pas de temps.</translation>
+    </message>
+    <message>
+        <source>this run was set up for you. Undo brings your own run back: do it there.</source>
+        <translation>cette simulation a été préparée par Springstep. Annuler ramène ta propre simulation&#xa0;: fais-le là.</translation>
+    </message>
+    <message>
+        <source>your code computes this run, and it has no phases. Press **Reset listing** on the page **Listing**. Undo brings your code back.</source>
+        <translation>ton code calcule cette simulation, et il n’a pas de phases. Sur la page **Listing**, appuie sur **Rétablir le listing**. Annuler ramène ton code.</translation>
     </message>
 </context>
 <context>
@@ -7219,6 +7388,10 @@ Clique pour replier ou déplier (Entrée)</translation>
         <source>&amp;Cancel</source>
         <translation>&amp;Annuler</translation>
     </message>
+    <message>
+        <source>%1[*] – Springstep</source>
+        <translation>%1[*] – Springstep</translation>
+    </message>
 </context>
 <context>
     <name>app::FailureNotice</name>
@@ -8012,10 +8185,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Il n’y a pas d’endroit pour tes propres leçons</translation>
     </message>
     <message>
-        <source>A new lesson begins with a scene of the sandbox or of a lesson of the program</source>
-        <translation>Une nouvelle leçon part d’une scène du bac à sable ou d’une leçon du programme</translation>
-    </message>
-    <message>
         <source>Could not open the lesson: %1</source>
         <translation>Impossible d’ouvrir la leçon&#xa0;: %1</translation>
     </message>
@@ -8320,10 +8489,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Deux simulations</translation>
     </message>
     <message>
-        <source>%1[*] – Springstep</source>
-        <translation>%1[*] – Springstep</translation>
-    </message>
-    <message>
         <source>Stability</source>
         <translation>Stabilité</translation>
     </message>
@@ -8336,18 +8501,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Paramètres</translation>
     </message>
     <message>
-        <source>Restart now</source>
-        <translation>Redémarrer</translation>
-    </message>
-    <message>
-        <source>%1 A film is being made.</source>
-        <translation>%1 Un film est en cours de création.</translation>
-    </message>
-    <message>
-        <source>Cancels the film; everything else is kept</source>
-        <translation>Annule le film&#x202f;; tout le reste est conservé</translation>
-    </message>
-    <message>
         <source>The panels are back in their original places.</source>
         <translation>Les panneaux sont revenus à leur place d’origine.</translation>
     </message>
@@ -8358,14 +8511,6 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>These lessons have no concepts</source>
         <translation>Ces leçons n’ont pas de notions</translation>
-    </message>
-    <message>
-        <source>%1 A web page is being made.</source>
-        <translation>%1 Une page web est en cours de création.</translation>
-    </message>
-    <message>
-        <source>Cancels the page; everything else is kept</source>
-        <translation>Annule la page&#x202f;; tout le reste est conservé</translation>
     </message>
 </context>
 <context>
@@ -8963,16 +9108,24 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Déplacer la croix</translation>
     </message>
     <message>
-        <source>%1, predicted</source>
-        <translation>%1, prédit</translation>
-    </message>
-    <message>
         <source>Plays the run, and compares it with your prediction. Undo brings your own run back.</source>
         <translation>Lance la simulation, et la compare à ta prédiction. Annuler ramène ta propre simulation.</translation>
     </message>
     <message>
         <source>Predict first.</source>
         <translation>Prédis d’abord.</translation>
+    </message>
+    <message>
+        <source>Answered. Fold this prediction</source>
+        <translation>Répondu. Replier cette prédiction</translation>
+    </message>
+    <message>
+        <source>Answered. Show it again</source>
+        <translation>Répondu. La montrer à nouveau</translation>
+    </message>
+    <message>
+        <source>%1, answered</source>
+        <translation>%1, répondu</translation>
     </message>
 </context>
 <context>
@@ -9374,6 +9527,29 @@ Clique pour replier ou déplier (Entrée)</translation>
             <numerusform>Testé&#xa0;: stable pendant %n image.</numerusform>
             <numerusform>Testé&#xa0;: stable pendant %n images.</numerusform>
         </translation>
+    </message>
+</context>
+<context>
+    <name>app::Restart</name>
+    <message>
+        <source>%1 A film is being made.</source>
+        <translation>%1 Un film est en cours de création.</translation>
+    </message>
+    <message>
+        <source>%1 A web page is being made.</source>
+        <translation>%1 Une page web est en cours de création.</translation>
+    </message>
+    <message>
+        <source>Restart now</source>
+        <translation>Redémarrer</translation>
+    </message>
+    <message>
+        <source>Cancels the film; everything else is kept</source>
+        <translation>Annule le film&#x202f;; tout le reste est conservé</translation>
+    </message>
+    <message>
+        <source>Cancels the page; everything else is kept</source>
+        <translation>Annule la page&#x202f;; tout le reste est conservé</translation>
     </message>
 </context>
 <context>
@@ -10552,6 +10728,18 @@ Clique pour replier ou déplier (Entrée)</translation>
         <source>Predicted: %1 %2</source>
         <translation>Prédit&#xa0;: %1 %2</translation>
     </message>
+    <message>
+        <source>%1 of %2 levels of the project passed.</source>
+        <translation>Paliers du projet réussis&#xa0;: %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>**Project: %1**</source>
+        <translation>**Projet&#xa0;: %1**</translation>
+    </message>
+    <message>
+        <source>Still to pass: %1</source>
+        <translation>Encore à réussir&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>app::TaskBox</name>
@@ -10822,13 +11010,6 @@ Clique pour aller jusque-là.</translation>
     <message>
         <source>%1 not yet</source>
         <translation>%1&#xa0;: pas encore</translation>
-    </message>
-</context>
-<context>
-    <name>app::UnitCircle</name>
-    <message>
-        <source>Unit circle</source>
-        <translation>Cercle trigonométrique</translation>
     </message>
 </context>
 <context>

@@ -5,8 +5,29 @@ cmake_policy(VERSION 3.25)
 string(REPLACE "|" ";" FOLDERS "${FOLDERS}")
 string(REPLACE "|" ";" FILES "${FILES}")
 
+# Writes the comments of a listing to FILE as texts of the context "listing". In CMake, ; separates the items of a list, and
+# brackets join them.
+function(copy_comments listing file)
+    file(READ ${listing} text)
+    string(ASCII 1 semicolon)
+    string(ASCII 2 opening)
+    string(ASCII 3 closing)
+    string(REPLACE ";" "${semicolon}" text "${text}")
+    string(REPLACE "[" "${opening}" text "${text}")
+    string(REPLACE "]" "${closing}" text "${text}")
+    string(REGEX MATCHALL "// [^\n]+" comments "${text}")
+    foreach(comment IN LISTS comments)
+        string(SUBSTRING "${comment}" 3 -1 comment)
+        string(REPLACE "${semicolon}" ";" comment "${comment}")
+        string(REPLACE "${opening}" "[" comment "${comment}")
+        string(REPLACE "${closing}" "]" comment "${comment}")
+        string(REGEX REPLACE "([\"\\\\])" "\\\\\\1" comment "${comment}")
+        file(APPEND ${file} "QT_TRANSLATE_NOOP(\"listing\", \"${comment}\")\n")
+    endforeach()
+endfunction()
+
 # What lupdate does not know by itself: sim marks its texts with SIM_TEXT, as it knows no Qt; a lesson.json has a title
-# and a summary. So it reads copies that say it in lupdate's way.
+# and a summary; listings have comments. So it reads copies that say it in lupdate's way.
 function(copy_texts folder)
     file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/*.h)
     foreach(source ${sources})
@@ -23,6 +44,10 @@ function(copy_texts folder)
             file(APPEND ${WORK}/${folder}/lesson.json.cpp "QT_TRANSLATE_NOOP(\"lesson.json\", \"${text}\")\n")
         endforeach()
     endif()
+    file(GLOB listings ${ROOT}/${folder}/*.code)
+    foreach(listing ${listings})
+        copy_comments(${listing} ${WORK}/${folder}/listings.cpp)
+    endforeach()
 endfunction()
 
 # The texts without a translation in a file, one a line.

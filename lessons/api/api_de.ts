@@ -59,10 +59,6 @@
         <translation>Die Erzählung fehlt. Schreib sie unter den Titel.</translation>
     </message>
     <message>
-        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict {#id}”, “## Task: title {#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.</source>
-        <translation>%1 ist keine Überschrift einer Lektion. Schreib „## Try {#id}“, „## Predict {#id}“, „## Task: Titel {#id}“, „## Word: Name“, „## Concept: Titel {#id}“, „## Why: Frage“ oder „## Learnt“.</translation>
-    </message>
-    <message>
         <source>there is no text below %1. Write it there, or remove the heading.</source>
         <translation>Unter %1 steht kein Text. Schreib ihn dorthin oder entferne die Überschrift.</translation>
     </message>
@@ -159,6 +155,14 @@
         <source>this run needs “- frames: ” and the number of frames in which the thing is done, and has no “until” and no “step”.</source>
         <translation>Dieser Lauf braucht „- frames: “ und die Zahl der Bilder, in denen es getan ist, und hat kein „until“ und kein „step“.</translation>
     </message>
+    <message>
+        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict {#id}”, “## Task: title {#id}”, “## Parameter: name {#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.</source>
+        <translation>%1 ist keine Überschrift einer Lektion. Schreib „## Try {#id}“, „## Predict {#id}“, „## Task: Titel {#id}“, „## Parameter: Name {#id}“, „## Word: Name“, „## Concept: Titel {#id}“, „## Why: Frage“ oder „## Learnt“.</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no name. Write “## Parameter: name {#%1}”.</source>
+        <translation>Der Parameter „%1“ hat keinen Namen. Schreib „## Parameter: Name {#%1}“.</translation>
+    </message>
 </context>
 <context>
     <name>DocumentScan</name>
@@ -219,6 +223,41 @@
     <message>
         <source>the listing has no gap “%1”. Use one of: %2.</source>
         <translation>Das Listing hat keine Lücke „%1“. Verwende eine von: %2.</translation>
+    </message>
+    <message>
+        <source>the step has no parameter “%1”. Remove the heading: only lessons without C++ declare parameters in a document.</source>
+        <translation>Der Schritt hat keinen Parameter „%1“. Entferne die Überschrift: Nur Lektionen ohne C++ legen Parameter in einem Text an.</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterText</name>
+    <message>
+        <source>a parameter has no “%1”. It has “value”, “minimum”, “maximum”, “step”, “unit” and “sets”.</source>
+        <translation>Ein Parameter hat kein „%1“. Er hat „value“, „minimum“, „maximum“, „step“, „unit“ und „sets“.</translation>
+    </message>
+    <message>
+        <source>“%1” is there twice. Remove one of them.</source>
+        <translation>„%1“ steht zweimal da. Nimm eins davon heraus.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number between -1000000000 and 1000000000. Write it as in “- %2: 2”.</source>
+        <translation>„%1“ ist keine Zahl zwischen -1000000000 und 1000000000. Schreib sie wie in „- %2: 2“.</translation>
+    </message>
+    <message>
+        <source>the step cannot be %1. Write one of these: %2.</source>
+        <translation>Der Schritt kann nicht %1 sein. Schreib eins davon: %2.</translation>
+    </message>
+    <message>
+        <source>this unit has %1 characters. Write at most %2.</source>
+        <translation>Diese Einheit hat %1 Zeichen. Schreib höchstens %2.</translation>
+    </message>
+    <message>
+        <source>the name of the parameter “%1” has %2 characters. Write at most %3.</source>
+        <translation>Der Name des Parameters „%1“ hat %2 Zeichen. Schreib höchstens %3.</translation>
+    </message>
+    <message>
+        <source>nothing says what the parameter “%1” does. Write one sentence below its heading.</source>
+        <translation>Nirgends steht, was der Parameter „%1“ bewirkt. Schreib einen Satz unter seine Überschrift.</translation>
     </message>
 </context>
 <context>

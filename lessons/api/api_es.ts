@@ -59,10 +59,6 @@
         <translation>falta la historia. Escríbela debajo del título.</translation>
     </message>
     <message>
-        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict {#id}”, “## Task: title {#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.</source>
-        <translation>%1 no es un encabezado de una lección. Escribe «## Try {#id}», «## Predict {#id}», «## Task: título {#id}», «## Word: nombre», «## Concept: título {#id}», «## Why: pregunta» o «## Learnt».</translation>
-    </message>
-    <message>
         <source>there is no text below %1. Write it there, or remove the heading.</source>
         <translation>no hay texto debajo de %1. Escríbelo allí o quita el encabezado.</translation>
     </message>
@@ -159,6 +155,14 @@
         <source>this run needs “- frames: ” and the number of frames in which the thing is done, and has no “until” and no “step”.</source>
         <translation>esta ejecución necesita «- frames: » y el número de fotogramas en los que se consigue, y no lleva «until» ni «step».</translation>
     </message>
+    <message>
+        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict {#id}”, “## Task: title {#id}”, “## Parameter: name {#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.</source>
+        <translation>%1 no es un título de una lección. Escribe «## Try {#id}», «## Predict {#id}», «## Task: título {#id}», «## Parameter: nombre {#id}», «## Word: nombre», «## Concept: título {#id}», «## Why: pregunta» o «## Learnt».</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no name. Write “## Parameter: name {#%1}”.</source>
+        <translation>el parámetro «%1» no tiene nombre. Escribe «## Parameter: nombre {#%1}».</translation>
+    </message>
 </context>
 <context>
     <name>DocumentScan</name>
@@ -219,6 +223,41 @@
     <message>
         <source>the listing has no gap “%1”. Use one of: %2.</source>
         <translation>el listado no tiene ningún hueco «%1». Usa uno de estos: %2.</translation>
+    </message>
+    <message>
+        <source>the step has no parameter “%1”. Remove the heading: only lessons without C++ declare parameters in a document.</source>
+        <translation>el paso no tiene ningún parámetro «%1». Quita el título: solo las lecciones sin C++ declaran parámetros en un documento.</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterText</name>
+    <message>
+        <source>a parameter has no “%1”. It has “value”, “minimum”, “maximum”, “step”, “unit” and “sets”.</source>
+        <translation>un parámetro no tiene «%1». Tiene «value», «minimum», «maximum», «step», «unit» y «sets».</translation>
+    </message>
+    <message>
+        <source>“%1” is there twice. Remove one of them.</source>
+        <translation>«%1» está dos veces. Quita uno de los dos.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number between -1000000000 and 1000000000. Write it as in “- %2: 2”.</source>
+        <translation>«%1» no es un número entre -1000000000 y 1000000000. Escríbelo como en «- %2: 2».</translation>
+    </message>
+    <message>
+        <source>the step cannot be %1. Write one of these: %2.</source>
+        <translation>el paso no puede ser %1. Escribe uno de estos: %2.</translation>
+    </message>
+    <message>
+        <source>this unit has %1 characters. Write at most %2.</source>
+        <translation>esta unidad tiene %1 caracteres. Escribe %2 como máximo.</translation>
+    </message>
+    <message>
+        <source>the name of the parameter “%1” has %2 characters. Write at most %3.</source>
+        <translation>el nombre del parámetro «%1» tiene %2 caracteres. Escribe %3 como máximo.</translation>
+    </message>
+    <message>
+        <source>nothing says what the parameter “%1” does. Write one sentence below its heading.</source>
+        <translation>nada dice qué hace el parámetro «%1». Escribe una frase debajo de su título.</translation>
     </message>
 </context>
 <context>

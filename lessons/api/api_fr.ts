@@ -59,10 +59,6 @@
         <translation>le récit manque. Écris-le sous le titre.</translation>
     </message>
     <message>
-        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict {#id}”, “## Task: title {#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.</source>
-        <translation>%1 n’est pas un titre de leçon. Écris «&#x202f;## Try {#id}&#x202f;», «&#x202f;## Predict {#id}&#x202f;», «&#x202f;## Task: titre {#id}&#x202f;», «&#x202f;## Word: nom&#x202f;», «&#x202f;## Concept: titre {#id}&#x202f;», «&#x202f;## Why: question&#x202f;» ou «&#x202f;## Learnt&#x202f;».</translation>
-    </message>
-    <message>
         <source>there is no text below %1. Write it there, or remove the heading.</source>
         <translation>il n’y a pas de texte sous %1. Écris-le là, ou enlève le titre.</translation>
     </message>
@@ -159,6 +155,14 @@
         <source>this run needs “- frames: ” and the number of frames in which the thing is done, and has no “until” and no “step”.</source>
         <translation>cette simulation a besoin de «&#x202f;- frames:&#x202f;» et du nombre d’images dans lequel la chose est faite, et n’a ni «&#x202f;until&#x202f;» ni «&#x202f;step&#x202f;».</translation>
     </message>
+    <message>
+        <source>%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict {#id}”, “## Task: title {#id}”, “## Parameter: name {#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.</source>
+        <translation>%1 n’est pas un titre de leçon. Écris «&#x202f;## Try {#id}&#x202f;», «&#x202f;## Predict {#id}&#x202f;», «&#x202f;## Task: titre {#id}&#x202f;», «&#x202f;## Parameter: nom {#id}&#x202f;», «&#x202f;## Word: nom&#x202f;», «&#x202f;## Concept: titre {#id}&#x202f;», «&#x202f;## Why: question&#x202f;» ou «&#x202f;## Learnt&#x202f;».</translation>
+    </message>
+    <message>
+        <source>the parameter “%1” has no name. Write “## Parameter: name {#%1}”.</source>
+        <translation>le paramètre «&#x202f;%1&#x202f;» n’a pas de nom. Écris «&#x202f;## Parameter: nom {#%1}&#x202f;».</translation>
+    </message>
 </context>
 <context>
     <name>DocumentScan</name>
@@ -219,6 +223,41 @@
     <message>
         <source>the listing has no gap “%1”. Use one of: %2.</source>
         <translation>le listing n’a pas de lacune «&#x202f;%1&#x202f;». Utilise l’une de celles-ci&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>the step has no parameter “%1”. Remove the heading: only lessons without C++ declare parameters in a document.</source>
+        <translation>l’étape n’a pas de paramètre «&#x202f;%1&#x202f;». Supprime le titre&#xa0;: seules les leçons sans C++ déclarent des paramètres dans un document.</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterText</name>
+    <message>
+        <source>a parameter has no “%1”. It has “value”, “minimum”, “maximum”, “step”, “unit” and “sets”.</source>
+        <translation>un paramètre n’a pas de «&#x202f;%1&#x202f;». Il a «&#x202f;value&#x202f;», «&#x202f;minimum&#x202f;», «&#x202f;maximum&#x202f;», «&#x202f;step&#x202f;», «&#x202f;unit&#x202f;» et «&#x202f;sets&#x202f;».</translation>
+    </message>
+    <message>
+        <source>“%1” is there twice. Remove one of them.</source>
+        <translation>«&#x202f;%1&#x202f;» s’y trouve deux fois. Enlève l’un des deux.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number between -1000000000 and 1000000000. Write it as in “- %2: 2”.</source>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un nombre entre -1000000000 et 1000000000. Écris-le comme dans «&#x202f;- %2: 2&#x202f;».</translation>
+    </message>
+    <message>
+        <source>the step cannot be %1. Write one of these: %2.</source>
+        <translation>le pas ne peut pas être %1. Écris l’un de ceux-ci&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>this unit has %1 characters. Write at most %2.</source>
+        <translation>cette unité a %1 caractères. Écris-en %2 au plus.</translation>
+    </message>
+    <message>
+        <source>the name of the parameter “%1” has %2 characters. Write at most %3.</source>
+        <translation>le nom du paramètre «&#x202f;%1&#x202f;» a %2 caractères. Écris-en %3 au plus.</translation>
+    </message>
+    <message>
+        <source>nothing says what the parameter “%1” does. Write one sentence below its heading.</source>
+        <translation>rien ne dit ce que fait le paramètre «&#x202f;%1&#x202f;». Écris une phrase sous son titre.</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,10 @@
 #include "lessons/api/listing.h"
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QFile>
+#include <QHash>
+#include <QTranslator>
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,6 +17,8 @@ const QString wholeFrame = QStringLiteral("frame");
 const QString gapBegin = QStringLiteral("//>");
 const QString gapEnd = QStringLiteral("//<");
 const QString commentSign = QStringLiteral("// ");
+const QString translations = QStringLiteral(":/i18n/");
+constexpr auto commentContext = "listing"; ///< of comments in the translations
 constexpr qsizetype indentOfFunction = 4;
 constexpr qsizetype commentWidth = 38; ///< characters: fits into the code panel of a window of 1280 px
 
@@ -74,6 +80,45 @@ QStringList asComment(const QString &text)
         lines << commentSign + line;
     }
     return lines;
+}
+
+/// Returns the index of the first letter of a comment in `line`, or the length of the line.
+qsizetype beginOfComment(const QString &line)
+{
+    const qsizetype sign = line.indexOf(commentSign);
+    return sign < 0 ? line.size() : sign + commentSign.size();
+}
+
+QStringList commentsIn(const QString &text)
+{
+    QStringList comments;
+    for (const QString &line : text.split('\n')) {
+        const QString comment = line.mid(beginOfComment(line));
+        if (!comment.isEmpty() && !comments.contains(comment))
+            comments << comment;
+    }
+    return comments;
+}
+
+/// Returns `text` with the comments that `replacements` has replaced by those there.
+QString withComments(const QString &text, const QHash<QString, QString> &replacements)
+{
+    QStringList lines = text.split('\n');
+    for (QString &line : lines) {
+        const qsizetype begin = beginOfComment(line);
+        const QString comment = line.mid(begin);
+        line = line.left(begin) + replacements.value(comment, comment);
+    }
+    return lines.join('\n');
+}
+
+/// Returns for each of `comments` the one in the language of the window.
+QHash<QString, QString> translated(const QStringList &comments)
+{
+    QHash<QString, QString> all;
+    for (const QString &comment : comments)
+        all.insert(comment, QCoreApplication::translate(commentContext, comment.toUtf8().constData()));
+    return all;
 }
 
 }
@@ -141,6 +186,26 @@ int Listing::lineToWrite(const CodeTask &task) const
     return place ? place->firstLine + commentLines : 0;
 }
 
+QString Listing::inLanguageOfWindow(const QString &code) const
+{
+    if (code == text || comments.isEmpty() || !code.contains(commentSign))
+        return code;
+    const QHash<QString, QString> ofWindow = translated(comments);
+    QHash<QString, QString> ofAny = ofWindow;
+    for (const QString &file :
+         QDir(translations).entryList({lesson + QStringLiteral("_*.qm")}, QDir::Files)) {
+        QTranslator language;
+        if (!language.load(translations + file))
+            continue;
+        for (const QString &comment : comments) {
+            const QString other = language.translate(commentContext, comment.toUtf8().constData());
+            if (!other.isEmpty())
+                ofAny.insert(other, ofWindow.value(comment));
+        }
+    }
+    return withComments(code, ofAny);
+}
+
 Listing parseListing(const QString &source)
 {
     Listing listing;
@@ -181,7 +246,11 @@ Listing readListing(const QString &lesson, const QString &step)
     QFile file(QStringLiteral(":/listings/%1/%2.code").arg(lesson, step));
     if (!file.open(QIODevice::ReadOnly))
         return {};
-    return parseListing(QString::fromUtf8(file.readAll()));
+    Listing listing = parseListing(QString::fromUtf8(file.readAll()));
+    listing.lesson = lesson;
+    listing.comments = commentsIn(listing.text);
+    listing.text = withComments(listing.text, translated(listing.comments));
+    return listing;
 }
 
 }

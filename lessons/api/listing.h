@@ -44,6 +44,8 @@ struct Listing
 {
     QString text; ///< empty if the step has none; otherwise it ends with a line break
     std::vector<Gap> gaps = {};
+    QString lesson = {}; ///< the folder of the lesson whose translations have the comments; may be empty
+    QStringList comments = {}; ///< those of the file, in English and without `//`; empty without a lesson
 
     bool isEmpty() const { return text.isEmpty(); }
     /// Returns the gap with this id. Null if there is none.
@@ -59,6 +61,9 @@ struct Listing
     /// Returns the line of emptied() where the learner writes, from 1. It has nothing but its indentation. 0 if there is
     /// no such gap.
     int lineToWrite(const CodeTask &task) const;
+    /// Returns `code`, which a learner has made of this listing, with the comments of the listing in the language of the window.
+    /// She may have written it in another language. Her own comments stay, and so do all lines and their numbers.
+    QString inLanguageOfWindow(const QString &code) const;
 };
 
 /// Separates the text of a listing from its gaps. In `source` a line `//> id` stands before each gap and a line `//<`
@@ -66,7 +71,8 @@ struct Listing
 /// @throws std::runtime_error if a gap is empty, has no end, begins inside another, or has the id of another
 Listing parseListing(const QString &source);
 
-/// Returns the listing `:/listings/LESSON/STEP.code` of the resources. Empty if there is none.
+/// Returns the listing `:/listings/LESSON/STEP.code` of the resources, with comments in the language of the window, from the
+/// lesson's translations (context "listing"). Empty if there is none.
 /// @throws std::runtime_error as parseListing()
 Listing readListing(const QString &lesson, const QString &step);
 

@@ -30,6 +30,7 @@ void Step::readTexts(const std::vector<Check> &tests)
 void Step::setTexts(const Document &document)
 {
     checkGaps(document, listing);
+    checkParameters(document, parameters);
     if (scene) // not yet while a plugin puts the step together
         checkHighlights(document, *this);
     tries = joinedTries(document, checks);

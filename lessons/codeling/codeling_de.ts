@@ -188,6 +188,57 @@
     </message>
 </context>
 <context>
+    <name>listing</name>
+    <message>
+        <source>Before it goes, the lead backs up. The shift is a push, too.</source>
+        <translation>Bevor sie losschwimmt, weicht die Spitze zurück. Die Verschiebung ist auch ein Schubs.</translation>
+    </message>
+    <message>
+        <source>A stick with one side: the tail takes all of the error.</source>
+        <translation>Ein einseitiger Stab: Der Schwanz übernimmt den ganzen Fehler.</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>von der y-Achse aus</translation>
+    </message>
+    <message>
+        <source>but your hand does not give way</source>
+        <translation>aber deine Hand gibt nicht nach</translation>
+    </message>
+    <message>
+        <source>a spring to the target; dt is the tutorial&apos;s time of a frame</source>
+        <translation>eine Feder zum Ziel; dt ist die Dauer eines Bildes im Tutorial</translation>
+    </message>
+    <message>
+        <source>A soft stick takes a part of its error each frame. Past its limits, it takes a larger part.</source>
+        <translation>Ein weicher Stab behebt in jedem Bild einen Teil seines Fehlers, jenseits seiner Grenzen mehr.</translation>
+    </message>
+    <message>
+        <source>The tail keeps more of its speed along the spine than across it.</source>
+        <translation>Der Schwanz behält längs des Rückgrats mehr von seinem Tempo als quer dazu.</translation>
+    </message>
+    <message>
+        <source>how far it came, also in your hand</source>
+        <translation>wie weit er kam, auch in deiner Hand</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back: the outer end takes all of the error, unless you hold it.</source>
+        <translation>Gibt einem Stab seine Länge zurück: Das äußere Ende übernimmt den Fehler, außer du hältst es.</translation>
+    </message>
+    <message>
+        <source>The sides stay in the middle...</source>
+        <translation>Die Seiten bleiben in der Mitte …</translation>
+    </message>
+    <message>
+        <source>...and as far apart as the area needs: half as long, twice as wide.</source>
+        <translation>… und so weit auseinander, wie die Fläche es braucht: halb so lang, doppelt so breit.</translation>
+    </message>
+    <message>
+        <source>The tentacles go on as they came. Then each link pulls the next one in, outwards.</source>
+        <translation>Die Tentakel bewegen sich weiter wie bisher. Dann zieht jedes Glied das nächste heran.</translation>
+    </message>
+</context>
+<context>
     <name>sim</name>
     <message>
         <source>lead</source>

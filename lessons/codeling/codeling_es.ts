@@ -188,6 +188,57 @@
     </message>
 </context>
 <context>
+    <name>listing</name>
+    <message>
+        <source>Before it goes, the lead backs up. The shift is a push, too.</source>
+        <translation>Antes de salir, la guía retrocede. Ese retroceso también es un empujón.</translation>
+    </message>
+    <message>
+        <source>A stick with one side: the tail takes all of the error.</source>
+        <translation>Una barra unilateral: la cola se encarga de todo el error.</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>desde el eje y</translation>
+    </message>
+    <message>
+        <source>but your hand does not give way</source>
+        <translation>pero tu mano no cede</translation>
+    </message>
+    <message>
+        <source>a spring to the target; dt is the tutorial&apos;s time of a frame</source>
+        <translation>un muelle hacia el objetivo; dt es la duración de un fotograma en el tutorial</translation>
+    </message>
+    <message>
+        <source>A soft stick takes a part of its error each frame. Past its limits, it takes a larger part.</source>
+        <translation>Una barra blanda corrige en cada fotograma una parte de su error; fuera de sus límites, más.</translation>
+    </message>
+    <message>
+        <source>The tail keeps more of its speed along the spine than across it.</source>
+        <translation>La cola conserva más rapidez a lo largo de la espina que de través.</translation>
+    </message>
+    <message>
+        <source>how far it came, also in your hand</source>
+        <translation>cuánto ha avanzado, también en tu mano</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back: the outer end takes all of the error, unless you hold it.</source>
+        <translation>Devuelve su longitud a una barra: el extremo de fuera se encarga del error, si no lo sujetas.</translation>
+    </message>
+    <message>
+        <source>The sides stay in the middle...</source>
+        <translation>Los lados se quedan en el centro...</translation>
+    </message>
+    <message>
+        <source>...and as far apart as the area needs: half as long, twice as wide.</source>
+        <translation>...y tan separados como pide el área: la mitad de largo, el doble de ancho.</translation>
+    </message>
+    <message>
+        <source>The tentacles go on as they came. Then each link pulls the next one in, outwards.</source>
+        <translation>Los tentáculos siguen como venían. Luego cada eslabón atrae al siguiente, hacia fuera.</translation>
+    </message>
+</context>
+<context>
     <name>sim</name>
     <message>
         <source>lead</source>

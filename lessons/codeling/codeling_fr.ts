@@ -188,6 +188,57 @@
     </message>
 </context>
 <context>
+    <name>listing</name>
+    <message>
+        <source>Before it goes, the lead backs up. The shift is a push, too.</source>
+        <translation>Avant de partir, le meneur recule. Ce recul est aussi une poussée.</translation>
+    </message>
+    <message>
+        <source>A stick with one side: the tail takes all of the error.</source>
+        <translation>Une tige unilatérale&#xa0;: la queue prend toute l’erreur.</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>depuis l’axe des y</translation>
+    </message>
+    <message>
+        <source>but your hand does not give way</source>
+        <translation>mais ta main ne cède pas</translation>
+    </message>
+    <message>
+        <source>a spring to the target; dt is the tutorial&apos;s time of a frame</source>
+        <translation>un ressort vers la cible&#x202f;; dt est la durée d’une image dans le tutoriel</translation>
+    </message>
+    <message>
+        <source>A soft stick takes a part of its error each frame. Past its limits, it takes a larger part.</source>
+        <translation>Une tige souple corrige une part de son erreur à chaque image, et davantage hors de ses limites.</translation>
+    </message>
+    <message>
+        <source>The tail keeps more of its speed along the spine than across it.</source>
+        <translation>La queue garde plus de vitesse le long de la colonne vertébrale qu’en travers.</translation>
+    </message>
+    <message>
+        <source>how far it came, also in your hand</source>
+        <translation>le chemin parcouru, aussi dans ta main</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back: the outer end takes all of the error, unless you hold it.</source>
+        <translation>Rend sa longueur à une tige&#xa0;: le bout extérieur prend toute l’erreur, sauf si tu le tiens.</translation>
+    </message>
+    <message>
+        <source>The sides stay in the middle...</source>
+        <translation>Les côtés restent au milieu…</translation>
+    </message>
+    <message>
+        <source>...and as far apart as the area needs: half as long, twice as wide.</source>
+        <translation>… et aussi écartés que l’aire le demande&#xa0;: deux fois plus court, deux fois plus large.</translation>
+    </message>
+    <message>
+        <source>The tentacles go on as they came. Then each link pulls the next one in, outwards.</source>
+        <translation>Les tentacules continuent comme avant. Puis chaque maillon attire le suivant, vers le bout.</translation>
+    </message>
+</context>
+<context>
     <name>sim</name>
     <message>
         <source>lead</source>

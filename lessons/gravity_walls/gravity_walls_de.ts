@@ -12,4 +12,19 @@
         <translation>Ein Raum zum Abprallen und ein Zug, der gerade nach unten geht.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>the pull on `me`, towards the nearest place at the distance `radius` from `anchor`</source>
+        <translation>der Zug an `me`, zum nächsten Ort im Abstand `radius` von `anchor`</translation>
+    </message>
+    <message>
+        <source>one more pull, the same for all, and before damping</source>
+        <translation>noch ein Zug, für alle gleich und vor der Dämpfung</translation>
+    </message>
+    <message>
+        <source>Is an edge past a wall? Put it back, and turn the velocity across the wall round.</source>
+        <translation>Ist ein Rand hinter einer Wand? Zurücksetzen, und die Geschwindigkeit quer zur Wand umkehren.</translation>
+    </message>
+</context>
 </TS>

@@ -12,4 +12,19 @@
         <translation>Una habitación en la que rebotar, y un tirón que va recto hacia abajo.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>the pull on `me`, towards the nearest place at the distance `radius` from `anchor`</source>
+        <translation>el tirón sobre `me`, hacia el lugar más cercano a la distancia `radius` de `anchor`</translation>
+    </message>
+    <message>
+        <source>one more pull, the same for all, and before damping</source>
+        <translation>un tirón más, igual para todos, y antes de la amortiguación</translation>
+    </message>
+    <message>
+        <source>Is an edge past a wall? Put it back, and turn the velocity across the wall round.</source>
+        <translation>¿Un borde ha pasado la pared? Devuélvelo, e invierte la velocidad perpendicular a la pared.</translation>
+    </message>
+</context>
 </TS>

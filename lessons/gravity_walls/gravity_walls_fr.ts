@@ -12,4 +12,19 @@
         <translation>Une pièce où rebondir, et une traction qui va tout droit vers le bas.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>the pull on `me`, towards the nearest place at the distance `radius` from `anchor`</source>
+        <translation>la traction sur `me`, vers l’endroit le plus proche à la distance `radius` de `anchor`</translation>
+    </message>
+    <message>
+        <source>one more pull, the same for all, and before damping</source>
+        <translation>encore une traction, la même pour tous, avant l’amortissement</translation>
+    </message>
+    <message>
+        <source>Is an edge past a wall? Put it back, and turn the velocity across the wall round.</source>
+        <translation>Un bord a dépassé un mur&#x202f;? Remets-le, et inverse la vitesse perpendiculaire au mur.</translation>
+    </message>
+</context>
 </TS>

@@ -12,4 +12,23 @@
         <translation>Ein Körper auf vielen Füßen: Züge addieren sich, und Steifigkeit auch.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>the pull on `me`, towards the nearest place at the distance `radius` from `anchor`</source>
+        <translation>der Zug an `me`, zum nächsten Ort im Abstand `radius` von `anchor`</translation>
+    </message>
+    <message>
+        <source>The body feels every foot.</source>
+        <translation>Der Körper spürt jeden Fuß.</translation>
+    </message>
+    <message>
+        <source>The feet grow at random places before the first frame. From then on nothing is different.</source>
+        <translation>Die Füße wachsen vor dem ersten Bild an zufälligen Orten. Danach ist alles wie zuvor.</translation>
+    </message>
+    <message>
+        <source>Two pulls on one body add up.</source>
+        <translation>Zwei Züge an einem Körper addieren sich.</translation>
+    </message>
+</context>
 </TS>

@@ -12,4 +12,23 @@
         <translation>Un cuerpo sobre muchos pies: los tirones se suman, y la rigidez también.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>the pull on `me`, towards the nearest place at the distance `radius` from `anchor`</source>
+        <translation>el tirón sobre `me`, hacia el lugar más cercano a la distancia `radius` de `anchor`</translation>
+    </message>
+    <message>
+        <source>The body feels every foot.</source>
+        <translation>El cuerpo siente cada pie.</translation>
+    </message>
+    <message>
+        <source>The feet grow at random places before the first frame. From then on nothing is different.</source>
+        <translation>Los pies crecen en lugares al azar antes del primer fotograma. Después, nada es distinto.</translation>
+    </message>
+    <message>
+        <source>Two pulls on one body add up.</source>
+        <translation>Dos tirones sobre un mismo cuerpo se suman.</translation>
+    </message>
+</context>
 </TS>

@@ -12,4 +12,23 @@
         <translation>Un corps sur beaucoup de pieds&#xa0;: les tractions s’additionnent, et la raideur aussi.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>the pull on `me`, towards the nearest place at the distance `radius` from `anchor`</source>
+        <translation>la traction sur `me`, vers l’endroit le plus proche à la distance `radius` de `anchor`</translation>
+    </message>
+    <message>
+        <source>The body feels every foot.</source>
+        <translation>Le corps ressent chaque pied.</translation>
+    </message>
+    <message>
+        <source>The feet grow at random places before the first frame. From then on nothing is different.</source>
+        <translation>Les pieds poussent à des endroits au hasard avant la première image. Ensuite, rien ne change.</translation>
+    </message>
+    <message>
+        <source>Two pulls on one body add up.</source>
+        <translation>Deux tractions sur un même corps s’additionnent.</translation>
+    </message>
+</context>
 </TS>

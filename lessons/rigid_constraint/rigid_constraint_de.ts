@@ -99,4 +99,79 @@
         <translation>Stäbe, die ihre Länge behalten, von einem Paar bis zu einer Gliederpuppe zum Herumwerfen.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>Gives a stick its length back: each end takes its share of the error.</source>
+        <translation>Gibt einem Stab seine Länge zurück: Jedes Ende übernimmt seinen Anteil am Fehler.</translation>
+    </message>
+    <message>
+        <source>your hand does not give way</source>
+        <translation>deine Hand gibt nicht nach</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>von der y-Achse aus</translation>
+    </message>
+    <message>
+        <source>The pointer carries the first point.</source>
+        <translation>Der Zeiger trägt den ersten Punkt.</translation>
+    </message>
+    <message>
+        <source>One stick after the other: each sees what the one before it moved.</source>
+        <translation>Ein Stab nach dem anderen: Jeder sieht, was der Stab vor ihm bewegt hat.</translation>
+    </message>
+    <message>
+        <source>A point keeps going as it came, and falls. In your hand it comes along.</source>
+        <translation>Ein Punkt bewegt sich weiter wie bisher und fällt. In deiner Hand geht er mit.</translation>
+    </message>
+    <message>
+        <source>Is the angle from `a` to `b`, clockwise, past a limit? Then each turns back by half of it.</source>
+        <translation>Verlässt der Winkel von `a` nach `b`, im Uhrzeigersinn, seine Grenzen? Beide drehen halb zurück.</translation>
+    </message>
+    <message>
+        <source>the middle stays</source>
+        <translation>die Mitte bleibt</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back. An end in your hand does not give way.</source>
+        <translation>Gibt einem Stab seine Länge zurück. Ein Ende in deiner Hand gibt nicht nach.</translation>
+    </message>
+    <message>
+        <source>Friction holds back what slides along a wall: the deeper in the wall, the more.</source>
+        <translation>Reibung bremst, was an einer Wand entlangrutscht: je tiefer in der Wand, desto mehr.</translation>
+    </message>
+    <message>
+        <source>the torso, not inside out</source>
+        <translation>der Rumpf, nicht umgestülpt</translation>
+    </message>
+    <message>
+        <source>shoulders</source>
+        <translation>Schultern</translation>
+    </message>
+    <message>
+        <source>elbows</source>
+        <translation>Ellbogen</translation>
+    </message>
+    <message>
+        <source>hips</source>
+        <translation>Hüften</translation>
+    </message>
+    <message>
+        <source>knees</source>
+        <translation>Knie</translation>
+    </message>
+    <message>
+        <source>Verlet: the velocity is how far it came, whatever moved it.</source>
+        <translation>Verlet: Die Geschwindigkeit ist, wie weit er kam, egal was ihn bewegt hat.</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back: `a` takes its share of the error, `b` takes the rest.</source>
+        <translation>Gibt einem Stab seine Länge zurück: `a` übernimmt seinen Anteil am Fehler, `b` den Rest.</translation>
+    </message>
+    <message>
+        <source>Each stick makes the ones before it a little wrong again.</source>
+        <translation>Jeder Stab macht die vor ihm wieder ein wenig falsch.</translation>
+    </message>
+</context>
 </TS>

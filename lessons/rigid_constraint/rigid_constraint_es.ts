@@ -99,4 +99,79 @@
         <translation>Barras que conservan su longitud, desde una pareja hasta un muñeco de trapo que se puede lanzar.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>Gives a stick its length back: each end takes its share of the error.</source>
+        <translation>Devuelve su longitud a una barra: cada extremo se encarga de su fracción del error.</translation>
+    </message>
+    <message>
+        <source>your hand does not give way</source>
+        <translation>tu mano no cede</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>desde el eje y</translation>
+    </message>
+    <message>
+        <source>The pointer carries the first point.</source>
+        <translation>El puntero lleva el primer punto.</translation>
+    </message>
+    <message>
+        <source>One stick after the other: each sees what the one before it moved.</source>
+        <translation>Una barra tras otra: cada una ve lo que ha movido la anterior.</translation>
+    </message>
+    <message>
+        <source>A point keeps going as it came, and falls. In your hand it comes along.</source>
+        <translation>Un punto sigue como venía, y cae. En tu mano, va con ella.</translation>
+    </message>
+    <message>
+        <source>Is the angle from `a` to `b`, clockwise, past a limit? Then each turns back by half of it.</source>
+        <translation>¿Pasa un límite el ángulo de `a` a `b`, en sentido horario? Cada uno gira atrás la mitad.</translation>
+    </message>
+    <message>
+        <source>the middle stays</source>
+        <translation>el centro se queda</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back. An end in your hand does not give way.</source>
+        <translation>Devuelve su longitud a una barra. Un extremo en tu mano no cede.</translation>
+    </message>
+    <message>
+        <source>Friction holds back what slides along a wall: the deeper in the wall, the more.</source>
+        <translation>El rozamiento frena lo que se desliza por una pared: cuanto más dentro de ella, más.</translation>
+    </message>
+    <message>
+        <source>the torso, not inside out</source>
+        <translation>el torso, sin volverse del revés</translation>
+    </message>
+    <message>
+        <source>shoulders</source>
+        <translation>hombros</translation>
+    </message>
+    <message>
+        <source>elbows</source>
+        <translation>codos</translation>
+    </message>
+    <message>
+        <source>hips</source>
+        <translation>caderas</translation>
+    </message>
+    <message>
+        <source>knees</source>
+        <translation>rodillas</translation>
+    </message>
+    <message>
+        <source>Verlet: the velocity is how far it came, whatever moved it.</source>
+        <translation>Verlet: la velocidad es cuánto ha avanzado, sea lo que sea lo que lo ha movido.</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back: `a` takes its share of the error, `b` takes the rest.</source>
+        <translation>Devuelve su longitud a una barra: `a` se encarga de su fracción del error, y `b`, del resto.</translation>
+    </message>
+    <message>
+        <source>Each stick makes the ones before it a little wrong again.</source>
+        <translation>Cada barra vuelve a estropear un poco las anteriores.</translation>
+    </message>
+</context>
 </TS>

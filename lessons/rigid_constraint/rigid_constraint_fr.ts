@@ -99,4 +99,79 @@
         <translation>Des tiges qui gardent leur longueur, d’une simple paire jusqu’à un pantin à lancer partout.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>Gives a stick its length back: each end takes its share of the error.</source>
+        <translation>Rend sa longueur à une tige&#xa0;: chaque bout prend sa part de l’erreur.</translation>
+    </message>
+    <message>
+        <source>your hand does not give way</source>
+        <translation>ta main ne cède pas</translation>
+    </message>
+    <message>
+        <source>from the y axis</source>
+        <translation>depuis l’axe des y</translation>
+    </message>
+    <message>
+        <source>The pointer carries the first point.</source>
+        <translation>Le pointeur porte le premier point.</translation>
+    </message>
+    <message>
+        <source>One stick after the other: each sees what the one before it moved.</source>
+        <translation>Une tige après l’autre&#xa0;: chacune voit ce que la précédente a déplacé.</translation>
+    </message>
+    <message>
+        <source>A point keeps going as it came, and falls. In your hand it comes along.</source>
+        <translation>Un point continue comme avant, et tombe. Dans ta main, il la suit.</translation>
+    </message>
+    <message>
+        <source>Is the angle from `a` to `b`, clockwise, past a limit? Then each turns back by half of it.</source>
+        <translation>L’angle de `a` à `b`, dans le sens horaire, passe une limite&#x202f;? Chacun recule de la moitié.</translation>
+    </message>
+    <message>
+        <source>the middle stays</source>
+        <translation>le milieu reste</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back. An end in your hand does not give way.</source>
+        <translation>Rend sa longueur à une tige. Un bout que tu tiens ne cède pas.</translation>
+    </message>
+    <message>
+        <source>Friction holds back what slides along a wall: the deeper in the wall, the more.</source>
+        <translation>Le frottement retient ce qui glisse le long d’un mur&#xa0;: plus c’est enfoncé, plus il retient.</translation>
+    </message>
+    <message>
+        <source>the torso, not inside out</source>
+        <translation>le torse, sans se retourner</translation>
+    </message>
+    <message>
+        <source>shoulders</source>
+        <translation>épaules</translation>
+    </message>
+    <message>
+        <source>elbows</source>
+        <translation>coudes</translation>
+    </message>
+    <message>
+        <source>hips</source>
+        <translation>hanches</translation>
+    </message>
+    <message>
+        <source>knees</source>
+        <translation>genoux</translation>
+    </message>
+    <message>
+        <source>Verlet: the velocity is how far it came, whatever moved it.</source>
+        <translation>Verlet&#xa0;: la vitesse est le chemin parcouru, quelle qu’en soit la cause.</translation>
+    </message>
+    <message>
+        <source>Gives a stick its length back: `a` takes its share of the error, `b` takes the rest.</source>
+        <translation>Rend sa longueur à une tige&#xa0;: `a` prend sa part de l’erreur, `b` prend le reste.</translation>
+    </message>
+    <message>
+        <source>Each stick makes the ones before it a little wrong again.</source>
+        <translation>Chaque tige rend les précédentes de nouveau un peu fausses.</translation>
+    </message>
+</context>
 </TS>

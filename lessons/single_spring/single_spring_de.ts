@@ -23,4 +23,19 @@
         <translation>Ein Fuß an einer Feder: Zieh, lass los und sieh, warum er schwingt und zur Ruhe kommt.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>It moves with your hand. Let go, and it keeps this velocity: a throw.</source>
+        <translation>Er geht mit deiner Hand mit. Lass los, und er behält diese Geschwindigkeit: ein Wurf.</translation>
+    </message>
+    <message>
+        <source>The body is a handle: it stays where you leave it.</source>
+        <translation>Der Körper ist ein Griff: Er bleibt, wo du ihn lässt.</translation>
+    </message>
+    <message>
+        <source>the nearest place on the ring</source>
+        <translation>der nächste Ort auf dem Ring</translation>
+    </message>
+</context>
 </TS>

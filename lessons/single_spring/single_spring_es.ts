@@ -23,4 +23,19 @@
         <translation>Un pie en un muelle: tira, suelta y mira por qué oscila y se estabiliza.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>It moves with your hand. Let go, and it keeps this velocity: a throw.</source>
+        <translation>Se mueve con tu mano. Si lo sueltas, conserva esta velocidad: un lanzamiento.</translation>
+    </message>
+    <message>
+        <source>The body is a handle: it stays where you leave it.</source>
+        <translation>El cuerpo es un asa: se queda donde lo dejas.</translation>
+    </message>
+    <message>
+        <source>the nearest place on the ring</source>
+        <translation>el lugar más cercano del anillo</translation>
+    </message>
+</context>
 </TS>

@@ -23,4 +23,19 @@
         <translation>Un pied sur un ressort&#xa0;: tire, lâche, et vois pourquoi il oscille et se stabilise.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>It moves with your hand. Let go, and it keeps this velocity: a throw.</source>
+        <translation>Il suit ta main. Lâche-le, et il garde cette vitesse&#xa0;: un lancer.</translation>
+    </message>
+    <message>
+        <source>The body is a handle: it stays where you leave it.</source>
+        <translation>Le corps est une poignée&#xa0;: il reste là où tu le laisses.</translation>
+    </message>
+    <message>
+        <source>the nearest place on the ring</source>
+        <translation>l’endroit le plus proche sur l’anneau</translation>
+    </message>
+</context>
 </TS>

@@ -239,4 +239,103 @@
         <translation>Ein Baum, der nach einer Regel wächst, sich in deinem Wind biegt und zuletzt von selbst schwingt.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>Two smaller branches grow at the end of this one, and each of them does the same.</source>
+        <translation>Am Ende dieses Zweigs wachsen zwei kleinere, und jeder von ihnen macht dasselbe.</translation>
+    </message>
+    <message>
+        <source>a rule that uses itself needs an end</source>
+        <translation>eine Regel, die sich selbst benutzt, braucht ein Ende</translation>
+    </message>
+    <message>
+        <source>to a radian; the tutorial rounds</source>
+        <translation>pro Radiant; das Tutorial rundet</translation>
+    </message>
+    <message>
+        <source>from where a branch begins to where it ends, if it is as large as the trunk</source>
+        <translation>vom Anfang eines Zweigs zu seinem Ende, wenn er so groß ist wie der Stamm</translation>
+    </message>
+    <message>
+        <source>Where a branch ends, its children begin, and so do theirs: a function that calls itself.</source>
+        <translation>Am Ende eines Zweigs beginnen seine Kinder, und so fort: eine Funktion, die sich selbst aufruft.</translation>
+    </message>
+    <message>
+        <source>The wind turns a branch away from the pointer, by a part of the missing angle. The tutorial</source>
+        <translation>Der Wind dreht einen Zweig vom Zeiger weg, um einen Teil des fehlenden Winkels. Das Tutorial</translation>
+    </message>
+    <message>
+        <source>prints a plus for the minus and 360 for 180, and its branches can turn past the wind.</source>
+        <translation>schreibt Plus statt Minus und 360 statt 180, und seine Zweige können zu weit drehen.</translation>
+    </message>
+    <message>
+        <source>far branches resist</source>
+        <translation>ferne Zweige widerstehen</translation>
+    </message>
+    <message>
+        <source>the pointer is on its end</source>
+        <translation>der Zeiger ist auf seinem Ende</translation>
+    </message>
+    <message>
+        <source>the short way</source>
+        <translation>der kurze Weg</translation>
+    </message>
+    <message>
+        <source>never past the wind</source>
+        <translation>nie über den Wind hinaus</translation>
+    </message>
+    <message>
+        <source>Back to rest by a part of the missing angle, then away from the wind.</source>
+        <translation>Um einen Teil des fehlenden Winkels zurück zur Ruhe, dann weg vom Wind.</translation>
+    </message>
+    <message>
+        <source>by chance, up to jitter to either side; the seed and the branch&apos;s number decide</source>
+        <translation>zufällig, bis zu jitter nach jeder Seite; Startwert und Nummer des Zweigs entscheiden</translation>
+    </message>
+    <message>
+        <source>The wind pushes hardest across a branch.</source>
+        <translation>Der Wind drückt am stärksten quer zu einem Zweig.</translation>
+    </message>
+    <message>
+        <source>the gust is not here</source>
+        <translation>hier ist die Bö nicht</translation>
+    </message>
+    <message>
+        <source>the sine between them</source>
+        <translation>der Sinus zwischen ihnen</translation>
+    </message>
+    <message>
+        <source>Each joint is a spring that turns. Returns its torque: the parent feels the opposite one.</source>
+        <translation>Jedes Gelenk ist eine Drehfeder. Gibt ihr Drehmoment zurück; der Elternzweig spürt es umgekehrt.</translation>
+    </message>
+    <message>
+        <source>a new gust</source>
+        <translation>eine neue Bö</translation>
+    </message>
+    <message>
+        <source>thick ones resist</source>
+        <translation>dicke widerstehen</translation>
+    </message>
+    <message>
+        <source>Turns a branch to the pointer.</source>
+        <translation>Dreht einen Zweig zum Zeiger.</translation>
+    </message>
+    <message>
+        <source>printed with a plus, in the branch&apos;s own measure</source>
+        <translation>gedruckt mit einem Plus, im eigenen Maß des Zweigs</translation>
+    </message>
+    <message>
+        <source>A branch is three things: where it begins, its angle, and its length. Where it ends follows.</source>
+        <translation>Ein Zweig ist drei Dinge: sein Anfang, sein Winkel und seine Länge. Daraus folgt sein Ende.</translation>
+    </message>
+    <message>
+        <source>cos and sin take radians: there are 180 / pi degrees in one. The tutorial has 57.3.</source>
+        <translation>cos und sin nehmen Radiant: Ein Radiant hat 180 / pi Grad. Das Tutorial nimmt 57,3.</translation>
+    </message>
+    <message>
+        <source>the same for all</source>
+        <translation>für alle gleich</translation>
+    </message>
+</context>
 </TS>

@@ -239,4 +239,103 @@
         <translation>Un árbol que crece con una sola regla, se dobla con tu viento y al final oscila solo.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>Two smaller branches grow at the end of this one, and each of them does the same.</source>
+        <translation>Al final de esta rama crecen dos más pequeñas, y cada una hace lo mismo.</translation>
+    </message>
+    <message>
+        <source>a rule that uses itself needs an end</source>
+        <translation>una regla que se usa a sí misma necesita un final</translation>
+    </message>
+    <message>
+        <source>to a radian; the tutorial rounds</source>
+        <translation>por radián; el tutorial redondea</translation>
+    </message>
+    <message>
+        <source>from where a branch begins to where it ends, if it is as large as the trunk</source>
+        <translation>de donde empieza una rama a donde acaba, si es tan grande como el tronco</translation>
+    </message>
+    <message>
+        <source>Where a branch ends, its children begin, and so do theirs: a function that calls itself.</source>
+        <translation>Donde acaba una rama empiezan sus hijos, y los de ellos: una función que se llama a sí misma.</translation>
+    </message>
+    <message>
+        <source>The wind turns a branch away from the pointer, by a part of the missing angle. The tutorial</source>
+        <translation>El viento aparta una rama del puntero, una parte del ángulo que falta. El tutorial escribe</translation>
+    </message>
+    <message>
+        <source>prints a plus for the minus and 360 for 180, and its branches can turn past the wind.</source>
+        <translation>un más en vez del menos y 360 en vez de 180, y sus ramas pueden girar más allá del viento.</translation>
+    </message>
+    <message>
+        <source>far branches resist</source>
+        <translation>las ramas lejanas resisten</translation>
+    </message>
+    <message>
+        <source>the pointer is on its end</source>
+        <translation>el puntero está en su extremo</translation>
+    </message>
+    <message>
+        <source>the short way</source>
+        <translation>el camino corto</translation>
+    </message>
+    <message>
+        <source>never past the wind</source>
+        <translation>nunca más allá del viento</translation>
+    </message>
+    <message>
+        <source>Back to rest by a part of the missing angle, then away from the wind.</source>
+        <translation>Hacia el reposo, una parte del ángulo que falta; luego, lejos del viento.</translation>
+    </message>
+    <message>
+        <source>by chance, up to jitter to either side; the seed and the branch&apos;s number decide</source>
+        <translation>al azar, hasta jitter a cada lado; deciden la semilla y el número de la rama</translation>
+    </message>
+    <message>
+        <source>The wind pushes hardest across a branch.</source>
+        <translation>El viento empuja con más fuerza de través a una rama.</translation>
+    </message>
+    <message>
+        <source>the gust is not here</source>
+        <translation>la ráfaga no está aquí</translation>
+    </message>
+    <message>
+        <source>the sine between them</source>
+        <translation>el seno del ángulo entre ellas</translation>
+    </message>
+    <message>
+        <source>Each joint is a spring that turns. Returns its torque: the parent feels the opposite one.</source>
+        <translation>Cada articulación es un muelle que gira. Devuelve su torque: la rama madre siente el opuesto.</translation>
+    </message>
+    <message>
+        <source>a new gust</source>
+        <translation>una ráfaga nueva</translation>
+    </message>
+    <message>
+        <source>thick ones resist</source>
+        <translation>las gruesas resisten</translation>
+    </message>
+    <message>
+        <source>Turns a branch to the pointer.</source>
+        <translation>Gira una rama hacia el puntero.</translation>
+    </message>
+    <message>
+        <source>printed with a plus, in the branch&apos;s own measure</source>
+        <translation>impreso con un más, en la medida propia de la rama</translation>
+    </message>
+    <message>
+        <source>A branch is three things: where it begins, its angle, and its length. Where it ends follows.</source>
+        <translation>Una rama son tres cosas: dónde empieza, su ángulo y su longitud. De ahí sale dónde acaba.</translation>
+    </message>
+    <message>
+        <source>cos and sin take radians: there are 180 / pi degrees in one. The tutorial has 57.3.</source>
+        <translation>cos y sin toman radianes: en un radián hay 180 / pi grados. El tutorial pone 57,3.</translation>
+    </message>
+    <message>
+        <source>the same for all</source>
+        <translation>igual para todas</translation>
+    </message>
+</context>
 </TS>

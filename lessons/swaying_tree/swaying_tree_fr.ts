@@ -239,4 +239,103 @@
         <translation>Un arbre qui pousse selon une seule règle, plie dans ton vent, et finit par osciller de lui-même.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>Two smaller branches grow at the end of this one, and each of them does the same.</source>
+        <translation>Deux branches plus petites poussent au bout de celle-ci, et chacune fait de même.</translation>
+    </message>
+    <message>
+        <source>a rule that uses itself needs an end</source>
+        <translation>une règle qui s’utilise elle-même a besoin d’une fin</translation>
+    </message>
+    <message>
+        <source>to a radian; the tutorial rounds</source>
+        <translation>par radian&#x202f;; le tutoriel arrondit</translation>
+    </message>
+    <message>
+        <source>from where a branch begins to where it ends, if it is as large as the trunk</source>
+        <translation>du début d’une branche à son bout, si elle est aussi grande que le tronc</translation>
+    </message>
+    <message>
+        <source>Where a branch ends, its children begin, and so do theirs: a function that calls itself.</source>
+        <translation>Au bout d’une branche naissent ses enfants, et ainsi de suite&#xa0;: la fonction s’appelle elle-même.</translation>
+    </message>
+    <message>
+        <source>The wind turns a branch away from the pointer, by a part of the missing angle. The tutorial</source>
+        <translation>Le vent écarte une branche du pointeur, d’une part de l’angle qui manque. Le tutoriel</translation>
+    </message>
+    <message>
+        <source>prints a plus for the minus and 360 for 180, and its branches can turn past the wind.</source>
+        <translation>écrit un plus au lieu du moins et 360 au lieu de 180, et ses branches peuvent dépasser le vent.</translation>
+    </message>
+    <message>
+        <source>far branches resist</source>
+        <translation>les branches lointaines résistent</translation>
+    </message>
+    <message>
+        <source>the pointer is on its end</source>
+        <translation>le pointeur est sur son bout</translation>
+    </message>
+    <message>
+        <source>the short way</source>
+        <translation>le chemin court</translation>
+    </message>
+    <message>
+        <source>never past the wind</source>
+        <translation>jamais au-delà du vent</translation>
+    </message>
+    <message>
+        <source>Back to rest by a part of the missing angle, then away from the wind.</source>
+        <translation>Retour au repos d’une part de l’angle qui manque, puis à l’écart du vent.</translation>
+    </message>
+    <message>
+        <source>by chance, up to jitter to either side; the seed and the branch&apos;s number decide</source>
+        <translation>au hasard, jusqu’à jitter de chaque côté&#x202f;; la graine et le numéro de la branche décident</translation>
+    </message>
+    <message>
+        <source>The wind pushes hardest across a branch.</source>
+        <translation>Le vent pousse le plus fort en travers d’une branche.</translation>
+    </message>
+    <message>
+        <source>the gust is not here</source>
+        <translation>la rafale n’est pas ici</translation>
+    </message>
+    <message>
+        <source>the sine between them</source>
+        <translation>le sinus de l’angle entre elles</translation>
+    </message>
+    <message>
+        <source>Each joint is a spring that turns. Returns its torque: the parent feels the opposite one.</source>
+        <translation>Chaque articulation est un ressort de rotation. Renvoie son couple&#xa0;: le parent ressent l’opposé.</translation>
+    </message>
+    <message>
+        <source>a new gust</source>
+        <translation>une nouvelle rafale</translation>
+    </message>
+    <message>
+        <source>thick ones resist</source>
+        <translation>les épaisses résistent</translation>
+    </message>
+    <message>
+        <source>Turns a branch to the pointer.</source>
+        <translation>Tourne une branche vers le pointeur.</translation>
+    </message>
+    <message>
+        <source>printed with a plus, in the branch&apos;s own measure</source>
+        <translation>imprimé avec un plus, dans la mesure propre à la branche</translation>
+    </message>
+    <message>
+        <source>A branch is three things: where it begins, its angle, and its length. Where it ends follows.</source>
+        <translation>Une branche, c’est trois choses&#xa0;: son début, son angle et sa longueur. Son bout en découle.</translation>
+    </message>
+    <message>
+        <source>cos and sin take radians: there are 180 / pi degrees in one. The tutorial has 57.3.</source>
+        <translation>cos et sin prennent des radians&#xa0;: un radian fait 180 / pi degrés. Le tutoriel met 57,3.</translation>
+    </message>
+    <message>
+        <source>the same for all</source>
+        <translation>le même pour toutes</translation>
+    </message>
+</context>
 </TS>

@@ -406,6 +406,7 @@ std::vector<Check> steeringChecks()
             .conditions =
                 {
                     {[](const Timeline &run) { return wasPointerPressed(run) && run.values()["top"] > 0.0; }},
+                    {[](const Timeline &run) { return run.state().input.pointerDown; }, "pointer"},
                     {[](const Timeline &run) { return std::abs(clockSpeedOf(run)) >= run.values()["top"]; },
                      "clock", clockSpeedOf, 3},
                 },

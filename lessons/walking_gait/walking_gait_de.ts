@@ -271,4 +271,95 @@
         <translation>Knochen, eine Uhr, die sie dreht, und Boden: eine Figur, die geht.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>The foot feels the force, and the body feels the opposite.</source>
+        <translation>Der Fuß spürt die Kraft, und der Körper spürt die entgegengesetzte.</translation>
+    </message>
+    <message>
+        <source>where the foot belongs</source>
+        <translation>wo der Fuß hingehört</translation>
+    </message>
+    <message>
+        <source>The body is a handle: it stays where you leave it.</source>
+        <translation>Der Körper ist ein Griff: Er bleibt, wo du ihn lässt.</translation>
+    </message>
+    <message>
+        <source>Each foot has a bone: an angle of its own, in radians.</source>
+        <translation>Jeder Fuß hat einen Knochen: einen eigenen Winkel, in Radiant.</translation>
+    </message>
+    <message>
+        <source>to the left of the body</source>
+        <translation>links vom Körper</translation>
+    </message>
+    <message>
+        <source>half a turn on</source>
+        <translation>eine halbe Drehung weiter</translation>
+    </message>
+    <message>
+        <source>these walls take all speed</source>
+        <translation>diese Wände nehmen alle Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>a spring that never pulls</source>
+        <translation>eine Feder, die nie zieht</translation>
+    </message>
+    <message>
+        <source>0: both, 1: one</source>
+        <translation>0: von beiden, 1: von einem</translation>
+    </message>
+    <message>
+        <source>A leg bends towards a point above its foot. That point is only drawn: no spring knows of it.</source>
+        <translation>Ein Bein biegt sich zu einem Punkt über dem Fuß. Er ist nur gezeichnet: Keine Feder kennt ihn.</translation>
+    </message>
+    <message>
+        <source>where the foot belongs: below the body, by `drop`</source>
+        <translation>wo der Fuß hingehört: um `drop` unter dem Körper</translation>
+    </message>
+    <message>
+        <source>The ground holds the feet, and only the feet.</source>
+        <translation>Der Boden hält die Füße, und nur die Füße.</translation>
+    </message>
+    <message>
+        <source>without bounce it is 0</source>
+        <translation>ohne Abprall ist sie 0</translation>
+    </message>
+    <message>
+        <source>0: full, 1: none</source>
+        <translation>0: voll, 1: keine</translation>
+    </message>
+    <message>
+        <source>The legs are drawn after the frame, from the body to each foot. They need no line here.</source>
+        <translation>Die Beine werden nach dem Bild vom Körper zu den Füßen gezeichnet. Sie brauchen hier keine Zeile.</translation>
+    </message>
+    <message>
+        <source>The feet share the clock, and each has an angle of its own.</source>
+        <translation>Die Füße teilen sich die Uhr, und jeder hat einen eigenen Winkel.</translation>
+    </message>
+    <message>
+        <source>in radians</source>
+        <translation>in Radiant</translation>
+    </message>
+    <message>
+        <source>by the pointer, or by the arrow keys</source>
+        <translation>mit dem Zeiger oder mit den Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>The place goes round: one clock turns all bones.</source>
+        <translation>Der Ort geht im Kreis: Eine Uhr dreht alle Knochen.</translation>
+    </message>
+    <message>
+        <source>the clock, in radians</source>
+        <translation>die Uhr, in Radiant</translation>
+    </message>
+    <message>
+        <source>A part that touches a wall turns the clock&apos;s speed, so that it leads away.</source>
+        <translation>Ein Teil, der eine Wand berührt, kehrt das Tempo der Uhr um, sodass es von ihr wegführt.</translation>
+    </message>
+    <message>
+        <source>0: turn, 1: walk on</source>
+        <translation>0: umkehren, 1: weitergehen</translation>
+    </message>
+</context>
 </TS>

@@ -271,4 +271,95 @@
         <translation>Huesos, un reloj que los gira y suelo: una criatura que camina.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>The foot feels the force, and the body feels the opposite.</source>
+        <translation>El pie siente la fuerza, y el cuerpo siente la opuesta.</translation>
+    </message>
+    <message>
+        <source>where the foot belongs</source>
+        <translation>donde debe estar el pie</translation>
+    </message>
+    <message>
+        <source>The body is a handle: it stays where you leave it.</source>
+        <translation>El cuerpo es un asa: se queda donde lo dejas.</translation>
+    </message>
+    <message>
+        <source>Each foot has a bone: an angle of its own, in radians.</source>
+        <translation>Cada pie tiene un hueso: un ángulo propio, en radianes.</translation>
+    </message>
+    <message>
+        <source>to the left of the body</source>
+        <translation>a la izquierda del cuerpo</translation>
+    </message>
+    <message>
+        <source>half a turn on</source>
+        <translation>media vuelta más allá</translation>
+    </message>
+    <message>
+        <source>these walls take all speed</source>
+        <translation>estas paredes quitan toda la velocidad</translation>
+    </message>
+    <message>
+        <source>a spring that never pulls</source>
+        <translation>un muelle que nunca tira</translation>
+    </message>
+    <message>
+        <source>0: both, 1: one</source>
+        <translation>0: ambas, 1: una</translation>
+    </message>
+    <message>
+        <source>A leg bends towards a point above its foot. That point is only drawn: no spring knows of it.</source>
+        <translation>Una pierna se dobla hacia un punto sobre su pie. Solo se dibuja: ningún muelle lo conoce.</translation>
+    </message>
+    <message>
+        <source>where the foot belongs: below the body, by `drop`</source>
+        <translation>donde debe estar el pie: `drop` por debajo del cuerpo</translation>
+    </message>
+    <message>
+        <source>The ground holds the feet, and only the feet.</source>
+        <translation>El suelo sujeta los pies, y solo los pies.</translation>
+    </message>
+    <message>
+        <source>without bounce it is 0</source>
+        <translation>sin rebote es 0</translation>
+    </message>
+    <message>
+        <source>0: full, 1: none</source>
+        <translation>0: completo, 1: ninguno</translation>
+    </message>
+    <message>
+        <source>The legs are drawn after the frame, from the body to each foot. They need no line here.</source>
+        <translation>Las piernas se dibujan tras el fotograma, del cuerpo a cada pie. Aquí no necesitan ninguna línea.</translation>
+    </message>
+    <message>
+        <source>The feet share the clock, and each has an angle of its own.</source>
+        <translation>Los pies comparten el reloj, y cada uno tiene un ángulo propio.</translation>
+    </message>
+    <message>
+        <source>in radians</source>
+        <translation>en radianes</translation>
+    </message>
+    <message>
+        <source>by the pointer, or by the arrow keys</source>
+        <translation>con el puntero o con las flechas del teclado</translation>
+    </message>
+    <message>
+        <source>The place goes round: one clock turns all bones.</source>
+        <translation>El lugar da vueltas: un solo reloj gira todos los huesos.</translation>
+    </message>
+    <message>
+        <source>the clock, in radians</source>
+        <translation>el reloj, en radianes</translation>
+    </message>
+    <message>
+        <source>A part that touches a wall turns the clock&apos;s speed, so that it leads away.</source>
+        <translation>Una parte que toca una pared cambia el sentido del reloj, para que se aleje de ella.</translation>
+    </message>
+    <message>
+        <source>0: turn, 1: walk on</source>
+        <translation>0: dar la vuelta, 1: seguir caminando</translation>
+    </message>
+</context>
 </TS>

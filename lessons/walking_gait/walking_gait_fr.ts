@@ -271,4 +271,95 @@
         <translation>Des os, une horloge qui les tourne, et un sol&#xa0;: une créature qui marche.</translation>
     </message>
 </context>
+<context>
+    <name>listing</name>
+    <message>
+        <source>The foot feels the force, and the body feels the opposite.</source>
+        <translation>Le pied ressent la force, et le corps ressent la force opposée.</translation>
+    </message>
+    <message>
+        <source>where the foot belongs</source>
+        <translation>la place du pied</translation>
+    </message>
+    <message>
+        <source>The body is a handle: it stays where you leave it.</source>
+        <translation>Le corps est une poignée&#xa0;: il reste là où tu le laisses.</translation>
+    </message>
+    <message>
+        <source>Each foot has a bone: an angle of its own, in radians.</source>
+        <translation>Chaque pied a un os&#xa0;: un angle bien à lui, en radians.</translation>
+    </message>
+    <message>
+        <source>to the left of the body</source>
+        <translation>à gauche du corps</translation>
+    </message>
+    <message>
+        <source>half a turn on</source>
+        <translation>un demi-tour plus loin</translation>
+    </message>
+    <message>
+        <source>these walls take all speed</source>
+        <translation>ces murs prennent toute la vitesse</translation>
+    </message>
+    <message>
+        <source>a spring that never pulls</source>
+        <translation>un ressort qui ne tire jamais</translation>
+    </message>
+    <message>
+        <source>0: both, 1: one</source>
+        <translation>0&#xa0;: les deux, 1&#xa0;: un seul</translation>
+    </message>
+    <message>
+        <source>A leg bends towards a point above its foot. That point is only drawn: no spring knows of it.</source>
+        <translation>Une patte plie vers un point au-dessus du pied. Il est juste dessiné&#xa0;: aucun ressort ne le voit.</translation>
+    </message>
+    <message>
+        <source>where the foot belongs: below the body, by `drop`</source>
+        <translation>la place du pied&#xa0;: sous le corps, à `drop`</translation>
+    </message>
+    <message>
+        <source>The ground holds the feet, and only the feet.</source>
+        <translation>Le sol retient les pieds, et seulement les pieds.</translation>
+    </message>
+    <message>
+        <source>without bounce it is 0</source>
+        <translation>sans rebond, elle vaut 0</translation>
+    </message>
+    <message>
+        <source>0: full, 1: none</source>
+        <translation>0&#xa0;: totale, 1&#xa0;: aucune</translation>
+    </message>
+    <message>
+        <source>The legs are drawn after the frame, from the body to each foot. They need no line here.</source>
+        <translation>Les pattes sont dessinées après l’image, du corps à chaque pied. Pas besoin de ligne ici.</translation>
+    </message>
+    <message>
+        <source>The feet share the clock, and each has an angle of its own.</source>
+        <translation>Les pieds partagent l’horloge, et chacun a un angle bien à lui.</translation>
+    </message>
+    <message>
+        <source>in radians</source>
+        <translation>en radians</translation>
+    </message>
+    <message>
+        <source>by the pointer, or by the arrow keys</source>
+        <translation>avec le pointeur ou avec les touches fléchées</translation>
+    </message>
+    <message>
+        <source>The place goes round: one clock turns all bones.</source>
+        <translation>L’endroit fait le tour&#xa0;: une seule horloge tourne tous les os.</translation>
+    </message>
+    <message>
+        <source>the clock, in radians</source>
+        <translation>l’horloge, en radians</translation>
+    </message>
+    <message>
+        <source>A part that touches a wall turns the clock&apos;s speed, so that it leads away.</source>
+        <translation>Une partie qui touche un mur change le sens de l’horloge, pour qu’elle s’en éloigne.</translation>
+    </message>
+    <message>
+        <source>0: turn, 1: walk on</source>
+        <translation>0&#xa0;: faire demi-tour, 1&#xa0;: continuer</translation>
+    </message>
+</context>
 </TS>

@@ -38,12 +38,12 @@ void openEveryPanel(MainWindow &window)
     window.setMode(MainWindow::Mode::measure); // starts the accuracy measurement
     if (dock(window, "lessons")->isHidden() || dock(window, "code")->isHidden()) {
         window.setMode(MainWindow::Mode::learn);
-        window.showEnergy(true);
+        window.docks().show(Panel::energy, true);
         window.tabifyDockWidget(dock(window, "code"), dock(window, "accuracy"));
         dock(window, "accuracy")->show();
     }
-    window.showPlots(true);
-    window.showEffects(true);
+    window.docks().show(Panel::plots, true);
+    window.docks().show(Panel::effects, true);
     QApplication::processEvents();
 }
 
@@ -51,9 +51,9 @@ void showEveryPanel(MainWindow &window)
 {
     addPlots(window);
     window.setMode(MainWindow::Mode::learn);
-    window.showPlots(true);
-    window.showEnergy(true);
-    window.showEffects(true);
+    window.docks().show(Panel::plots, true);
+    window.docks().show(Panel::energy, true);
+    window.docks().show(Panel::effects, true);
     for (const char *name : {"branches", "effects", "energy"}) // the only way to remove a dock from its tabs
         window.removeDockWidget(dock(window, name));
     for (const char *name : {"energy", "effects"}) {

@@ -22,12 +22,13 @@ inline const app::LessonLibrary &library()
     std::abort();
 }
 
-/// Checks that a user error is a single line of bounded length that ends with a full stop, for any input.
+/// Checks that a user error is a single line of bounded length that ends like a sentence, for any input.
 inline void check(const app::UserError &error)
 {
     constexpr qsizetype longest = 1200;
     const QString sentence = error.sentence();
-    if (!sentence.endsWith('.') || sentence.size() > longest || app::escaped(sentence) != sentence)
+    const bool isEnded = sentence.endsWith('.') || sentence.endsWith('?'); // "did you mean 'foot'?"
+    if (!isEnded || sentence.size() > longest || app::escaped(sentence) != sentence)
         fail("Not a sentence", sentence);
 }
 

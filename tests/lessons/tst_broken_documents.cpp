@@ -212,6 +212,8 @@ const Mistake mistakes[] = {
     {"an unknown heading", "## Learnt", "## Learned", "## Learned",
      "“## Learned” is not a heading of a lesson."},
     {"a German heading", "## Why: W", "## Warum: W", "## Warum", "Write “## Try {#id}”"},
+    {"a parameter of a lesson in C++", "## Try {#pull}", "## Parameter: K {#own}\n\nText.\n\n## Try {#pull}",
+     "## Parameter", "the step has no parameter “own”."},
     {"no id", "## Try {#pull}", "## Try", "## Try", "“## Try” has no id. End the heading with “{#id}”"},
     {"an id with a capital", "## Try {#pull}", "## Try {#Pull}", "## Try", "is not a heading of a lesson"},
     {"an id twice", "## Task: the pull", "## Try {#pull}\n\nAgain.\n\n### Hint\n\nSo.\n\n## Task: the pull",

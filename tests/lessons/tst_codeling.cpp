@@ -90,8 +90,8 @@ class Codeling : public QObject
     const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
 
 private slots:
-    void publishedTrajectories_data();
-    void publishedTrajectories();
+    void publishedTrajectories_data() { addPublishedRows(QStringLiteral("codeling")); }
+    void publishedTrajectories() { checkPublished(m_lesson); }
     void matchesPrintedCode_data();
     void matchesPrintedCode();
     void motorIsExactDampedOscillator_data();
@@ -107,19 +107,6 @@ private slots:
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, codelingAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
-
-void Codeling::publishedTrajectories_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString &name : publishedNames(QStringLiteral("codeling")))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-void Codeling::publishedTrajectories()
-{
-    QFETCH(QString, name);
-    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
-}
 
 void Codeling::matchesPrintedCode_data()
 {

@@ -97,31 +97,9 @@ class Evaluations : public QObject
 
     static void addRows(const std::function<bool(const sim::Method &)> &accept)
     {
-        QTest::addColumn<QString>("lesson");
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<QString>("method");
-        for (const QString &lesson : lessonIds()) {
-            for (const lessons::Step &step : loadLesson(lesson).steps) {
-                for (const sim::MethodPtr &method : sim::allMethods()) {
-                    if (!accept(*method) || !fits(step, *method))
-                        continue;
-                    QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id),
-                                  method->id().c_str())
-                        << lesson << step.id << QString::fromStdString(method->id());
-                }
-            }
-        }
-    }
-
-    static bool fits(const lessons::Step &step, const sim::Method &method)
-    {
-        const sim::Script script = scriptOf(step, method.id(), 1.0);
-        try {
-            sim::compose(sim::sceneOf(script, script.values), method, script.step);
-            return true;
-        } catch (const sim::Error &) {
-            return false;
-        }
+        addStepAndMethodRows([&](const lessons::Step &step, const sim::Method &method) {
+            return accept(method) && fits(step, method);
+        });
     }
 
     static sim::Script scriptOfRow()

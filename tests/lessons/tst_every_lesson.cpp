@@ -26,36 +26,6 @@ class EveryLesson : public QObject
 {
     Q_OBJECT
 
-    /// Returns whether `method` can compute `step`. Methods with requirements reject some steps.
-    static bool fits(const lessons::Step &step, const sim::Method &method)
-    {
-        const sim::Script script = scriptOf(step, method.id(), 1.0);
-        try {
-            sim::compose(sim::sceneOf(script, script.values), method, script.step);
-            return true;
-        } catch (const sim::Error &) {
-            return false;
-        }
-    }
-
-    static void addStepAndMethodRows()
-    {
-        QTest::addColumn<QString>("lesson");
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<QString>("method");
-        for (const QString &lesson : lessonIds()) {
-            for (const lessons::Step &step : loadLesson(lesson).steps) {
-                for (const sim::MethodPtr &method : sim::allMethods()) {
-                    if (!fits(step, *method))
-                        continue;
-                    const QString name = QString::fromStdString(method->id());
-                    QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id), qPrintable(name))
-                        << lesson << step.id << name;
-                }
-            }
-        }
-    }
-
     /// Returns whether a run takes too long for these tests. In a large crowd, an implicit method solves for
     /// all points at once, and an adaptive method takes extra steps for each contact.
     static bool isTooSlow(const lessons::Step &step, const sim::Method &method)
@@ -434,7 +404,7 @@ private slots:
         }
     }
 
-    void phasesHaveSource_data() { addStepAndMethodRows(); }
+    void phasesHaveSource_data() { addStepAndMethodRows(fits); }
     void phasesHaveSource()
     {
         const sim::Script script = scriptOfRow(1.0);

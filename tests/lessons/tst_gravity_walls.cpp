@@ -37,8 +37,8 @@ class GravityWalls : public QObject
     }
 
 private slots:
-    void publishedTrajectories_data();
-    void publishedTrajectories();
+    void publishedTrajectories_data() { addPublishedRows(QStringLiteral("gravity_walls")); }
+    void publishedTrajectories() { checkPublished(m_lesson); }
     void matchesTutorialCode_data();
     void matchesTutorialCode();
     void edgeStopsAtTheWallAndVelocityReverses_data();
@@ -57,19 +57,6 @@ private slots:
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, gravityWallsAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
-
-void GravityWalls::publishedTrajectories_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString &name : publishedNames(QStringLiteral("gravity_walls")))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-void GravityWalls::publishedTrajectories()
-{
-    QFETCH(QString, name);
-    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
-}
 
 void GravityWalls::matchesTutorialCode_data()
 {

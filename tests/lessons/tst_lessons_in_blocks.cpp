@@ -37,22 +37,7 @@ class LessonsInBlocks : public QObject
     Q_OBJECT
 
 private slots:
-    void blocksGiveTheSameBits_data()
-    {
-        QTest::addColumn<QString>("lesson");
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<QString>("method");
-        for (const QString &lesson : lessonIds()) {
-            for (const lessons::Step &step : loadLesson(lesson).steps) {
-                for (const sim::MethodPtr &method : sim::allMethods()) {
-                    if (isDivisible(step, *method))
-                        QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id),
-                                      method->id().c_str())
-                            << lesson << step.id << QString::fromStdString(method->id());
-                }
-            }
-        }
-    }
+    void blocksGiveTheSameBits_data() { addStepAndMethodRows(isDivisible); }
     void blocksGiveTheSameBits()
     {
         QFETCH(QString, lesson);

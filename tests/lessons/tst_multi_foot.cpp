@@ -28,8 +28,8 @@ class MultiFoot : public QObject
     }
 
 private slots:
-    void publishedTrajectories_data();
-    void publishedTrajectories();
+    void publishedTrajectories_data() { addPublishedRows(QStringLiteral("multi_foot")); }
+    void publishedTrajectories() { checkPublished(m_lesson); }
     void matchesTutorialCode_data();
     void matchesTutorialCode();
     void simultaneousMoveKeepsMomentumWithAnyNumberOfFeet_data();
@@ -45,19 +45,6 @@ private slots:
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, multiFootAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
-
-void MultiFoot::publishedTrajectories_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString &name : publishedNames(QStringLiteral("multi_foot")))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-void MultiFoot::publishedTrajectories()
-{
-    QFETCH(QString, name);
-    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
-}
 
 void MultiFoot::matchesTutorialCode_data()
 {

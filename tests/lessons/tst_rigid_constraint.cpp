@@ -91,8 +91,8 @@ class RigidConstraint : public QObject
     const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
 
 private slots:
-    void publishedTrajectories_data();
-    void publishedTrajectories();
+    void publishedTrajectories_data() { addPublishedRows(QStringLiteral("rigid_constraint")); }
+    void publishedTrajectories() { checkPublished(m_lesson); }
     void matchesPrintedCode_data();
     void matchesPrintedCode();
     void errorIsSharedAsRequested_data();
@@ -108,19 +108,6 @@ private slots:
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, rigidConstraintAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
-
-void RigidConstraint::publishedTrajectories_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString &name : publishedNames(QStringLiteral("rigid_constraint")))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-void RigidConstraint::publishedTrajectories()
-{
-    QFETCH(QString, name);
-    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
-}
 
 void RigidConstraint::matchesPrintedCode_data()
 {

@@ -30,8 +30,8 @@ class SingleSpring : public QObject
     }
 
 private slots:
-    void publishedTrajectories_data();
-    void publishedTrajectories();
+    void publishedTrajectories_data() { addPublishedRows(QStringLiteral("single_spring")); }
+    void publishedTrajectories() { checkPublished(m_lesson); }
     void matchesTutorialCode_data();
     void matchesTutorialCode();
     void thrownFootGlidesTheGeometricSum_data();
@@ -52,19 +52,6 @@ private slots:
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, singleSpringAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
-
-void SingleSpring::publishedTrajectories_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString &name : publishedNames(QStringLiteral("single_spring")))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-void SingleSpring::publishedTrajectories()
-{
-    QFETCH(QString, name);
-    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
-}
 
 void SingleSpring::matchesTutorialCode_data()
 {

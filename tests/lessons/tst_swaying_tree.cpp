@@ -43,8 +43,8 @@ class SwayingTree : public QObject
     }
 
 private slots:
-    void publishedTrajectories_data();
-    void publishedTrajectories();
+    void publishedTrajectories_data() { addPublishedRows(QStringLiteral("swaying_tree")); }
+    void publishedTrajectories() { checkPublished(m_lesson); }
     void matchesPrintedCode_data();
     void matchesPrintedCode();
     void correctedBranchesPointAtThePointerAfterOneFrame();
@@ -65,19 +65,6 @@ private slots:
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, swayingTreeAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
-
-void SwayingTree::publishedTrajectories_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString &name : publishedNames(QStringLiteral("swaying_tree")))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-void SwayingTree::publishedTrajectories()
-{
-    QFETCH(QString, name);
-    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
-}
 
 void SwayingTree::matchesPrintedCode_data()
 {

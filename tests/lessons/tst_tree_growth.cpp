@@ -1,4 +1,5 @@
 #include "sim/base/error.h"
+#include "sim/effects/tree/joints.h"
 #include "sim/run/finite.h"
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/timeline.h"
@@ -31,6 +32,8 @@ private slots:
     void unboundedTreesAreRejected_data();
     void unboundedTreesAreRejected();
     void changedTreeKeepsItsBends();
+    void changedTreeStaysTogether_data();
+    void changedTreeStaysTogether();
     void seedDeterminesTreeAndGusts();
     void presetsGrowDifferentTrees();
 };
@@ -107,6 +110,45 @@ void TreeGrowth::changedTreeKeepsItsBends()
     const Eigen::ArrayXd after = run.state().angle - run.track().interval().scene.start.angle;
     QVERIFY(((bends - after).abs() < 1e-9).all());
     QVERIFY(largestDistance(before, run.state()) > 20.0);
+}
+
+void TreeGrowth::changedTreeStaysTogether_data()
+{
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("parameter");
+    QTest::addColumn<double>("value");
+    for (const char *id : {"branches", "towards_pointer", "rest", "turbulence", "real_sway"}) {
+        QTest::addRow("%s, another spread", id) << id << "spread" << 50.0;
+        QTest::addRow("%s, another trunk", id) << id << "base_length" << 60.0;
+        QTest::addRow("%s, other sizes", id) << id << "slope" << 0.7;
+        QTest::addRow("%s, more branches", id) << id << "min_scale" << 0.15;
+    }
+}
+
+void TreeGrowth::changedTreeStaysTogether()
+{
+    QFETCH(QString, id);
+    QFETCH(QString, parameter);
+    QFETCH(double, value);
+    sim::Timeline run(pressed(qPrintable(id), {60, 200}));
+    run.seek({30, 0});
+    run.setParameter(parameter.toStdString(), value);
+    std::shared_ptr<const sim::ComposedInterval> interval;
+    const sim::State state = run.track().preview(interval); // as the window draws it until the next frame
+    const sim::Joints *joints = nullptr;
+    for (const sim::EffectPtr &effect : interval->scene.effects) {
+        if (const auto *found = dynamic_cast<const sim::Joints *>(effect.get()))
+            joints = found;
+    }
+    QVERIFY(joints);
+    QVERIFY(state.pointCount() > 3);
+    const sim::Tree &tree = joints->tree();
+    for (int i = 1; i < state.pointCount(); ++i) {
+        const int parent = tree.parent[static_cast<std::size_t>(i)];
+        const sim::Vec2 gap = state.positionOf(i) - sim::endOf(tree, state, parent, joints->degrees());
+        QVERIFY2(sim::length(gap) < 1e-9,
+                 qPrintable(QStringLiteral("branch %1: %2 px").arg(i).arg(sim::length(gap))));
+    }
 }
 
 void TreeGrowth::seedDeterminesTreeAndGusts()

@@ -36,8 +36,8 @@ class TwoBody : public QObject
     }
 
 private slots:
-    void publishedTrajectories_data();
-    void publishedTrajectories();
+    void publishedTrajectories_data() { addPublishedRows(QStringLiteral("two_body")); }
+    void publishedTrajectories() { checkPublished(m_lesson); }
     void matchesTutorialCode_data();
     void matchesTutorialCode();
     void simultaneousMoveKeepsMomentum();
@@ -51,19 +51,6 @@ private slots:
     void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, twoBodyAttempts()); }
     void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
-
-void TwoBody::publishedTrajectories_data()
-{
-    QTest::addColumn<QString>("name");
-    for (const QString &name : publishedNames(QStringLiteral("two_body")))
-        QTest::addRow("%s", qPrintable(name)) << name;
-}
-
-void TwoBody::publishedTrajectories()
-{
-    QFETCH(QString, name);
-    QVERIFY(largestDifference(readPublished(name, m_lesson)) <= 1e-9);
-}
 
 void TwoBody::matchesTutorialCode_data()
 {

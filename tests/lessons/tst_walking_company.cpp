@@ -22,13 +22,6 @@ class WalkingCompany : public QObject
 
     const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
 
-    static void addMethodRows()
-    {
-        QTest::addColumn<QString>("method");
-        for (const sim::MethodPtr &method : walkingMethods())
-            QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
-    }
-
     /// Returns the mean of the slip that step `walls` measures, from frame `from` to frame `to`.
     double slipOf(const sim::Script &script, int from, int to) const;
 
@@ -51,13 +44,13 @@ class WalkingCompany : public QObject
     }
 
 private slots:
-    void nothingPassesAWall_data() { addMethodRows(); }
+    void nothingPassesAWall_data() { addWalkingMethodRows(); }
     void nothingPassesAWall();
     void creatureTurnsAtWallsOrKeepsWalking();
     void feetSlipMoreAgainstAWall();
-    void pushesConserveMomentum_data() { addMethodRows(); }
+    void pushesConserveMomentum_data() { addWalkingMethodRows(); }
     void pushesConserveMomentum();
-    void oneSidedPushCreatesMomentum_data() { addMethodRows(); }
+    void oneSidedPushCreatesMomentum_data() { addWalkingMethodRows(); }
     void oneSidedPushCreatesMomentum();
     void pushesSumToZeroUnlessOneSided();
     void draggedCreaturePushesTheOther();

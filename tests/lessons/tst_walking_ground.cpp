@@ -24,13 +24,6 @@ class WalkingGround : public QObject
 
     const lessons::Step &step(const char *id) const { return m_lesson.step(QString::fromUtf8(id)); }
 
-    static void addMethodRows()
-    {
-        QTest::addColumn<QString>("method");
-        for (const sim::MethodPtr &method : walkingMethods())
-            QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
-    }
-
     /// Returns whether the method of the row has order 1, like the one behind the numbers in the texts.
     static bool hasOrderOfTheTexts()
     {
@@ -64,9 +57,9 @@ private slots:
     void signOfTheSpeedSetsTheDirection_data();
     void signOfTheSpeedSetsTheDirection();
     void leftAndRightAreMirrorImages();
-    void creatureDoesNotAdvanceWithoutTraction_data() { addMethodRows(); }
+    void creatureDoesNotAdvanceWithoutTraction_data() { addWalkingMethodRows(); }
     void creatureDoesNotAdvanceWithoutTraction();
-    void slipIsProportionalToTheStep_data() { addMethodRows(); }
+    void slipIsProportionalToTheStep_data() { addWalkingMethodRows(); }
     void slipIsProportionalToTheStep();
     void groundStopsOrReflectsFeet_data();
     void groundStopsOrReflectsFeet();

@@ -43,6 +43,7 @@ private slots:
     void linesRunInTheOrderOfTheProgram();
     void variablesAreThoseInScope();
     void valuesAreThoseBeforeTheLine();
+    void lastBraceSeesTheVariablesOfItsFunction();
     void innerVariableHidesNothingOutsideItsBlock();
     void loopsCountTheirTurns();
     void loopThatRunsTwiceCountsAnew();
@@ -121,6 +122,23 @@ void ListingTrace::valuesAreThoseBeforeTheLine()
     QCOMPARE(shown(trace.lines[2].variables, "a"), std::string("a = 5"));
     QCOMPARE(shown(trace.lines[4].variables, "v"), std::string("v = (5, 2)"));
     QCOMPARE(shown(trace.lines[4].variables, "b"), std::string("b = feet[2]"));
+}
+
+void ListingTrace::lastBraceSeesTheVariablesOfItsFunction()
+{
+    // The second function begins right behind the first one, and the text ends with a brace.
+    Bench bench("void f(double x)\n{\n    { Vec2 inner(1, 1); }\n    Vec2 end(x, 2);\n}void frame()\n"
+                "{\n    double a = 3;\n    f(a);\n    Body foot = feet[2];\n    Vec2 last(a, 4);\n}");
+    const Trace trace = bench.program->trace(bench.state, bench.binding);
+    QCOMPARE(linesOf(trace), QStringLiteral("7 8 3' 4' 5' 9 10 11"));
+    const std::vector<listing::Variable> &inner = trace.lines[4].variables, &outer = trace.lines[7].variables;
+    QCOMPARE(shown(inner, "x"), std::string("x = 3"));
+    QCOMPARE(shown(inner, "end"), std::string("end = (3, 2)"));
+    QCOMPARE(inner.size(), std::size_t{2});
+    QCOMPARE(shown(outer, "a"), std::string("a = 3"));
+    QCOMPARE(shown(outer, "foot"), std::string("foot = feet[2]"));
+    QCOMPARE(shown(outer, "last"), std::string("last = (3, 4)"));
+    QCOMPARE(outer.size(), std::size_t{3});
 }
 
 void ListingTrace::innerVariableHidesNothingOutsideItsBlock()

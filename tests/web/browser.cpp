@@ -216,9 +216,9 @@ void Browser::turnWheel(QPointF at, double by)
 
 void Browser::press(const QString &name, int modifiers)
 {
-    static const QHash<QString, int> codes = {{" ", 32},         {"End", 35},     {"Home", 36},
-                                              {"ArrowLeft", 37}, {"ArrowUp", 38}, {"ArrowRight", 39},
-                                              {"ArrowDown", 40}, {"Tab", 9},      {"Enter", 13}};
+    static const QHash<QString, int> codes = {
+        {" ", 32},          {"End", 35},       {"Home", 36}, {"ArrowLeft", 37}, {"ArrowUp", 38},
+        {"ArrowRight", 39}, {"ArrowDown", 40}, {"Tab", 9},   {"Enter", 13},     {"Escape", 27}};
     QJsonObject event = {{"type", "keyDown"},
                          {"key", name},
                          {"modifiers", modifiers},

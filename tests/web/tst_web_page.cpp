@@ -1,26 +1,24 @@
-// `springstep film FILE OUT.html` and its page in a real browser: the positions are those of `trace`, every control works by
-// mouse and by keys, no text of an experiment runs, and nothing is loaded.
+// `springstep film FILE OUT.html` and its page in a real browser: the positions are those of `trace`, the page has the
+// texts of the step, no text of an experiment runs, and nothing is loaded.
 
-#include "tests/web/browser.h"
+#include "tests/suite.h"
+#include "tests/web/page_suite.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QJsonDocument>
-#include <QProcess>
 #include <QTest>
+#include <QUrl>
 
 #include <algorithm>
 #include <cmath>
 
-using web::Browser;
+using namespace web;
 
 namespace {
 
 constexpr double mostError = 1e-6; ///< px
 constexpr qint64 mostBytes = 500'000;
-constexpr int ctrl = 2, shift = 8;
 constexpr int rateFrames = 90; ///< pictures, to measure the frame rate
 
 /// A row of `trace`.
@@ -31,19 +29,6 @@ struct Place
     double x = 0.0, y = 0.0;
 };
 
-/// Runs the program. Returns what it printed; ends the test if it fails.
-QByteArray springstep(const QStringList &arguments)
-{
-    QProcess process;
-    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-    environment.insert("SPRINGSTEP_LESSONS", LESSON_DIR);
-    process.setProcessEnvironment(environment);
-    process.start(PROGRAM, arguments);
-    if (!process.waitForFinished(120'000) || process.exitCode() != 0)
-        qFatal("%s: %s", qPrintable(arguments.join(' ')), process.readAllStandardError().constData());
-    return process.readAllStandardOutput();
-}
-
 QList<Place> traceOf(const QString &file)
 {
     QList<Place> places;
@@ -53,11 +38,6 @@ QList<Place> traceOf(const QString &file)
             places.append({cells[0].toLongLong(), cells[1], cells[2].toDouble(), cells[3].toDouble()});
     }
     return places;
-}
-
-QJsonObject walker()
-{
-    return {{"lesson", "walking_gait"}, {"step", "ground"}, {"frames", 600}};
 }
 
 /// A net of 200 bodies with springs that falls on the floor.
@@ -89,58 +69,16 @@ QJsonObject net()
 
 }
 
-class WebPageTest : public QObject
+class WebPageTest : public PageSuite
 {
     Q_OBJECT
 
-    QTemporaryDir m_folder;
-    Browser m_browser;
-
-    /// Writes an experiment. Returns its file.
-    QString file(const QString &name, QJsonObject experiment)
-    {
-        experiment["format"] = "springstep-experiment/1";
-        QFile file(m_folder.filePath(name + ".json"));
-        if (!file.open(QFile::WriteOnly))
-            qFatal("The experiment cannot be written.");
-        file.write(QJsonDocument(experiment).toJson());
-        return file.fileName();
-    }
-    /// Makes the page of an experiment. Returns its file.
-    QString page(const QString &experiment, const QStringList &options = {})
-    {
-        const QString out = QFileInfo(experiment).path() + '/' + QFileInfo(experiment).baseName() + ".html";
-        springstep(QStringList{"film", experiment, out} + options);
-        return out;
-    }
-    void openWalker() { m_browser.open(m_folder.filePath("walker.html")); }
-    qint64 frame() { return m_browser.valueOf("run.frame").toInteger(); }
-    void goTo(int frame) { m_browser.valueOf(QString("run.frame = %1").arg(frame)); }
-    double zoom() { return m_browser.valueOf("run.zoom").toDouble(); }
-    /// Returns where the origin of the scene is on the screen.
-    QPointF origin()
-    {
-        const QJsonValue place = m_browser.valueOf("run.placeOnScreen(0, 0)");
-        return {place["x"].toDouble(), place["y"].toDouble()};
-    }
-    bool isPlaying() { return m_browser.valueOf("run.isPlaying").toBool(); }
-
 private slots:
-    void initTestCase();
     void aPageOfTheWalkerIsSmall();
     void positionsAreThoseOfTrace_data();
     void positionsAreThoseOfTrace();
     void thePageBeginsWhereItIsTold();
-    void buttonsMoveTime();
-    void playRunsToTheEnd();
-    void theSliderScrubs();
-    void theViewIsDraggedAndZoomed();
-    void keysMoveTime();
-    void keysMoveTheView();
-    void everyControlIsReachedByTab();
-    void aPlotIsScrubbed();
     void theListingShowsTheValuesOfTheFrame();
-    void theSwitchChangesTheColours();
     void titleAndTextAreThere();
     void noTextOfAnExperimentRuns();
     void nothingIsLoaded();
@@ -148,14 +86,9 @@ private slots:
     void twoHundredBodiesAreDrawn();
 };
 
-void WebPageTest::initTestCase()
-{
-    page(file("walker", walker()));
-}
-
 void WebPageTest::aPageOfTheWalkerIsSmall()
 {
-    const qint64 size = QFileInfo(m_folder.filePath("walker.html")).size();
+    const qint64 size = QFileInfo(walkerPage()).size();
     qInfo("%lld bytes for 600 frames of the walker", static_cast<long long>(size));
     QVERIFY(size < mostBytes);
 }
@@ -216,153 +149,6 @@ void WebPageTest::thePageBeginsWhereItIsTold()
     QVERIFY(std::abs(m_browser.valueOf("run.positionOf('body').x").toDouble() - place->x) <= mostError);
 }
 
-void WebPageTest::buttonsMoveTime()
-{
-    openWalker();
-    QCOMPARE(frame(), 0);
-    m_browser.click("button[name=forward]");
-    m_browser.click("button[name=forward]");
-    QCOMPARE(frame(), 2);
-    QVERIFY(m_browser.waitFor("document.querySelector('.clock').textContent.startsWith('Frame 2 of 600')"));
-    m_browser.click("button[name=back]");
-    QCOMPARE(frame(), 1);
-    m_browser.click("button[name=start]");
-    QCOMPARE(frame(), 0);
-    m_browser.click("button.play");
-    QVERIFY(isPlaying());
-    QVERIFY(m_browser.waitFor("run.frame > 3"));
-    m_browser.click("button.play");
-    QVERIFY(!isPlaying());
-    const bool wasPressed = m_browser.valueOf("run.painter.showsTrails").toBool();
-    m_browser.click("button[name=trails]");
-    QCOMPARE(m_browser.valueOf("run.painter.showsTrails").toBool(), !wasPressed);
-}
-
-void WebPageTest::playRunsToTheEnd()
-{
-    openWalker();
-    goTo(590);
-    m_browser.valueOf("const box = document.querySelector('select'); box.value = '4'; "
-                      "box.dispatchEvent(new Event('change')); true");
-    m_browser.click("button.play");
-    QVERIFY(m_browser.waitFor("run.frame === 600 && !run.isPlaying"));
-    m_browser.click("button.play"); // begins again
-    QVERIFY(m_browser.waitFor("run.isPlaying && run.frame > 0 && run.frame < 590"));
-    m_browser.click("button.play");
-}
-
-void WebPageTest::theSliderScrubs()
-{
-    openWalker();
-    const QPointF middle = m_browser.middleOf("input[type=range]");
-    m_browser.click(middle);
-    QVERIFY(std::abs(frame() - 300) <= 5);
-    m_browser.drag(middle, middle - QPointF(60.0, 0.0));
-    QVERIFY(frame() < 290);
-    QCOMPARE(m_browser.valueOf("document.querySelector('input[type=range]').getAttribute('aria-label')"),
-             QJsonValue("Frame"));
-    goTo(30);
-    QVERIFY(
-        m_browser.waitFor("document.querySelector('input[type=range]').getAttribute('aria-valuetext') === "
-                          "'Frame 30 of 600, 1.00 s'"));
-}
-
-void WebPageTest::theViewIsDraggedAndZoomed()
-{
-    openWalker();
-    const QPointF middle = m_browser.middleOf(".view canvas");
-    const QPointF before = origin();
-    m_browser.drag(middle, middle + QPointF(50.0, -20.0));
-    QCOMPARE(origin() - before, QPointF(50.0, -20.0));
-    const double was = zoom();
-    m_browser.turnWheel(middle, -120.0);
-    QVERIFY(m_browser.waitFor(QString("run.zoom > 1.2 * %1").arg(was)));
-    m_browser.click("button[name=zoomOut]");
-    QVERIFY(std::abs(zoom() - was) < 1e-9);
-    m_browser.click("button[name=zoomIn]");
-    QVERIFY(zoom() > 1.2 * was);
-    m_browser.click("button[name=fit]");
-    QVERIFY(std::abs(zoom() - was) < 1e-9);
-    QCOMPARE(origin(), before);
-}
-
-void WebPageTest::keysMoveTime()
-{
-    openWalker();
-    m_browser.press("ArrowRight");
-    QCOMPARE(frame(), 1);
-    m_browser.press("ArrowRight", ctrl);
-    QCOMPARE(frame(), 11);
-    m_browser.press("ArrowLeft");
-    QCOMPARE(frame(), 10);
-    m_browser.press("End");
-    QCOMPARE(frame(), 600);
-    m_browser.press("Home");
-    QCOMPARE(frame(), 0);
-    m_browser.press(" ");
-    QVERIFY(isPlaying());
-    QVERIFY(m_browser.waitFor("run.frame > 3"));
-    m_browser.press(" ");
-    QVERIFY(!isPlaying());
-    m_browser.valueOf("document.querySelector('input[type=range]').focus()");
-    const qint64 was = frame();
-    m_browser.press("ArrowRight");
-    QCOMPARE(frame(), was + 1);
-}
-
-void WebPageTest::keysMoveTheView()
-{
-    openWalker();
-    const QPointF before = origin();
-    const double was = zoom();
-    m_browser.press("ArrowRight", shift);
-    QVERIFY(origin().x() < before.x());
-    m_browser.press("+");
-    QVERIFY(zoom() > was);
-    m_browser.press("-");
-    QVERIFY(std::abs(zoom() - was) < 1e-9);
-    m_browser.press("0");
-    QCOMPARE(origin(), before);
-    m_browser.press("t");
-    QCOMPARE(m_browser.valueOf("document.querySelector('button[name=trails]').getAttribute('aria-pressed')"),
-             QJsonValue("false"));
-}
-
-void WebPageTest::everyControlIsReachedByTab()
-{
-    openWalker();
-    const int controls =
-        m_browser.valueOf("document.querySelectorAll('button, input, select, summary, .view canvas').length")
-            .toInt();
-    const int nameless =
-        m_browser
-            .valueOf("[...document.querySelectorAll('button, input, select, canvas')].filter("
-                     "(one) => !one.getAttribute('aria-label')).length")
-            .toInt();
-    QCOMPARE(nameless, 0);
-    m_browser.valueOf("window.seen = new Set(); document.addEventListener('focusin', (event) => { "
-                      "if (event.target.matches('button, input, select, summary, .view canvas')) "
-                      "seen.add(event.target); }), true");
-    for (int i = 0; i < controls + 5; ++i)
-        m_browser.press("Tab");
-    QCOMPARE(m_browser.valueOf("seen.size").toInt(), controls);
-    // A button with the focus takes Space and Enter itself.
-    m_browser.valueOf("document.querySelector('button[name=forward]').focus()");
-    const qint64 was = frame();
-    m_browser.press(" ");
-    m_browser.press("Enter");
-    QCOMPARE(frame(), was + 2);
-}
-
-void WebPageTest::aPlotIsScrubbed()
-{
-    openWalker();
-    QCOMPARE(m_browser.valueOf("document.querySelectorAll('.plot').length").toInt(), 1);
-    m_browser.click(".plot canvas");
-    QVERIFY(frame() > 200 && frame() < 400);
-    QVERIFY(m_browser.waitFor("document.querySelector('.plot .number').textContent.endsWith('px')"));
-}
-
 void WebPageTest::theListingShowsTheValuesOfTheFrame()
 {
     const QString code =
@@ -384,34 +170,10 @@ void WebPageTest::theListingShowsTheValuesOfTheFrame()
                 .toBool());
     QCOMPARE(m_browser.valueOf("document.querySelectorAll('.listing code')[3].textContent").toString(),
              QString("    body.position.x += 1.5;"));
-    m_browser.open(m_folder.filePath("walker.html")); // a built-in method, with the step's own listing
+    openWalker(); // a built-in method, with the step's own listing
     goTo(50);
     QVERIFY(
         m_browser.waitFor("[...document.querySelectorAll('.value')].some((one) => one.textContent !== '')"));
-}
-
-void WebPageTest::theSwitchChangesTheColours()
-{
-    const auto background = [this] {
-        return m_browser.valueOf("getComputedStyle(document.documentElement).backgroundColor").toString();
-    };
-    const auto prefer = [this](const char *scheme) {
-        const QJsonObject feature = {{"name", "prefers-color-scheme"}, {"value", scheme}};
-        m_browser.call("Emulation.setEmulatedMedia", {{"features", QJsonArray{feature}}});
-    };
-    prefer("light");
-    openWalker();
-    const QString light = background();
-    prefer("dark");
-    const QString dark = background();
-    QVERIFY(light != dark);
-    m_browser.click("header button");
-    QCOMPARE(background(), light);
-    QVERIFY(!m_browser.valueOf("run.painter.isDark").toBool());
-    m_browser.press("c");
-    QCOMPARE(background(), dark);
-    prefer("light");
-    QCOMPARE(background(), dark); // as the reader chose
 }
 
 void WebPageTest::titleAndTextAreThere()
@@ -464,7 +226,7 @@ void WebPageTest::nothingIsLoaded()
 
 void WebPageTest::aDamagedPageSaysSo()
 {
-    QFile whole(m_folder.filePath("walker.html"));
+    QFile whole(walkerPage());
     QVERIFY(whole.open(QFile::ReadOnly));
     QByteArray text = whole.readAll();
     const qsizetype data = text.indexOf("id=\"run\">");
@@ -498,5 +260,5 @@ void WebPageTest::twoHundredBodiesAreDrawn()
     QVERIFY(result["rate"].toDouble() > 0.0);
 }
 
-QTEST_GUILESS_MAIN(WebPageTest)
+SUITE(tst_web_page, WebPageTest)
 #include "tst_web_page.moc"

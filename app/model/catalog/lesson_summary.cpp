@@ -27,6 +27,15 @@ LessonSummary summaryOf(const LessonEntry &lesson, const LessonLibrary &library,
         summary.count += static_cast<int>(step.tries.size());
         summary.steps.push_back(std::move(one));
     }
+    if (lesson.project) {
+        summary.levels = static_cast<int>(lesson.project->levels.size());
+        for (const lessons::ProjectLevel &level : lesson.project->levels) {
+            if (progress.isWritten(lesson.id, QLatin1String(projectTicks), level.id))
+                ++summary.passed;
+            else
+                summary.unpassed << level.title;
+        }
+    }
     const auto &all = library.lessons;
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const auto &one) { return one.id == lesson.id; });

@@ -29,6 +29,9 @@ struct LessonSummary
     int count = 0;                     ///< things to try
     int written = 0;                   ///< tasks in listings that are done
     int codeTasks = 0;                 ///< tasks in listings
+    int passed = 0;                    ///< levels of the project that are passed
+    int levels = 0;                    ///< levels of the project
+    QStringList unpassed = {};         ///< the titles of the levels that are not passed
     const LessonEntry *next = nullptr; ///< the next lesson; null after the last one
 };
 

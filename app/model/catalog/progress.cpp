@@ -56,13 +56,6 @@ void Progress::mark(const QString &name)
     emit changed();
 }
 
-void Progress::forgetAll()
-{
-    m_done.clear();
-    save();
-    emit changed();
-}
-
 QStringList Progress::forgetLesson(const QString &lesson)
 {
     QStringList forgotten;

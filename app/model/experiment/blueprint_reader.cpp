@@ -247,8 +247,13 @@ private:
         const JsonValue *rule = m_scene.find("rule");
         if (!rule)
             return;
+        std::vector<std::string> declared; // by a lesson, since all others belong to effects
+        for (const lessons::Parameter &parameter : m_step.parameters) {
+            if (parameter.effects.isEmpty())
+                declared.push_back(parameter.id.toStdString());
+        }
         const listing::CompiledRule compiled =
-            listing::compileRule(codeText(m_file, *rule, "rule").toStdString());
+            listing::compileRule(codeText(m_file, *rule, "rule").toStdString(), declared);
         if (!compiled.rule) {
             const listing::CompileError &error = compiled.errors.front();
             refuse(m_file, rule->line,

@@ -33,6 +33,9 @@ constexpr std::size_t mostBranchEvents =
 /// Reads an experiment. `name` is its name in messages.
 /// @throws UserError: not JSON, wrong types, unknown or missing names, values out of range; with the line
 Experiment parseExperiment(const QByteArray &text, const QString &name, const LessonLibrary &library);
+/// Does the same for a scene whose step has the parameters `more`, too. The rule of the scene can read them.
+Experiment parseExperimentWith(const std::vector<lessons::Parameter> &more, const QByteArray &text,
+                               const QString &name, const LessonLibrary &library);
 /// Reads an experiment from a file.
 /// @throws UserError: as parseExperiment(), or the file cannot be read or is larger than largestExperiment
 Experiment readExperiment(const QString &path, const LessonLibrary &library);

@@ -123,12 +123,21 @@ QString codeText(const QString &file, const JsonValue &value, const QString &nam
     return text;
 }
 
-void readCode(const QString &file, const JsonFields &fields, sim::Script &script)
+QString learnersText(const QString &file, const JsonValue &value, const QString &name,
+                     const lessons::Listing &original)
+{
+    const QString written = codeText(file, value, name);
+    const QString text = original.inLanguageOfWindow(written);
+    return text.toStdString().size() <= listing::maxTextBytes ? text : written;
+}
+
+void readCode(const QString &file, const JsonFields &fields, const lessons::Listing &original,
+              sim::Script &script)
 {
     const JsonValue *code = fields.find("code");
     if (!code)
         return;
-    const std::string text = codeText(file, *code, "code").toStdString();
+    const std::string text = learnersText(file, *code, "code", original).toStdString();
     const listing::Compiled compiled =
         listing::Program::compile(text, listing::vocabularyOf(sim::sceneOf(script, script.values)));
     if (!compiled.program) {

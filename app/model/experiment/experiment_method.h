@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/experiment/json_fields.h"
+#include "lessons/api/listing.h"
 #include "sim/run/script/script.h"
 
 namespace app {
@@ -9,12 +10,20 @@ namespace app {
 /// @throws UserError: an unknown method, an invalid step, or a step that does not fit the method
 void readMethod(const QString &file, const JsonFields &fields, sim::Script &script);
 
-/// Reads "code", if the file has it, and makes it the method of `script`, whose scene must be complete.
+/// Reads "code", if the file has it, and makes it the method of `script`, whose scene must be complete. `original` is the
+/// listing of the file's step; see learnersText().
 /// @throws UserError: too long, or it does not compile
-void readCode(const QString &file, const JsonFields &fields, sim::Script &script);
+void readCode(const QString &file, const JsonFields &fields, const lessons::Listing &original,
+              sim::Script &script);
 
 /// Returns the text of a listing in the field `name`.
 /// @throws UserError: not a text, or longer than listing::maxTextBytes
 QString codeText(const QString &file, const JsonValue &value, const QString &name);
+
+/// Returns the text in the field `name` that a learner has made of `original`. Its comments are in the language
+/// of the window, also if the file was written in another one.
+/// @throws UserError as codeText()
+QString learnersText(const QString &file, const JsonValue &value, const QString &name,
+                     const lessons::Listing &original);
 
 }

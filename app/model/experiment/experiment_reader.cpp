@@ -18,8 +18,9 @@ class ExperimentReader
     Q_DECLARE_TR_FUNCTIONS(Experiment)
 
 public:
-    ExperimentReader(const QString &file, const JsonValue &root, const LessonLibrary &library)
-        : m_file(file), m_fields(file, root, tr("the file")), m_library(library)
+    ExperimentReader(const QString &file, const JsonValue &root, const LessonLibrary &library,
+                     const std::vector<lessons::Parameter> &more)
+        : m_file(file), m_fields(file, root, tr("the file")), m_library(library), m_more(more)
     {
     }
 
@@ -32,7 +33,7 @@ public:
         m_experiment.script = run.script;
         readOwnName();
         if (const JsonValue *draft = m_fields.find("draft"))
-            m_experiment.draft = codeText(m_file, *draft, "draft");
+            m_experiment.draft = learnersText(m_file, *draft, "draft", m_step->listing);
         if (const JsonValue *branches = m_fields.find("branches"))
             readBranches(*branches);
         return m_experiment;
@@ -67,6 +68,11 @@ private:
         m_step = lesson->step(m_experiment.step);
         if (!m_step)
             refuse(m_file, m_fields.find("step")->line, noStep(m_experiment.step, *lesson));
+        if (m_more.empty())
+            return;
+        m_stepWithMore = *m_step;
+        m_stepWithMore.addParameters(m_more);
+        m_step = &m_stepWithMore;
     }
 
     QString nameOf(const JsonValue &value) const
@@ -131,7 +137,9 @@ private:
     QString m_file;
     JsonFields m_fields;
     const LessonLibrary &m_library;
+    const std::vector<lessons::Parameter> &m_more;
     const lessons::Step *m_step = nullptr;
+    lessons::Step m_stepWithMore; ///< if there are m_more
     Experiment m_experiment;
     int m_branches = 0;       ///< branches read so far
     std::size_t m_events = 0; ///< events in these branches
@@ -141,8 +149,14 @@ private:
 
 Experiment parseExperiment(const QByteArray &text, const QString &name, const LessonLibrary &library)
 {
+    return parseExperimentWith({}, text, name, library);
+}
+
+Experiment parseExperimentWith(const std::vector<lessons::Parameter> &more, const QByteArray &text,
+                               const QString &name, const LessonLibrary &library)
+{
     const JsonValue root = parseJson(text, name);
-    return ExperimentReader(name, root, library).read();
+    return ExperimentReader(name, root, library, more).read();
 }
 
 }

@@ -170,7 +170,7 @@ private:
     void compileCode()
     {
         try {
-            readCode(m_file, m_fields, script());
+            readCode(m_file, m_fields, m_step.listing, script());
         } catch (const sim::Error &error) { // of the scene
             refuse(m_file, m_fields.line(), sentenceFor(error));
         }

@@ -3,7 +3,6 @@
 #include "app/model/film/gif_file.h"
 #include "app/model/film/webm_file.h"
 #include "app/model/text/quoting.h"
-#include "app/model/text/user_error.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -22,7 +21,7 @@ struct FilmFileText
     Q_DECLARE_TR_FUNCTIONS(FilmFileText)
 };
 
-/// Returns where the file name begins. Folder names are ignored.
+/// Returns where the file name begins, after the folders.
 qsizetype fileIn(const QString &name)
 {
     return name.lastIndexOf('/') + 1;
@@ -80,9 +79,7 @@ public:
     {
         QSaveFile file(pictureName(m_name, frame));
         if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, "PNG") || !file.commit())
-            throw UserError(
-                FilmFileText::tr("Could not write %1: %2. Free some disk space, or choose another folder.")
-                    .arg(shownPath(file.fileName()), oneLine(file.errorString())));
+            throw filmWriteError(file.fileName(), file.errorString());
     }
     void finish() override {}
 
@@ -90,6 +87,13 @@ private:
     QString m_name;
 };
 
+}
+
+UserError filmWriteError(const QString &path, const QString &reason)
+{
+    return UserError(
+        FilmFileText::tr("Could not write %1: %2. Free some disk space, or choose another folder.")
+            .arg(shownPath(path), oneLine(reason)));
 }
 
 FilmKind filmKind(const QString &name)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/film/palette.h"
+#include "app/model/text/user_error.h"
 
 #include <QSize>
 #include <QString>
@@ -24,6 +25,9 @@ public:
     /// @throws UserError: it cannot be written
     virtual void finish() = 0;
 };
+
+/// Returns the error of a film, or a picture of one, that could not be written.
+UserError filmWriteError(const QString &path, const QString &reason);
 
 /// The kinds of films, determined by their file names.
 enum class FilmKind {

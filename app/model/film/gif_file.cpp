@@ -1,9 +1,6 @@
 #include "app/model/film/gif_file.h"
 
-#include "app/model/text/quoting.h"
-#include "app/model/text/user_error.h"
-
-#include <QCoreApplication>
+#include "app/model/film/film_file.h"
 
 #include <gif_lib.h>
 
@@ -14,13 +11,8 @@ namespace app {
 
 namespace {
 
-struct GifFileText
-{
-    Q_DECLARE_TR_FUNCTIONS(GifFileText)
-};
-
 constexpr int paletteSize = 256;
-constexpr int asBefore = paletteSize - 1; ///< index of an unchanged pixel
+constexpr int unchangedIndex = paletteSize - 1; ///< index of an unchanged pixel
 
 int writeTo(GifFileType *gif, const GifByteType *bytes, int count)
 {
@@ -70,9 +62,7 @@ void GifFile::Close::operator()(GifFileType *gif) const
 void GifFile::check(bool done)
 {
     if (!done)
-        throw UserError(
-            GifFileText::tr("Could not write %1: %2. Free some disk space, or choose another folder.")
-                .arg(shownPath(m_file.fileName()), oneLine(m_file.errorString())));
+        throw filmWriteError(m_file.fileName(), m_file.errorString());
 }
 
 QRect GifFile::changed(const std::vector<std::uint8_t> &pixels) const
@@ -95,12 +85,12 @@ QRect GifFile::changed(const std::vector<std::uint8_t> &pixels) const
     return rect.isEmpty() ? QRect(0, 0, 1, 1) : rect;
 }
 
-void GifFile::putHead(const QRect &rect, int hundredths)
+void GifFile::putImageHeader(const QRect &rect, int hundredths)
 {
     GraphicsControlBlock control{};
     control.DisposalMode = DISPOSE_DO_NOT;
     control.DelayTime = hundredths;
-    control.TransparentColor = m_last.empty() ? NO_TRANSPARENT_COLOR : asBefore;
+    control.TransparentColor = m_last.empty() ? NO_TRANSPARENT_COLOR : unchangedIndex;
     GifByteType bytes[4];
     const auto size = static_cast<int>(EGifGCBToExtension(&control, bytes));
     check(EGifPutExtension(m_gif.get(), GRAPHICS_EXT_FUNC_CODE, size, bytes) == GIF_OK &&
@@ -119,13 +109,13 @@ void GifFile::add(const QImage &picture, int hundredths)
             into[x] = x > 0 && row[x] == row[x - 1] ? into[x - 1] : m_nearest(row[x]);
     }
     const QRect rect = changed(pixels);
-    putHead(rect, hundredths);
+    putImageHeader(rect, hundredths);
     std::vector<std::uint8_t> line(static_cast<std::size_t>(rect.width()));
     for (int y = rect.top(); y <= rect.bottom(); ++y) {
         const std::size_t from = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(rect.left());
         for (std::size_t x = 0; x < line.size(); ++x) {
             const bool stays = !m_last.empty() && m_last[from + x] == pixels[from + x];
-            line[x] = stays ? std::uint8_t{asBefore} : pixels[from + x];
+            line[x] = stays ? std::uint8_t{unchangedIndex} : pixels[from + x];
         }
         check(EGifPutLine(m_gif.get(), line.data(), rect.width()) == GIF_OK);
     }

@@ -36,7 +36,7 @@ private:
     };
 
     void check(bool done);
-    void putHead(const QRect &rect, int hundredths);
+    void putImageHeader(const QRect &rect, int hundredths);
     QRect changed(const std::vector<std::uint8_t> &pixels) const;
 
     QSaveFile m_file;

@@ -13,7 +13,7 @@ constexpr int cellBits = 2; ///< low bits of each channel that a cell ignores
 constexpr int rounds = 4;   ///< iterations that move each colour to the mean of its nearest colours
 
 /// A colour with its weight.
-struct Weighed
+struct WeightedColor
 {
     std::array<double, 3> at{};
     double weight = 0.0;
@@ -22,31 +22,31 @@ struct Weighed
 /// A box of neighbouring colours that one palette colour represents.
 struct Box
 {
-    std::vector<Weighed> colors;
+    std::vector<WeightedColor> colors;
     std::array<double, 3> mean{};
     std::array<double, 3> error{}; ///< weighted squared error along each channel
 
-    explicit Box(std::vector<Weighed> given) : colors(std::move(given))
+    explicit Box(std::vector<WeightedColor> given) : colors(std::move(given))
     {
         double all = 0.0;
-        for (const Weighed &color : colors) {
+        for (const WeightedColor &color : colors) {
             all += color.weight;
             for (std::size_t i = 0; i < 3; ++i)
                 mean[i] += color.weight * color.at[i];
         }
         for (double &value : mean)
             value /= all;
-        for (const Weighed &color : colors) {
+        for (const WeightedColor &color : colors) {
             for (std::size_t i = 0; i < 3; ++i)
                 error[i] += color.weight * (color.at[i] - mean[i]) * (color.at[i] - mean[i]);
         }
     }
 
-    std::size_t longest() const
+    std::size_t worstChannel() const
     {
         return static_cast<std::size_t>(std::max_element(error.begin(), error.end()) - error.begin());
     }
-    double worst() const { return error[longest()]; }
+    double largestError() const { return error[worstChannel()]; }
     QRgb color() const
     {
         const auto channel = [this](std::size_t i) { return static_cast<int>(std::lround(mean[i])); };
@@ -57,10 +57,10 @@ struct Box
 /// Cuts the box at its mean along the channel with the largest error. Keeps the lower part, and returns the rest.
 Box cut(Box &box)
 {
-    const std::size_t side = box.longest();
+    const std::size_t side = box.worstChannel();
     const double middle = box.mean[side];
     const auto from = std::partition(box.colors.begin(), box.colors.end(),
-                                     [&](const Weighed &color) { return color.at[side] <= middle; });
+                                     [&](const WeightedColor &color) { return color.at[side] <= middle; });
     Box rest({from, box.colors.end()});
     box = Box({box.colors.begin(), from});
     return rest;
@@ -73,21 +73,21 @@ int squaredDistance(QRgb a, QRgb b)
 }
 
 /// Moves the palette colours from `first` on to the means of their nearest colours (Lloyd's method).
-void settle(std::vector<QRgb> &palette, std::size_t first, const std::vector<Weighed> &colors)
+void refine(std::vector<QRgb> &palette, std::size_t first, const std::vector<WeightedColor> &colors)
 {
     const auto rounded = [](double value) { return static_cast<int>(std::lround(value)); };
     for (int round = 0; round < rounds; ++round) {
         NearestColor nearest(palette);
-        std::vector<Weighed> sums(palette.size());
-        for (const Weighed &color : colors) {
-            Weighed &sum =
+        std::vector<WeightedColor> sums(palette.size());
+        for (const WeightedColor &color : colors) {
+            WeightedColor &sum =
                 sums[nearest(qRgb(rounded(color.at[0]), rounded(color.at[1]), rounded(color.at[2])))];
             sum.weight += color.weight;
             for (std::size_t i = 0; i < 3; ++i)
                 sum.at[i] += color.weight * color.at[i];
         }
         for (std::size_t i = first; i < palette.size(); ++i) {
-            const Weighed &sum = sums[i];
+            const WeightedColor &sum = sums[i];
             if (sum.weight > 0.0)
                 palette[i] = qRgb(rounded(sum.at[0] / sum.weight), rounded(sum.at[1] / sum.weight),
                                   rounded(sum.at[2] / sum.weight));
@@ -121,7 +121,7 @@ std::vector<QRgb> paletteOf(const ColorCount &count, const std::vector<QRgb> &pi
     std::vector<QRgb> palette = pinned;
     const std::size_t all = static_cast<std::size_t>(most);
     palette.resize(std::min(palette.size(), all));
-    std::vector<Weighed> colors;
+    std::vector<WeightedColor> colors;
     for (const auto &[key, cell] : count.cells()) {
         const double n = static_cast<double>(cell.count);
         colors.push_back({{static_cast<double>(cell.red) / n, static_cast<double>(cell.green) / n,
@@ -129,22 +129,24 @@ std::vector<QRgb> paletteOf(const ColorCount &count, const std::vector<QRgb> &pi
                           std::pow(n, 0.75)});
     }
     // Sorting makes the palette independent of the order of cells in the hash table.
-    std::sort(colors.begin(), colors.end(), [](const Weighed &a, const Weighed &b) { return a.at < b.at; });
+    std::sort(colors.begin(), colors.end(),
+              [](const WeightedColor &a, const WeightedColor &b) { return a.at < b.at; });
     if (colors.empty() || palette.size() == all)
         return palette;
     const std::size_t first = palette.size();
     std::vector<Box> boxes{Box(colors)};
     while (palette.size() + boxes.size() < all) {
-        const auto worst = std::max_element(boxes.begin(), boxes.end(),
-                                            [](const Box &a, const Box &b) { return a.worst() < b.worst(); });
-        if (worst->colors.size() < 2 || worst->worst() < 1e-6)
+        const auto worst = std::max_element(boxes.begin(), boxes.end(), [](const Box &a, const Box &b) {
+            return a.largestError() < b.largestError();
+        });
+        if (worst->colors.size() < 2 || worst->largestError() < 1e-6)
             break;
         Box rest = cut(*worst);
         boxes.push_back(std::move(rest));
     }
     for (const Box &box : boxes)
         palette.push_back(box.color());
-    settle(palette, first, colors);
+    refine(palette, first, colors);
     return palette;
 }
 

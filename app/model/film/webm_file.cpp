@@ -1,9 +1,7 @@
 #include "app/model/film/webm_file.h"
 
-#include "app/model/text/quoting.h"
-#include "app/model/text/user_error.h"
+#include "app/model/film/film_file.h"
 
-#include <QCoreApplication>
 #include <QtEndian>
 
 #include <vpx/vp8cx.h>
@@ -17,15 +15,10 @@ namespace app {
 
 namespace {
 
-struct WebmFileText
-{
-    Q_DECLARE_TR_FUNCTIONS(WebmFileText)
-};
-
-constexpr int quality = 10;              ///< of 0 (the best) to 63
-constexpr int speed = 6;                 ///< of 0 (slow, the smallest files) to 9
-constexpr int mostBetweenKeys = 150;     ///< pictures between key pictures, to which players can seek
-constexpr std::int64_t longest = 30'000; ///< ms of a cluster, whose times have 16 bits
+constexpr int quality = 10;                     ///< of 0 (the best) to 63
+constexpr int speed = 6;                        ///< of 0 (slow, the smallest files) to 9
+constexpr int mostBetweenKeys = 150;            ///< pictures between key pictures, to which players can seek
+constexpr std::int64_t longestCluster = 30'000; ///< ms, because the times in a cluster have 16 bits
 
 // Matroska elements (RFC 9559) and their ids.
 enum Id : std::uint32_t {
@@ -169,7 +162,7 @@ void fill(vpx_image_t &image, const QImage &picture)
 
 }
 
-void WebmFile::EndCodec::operator()(vpx_codec_ctx *codec) const
+void WebmFile::CloseCodec::operator()(vpx_codec_ctx *codec) const
 {
     vpx_codec_destroy(codec);
     delete codec;
@@ -188,28 +181,26 @@ WebmFile::WebmFile(const QString &path, QSize size)
 {
     if (!m_image)
         throw std::bad_alloc();
-    beginCodec();
+    openCodec();
     if (!m_file.open(QIODevice::WriteOnly))
-        refuse(m_file.errorString());
+        fail(m_file.errorString());
     write(header(0, 0));
 }
 
 WebmFile::~WebmFile() = default;
 
-void WebmFile::refuse(const QString &why)
+void WebmFile::fail(const QString &why)
 {
-    throw UserError(
-        WebmFileText::tr("Could not write %1: %2. Free some disk space, or choose another folder.")
-            .arg(shownPath(m_file.fileName()), oneLine(why)));
+    throw filmWriteError(m_file.fileName(), why);
 }
 
 void WebmFile::write(const QByteArray &bytes)
 {
     if (m_file.write(bytes) != bytes.size())
-        refuse(m_file.errorString());
+        fail(m_file.errorString());
 }
 
-void WebmFile::beginCodec()
+void WebmFile::openCodec()
 {
     vpx_codec_enc_cfg_t config;
     vpx_codec_enc_config_default(vpx_codec_vp9_cx(), &config, 0);
@@ -224,7 +215,7 @@ void WebmFile::beginCodec()
     if (begun == VPX_CODEC_MEM_ERROR)
         throw std::bad_alloc();
     if (begun != VPX_CODEC_OK)
-        refuse(QString::fromUtf8(vpx_codec_err_to_string(begun)));
+        fail(QString::fromUtf8(vpx_codec_err_to_string(begun)));
     m_codec.reset(codec.release());
     vpx_codec_control(m_codec.get(), VP8E_SET_CPUUSED, speed);
     vpx_codec_control(m_codec.get(), VP8E_SET_CQ_LEVEL, static_cast<unsigned>(quality));
@@ -235,14 +226,14 @@ void WebmFile::beginCodec()
 
 void WebmFile::encode(const vpx_image *image, std::int64_t time, std::int64_t duration)
 {
-    const bool isFar = !m_clusters.empty() && time - m_clusters.back().time > longest;
+    const bool isFar = !m_clusters.empty() && time - m_clusters.back().time > longestCluster;
     const vpx_codec_err_t done =
         vpx_codec_encode(m_codec.get(), image, time, static_cast<unsigned long>(duration),
                          isFar ? VPX_EFLAG_FORCE_KF : 0, VPX_DL_REALTIME);
     if (done == VPX_CODEC_MEM_ERROR)
         throw std::bad_alloc();
     if (done != VPX_CODEC_OK)
-        refuse(QString::fromUtf8(vpx_codec_error(m_codec.get())));
+        fail(QString::fromUtf8(vpx_codec_error(m_codec.get())));
     vpx_codec_iter_t next = nullptr;
     while (const vpx_codec_cx_pkt_t *packet = vpx_codec_get_cx_data(m_codec.get(), &next)) {
         if (packet->kind != VPX_CODEC_CX_FRAME_PKT)
@@ -285,17 +276,17 @@ void WebmFile::add(const QImage &picture, std::int64_t until)
 
 QByteArray WebmFile::header(std::int64_t segmentSize, std::int64_t cuesPosition) const
 {
-    const auto found = [](Id id, std::int64_t position) {
+    const auto seekEntry = [](Id id, std::int64_t position) {
         return element(seek, element(seekId, idBytes(id)) + number(seekPosition, position));
     };
-    const QByteArray about =
+    const QByteArray infoElement =
         element(info, number(timecodeScale, 1'000'000) + real(duration, static_cast<double>(m_time)) +
                           element(muxingApp, "Springstep") + element(writingApp, "Springstep"));
     const auto seeks = [&](std::int64_t size) {
-        return element(seekHead,
-                       found(info, size) + found(tracks, size + about.size()) + found(cues, cuesPosition));
+        return element(seekHead, seekEntry(info, size) + seekEntry(tracks, size + infoElement.size()) +
+                                     seekEntry(cues, cuesPosition));
     };
-    return fileHead() + idBytes(segment) + sizeBytes(segmentSize) + seeks(seeks(0).size()) + about +
+    return fileHead() + idBytes(segment) + sizeBytes(segmentSize) + seeks(seeks(0).size()) + infoElement +
            trackList(m_size);
 }
 
@@ -318,10 +309,10 @@ void WebmFile::finish()
     write(cueList());
     const std::int64_t size = m_file.pos() - m_start;
     if (!m_file.seek(0))
-        refuse(m_file.errorString());
+        fail(m_file.errorString());
     write(header(size, cuesPosition));
     if (!m_file.commit())
-        refuse(m_file.errorString());
+        fail(m_file.errorString());
 }
 
 }

@@ -38,7 +38,7 @@ private:
         std::int64_t time = 0;     ///< ms
         std::int64_t position = 0; ///< bytes from the segment's start
     };
-    struct EndCodec
+    struct CloseCodec
     {
         void operator()(vpx_codec_ctx *codec) const;
     };
@@ -47,9 +47,9 @@ private:
         void operator()(vpx_image *image) const;
     };
 
-    [[noreturn]] void refuse(const QString &why);
+    [[noreturn]] void fail(const QString &why);
     void write(const QByteArray &bytes);
-    void beginCodec();
+    void openCodec();
     void encode(const vpx_image *image, std::int64_t time, std::int64_t duration);
     void addBlock(const QByteArray &data, std::int64_t time, bool isKey);
     void endCluster();
@@ -60,7 +60,7 @@ private:
     QSaveFile m_file;
     QSize m_size;
     std::unique_ptr<vpx_image, FreeImage> m_image;
-    std::unique_ptr<vpx_codec_ctx, EndCodec> m_codec;
+    std::unique_ptr<vpx_codec_ctx, CloseCodec> m_codec;
     std::vector<Cluster> m_clusters;
     QByteArray m_blocks;     ///< blocks of the last cluster, not yet written
     std::int64_t m_start;    ///< bytes before the segment's content

@@ -71,7 +71,7 @@ void PredictionDesk::openStep()
             m_sheets.insert(keyOf(prediction.id), {Stage::shown, said, found});
     }
     computeTruths();
-    show(false);
+    m_isOnStage = false;
     emit changed();
 }
 
@@ -160,18 +160,9 @@ bool PredictionDesk::setUp(const lessons::Prediction &prediction)
         m_sheets[keyOf(prediction.id)].mistake = sentenceFor(error);
         return false;
     }
-    // Before the run is there, so that its first moment ticks nothing off.
-    m_session.playback().setOwnRun(false);
-    const bool isSetUp =
-        m_session.editor().setUp({tr("Prediction"), tr("the prediction"), {}, tr("prediction")}, *m_script);
-    show(isSetUp);
-    return isSetUp;
-}
-
-void PredictionDesk::show(bool isOnStage)
-{
-    m_isOnStage = isOnStage;
-    m_session.playback().setOwnRun(!isOnStage);
+    m_isOnStage = m_session.editor().setUp({tr("Prediction"), tr("the prediction"), {}, tr("prediction")},
+                                           *m_script, RunEditor::Maker::program);
+    return m_isOnStage;
 }
 
 void PredictionDesk::startAgain(const QString &id)
@@ -245,7 +236,7 @@ void PredictionDesk::follow(const Change &change)
         return;
     const bool was = m_isOnStage;
     if (change.isAny(ChangeKind::step | ChangeKind::run))
-        show(m_script && sameScript(*m_script, m_session.timeline().script()));
+        m_isOnStage = m_script && sameScript(*m_script, m_session.timeline().script());
     const bool isAtStart = m_session.timeline().cursor() == sim::Cursor{};
     const bool stopsPicking = m_isPicking && !(m_isOnStage && isAtStart);
     if (stopsPicking)

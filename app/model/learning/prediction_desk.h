@@ -84,7 +84,6 @@ private:
     void begin();
     void interrupt();
     void finish();
-    void show(bool isOnStage);
 
     Session &m_session;
     QString m_step;                           ///< key of the open step

@@ -80,7 +80,7 @@ void ProjectDesk::start(const QString &lesson)
     const EditLabel label{tr("Start “%1”").arg(projectOf(lesson)->title), {}, {}};
     editor.endGesture();
     const bool isOpen = m_session.isSandbox() ? editor.replaceScene(label, scene->script, scene->draft)
-                                              : editor.setUp(label, scene->script);
+                                              : editor.setUp(label, scene->script, RunEditor::Maker::program);
     editor.endGesture();
     if (isOpen)
         m_session.showMessage(tr("The start scene is open. Undo brings your scene back."));

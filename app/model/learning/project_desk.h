@@ -11,9 +11,6 @@
 
 namespace app {
 
-/// The word in place of a step in the keys of projects, for Progress and Proofs.
-inline constexpr auto projectTicks = "project";
-
 /// The projects of the lessons, and the one that the learner works on. The desk opens the place where she works, judges
 /// what she has built, and ticks each level that she has passed.
 class ProjectDesk : public QObject

@@ -132,7 +132,8 @@ bool RecallDesk::setUp(const lessons::RecallTask &task)
         const sim::Script script = scriptFor(task.setup, *step);
         if (&m_session.step() != step)
             m_session.openStep(task.setup.step.section('/', 0, 0), step->id);
-        if (!m_session.editor().setUp({tr("Set the scene up"), tr("your run")}, script))
+        if (!m_session.editor().setUp({tr("Set the scene up"), tr("your run")}, script,
+                                      RunEditor::Maker::program))
             return false;
     } catch (const UserError &error) {
         m_session.showMessage(error.sentence());

@@ -57,8 +57,10 @@ public:
                 note(Kind::task, step.id, one.id, [&] { return checkTask(one, step); });
         }
         for (const lessons::RecallQuestion &one : m_lesson.recall.questions) {
-            if (one.task)
-                note(Kind::question, {}, one.id, [&] { return checkQuestion(*one.task); });
+            note(Kind::question, {}, one.id, [&] {
+                return one.task ? checkQuestion(*one.task)
+                                : Result{true, LessonCheckText::tr("has %1 choices").arg(one.choices.size())};
+            });
         }
         if (m_lesson.project) {
             for (const lessons::ProjectLevel &level : m_lesson.project->levels)
@@ -122,17 +124,34 @@ private:
                 Eigen::Index row = 0, column = 0;
                 const double most = difference.maxCoeff(&row, &column);
                 if (!(most <= judgeTolerance))
-                    return {false,
-                            LessonCheckText::tr(
-                                "the listing moves %1 otherwise than the method %2: %3 px apart in frame "
-                                "%4 of a trial run")
-                                .arg(quoted(QString::fromStdString(
-                                         own.interval().scene.names[static_cast<std::size_t>(row)])),
-                                     step.method, roughNumber(most))
-                                .arg(frame)};
+                    return {false, differenceOf(step, script, static_cast<int>(row), frame, most)};
             }
         }
         return {true, LessonCheckText::tr("same motion as %1").arg(step.method)};
+    }
+
+    /// Returns what a writer should know about a listing that moves `point` otherwise than the method of its step.
+    static QString differenceOf(const lessons::Step &step, const sim::Script &script, int point, int frame,
+                                double away)
+    {
+        const std::string name = sim::sceneOf(script, script.values).names[static_cast<std::size_t>(point)];
+        std::string held;
+        for (const sim::Event &event : script.input) {
+            const auto *grab = std::get_if<sim::Grab>(&event.what);
+            if (event.frame <= frame && (grab || std::holds_alternative<sim::Release>(event.what)))
+                held = grab ? grab->body : std::string();
+        }
+        const QString body = QString::fromStdString(name);
+        const QString sentence =
+            LessonCheckText::tr("the listing moves %1 otherwise than the method %2: %3 px apart in frame %4 "
+                                "of a trial run")
+                .arg(quoted(body), step.method, roughNumber(away))
+                .arg(frame);
+        return held == name
+                   ? LessonCheckText::tr("%1, in which the hand holds it. Every body can be held: write "
+                                         "“if (%2.held) %2.position = hand;”, and leave the forces out then")
+                         .arg(sentence, body)
+                   : sentence;
     }
 
     void checkTries(const lessons::Step &step)

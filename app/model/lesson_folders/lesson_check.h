@@ -15,7 +15,7 @@ struct LessonFinding
         thing,      ///< a thing to try: its solution does it, and doing nothing does not
         prediction, ///< its run ends as its document says
         task,       ///< its solution passes, the empty place does not, and each near miss is recognised
-        question,   ///< the solution of a recall question that is answered by doing
+        question,   ///< a recall question: if it is answered by doing, its solution does that
         level,      ///< the solution of a level of the project passes, and the start scene does not
     };
     Kind kind = Kind::thing;

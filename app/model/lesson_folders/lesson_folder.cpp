@@ -4,6 +4,7 @@
 #include "app/listing/program.h"
 #include "app/model/experiment/json_fields.h"
 #include "app/model/learning/recall_desk.h"
+#include "app/model/lesson_folders/lesson_parameters.h"
 #include "app/model/lesson_folders/lesson_step.h"
 #include "app/model/run/run_program.h"
 #include "app/model/text/listing_text.h"
@@ -48,6 +49,16 @@ QString textIn(const QByteArray &content, const QString &file)
     return text.remove('\r');
 }
 
+/// Returns the sentence of an error on one line of bounded length, whatever the document quotes.
+QString sentenceOf(const lessons::DocumentError &error)
+{
+    constexpr qsizetype most = 800; // characters
+    const QString sentence = escaped(QString::fromStdString(error.what()));
+    return sentence.size() <= most
+               ? sentence
+               : sentence.left(most / 2) + QStringLiteral(" … ") + sentence.right(most / 2);
+}
+
 /// Reads the files of a lesson.
 class LessonReader
 {
@@ -60,20 +71,73 @@ public:
     LessonEntry read()
     {
         m_entry.source = m_files.path;
-        try {
+        withUserErrors([this] {
             const QStringList steps = readDescription();
             for (const QString &id : steps)
                 m_entry.steps.push_back(step(id));
             refuseOtherFiles(steps);
             readRecall();
             readProject();
-        } catch (const lessons::DocumentError &error) {
-            throw UserError(QString::fromStdString(error.what()));
-        }
+        });
         return std::move(m_entry);
     }
 
+    Experiment beginning(const QString &id, const sim::Values &values) const
+    {
+        Beginning from;
+        withUserErrors([&] {
+            const lessons::Document own = document(id + QStringLiteral(".md"));
+            from = beginning(id, own, own);
+        });
+        sim::Values &begun = from.scene.script.values;
+        for (const auto &[parameter, value] : values.all()) {
+            if (begun.has(parameter))
+                begun.set(parameter, value);
+        }
+        begun.blueprint = blueprintWith(begun.blueprint, from.targets, begun);
+        return from.scene;
+    }
+
+    std::vector<lessons::ParameterText> parameterTexts(const QString &id) const
+    {
+        std::vector<lessons::ParameterText> texts;
+        withUserErrors([&] {
+            const lessons::Document own = document(id + QStringLiteral(".md"));
+            const lessons::Document shownTexts = document(documentFile(id));
+            static_cast<void>(declaredParameters(own, shownTexts)); // they are the same
+            for (lessons::ParameterText text : own.parameters) {
+                const auto same = std::find_if(shownTexts.parameters.begin(), shownTexts.parameters.end(),
+                                               [&](const auto &one) { return one.id == text.id; });
+                text.name = same->name;
+                text.help = same->help;
+                if (!same->unit.isEmpty())
+                    text.unit = same->unit;
+                texts.push_back(text);
+            }
+        });
+        return texts;
+    }
+
 private:
+    /// The scene of a step, its own parameters, and what they set.
+    struct Beginning
+    {
+        Experiment scene;
+        std::vector<lessons::Parameter> declared;
+        std::vector<ParameterTarget> targets;
+    };
+
+    /// Calls `read`, and turns mistakes in documents into user errors.
+    template <class Read>
+    static void withUserErrors(const Read &read)
+    {
+        try {
+            read();
+        } catch (const lessons::DocumentError &error) {
+            throw UserError(sentenceOf(error));
+        }
+    }
+
     QString shown(const QString &file) const { return m_files.shown(file); }
 
     QStringList readDescription()
@@ -202,12 +266,13 @@ private:
         const QString sceneFile = id + QStringLiteral(".json"), ownDocument = id + QStringLiteral(".md");
         requireFile(sceneFile, LessonFolderText::tr("the scene of the step, as the window saves it"));
         requireFile(ownDocument, LessonFolderText::tr("the texts of the step"));
-        lessons::Step step = stepWithScene(id, sceneFile);
-        readListing(id, step);
         const lessons::Document own = document(ownDocument);
-        step.checks = checksOf(own, step);
         const QString shownDocument = documentFile(id);
         lessons::Document texts = shownDocument == ownDocument ? own : document(shownDocument);
+        const Beginning from = beginning(id, own, texts);
+        lessons::Step step = stepOf(id, baseOf(from.scene), from.scene, from.declared, from.targets);
+        readListing(id, step);
+        step.checks = checksOf(own, step);
         takeSolutions(texts, own);
         checkRuns(texts, step);
         step.setTexts(texts);
@@ -215,20 +280,56 @@ private:
         return step;
     }
 
-    lessons::Step stepWithScene(const QString &id, const QString &file) const
+    const lessons::Step &baseOf(const Experiment &scene) const
     {
-        const Experiment scene = parseExperiment(m_files.content(file), shown(file), m_library);
+        return *m_library.lesson(scene.lesson)->step(scene.step);
+    }
+
+    Beginning beginning(const QString &id, const lessons::Document &own, const lessons::Document &texts) const
+    {
+        const QString file = id + QStringLiteral(".json");
+        Beginning from;
+        from.declared = declaredParameters(own, texts);
+        from.scene = parseExperimentWith(from.declared, m_files.content(file), shown(file), m_library);
+        checkScene(id, from.scene);
+        from.targets = targetsOf(own, from.scene);
+        takeValues(from.declared, own, from.targets, from.scene);
+        checkNamesAndUse(own, from.targets, baseOf(from.scene), from.scene);
+        refuseValues(file, own);
+        return from;
+    }
+
+    /// The document says where its parameters begin.
+    void refuseValues(const QString &file, const lessons::Document &own) const
+    {
+        const JsonValue root = parseJson(m_files.content(file), shown(file));
+        const JsonValue *values =
+            JsonFields(shown(file), root, LessonFolderText::tr("the file")).find("parameters");
+        if (!values)
+            return;
+        const JsonFields fields(shown(file), *values, quoted("parameters"));
+        for (const lessons::ParameterText &text : own.parameters) {
+            if (const JsonValue *value = fields.find(text.id))
+                refuse(shown(file), value->line,
+                       LessonFolderText::tr("%1 says where the parameter %2 begins. Remove it here.")
+                           .arg(own.file, quoted(text.id)));
+        }
+    }
+
+    void checkScene(const QString &id, const Experiment &scene) const
+    {
+        const QString file = id + QStringLiteral(".json");
         const LessonEntry *lesson = m_library.lesson(scene.lesson);
         if (!lesson->source.isEmpty())
             throw UserError(
                 LessonFolderText::tr("%1: the scene is one of the lesson %2, which is not built in. "
-                                     "Use a scene of the sandbox or of a lesson of the program.")
+                                     "Open that lesson, choose File > New lesson from this scene, and take "
+                                     "the scene that this writes.")
                     .arg(shown(file), quoted(scene.lesson)));
         if (programOf(scene.script.method))
             throw UserError(LessonFolderText::tr("%1: a listing computes this scene. Choose a method in the "
                                                  "window, and write the listing into %2.code.")
                                 .arg(shown(file), id));
-        return stepOf(id, *lesson->step(scene.step), scene);
     }
 
     void readListing(const QString &id, lessons::Step &step) const
@@ -420,6 +521,18 @@ LessonEntry readLesson(const QString &path, const LessonLibrary &library)
 LessonEntry lessonOf(const LessonFiles &files, const QString &language, const LessonLibrary &library)
 {
     return LessonReader(files, language, library).read();
+}
+
+Experiment beginningOf(const LessonFiles &lesson, const QString &step, const sim::Values &values,
+                       const LessonLibrary &library)
+{
+    return LessonReader(lesson, {}, library).beginning(step, values);
+}
+
+std::vector<lessons::ParameterText> parameterTexts(const LessonFiles &lesson, const QString &step,
+                                                   const QString &language)
+{
+    return LessonReader(lesson, language, {}).parameterTexts(step);
 }
 
 QStringList languagesOf(const LessonFiles &files)

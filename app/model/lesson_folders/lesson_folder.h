@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/catalog/lesson_library.h"
+#include "app/model/experiment/experiment.h"
 #include "app/model/lesson_folders/lesson_package.h"
 
 namespace app {
@@ -14,6 +14,17 @@ LessonEntry readLesson(const QString &path, const LessonLibrary &library);
 /// Does the same with files that were read before, in the language `language` ("en", "de").
 /// @throws UserError as above
 LessonEntry lessonOf(const LessonFiles &files, const QString &language, const LessonLibrary &library);
+
+/// Returns the scene with which a step of `lesson` begins, as an experiment of the step of the program that it builds on.
+/// Its parameters have the numbers in `values`, where these have them.
+/// @throws UserError: a file of the step is missing or has a mistake
+Experiment beginningOf(const LessonFiles &lesson, const QString &step, const sim::Values &values,
+                       const LessonLibrary &library);
+
+/// Returns the texts of the parameters that a step of `lesson` declares, in the language `language`, with their numbers.
+/// @throws UserError as above
+std::vector<lessons::ParameterText> parameterTexts(const LessonFiles &lesson, const QString &step,
+                                                   const QString &language);
 
 /// Returns the languages that have documents of their own, in the order of their codes: "de". The documents without a
 /// language are shown in all others.

@@ -73,6 +73,11 @@ QByteArray LessonFiles::content(const QString &file) const
     return found == all.end() ? QByteArray() : found->second;
 }
 
+QString LessonFiles::shown(const QString &file) const
+{
+    return shownPath(name + '/' + file);
+}
+
 bool isLessonPath(const QString &path)
 {
     const QFileInfo info(path);

@@ -18,7 +18,7 @@ struct LessonFiles
     /// Returns the content of `file`; empty if there is none.
     QByteArray content(const QString &file) const;
     /// Returns the name of `file` in messages: "pendulum_clock/swing.md".
-    QString shown(const QString &file) const { return name + '/' + file; }
+    QString shown(const QString &file) const;
 };
 
 /// The ending of the zip of a lesson, with its dot.

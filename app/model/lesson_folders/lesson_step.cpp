@@ -34,12 +34,13 @@ struct OwnScene
     std::shared_ptr<const sim::Blueprint> blueprint;
     std::optional<int> points;
     std::optional<std::vector<sim::Stick>> sticks;
+    std::vector<ParameterTarget> targets; ///< numbers of the blueprint that parameters set
 
     bool isThere() const { return blueprint || points || sticks; }
 
     sim::Values with(sim::Values values) const
     {
-        values.blueprint = blueprint;
+        values.blueprint = blueprintWith(blueprint, targets, values);
         values.points = points;
         values.sticks = sticks;
         return values;
@@ -225,11 +226,14 @@ void checkPrediction(const lessons::Prediction &prediction, const lessons::Step 
 
 }
 
-lessons::Step stepOf(const QString &id, const lessons::Step &base, const Experiment &scene)
+lessons::Step stepOf(const QString &id, const lessons::Step &base, const Experiment &scene,
+                     const std::vector<lessons::Parameter> &declared,
+                     const std::vector<ParameterTarget> &targets)
 {
     const sim::Values &values = scene.script.values;
-    const OwnScene own{values.blueprint, values.points, values.sticks};
+    const OwnScene own{values.blueprint, values.points, values.sticks, targets};
     lessons::Step step = base;
+    step.parameters.insert(step.parameters.begin(), declared.begin(), declared.end());
     step.lesson.clear(); // its documents are not embedded
     step.id = id;
     step.interactions = interactionsOf(base, own);

@@ -1,7 +1,9 @@
 #include "app/model/lesson_folders/lesson_writer.h"
 
 #include "app/model/files/whole_file.h"
+#include "app/model/lesson_folders/lesson_folder.h"
 #include "app/model/lesson_folders/lesson_package.h"
+#include "app/model/lesson_folders/lesson_parameters.h"
 #include "app/model/run/run_program.h"
 #include "app/model/text/json_writer.h"
 #include "app/model/text/quoting.h"
@@ -91,7 +93,8 @@ QString predictionAbout(const QString &body)
         .arg(body);
 }
 
-QString documentFor(const QString &body, sim::Vec2 at, bool canDrag)
+QString documentFor(const QString &body, sim::Vec2 at, bool canDrag,
+                    const std::vector<lessons::ParameterText> &parameters)
 {
     QString text = LessonWriterText::tr(
         "# The title of the step\n\n"
@@ -99,6 +102,8 @@ QString documentFor(const QString &body, sim::Vec2 at, bool canDrag)
         "the window "
         "shows what you wrote.\n\n"
         "Below are parts that a step can have. Change them, copy them, or remove them.\n\n");
+    for (const lessons::ParameterText &parameter : parameters)
+        text += sectionFor(parameter);
     if (canDrag)
         text += tryWith(body, at);
     text += predictionAbout(body);
@@ -126,40 +131,78 @@ QByteArray descriptionOf(const QString &id)
     return json.text() + '\n';
 }
 
-/// Returns the scene without what a lesson does not have: input, other runs, and a listing as its method.
-Experiment beginningOf(const Experiment &scene, const lessons::Step &step)
+/// What a new lesson begins with.
+struct LessonSeed
 {
-    Experiment beginning = scene;
+    Experiment scene; ///< of a step of the program
+    std::vector<lessons::ParameterText> parameters = {};
+};
+
+/// Returns the scene without what a lesson does not have: input, other runs, and a listing as its method.
+Experiment withoutInput(Experiment scene, const lessons::Step &step)
+{
     if (programOf(scene.script.method)) {
-        beginning.script.method = step.script().method;
-        beginning.script.step = step.script().step;
+        scene.script.method = step.script().method;
+        scene.script.step = step.script().step;
     }
-    beginning.script.input = step.scriptWith(beginning.script.values, beginning.script.method).input;
-    beginning.branches = {};
-    beginning.draft.reset();
-    return beginning;
+    scene.script.input = step.scriptWith(scene.script.values, scene.script.method).input;
+    scene.branches = {};
+    scene.draft.reset();
+    return scene;
+}
+
+/// Returns the scene of a lesson without C++ as one of the step that it builds on, with the parameters, the method and the
+/// places of `scene`.
+LessonSeed seedFromYours(const Experiment &scene, const LessonEntry &lesson, const LessonLibrary &library)
+{
+    const LessonFiles files = readLessonFiles(lesson.source);
+    const sim::Script given = withoutInput(scene, *lesson.step(scene.step)).script;
+    LessonSeed seed{beginningOf(files, scene.step, given.values, library),
+                    parameterTexts(files, scene.step, lessons::documentLanguage())};
+    sim::Script &script = seed.scene.script;
+    script.values.seed = given.values.seed;
+    script.method = given.method;
+    script.step = given.step;
+    script.bodies = given.bodies;
+    script.effectsOff = given.effectsOff;
+    for (lessons::ParameterText &parameter : seed.parameters) {
+        if (parameter.value && script.values.has(parameter.id.toStdString()))
+            parameter.value = script.values[parameter.id.toStdString()];
+    }
+    return seed;
+}
+
+LessonSeed seedFrom(const Experiment &scene, const LessonLibrary &library)
+{
+    const LessonEntry *lesson = library.lesson(scene.lesson);
+    const lessons::Step *step = lesson ? lesson->step(scene.step) : nullptr;
+    if (!step)
+        throw UserError(LessonWriterText::tr("There is no step %1 any more. Open another one, and begin the "
+                                             "lesson with its scene.")
+                            .arg(quoted(scene.step)));
+    LessonSeed seed = lesson->source.isEmpty() ? LessonSeed{scene} : seedFromYours(scene, *lesson, library);
+    seed.scene = withoutInput(seed.scene, *library.lesson(seed.scene.lesson)->step(seed.scene.step));
+    return seed;
 }
 
 }
 
 void writeLesson(const Experiment &scene, const QString &folder, const LessonLibrary &library)
 {
-    const LessonEntry *lesson = library.lesson(scene.lesson);
-    const lessons::Step *step = lesson ? lesson->step(scene.step) : nullptr;
-    if (!step || !lesson->source.isEmpty())
-        throw UserError(LessonWriterText::tr("A new lesson begins with a scene of the sandbox or of a lesson "
-                                             "of the program. Open one first."));
+    const LessonSeed seed = seedFrom(scene, library);
+    const Experiment &beginning = seed.scene;
+    const lessons::Step &step = *library.lesson(beginning.lesson)->step(beginning.step);
     QDir dir(folder);
     const bool wasThere = dir.exists();
     if (wasThere && !dir.isEmpty())
         throw UserError(LessonWriterText::tr("%1 is not empty. Choose a new folder for the lesson.")
                             .arg(shownPath(folder)));
-    const Experiment beginning = beginningOf(scene, *step);
     const sim::Scene built = sim::sceneOf(beginning.script, beginning.script.values);
-    const int dragged = draggedBody(*step, built, beginning.script.values);
+    const int dragged = draggedBody(step, built, beginning.script.values);
     const int body = std::max(dragged, 0);
     const QString name = QString::fromStdString(built.names[static_cast<std::size_t>(body)]);
-    const QByteArray texts = documentFor(name, built.start.positionOf(body), dragged >= 0).toUtf8();
+    const QByteArray texts =
+        documentFor(name, built.start.positionOf(body), dragged >= 0, seed.parameters).toUtf8();
     const QByteArray experiment = experimentText(beginning, library);
     if (!dir.mkpath(QStringLiteral(".")))
         throw UserError(LessonWriterText::tr("%1: the folder could not be made. Choose another place.")

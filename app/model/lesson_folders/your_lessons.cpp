@@ -1,5 +1,6 @@
 #include "app/model/lesson_folders/your_lessons.h"
 
+#include "app/model/lesson_folders/lesson_parameters.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/user_error.h"
 #include "lessons/api/text/document.h"
@@ -24,16 +25,38 @@ bool haveSameSteps(const LessonEntry &a, const LessonEntry &b)
                                       [](const auto &one, const auto &other) { return one.id == other.id; });
 }
 
-/// Returns the steps whose scenes or listings differ between the files before and now.
+/// Returns the numbers of the parameters that a step declares. The files were read before without a mistake.
+QString parametersIn(const LessonFiles &files, const QString &step)
+{
+    const QString document = step + QStringLiteral(".md");
+    return files.has(document)
+               ? parameterKey(lessons::parseDocument(files.content(document), files.shown(document)))
+               : QString();
+}
+
+/// Returns the steps whose scenes, listings or parameters differ between the files before and now.
 QStringList otherRuns(const LessonEntry &lesson, const LessonFiles &before, const LessonFiles &now)
 {
     QStringList ids;
     for (const lessons::Step &step : lesson.steps) {
         const QString scene = step.id + QStringLiteral(".json"), listing = step.id + QStringLiteral(".code");
-        if (before.content(scene) != now.content(scene) || before.content(listing) != now.content(listing))
+        if (before.content(scene) != now.content(scene) || before.content(listing) != now.content(listing) ||
+            parametersIn(before, step.id) != parametersIn(now, step.id))
             ids << step.id;
     }
     return ids;
+}
+
+void takeTextsOfParameters(lessons::Step &step, const lessons::Step &from)
+{
+    for (lessons::Parameter &parameter : step.parameters) {
+        const lessons::Parameter *other = from.parameter(parameter.id);
+        if (!other)
+            continue;
+        parameter.name = other->name;
+        parameter.help = other->help;
+        parameter.unit = other->unit;
+    }
 }
 
 /// Moves everything but the runs of the steps.
@@ -47,6 +70,7 @@ void takeTexts(LessonEntry &lesson, LessonEntry &from)
     for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
         lessons::Step &step = lesson.steps[i];
         lessons::Step &other = from.steps[i];
+        takeTextsOfParameters(step, other);
         step.title = other.title;
         step.narration = other.narration;
         step.explanation = std::move(other.explanation);

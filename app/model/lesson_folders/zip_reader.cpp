@@ -29,6 +29,7 @@ constexpr qsizetype localSize = 30, centralSize = 46, endSize = 22;
 constexpr qsizetype longestComment = 0xffff;
 constexpr quint32 stored = 0, deflated = 8;
 constexpr quint32 isEncrypted = 1;
+constexpr qsizetype elsewhere = 0xffffffff; ///< the number is in a field of ZIP64, see section 4.5.3
 constexpr quint32 typeOfFile = 0170000, isLink = 0120000; ///< of the mode that Unix writes
 
 /// Numbers of a zip, with the lowest byte first.
@@ -39,7 +40,7 @@ public:
 
     [[noreturn]] void refuse(const QString &why) const
     {
-        throw UserError(ZipText::tr("%1: %2").arg(m_name, why));
+        throw UserError(ZipText::tr("%1: %2").arg(shownPath(m_name), why));
     }
 
     [[noreturn]] void refuseDamaged() const
@@ -175,6 +176,10 @@ private:
         if (entry.method != stored && entry.method != deflated)
             m_bytes.refuse(
                 ZipText::tr("%1 is packed in a way that this program cannot read. Make a usual zip.")
+                    .arg(quoted(path)));
+        if (entry.size == elsewhere || entry.packed == elsewhere || entry.local == elsewhere)
+            m_bytes.refuse(
+                ZipText::tr("%1 is packed as ZIP64, which is for very large files. Make a usual zip.")
                     .arg(quoted(path)));
         if (entry.size > m_limits.file)
             m_bytes.refuse(

@@ -37,8 +37,12 @@ QString firstNewLine(const QString &other, const QString &text)
     const QStringList lines = text.split('\n');
     for (const int line : changedLines(other, text).changed) {
         const QString code = lines[line - 1].simplified();
-        if (code.size() > 1) // not for a brace
-            return code.size() <= longest ? code : code.left(longest - 1) + QStringLiteral("…");
+        if (code.size() <= 1) // a brace
+            continue;
+        if (code.size() <= longest)
+            return code;
+        const qsizetype space = code.lastIndexOf(' ', longest - 2); // room for the ellipsis
+        return code.left(space > longest / 2 ? space : longest - 2) + QStringLiteral(" …");
     }
     return CodeTextWords::tr("other code");
 }

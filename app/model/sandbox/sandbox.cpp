@@ -1,11 +1,13 @@
 #include "app/model/sandbox/sandbox.h"
 
+#include "app/listing/rule_program.h"
 #include "app/model/sandbox/blueprint_limits.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
 #include "lessons/api/blueprint_of.h"
 #include "sim/base/error.h"
 #include "sim/effects/all_effects.h"
+#include "sim/effects/rules/rule_force.h"
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
 #include "sim/scene/blueprint_draft.h"
@@ -13,6 +15,7 @@
 #include <QCoreApplication>
 
 #include <algorithm>
+#include <map>
 
 namespace app {
 
@@ -34,6 +37,28 @@ sim::Values valuesOf(const lessons::Step &sandbox, const sim::BlueprintDraft &dr
     }
     values.blueprint = std::make_shared<const sim::Blueprint>(draft.blueprint);
     return values;
+}
+
+/// Makes the rule of a scene independent of its lesson: parameters of the sandbox have the values of the lesson, and those
+/// that the lesson declares become numbers in the text.
+void takeRuleParameters(sim::BlueprintDraft &draft, const lessons::Step &sandbox, const sim::Values &values)
+{
+    const std::shared_ptr<const sim::Rule> rule = draft.blueprint.rule.program;
+    if (!rule)
+        return;
+    std::map<std::string, double> declared;
+    for (const std::string &id : rule->parameters()) {
+        const double value = values.has(id) ? values[id] : 0.0;
+        if (sandbox.parameter(QString::fromStdString(id)))
+            draft.parameters[id] = value;
+        else
+            declared[id] = value;
+    }
+    if (declared.empty())
+        return;
+    draft.blueprint.rule = {listing::compileRule(listing::withNumbers(rule->text(), declared)).rule};
+    if (!draft.blueprint.rule)
+        draft.omit(sim::descriptions::rule.title); // too long with the numbers
 }
 
 /// Returns the order in which the groups of a scene move, if there are several and `method` keeps it. Empty if all move
@@ -100,7 +125,7 @@ ExportedScene takenScene(const Session &session, const lessons::Step &sandbox)
                 "This scene has %1 points, but the sandbox allows only %2. Choose a smaller scene.")
                 .arg(picture.state.pointCount())
                 .arg(built::mostPoints));
-    const std::optional<sim::BlueprintDraft> draft =
+    std::optional<sim::BlueprintDraft> draft =
         lessons::blueprintOf(picture.interval->scene, picture.state, *picture.view);
     if (!draft)
         throw UserError(
@@ -111,6 +136,7 @@ ExportedScene takenScene(const Session &session, const lessons::Step &sandbox)
             SandboxText::tr("This scene has flown apart: a point is more than %1 px away, or moves that far "
                             "in a frame. Go back in time, and take the scene from there.")
                 .arg(exactNumber(built::place.max)));
+    takeRuleParameters(*draft, sandbox, picture.interval->values);
     const sim::Script &now = session.timeline().script();
     ExportedScene scene;
     scene.script = sandbox.scriptWith(valuesOf(sandbox, *draft), now.method);

@@ -2,6 +2,7 @@
 
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/learning/notes.h"
+#include "app/model/run/run_program.h"
 
 #include <QTimer>
 
@@ -21,13 +22,16 @@ constexpr int measureAgainMilliseconds = 500;
 constexpr int manyPoints = 1000;
 constexpr std::int64_t laterFrames[] = {10, 30, 100, 300, 1000};
 
+QString numberedKey(const QString &lesson, const lessons::Step &step, int number)
+{
+    return QStringLiteral("%1/%2/%3").arg(lesson, step.id).arg(number);
+}
+
 }
 
 void Attempts::check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline,
                      bool plays)
 {
-    if (!m_isOwnRun)
-        return;
     const bool mayMeasure =
         !m_sinceMeasured.isValid() || m_sinceMeasured.elapsed() >= measureAgainMilliseconds;
     const auto keeps = [&](const lessons::Budget &budget) {
@@ -48,7 +52,13 @@ void Attempts::check(const QString &lesson, const lessons::Step &step, const sim
             (!one.budget && !one.id.isEmpty() && !m_unkept.contains(key) && !m_proofs.has(key));
         if (!isWanted || (one.onlyWhilePaused && plays))
             continue;
-        if (one.isDone(timeline) && (!one.budget || keeps(*one.budget))) {
+        const QString number = numberedKey(lesson, step, i);
+        if (!one.isDone(timeline)) {
+            if (m_isOwnRun)
+                m_given.remove(number);
+        } else if (!m_isOwnRun) {
+            m_given.insert(number);
+        } else if (!m_given.contains(number) && (!one.budget || keeps(*one.budget))) {
             keepProof(key, lesson, step, timeline);
             m_progress.markDone(lesson, step.id, i);
         }
@@ -79,9 +89,17 @@ QString Attempts::todo(const QString &lesson, const lessons::Step &step, int num
                        const sim::Timeline &timeline, bool plays) const
 {
     const lessons::Try &one = step.tries[static_cast<std::size_t>(number)];
-    if (!m_isOwnRun || m_progress.isDone(lesson, step.id, number))
+    if (m_progress.isDone(lesson, step.id, number))
         return {};
-    if (!one.isDone(timeline))
+    const bool isDone = one.isDone(timeline);
+    if (isDone && !plays && m_given.contains(numberedKey(lesson, step, number)))
+        return tr("this run was set up for you. Undo brings your own run back: do it there.");
+    if (!m_isOwnRun)
+        return {};
+    if (!isDone && programOf(timeline.script().method) && one.conditions.waitsForPhase(timeline))
+        return tr("your code computes this run, and it has no phases. Press **Reset listing** on the page "
+                  "**Listing**. Undo brings your code back.");
+    if (!isDone)
         return one.conditions.todo(timeline);
     if (one.onlyWhilePaused && plays)
         return tr("stop here: press **Space**.");

@@ -28,7 +28,8 @@ public:
 
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
     void setTiming(lessons::TimeMeasurement timing) { m_timing = std::move(timing); }
-    /// Sets whether the run is the learner's own. A run that the program has set up ticks nothing.
+    /// Sets whether the run is the learner's own. A run that the program has set up ticks nothing. What it has done is not
+    /// ticked either while the learner goes on with it, until it is undone.
     void setOwnRun(bool isOwn) { m_isOwnRun = isOwn; }
 
     /// Ticks what is done at the moment of `timeline`, a run of this step, which plays or stands.
@@ -57,6 +58,7 @@ private:
     Proofs &m_proofs;
     const LessonLibrary &m_library;
     QSet<QString> m_unkept; ///< keys of ticks whose run was too long to keep
+    QSet<QString> m_given;  ///< things to try that a run did which the program has set up, by step and number
     lessons::TimeMeasurement m_timing = lessons::measureTime;
     bool m_isOwnRun = true;
     bool m_isCheckScheduled = false; ///< whether checkDue() is on its way

@@ -5,9 +5,11 @@
 #include "sim/run/timeline.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <type_traits>
+#include <vector>
 
 namespace app {
 
@@ -51,6 +53,9 @@ public:
     const lessons::Step &step() const { return lesson().steps[m_step]; }
     /// Returns whether the user builds the scene of the open step.
     bool isSandbox() const { return step().points == lessons::PointSource::scene; }
+    /// Returns the step after this one, in this lesson or the next; null after the last.
+    const lessons::Step *following() const;
+    const lessons::Step *preceding() const;
     void setStep(std::size_t lesson, std::size_t step);
     /// Returns the text that identifies the step in settings: "lesson/step".
     QString key() const { return keyOf(lesson().id, step().id); }
@@ -60,6 +65,13 @@ public:
     const sim::Timeline &timeline() const { return *m_timeline; }
     /// Makes `timeline` the run, and selects its first body.
     void setTimeline(std::unique_ptr<sim::Timeline> timeline);
+
+    /// Says whether the learner has changed the run since it was opened, set up or restored.
+    void setEdited(bool isEdited) { m_isEdited = isEdited; }
+    /// Remembers a run that the program sets up in the open step, for example for a prediction.
+    void addGiven(const sim::Script &script);
+    /// Returns whether the program has set up the run, and the learner has not changed it since.
+    bool isGiven() const;
 
     /// Returns the text of the listing that the learner has written, if the run is not computed by it: it does not
     /// compile, or another method is in use. In the sandbox, see hasRuleDraft().
@@ -76,6 +88,8 @@ private:
     std::size_t m_lesson = 0;
     std::size_t m_step = 0;
     std::unique_ptr<sim::Timeline> m_timeline;
+    bool m_isEdited = false;
+    std::map<QString, std::vector<sim::Script>> m_given; ///< runs that the program has set up, by key()
     std::optional<QString> m_draft;
     QString m_selected;
 };

@@ -214,6 +214,7 @@ void Playback::wakeUp()
 
 void Playback::checkAttempts()
 {
+    m_attempts.setOwnRun(!m_run.isGiven());
     m_attempts.check(m_run.lesson().id, m_run.step(), m_run.timeline(), isPlaying());
 }
 

@@ -80,8 +80,6 @@ public:
     void wakeUp();
     /// Ticks off the things to try that are done at the cursor.
     void checkAttempts();
-    /// Sets whether the run is the learner's own, so that things to try are ticked off.
-    void setOwnRun(bool isOwn) { m_attempts.setOwnRun(isOwn); }
 
 private:
     struct Paused

@@ -62,6 +62,7 @@ void RunEditor::begin(sim::Script script, sim::Cursor at, Branches branches, std
     m_typedOver = 0;
     m_wantedFrame = 0;
     m_run.setTimeline(std::move(timeline));
+    m_run.setEdited(false);
     m_run.setDraft(std::move(draft));
     m_companion.open();
     m_playback.open();
@@ -89,6 +90,7 @@ void RunEditor::edit(const EditLabel &label, const Edit &edit)
     else if (before.branches.own().end > timeline.cursor().frame)
         replaced = Replaced::branch;
     m_comparisons.recordEdit(label, before, computed, replaced);
+    m_run.setEdited(true);
     m_run.setDraft(draftBeside(timeline.script(), before));
     m_run.changes().announce(kindsOf(*before.script, timeline.script()),
                              firstDifferent(*before.script, timeline.script()));
@@ -157,6 +159,7 @@ void RunEditor::startAnew(const EditLabel &label, sim::Script script)
     m_playback.pause();
     std::optional<QString> draft = draftBeside(script, before);
     begin(std::move(script), {}, before.branches, std::move(draft));
+    m_run.setEdited(true);
     const bool hadFrames = std::max(computed, before.branches.own().end) > 0;
     m_comparisons.recordEdit(label, before, computed, hadFrames ? Replaced::branch : Replaced::forgotten);
     m_history.add(label, std::move(before), m_comparisons.snapshot());
@@ -165,16 +168,24 @@ void RunEditor::startAnew(const EditLabel &label, sim::Script script)
         m_playback.play();
 }
 
-bool RunEditor::setUp(const EditLabel &label, const sim::Script &script)
+bool RunEditor::setUp(const EditLabel &label, const sim::Script &script, Maker maker)
 {
     const ChangeNotifier::Batch batch(m_run.changes());
     m_playback.pause();
     m_input.releaseAll();
     endGesture();
-    if (sameScript(script, m_run.timeline().script())) {
-        m_playback.goToPaused({});
-        return true;
-    }
+    if (!sameScript(script, m_run.timeline().script()) && !replaceBy(label, script))
+        return false;
+    m_run.setEdited(maker == Maker::learner);
+    // The run that the step begins with does nothing by itself, and a frame of it can be looked into.
+    if (maker == Maker::program && !sameScript(script, m_run.step().script()))
+        m_run.addGiven(script);
+    m_playback.goToPaused({});
+    return true;
+}
+
+bool RunEditor::replaceBy(const EditLabel &label, const sim::Script &script)
+{
     if (m_run.isSandbox())
         return replaceScene(label, script, m_run.draft());
     try {
@@ -190,7 +201,6 @@ bool RunEditor::setUp(const EditLabel &label, const sim::Script &script)
         return false;
     }
     m_comparisons.show(0);
-    m_playback.goToPaused({});
     return true;
 }
 
@@ -249,6 +259,7 @@ bool RunEditor::replaceScene(const EditLabel &label, const sim::Script &script, 
     }
     timeline.dropComparison(); // the replaced scene has other bodies, so it cannot be compared
     m_comparisons.reset({});
+    m_run.setEdited(true);
     m_run.setDraft(std::move(draft));
     m_run.changes().announce(kindsOf(*before.script, script), 0);
     m_history.add(label, std::move(before), m_comparisons.snapshot());
@@ -358,6 +369,7 @@ void RunEditor::restore(const RunSnapshot &to, const QString &replacedName, Keep
         return;
     }
     m_comparisons.restore(std::move(branches), isComparison ? before.script.get() : nullptr);
+    m_run.setEdited(false);
     m_run.setDraft(to.draft);
     m_run.changes().announce(kindsOf(*before.script, *to.script), firstDifferent(*before.script, *to.script));
     m_playback.goToPaused(at);

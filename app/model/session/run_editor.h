@@ -68,9 +68,14 @@ public:
     void startWith(const lessons::Preset &preset);
     /// Starts the step as it was when it was first opened: without input, with its first values.
     void startAfresh();
+    /// Who has made a run.
+    enum class Maker {
+        learner,
+        program, ///< the run ticks nothing, because things to try look at what the learner does
+    };
     /// Makes `script`, a run of the open step, the run, and pauses at frame 0. No ghost is shown. Returns whether it can be
     /// computed; if not, says why.
-    bool setUp(const EditLabel &label, const sim::Script &script);
+    bool setUp(const EditLabel &label, const sim::Script &script, Maker maker);
     /// Starts the run again at frame 0 without user input, with the parameters, method and effects in use. Without
     /// any user input, goes to frame 0.
     void restart();
@@ -113,6 +118,8 @@ private:
     void startAnew(const EditLabel &label, const sim::Values &values,
                    const std::vector<sim::MethodPtr> &methods);
     void startAnew(const EditLabel &label, sim::Script script);
+    /// Replaces the run for setUp(). Returns whether it could be computed; if not, says why.
+    bool replaceBy(const EditLabel &label, const sim::Script &script);
     /// Replaces the script and the draft after the learner has written code.
     void setCode(const EditLabel &label, std::optional<QString> draft, sim::Script script);
     /// Replaces the run for setCode(), and goes to the same frame again. Returns whether it could be computed.

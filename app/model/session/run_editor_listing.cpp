@@ -85,6 +85,7 @@ bool RunEditor::replaceCode(const EditLabel &label, sim::Script script)
     clock.start();
     while (clock.elapsed() < millisecondsAtOnce && timeline.cursor().frame < goal && !timeline.stop())
         timeline.seek({std::min(goal, timeline.cursor().frame + framesAtOnce), 0});
+    m_run.setEdited(true);
     m_run.changes().announce(ChangeKind::run | ChangeKind::cursor, 0);
     m_playback.goTo({goal, 0});
     if (leavesBranch)

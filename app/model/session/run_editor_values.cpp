@@ -24,7 +24,7 @@ QString written(const lessons::Parameter &parameter, double value)
     if (!titles.isEmpty())
         return QStringLiteral("%1 %2").arg(parameter.name,
                                            lessons::withoutGroup(titles.value(static_cast<int>(value))));
-    return QStringLiteral("%1 %2").arg(parameter.id, QLocale().toString(value, 'g', 4));
+    return QStringLiteral("%1 %2").arg(withinSentence(parameter.name), QLocale().toString(value, 'g', 4));
 }
 
 /// Returns what `method` replaces in `script`: the step size, or the method.

@@ -44,24 +44,6 @@ void Session::prepare(ChangeKinds kinds)
         m_companion.followSoon();
 }
 
-const lessons::Step *Session::following() const
-{
-    const std::size_t next = m_run.stepNumber() + 1;
-    if (next < lesson().steps.size())
-        return &lesson().steps[next];
-    const std::size_t nextLesson = m_run.lessonNumber() + 1;
-    return nextLesson < library().lessons.size() ? &library().lessons[nextLesson].steps.front() : nullptr;
-}
-
-const lessons::Step *Session::preceding() const
-{
-    if (m_run.stepNumber() > 0)
-        return &lesson().steps[m_run.stepNumber() - 1];
-    return m_run.lessonNumber() > 0 && m_run.lessonNumber() < library().lessons.size()
-               ? &library().lessons[m_run.lessonNumber() - 1].steps.back()
-               : nullptr;
-}
-
 bool Session::isStepDone(const LessonEntry &lesson, const lessons::Step &step) const
 {
     for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {

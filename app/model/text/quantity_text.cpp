@@ -5,6 +5,7 @@
 #include "app/model/text/sentences.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -151,6 +152,22 @@ QString quantityName(const Quantity &quantity)
         break;
     }
     return QStringLiteral("%1(%2, %3)").arg(id, quantity.body, quantity.other);
+}
+
+std::optional<Quantity> quantityFrom(const QString &name)
+{
+    static const QRegularExpression form(
+        QStringLiteral("\\A\\s*(\\w+)\\s*(?:\\(\\s*([^,()]+?)\\s*(?:,\\s*([^,()]+?)\\s*)?\\)\\s*)?\\z"));
+    const QRegularExpressionMatch match = form.match(name);
+    const std::optional<QuantityKind> what = measuredFrom(match.captured(1));
+    if (!what)
+        return std::nullopt;
+    const Quantity quantity{*what, match.captured(2), match.captured(3)};
+    const About about = aboutOf(*what);
+    const bool isTooFew = about == About::twoBodies && quantity.other.isEmpty();
+    const bool isTooMany =
+        about == About::run ? !quantity.body.isEmpty() : about == About::oneBody && !quantity.other.isEmpty();
+    return isTooFew || isTooMany ? std::nullopt : std::optional(quantity);
 }
 
 QString noValueWords(const Quantity &quantity, const sim::Scene &scene, NoValue why)

@@ -4,6 +4,8 @@
 
 #include <QString>
 
+#include <optional>
+
 namespace app {
 
 // Names and units of quantities.
@@ -20,6 +22,8 @@ QString unitOf(QuantityKind what, bool turns);
 QString quantityTitle(const Quantity &quantity);
 /// Returns the name of a quantity as files write it: "y(foot0)", "distance(foot0, body)".
 QString quantityName(const Quantity &quantity);
+/// Returns the quantity of such a name. Its body may be missing: "y". Empty if there is no quantity of that name.
+std::optional<Quantity> quantityFrom(const QString &name);
 /// Returns why this scene has nothing to plot, and how to fix that.
 QString noValueWords(const Quantity &quantity, const sim::Scene &scene, NoValue why);
 /// Returns a number with its unit, as shown beside a plot: "183.21 px". Returns "–" if there is no number.

@@ -9,8 +9,9 @@ namespace app {
 
 namespace {
 
-constexpr int angleBits = 16;   ///< of degrees
-constexpr int overlayBits = 10; ///< of px, and of rad
+constexpr int angleBits = 16;    ///< of degrees
+constexpr int velocityBits = 14; ///< of px/frame
+constexpr int overlayBits = 10;  ///< of px, and of rad
 constexpr std::size_t perOverlay = 6;
 
 QByteArray textOf(const Picture &picture)
@@ -72,6 +73,8 @@ PageFigure::Part &PageFigure::partFor(const Picture &picture)
                        std::vector<Column>(points),
                        std::vector<Column>(points),
                        std::vector<Column>(branches),
+                       {},
+                       {},
                        {}});
     return m_parts.back();
 }
@@ -92,6 +95,26 @@ void PageFigure::add(const Picture &picture)
     ++part.count;
     ++m_count;
     m_places += state.pointCount() + static_cast<std::int64_t>(picture.overlays.size());
+}
+
+void PageFigure::addVelocities(const sim::State &state, int frames)
+{
+    if (state.pointCount() > mostWithVelocities)
+        return;
+    Part &part = m_parts.back();
+    part.restX.resize(part.x.size());
+    part.restY.resize(part.y.size());
+    // Most methods move each point by its velocity. Then nothing is left here, which takes no room in the file.
+    const auto way = [frames](const Column &places) {
+        return places.size() > 1 ? (places.back() - places[places.size() - 2]) / frames : 0.0;
+    };
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const auto row = static_cast<std::size_t>(i);
+        const bool isShown = part.view->bodies[row].shape != lessons::BodyView::Shape::none;
+        const sim::Vec2 velocity = state.velocityOf(i);
+        part.restX[row].push_back(isShown ? velocity.x - way(part.x[row]) : 0.0);
+        part.restY[row].push_back(isShown ? velocity.y - way(part.y[row]) : 0.0);
+    }
 }
 
 void PageFigure::addDrawings(Part &part, const std::vector<lessons::Overlay> &overlays)
@@ -129,6 +152,8 @@ void PageFigure::writePart(JsonWriter &json, NumberColumns &columns, const Part 
     writeColumns(json, columns, "x", part.x, positionBits);
     writeColumns(json, columns, "y", part.y, positionBits);
     writeColumns(json, columns, "angle", part.angle, angleBits);
+    writeColumns(json, columns, "restX", part.restX, velocityBits);
+    writeColumns(json, columns, "restY", part.restY, velocityBits);
     json.beginList("drawings");
     for (const Drawings &drawings : part.drawings) {
         json.beginObject();

@@ -16,8 +16,16 @@ public:
     /// Positions are rounded to multiples of 2^-positionBits px, so that the error is below 5e-7 px.
     static constexpr int positionBits = 20;
 
+    /// Scenes with more points have no velocities: the window draws no arrows there, either.
+    static constexpr int mostWithVelocities = 600;
+
     /// Adds the picture of the next frame.
     void add(const Picture &picture);
+    /// Adds the velocities of the frame that was added last; `frames` after the one before. All frames have them, or none.
+    void addVelocities(const sim::State &state, int frames);
+    /// Adds a frame without a picture, which is possible before the first picture.
+    void addNone() { ++m_count; }
+    bool isEmpty() const { return m_parts.empty(); }
     /// Returns how many pairs of numbers there are: bodies and overlays in each frame.
     std::int64_t places() const { return m_places; }
     /// Writes the parts of the run, and its numbers into `columns`.
@@ -44,6 +52,8 @@ private:
         QByteArray viewText; ///< of writeView()
         std::vector<Column> x, y;
         std::vector<Column> angle; ///< only of a tree
+        /// px/frame: the velocities, without those that the positions tell. Empty if the page shows none.
+        std::vector<Column> restX, restY;
         std::vector<Drawings> drawings;
     };
 

@@ -25,8 +25,9 @@ QString resource(const QString &name)
 QString scriptText()
 {
     QString text = "\"use strict\";\n";
-    for (const char *name : {"numbers.js", "camera.js", "shapes.js", "surroundings.js", "tree.js",
-                             "overlays.js", "scene.js", "prose.js", "listing.js", "plots.js", "player.js"})
+    for (const char *name :
+         {"numbers.js", "camera.js", "shapes.js", "surroundings.js", "tree.js", "moments.js", "overlays.js",
+          "circle.js", "legend.js", "scene.js", "prose.js", "listing.js", "plots.js", "player.js"})
         text += '\n' + resource(name);
     return text;
 }

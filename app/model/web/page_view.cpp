@@ -150,6 +150,12 @@ void writeSurroundings(JsonWriter &json, const lessons::View &view, const sim::S
                  std::vector{view.stage.left(), view.stage.top(), view.stage.width(), view.stage.height()});
     json.field("dusk", view.sky == lessons::View::Sky::dusk);
     json.field("followed", view.followedPoint);
+    if (view.angle) {
+        json.beginObject("angle");
+        json.field("from", view.angle->from);
+        json.field("to", view.angle->to);
+        json.endObject();
+    }
     json.beginList("ramps");
     for (const sim::EffectPtr &effect : scene.effects) {
         const auto *ramp = dynamic_cast<const sim::Ramp *>(effect.get());

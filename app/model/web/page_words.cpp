@@ -1,5 +1,7 @@
 #include "app/model/web/page_words.h"
 
+#include "app/model/text/scene_words.h"
+
 #include <QCoreApplication>
 
 namespace app {
@@ -11,11 +13,43 @@ struct WebPageWords
     Q_DECLARE_TR_FUNCTIONS(WebPageWords)
 };
 
+using WordList = std::vector<std::pair<QString, QString>>;
+
+/// The texts about what the scene shows besides the bodies.
+WordList sceneWords()
+{
+    const UnitCircleWords circle = unitCircleWords();
+    return {
+        {"show", WebPageWords::tr("Show")},
+        {"showHelp", WebPageWords::tr("Choose what the scene shows")},
+        {"trails", WebPageWords::tr("Trails")},
+        {"velocities", WebPageWords::tr("Velocity arrows")},
+        {"onion", WebPageWords::tr("Onion skins")},
+        {"ghost", WebPageWords::tr("Ghost")},
+        {"guides", WebPageWords::tr("Guide lines")},
+        {"unitCircle", circle.title},
+        {"legend", WebPageWords::tr("Legend")},
+        {"velocityScale", velocityScaleWords()},
+        {"pullScale", pullScaleWords()},
+        {"onionScale", onionWords()},
+        {"noLength", circle.noLength},
+        {"noDirection", circle.noDirection},
+        {"angleIs", circle.angle},
+        {"sideIs", circle.side},
+        {"cosine", circle.cosine},
+        {"beside", circle.beside},
+        {"sine", circle.sine},
+        {"opposite", circle.opposite},
+        {"pythagoras", circle.pythagoras},
+        {"down", circle.down},
+    };
+}
+
 }
 
 std::vector<std::pair<QString, QString>> pageWords()
 {
-    return {
+    WordList words = {
         {"play", WebPageWords::tr("Play")},
         {"pause", WebPageWords::tr("Pause")},
         {"back", WebPageWords::tr("One frame back")},
@@ -28,7 +62,6 @@ std::vector<std::pair<QString, QString>> pageWords()
         {"zoomIn", WebPageWords::tr("Zoom in")},
         {"zoomOut", WebPageWords::tr("Zoom out")},
         {"fit", WebPageWords::tr("Fit the scene")},
-        {"trails", WebPageWords::tr("Trails")},
         {"light", WebPageWords::tr("Light colours")},
         {"dark", WebPageWords::tr("Dark colours")},
         {"scene", WebPageWords::tr("Scene")},
@@ -53,6 +86,9 @@ std::vector<std::pair<QString, QString>> pageWords()
         {"otherColours", WebPageWords::tr("light or dark colours")},
         {"made", WebPageWords::tr("Made with Springstep")},
     };
+    for (const auto &word : sceneWords())
+        words.push_back(word);
+    return words;
 }
 
 QString noRunText(NoRun why)

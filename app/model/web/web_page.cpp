@@ -10,6 +10,7 @@
 #include "sim/run/script/composed_interval.h"
 
 #include <QElapsedTimer>
+#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +62,21 @@ std::vector<PlotSpec> withValues(const std::vector<PlotSpec> &plots, const sim::
     return all;
 }
 
+/// Returns what the window shows of a step that is opened for the first time.
+PageSwitches firstSwitches(const lessons::View &view)
+{
+    PageSwitches switches;
+    switches.velocities = view.showsVelocities;
+    switches.onion = view.showsOnionSkins;
+    return switches;
+}
+
+bool differ(const sim::State &a, const sim::State &b)
+{
+    constexpr double least = 1e-9; // px
+    return a.pointCount() != b.pointCount() || ((a.position - b.position).abs() > least).any();
+}
+
 }
 
 std::vector<PlotSpec> plotsOfPage(const sim::Script &script)
@@ -81,6 +97,10 @@ WebPage::WebPage(const WebPagePlan &plan, const LessonLibrary &library)
     if (m_step.companion)
         m_companion.emplace(*m_step.companion);
     m_isBehind = m_companion.has_value();
+    if (m_plan.ghost)
+        m_ghost.emplace(*m_plan.ghost->script, keyframeMemory);
+    if (!m_plan.switches)
+        m_plan.switches = firstSwitches(*pictureOf(m_track).view);
     if (m_plan.from == 0)
         takeFrame(nullptr);
 }
@@ -99,7 +119,9 @@ void WebPage::takeFrame(const sim::State *before)
 {
     const Picture picture = pictureOf(m_track);
     m_figure.add(picture);
-    if (m_figure.places() > mostPlaces)
+    m_figure.addVelocities(picture.state, m_track.framesPerOutput());
+    followGhost(picture);
+    if (m_figure.places() + m_ghostFigure.places() > mostPlaces)
         throw UserError(
             WebPageText::tr("The bodies of %1 frames do not fit on a web page. Choose fewer frames.")
                 .arg(m_count + 1));
@@ -137,6 +159,18 @@ bool WebPage::followCompanion()
     return true;
 }
 
+void WebPage::followGhost(const Picture &picture)
+{
+    if (!m_ghost || (m_ghost->stop() && m_ghost->cursor().frame < frame()))
+        return;
+    Picture ghost = pictureOf(*m_ghost);
+    ghost.overlays.clear();
+    if (m_ghostFigure.isEmpty() && !differ(ghost.state, picture.state))
+        m_ghostFigure.addNone();
+    else
+        m_ghostFigure.add(ghost);
+}
+
 bool WebPage::goOn()
 {
     QElapsedTimer clock;
@@ -152,6 +186,8 @@ bool WebPage::goOn()
         }
         const sim::State before = m_track.state();
         m_track.seek({next, 0});
+        if (m_ghost)
+            m_ghost->seek({next, 0});
         if (frame() < next) {
             m_endsEarly = endSentence(m_track);
             finish();
@@ -219,6 +255,44 @@ void WebPage::writeHand(JsonWriter &json, NumberColumns &columns) const
     json.field("handY", columns.addShort(m_handY));
 }
 
+void WebPage::writeSwitches(JsonWriter &json) const
+{
+    const PageSwitches &switches = *m_plan.switches;
+    json.beginObject("shows");
+    json.field("trails", switches.trails);
+    json.field("velocities", switches.velocities);
+    json.field("onion", switches.onion);
+    json.field("ghost", switches.ghost);
+    json.field("guides", switches.guides);
+    json.field("unitCircle", switches.unitCircle);
+    json.field("grid", switches.grid);
+    json.field("eyes", switches.eyes);
+    json.endObject();
+}
+
+void WebPage::writeFigures(JsonWriter &json, NumberColumns &columns) const
+{
+    const auto write = [&](const PageFigure &figure, const QString &name, sim::Vec2 shift) {
+        json.field("name", name);
+        json.field("shiftX", shift.x);
+        json.field("shiftY", shift.y);
+        figure.write(json, columns);
+        json.endObject();
+    };
+    json.beginList("figures");
+    json.beginObject();
+    write(m_figure, m_hasBeside ? runTitle() : QString(), {});
+    if (m_hasBeside) {
+        json.beginObject();
+        write(m_beside, m_step.companion->caption, m_step.companion->offset);
+    }
+    json.endList();
+    if (m_ghostFigure.isEmpty())
+        return;
+    json.beginObject("ghost");
+    write(m_ghostFigure, m_plan.ghost->name, {});
+}
+
 QByteArray WebPage::data() const
 {
     JsonWriter json(0);
@@ -226,28 +300,15 @@ QByteArray WebPage::data() const
     const int every = m_track.framesPerOutput();
     json.beginObject();
     json.field("format", "springstep-page/1");
+    json.field("decimal", QString(QLocale().decimalPoint()));
     writeTexts(json);
     writeNotes(json);
+    writeSwitches(json);
     json.field("rate", m_plan.rate);
     json.field("first", (m_plan.from + every - 1) / every * every);
     json.field("every", every);
     json.field("count", m_count);
-    json.beginList("figures");
-    json.beginObject();
-    json.field("name", m_hasBeside ? runTitle() : QString());
-    json.field("shiftX", 0.0);
-    json.field("shiftY", 0.0);
-    m_figure.write(json, columns);
-    json.endObject();
-    if (m_hasBeside) {
-        json.beginObject();
-        json.field("name", m_step.companion->caption);
-        json.field("shiftX", m_step.companion->offset.x);
-        json.field("shiftY", m_step.companion->offset.y);
-        m_beside.write(json, columns);
-        json.endObject();
-    }
-    json.endList();
+    writeFigures(json, columns);
     if (m_listing)
         m_listing->write(json);
     m_plots.write(json, columns);

@@ -8,6 +8,8 @@
 #include "app/model/web/page_listing.h"
 #include "app/model/web/page_plots.h"
 
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,6 +17,26 @@ namespace app {
 
 /// The colours of a page, by name: "scene", "ink".
 using PageColors = std::vector<std::pair<QString, QString>>;
+
+/// What the scene of a page shows at first, as in the window. The reader can switch most of it.
+struct PageSwitches
+{
+    bool trails = true;
+    bool velocities = false;
+    bool onion = false;
+    bool ghost = true;
+    bool guides = true;
+    bool unitCircle = true; ///< also the triangle of its arrow
+    bool grid = true;
+    bool eyes = true;
+};
+
+/// Another run of the same step, drawn as the ghost.
+struct PageGhost
+{
+    QString name; ///< how it differs from the run
+    std::shared_ptr<const sim::Script> script;
+};
 
 /// The settings of a web page that plays a run.
 struct WebPagePlan
@@ -26,6 +48,9 @@ struct WebPagePlan
     double rate = 30.0;               ///< frames per second; 30 is the speed of the window
     std::vector<PlotSpec> plots = {}; ///< which name their bodies
     PageColors light, dark;           ///< in light and in dark surroundings
+    /// Empty: as the window shows the step first.
+    std::optional<PageSwitches> switches = {};
+    std::optional<PageGhost> ghost = {};
 };
 
 /// The file names of web pages end in this.
@@ -58,11 +83,15 @@ private:
     void takeFrame(const sim::State *before);
     /// Adds the same frame of the companion. Returns whether it is computed.
     bool followCompanion();
+    /// Adds the same frame of the ghost, from the first one that differs until the ghost's run ends.
+    void followGhost(const Picture &picture);
     void finish();
     QByteArray data() const;
     void writeTexts(JsonWriter &json) const;
     void writeNotes(JsonWriter &json) const;
     void writeHand(JsonWriter &json, NumberColumns &columns) const;
+    void writeSwitches(JsonWriter &json) const;
+    void writeFigures(JsonWriter &json, NumberColumns &columns) const;
     void takeHand();
     Picture pictureOf(const sim::Track &track);
     /// Returns the method and the step of the run.
@@ -78,6 +107,8 @@ private:
     PageFigure m_beside;
     bool m_hasBeside = false; ///< the companion's method can compute the scene
     bool m_isBehind = false;  ///< the companion has not reached the cursor yet
+    std::optional<sim::Track> m_ghost;
+    PageFigure m_ghostFigure; ///< without overlays
     std::unique_ptr<PageListing> m_listing;
     PagePlots m_plots;
     std::vector<std::pair<std::int64_t, QString>>

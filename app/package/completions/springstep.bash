@@ -45,8 +45,12 @@ _springstep_offer_value() {
         --stability) _springstep_offer "gauge reasons step damping rest" ;;
         --case) _springstep_offer "$(_springstep_cases)" ;;
         --svg) _springstep_offer_files svg ;;
-        --name) ;; # of a learner
-        --language) _springstep_offer "en de" ;;
+        --name | --ghost) ;; # of a learner, of a run
+        --language) _springstep_offer "en de es fr" ;;
+        --plot)
+            _springstep_offer "x y velocity_x velocity_y speed acceleration_x acceleration_y acceleration"
+            _springstep_offer "angle spin own_motion distance motion stored energy"
+            ;;
         --lessons) _springstep_offer "$(_springstep_lessons)" ;;
         --tolerance | --frames | --frame | --phase | --size | --from | --to | --fps) ;; # numbers
         *) return 1 ;;

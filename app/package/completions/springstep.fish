@@ -50,10 +50,13 @@ function __springstep_values
             __springstep_cases
         case --svg
             __springstep_files svg
-        case --name
-            return 0 # of a learner
+        case --name --ghost
+            return 0 # of a learner, of a run
         case --language
-            string split ' ' 'en de'
+            string split ' ' 'en de es fr'
+        case --plot
+            string split ' ' 'x y velocity_x velocity_y speed acceleration_x acceleration_y acceleration'
+            string split ' ' 'angle spin own_motion distance motion stored energy'
         case --lessons
             __springstep_lessons
         case --tolerance --frames --frame --phase --size --from --to --fps

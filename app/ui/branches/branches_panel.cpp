@@ -1,6 +1,8 @@
 #include "app/ui/branches/branches_panel.h"
 
 #include "app/model/series/difference_table.h"
+#include "app/model/session/comparison_runs.h"
+#include "app/model/session/playback.h"
 #include "app/model/text/difference_text.h"
 #include "app/model/text/sentences.h"
 #include "app/ui/branches/difference_plot.h"
@@ -15,12 +17,14 @@
 
 namespace app {
 
-BranchesPanel::BranchesPanel(Session &session, const Theme &theme, QWidget *parent)
-    : LivePanel(parent), m_session(session), m_theme(theme), m_series(session.run(), session.comparisons()),
+BranchesPanel::BranchesPanel(const OpenRun &run, RunEditor &editor, Playback &playback,
+                             ComparisonRuns &comparisons, const Theme &theme, QWidget *parent)
+    : LivePanel(parent), m_run(run), m_playback(playback), m_comparisons(comparisons), m_theme(theme),
+      m_series(run, comparisons),
       m_title(new PanelTitle(tr("Two runs"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
-      m_plot(new DifferencePlot(session.run(), session.playback(), m_series, theme, this)),
+      m_plot(new DifferencePlot(run, playback, m_series, theme, this)),
       m_export(new PlotExport([this] { return m_plot->picture(); }, theme, this)),
-      m_runs(new RunsMenu(session.run(), session.editor(), session.comparisons(), theme, this))
+      m_runs(new RunsMenu(run, editor, comparisons, theme, this))
 {
     m_export->setNumbersAsText([this] { return differenceTable(m_series); });
     m_export->addContextMenu(*m_plot);
@@ -35,9 +39,8 @@ BranchesPanel::BranchesPanel(Session &session, const Theme &theme, QWidget *pare
     connect(m_plot, &DifferencePlot::pointedAt, this, &BranchesPanel::pointedAt);
     connect(m_plot, &DifferencePlot::pointedAt, m_plot, &DifferencePlot::setHovered);
     connect(&m_series, &DifferenceSeries::changed, this, &BranchesPanel::refresh);
-    session.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this,
-                     &BranchesPanel::refresh);
-    session.onChange(ChangeKind::step | ChangeKind::selection, this, &BranchesPanel::nameBodies);
+    run.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this, &BranchesPanel::refresh);
+    run.onChange(ChangeKind::step | ChangeKind::selection, this, &BranchesPanel::nameBodies);
     connect(&theme, &Theme::changed, this, &BranchesPanel::applyTheme);
     nameBodies();
     applyTheme();
@@ -106,15 +109,15 @@ void BranchesPanel::setOf(DifferenceSeries::Of of)
 
 void BranchesPanel::nameBodies()
 {
-    m_selected->setText(bodyTitle(m_session.selected()));
+    m_selected->setText(bodyTitle(m_run.selected()));
 }
 
 void BranchesPanel::goToLargest()
 {
     if (!m_series.largest())
         return;
-    m_session.playback().pause();
-    m_session.playback().goTo({m_series.largest()->frame, 0});
+    m_playback.pause();
+    m_playback.goTo({m_series.largest()->frame, 0});
 }
 
 void BranchesPanel::setActive(bool isActive)
@@ -124,12 +127,12 @@ void BranchesPanel::setActive(bool isActive)
 
 bool BranchesPanel::isChanging() const
 {
-    return m_session.playback().isPlaying() || (m_series.isComparing() && m_series.next() <= m_series.end());
+    return m_playback.isPlaying() || (m_series.isComparing() && m_series.next() <= m_series.end());
 }
 
 void BranchesPanel::showContents()
 {
-    const Branch *branch = m_session.comparisons().shown();
+    const Branch *branch = m_comparisons.shown();
     m_title->setCaption(branch ? tr("this one and “%1”").arg(branch->name) : QString());
     m_sentence->setText(differenceSentence(m_series));
     m_plot->setAccessibleDescription(m_sentence->text());

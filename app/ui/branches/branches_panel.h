@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/model/series/difference_series.h"
-#include "app/model/session/session.h"
 #include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
 
@@ -10,9 +9,12 @@ class QToolButton;
 
 namespace app {
 
+class ComparisonRuns;
 class DifferencePlot;
 class PanelTitle;
+class Playback;
 class PlotExport;
+class RunEditor;
 class RunsMenu;
 
 /// Compares two runs: the distance between a body's positions in both, over time, and the largest of these distances.
@@ -21,7 +23,9 @@ class BranchesPanel : public LivePanel
     Q_OBJECT
 
 public:
-    BranchesPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    /// All arguments must outlive it.
+    BranchesPanel(const OpenRun &run, RunEditor &editor, Playback &playback, ComparisonRuns &comparisons,
+                  const Theme &theme, QWidget *parent = nullptr);
 
     const DifferenceSeries &series() const { return m_series; }
     DifferencePlot &plot() const { return *m_plot; }
@@ -53,7 +57,9 @@ private:
     void nameBodies();
     void applyTheme();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
+    const ComparisonRuns &m_comparisons;
     const Theme &m_theme;
     DifferenceSeries m_series;
     PanelTitle *m_title;

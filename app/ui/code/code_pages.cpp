@@ -27,7 +27,8 @@ namespace app {
 
 CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_engine(new CodePanel(session, theme, this)),
-      m_listing(new ListingPanel(session, theme, this)), m_rule(new RulePanel(session, theme, this)),
+      m_listing(new ListingPanel(session, theme, this)),
+      m_rule(new RulePanel(session.run(), session.editor(), session.playback(), session.rule(), theme, this)),
       m_pages(new QStackedWidget(this)), m_offer(new QWidget(this)), m_offerText(new QLabel(m_offer)),
       m_use(new QPushButton(m_offer)), m_tabs(new QWidget(this)), m_actions(new QWidget(this))
 {

@@ -36,6 +36,10 @@ std::vector<QDockWidget *> Docks::all() const
 
 void Docks::show(Panel panel, bool isShown) const
 {
+    if (const auto own = m_showFunctions.find(panel); own != m_showFunctions.end()) {
+        own->second(isShown);
+        return;
+    }
     QDockWidget &dock = (*this)[panel];
     dock.setVisible(isShown);
     if (isShown)
@@ -54,7 +58,7 @@ bool Docks::isIn(Panel panel, Qt::DockWidgetArea area) const
     return !dock.isHidden() && !dock.isFloating() && m_window.dockWidgetArea(&dock) == area;
 }
 
-void Docks::toggle(Command &command, const std::vector<Panel> &panels)
+void Docks::toggleTogether(Command &command, const std::vector<Panel> &panels)
 {
     connect(&command, &QAction::triggered, this, [this, panels](bool isShown) {
         for (const Panel panel : panels)
@@ -64,10 +68,10 @@ void Docks::toggle(Command &command, const std::vector<Panel> &panels)
     follow(command, panels.front());
 }
 
-void Docks::toggle(Command &command, Panel panel, const std::function<void(bool)> &show)
+void Docks::toggle(Command &command, Panel panel)
 {
     connect(&command, &QAction::triggered, this,
-            [this, panel, show](bool isShown) { show(isShown || isCovered(panel)); });
+            [this, panel](bool isShown) { show(panel, isShown || isCovered(panel)); });
     follow(command, panel);
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <utility>
 #include <vector>
 
 class QDockWidget;
@@ -48,22 +49,27 @@ public:
 
     /// Shows a panel in front of other tabs, or hides it.
     void show(Panel panel, bool isShown) const;
+    /// Makes show() call `function` for a panel that has no fixed place.
+    void setShowFunction(Panel panel, std::function<void(bool)> function)
+    {
+        m_showFunctions[panel] = std::move(function);
+    }
     /// Returns whether a panel is open, but not visible behind another tab.
     bool isCovered(Panel panel) const;
     /// Returns whether a panel stands in that area beside the scene.
     bool isIn(Panel panel, Qt::DockWidgetArea area) const;
 
+    /// Makes a command show or hide a panel. If the panel is covered by another tab, the command brings it to the front.
+    void toggle(Command &command, Panel panel);
     /// Makes a command show and hide panels, and follow whether the first one is open.
-    void toggle(Command &command, const std::vector<Panel> &panels);
-    /// Makes a command show or hide a panel by `show`. If the panel is covered by another tab, the command
-    /// brings it to the front.
-    void toggle(Command &command, Panel panel, const std::function<void(bool)> &show);
+    void toggleTogether(Command &command, const std::vector<Panel> &panels);
 
 private:
     void follow(Command &command, Panel panel);
 
     QMainWindow &m_window;
     std::map<Panel, QDockWidget *> m_docks;
+    std::map<Panel, std::function<void(bool)>> m_showFunctions;
 };
 
 }

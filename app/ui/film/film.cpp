@@ -24,13 +24,13 @@ constexpr qint64 sliceMilliseconds = 15; ///< length of one piece of measuring
 constexpr int mostSamples = 24;          ///< pictures, evenly spaced, from which the film's colours are taken
 
 /// Returns the colours that carry meaning or fill large areas. The film keeps them exactly.
-std::vector<QRgb> inksOf(const Tokens &t)
+std::vector<QRgb> keptColors(const Tokens &t)
 {
-    std::vector<QRgb> inks;
+    std::vector<QRgb> colors;
     for (const QColor &color : {t.scene, t.dots, t.ink, t.ink2, t.ink3, t.body, t.bodyInk, t.ghost, t.now,
                                 t.spring, t.gravity, t.damping, t.contact, t.driver, t.wind, t.stick, t.link})
-        inks.push_back(color.rgb());
-    return inks;
+        colors.push_back(color.rgb());
+    return colors;
 }
 
 /// @throws UserError
@@ -84,18 +84,18 @@ std::int64_t Film::frame() const
 bool Film::goOn()
 {
     if (m_motion) {
-        frameSpan();
+        measureMotion();
         return true;
     }
     if (m_session.playback().goal() || m_session.presentation().isCompanionComing())
         return true;
     if (m_file)
-        return shoot();
+        return addPicture();
     collectColors();
     return true;
 }
 
-void Film::frameSpan()
+void Film::measureMotion()
 {
     if (!m_motion->goOn(sliceMilliseconds))
         return;
@@ -104,7 +104,7 @@ void Film::frameSpan()
     if (m_samples > 0)
         m_session.playback().goTo({sampleFrame(0), 0});
     else
-        begin();
+        beginFile();
 }
 
 QImage Film::picture()
@@ -120,21 +120,21 @@ void Film::collectColors()
     if (++m_sampled < m_samples)
         m_session.playback().goTo({sampleFrame(m_sampled), 0});
     else
-        begin();
+        beginFile();
 }
 
-void Film::begin()
+void Film::beginFile()
 {
     std::vector<QRgb> palette;
     if (m_samples > 0)
-        palette = paletteOf(m_colors, inksOf(m_theme.tokens()), GifFile::mostColors);
+        palette = paletteOf(m_colors, keptColors(m_theme.tokens()), GifFile::mostColors);
     m_file = beginFilm(m_plan.out, m_view.viewport()->size(), std::move(palette));
     m_view.returnHome();
     // Starts early enough for the trail in the first picture.
     m_session.playback().goTo({std::max<std::int64_t>(0, m_plan.from - Trail::length), 0});
 }
 
-bool Film::shoot()
+bool Film::addPicture()
 {
     const sim::Timeline &timeline = m_session.timeline();
     const std::int64_t frame = timeline.cursor().frame;

@@ -33,7 +33,7 @@ public:
     /// Returns false when the film is finished and written.
     /// @throws UserError if the file cannot be written
     bool goOn();
-    /// Returns how many pieces are done, of total().
+    /// Returns how many pieces of total() are done.
     std::int64_t done() const { return m_done; }
     std::int64_t total() const { return m_total; }
     /// Returns the frame that is being processed.
@@ -43,13 +43,15 @@ public:
 
 private:
     /// Measures how far the bodies move in the film, then fits the view to that area.
-    void frameSpan();
+    void measureMotion();
     /// Returns a picture of the current view. @throws std::bad_alloc
     QImage picture();
+    /// Counts the colours of a sample, and goes to the next.
     void collectColors();
-    bool shoot();
+    /// Adds the picture of the current frame, and goes to the next. Returns false after the last.
+    bool addPicture();
     std::int64_t sampleFrame(int number) const;
-    void begin();
+    void beginFile();
 
     FilmPlan m_plan;
     LessonLibrary m_library; ///< contains only the step

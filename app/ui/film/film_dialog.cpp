@@ -50,10 +50,10 @@ FilmDialog::FilmDialog(const Session &session, const SceneView &view, const Them
     column->addWidget(buttons());
     resize(pageWidth, column->totalHeightForWidth(pageWidth));
     connect(&m_next, &QTimer::timeout, this, &FilmDialog::goOn);
-    connect(m_name, &FilmName::changed, this, &FilmDialog::askAgain);
+    connect(m_name, &FilmName::changed, this, &FilmDialog::clearMessage);
     connect(m_range, &FrameRange::changed, this, [this] {
         m_name->forbidReplacing();
-        askAgain();
+        clearMessage();
     });
     showState();
 }
@@ -114,7 +114,7 @@ void FilmDialog::offer()
         m_range->set(0, static_cast<int>(m_session.experiment().frames));
         m_name->suggest(folder(), m_session.step().id);
         m_name->forbidReplacing();
-        askAgain();
+        clearMessage();
     }
     placeOverParent(*this);
     show();
@@ -122,8 +122,8 @@ void FilmDialog::offer()
     activateWindow();
 }
 
-/// The permission to replace files was only for the previous settings.
-void FilmDialog::askAgain()
+/// Clears the message: it was about the previous settings.
+void FilmDialog::clearMessage()
 {
     if (isMaking())
         return;

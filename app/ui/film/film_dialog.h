@@ -35,7 +35,7 @@ private:
     QWidget *fields();
     QWidget *buttons();
     void start();
-    void askAgain();
+    void clearMessage();
     void goOn();
     void stop();
     void end(const QString &sentence);

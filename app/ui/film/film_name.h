@@ -8,7 +8,7 @@ class QLineEdit;
 
 namespace app {
 
-/// A field for the name of a film that also asks before an existing file is replaced.
+/// A field for the name of a film. It asks before an existing file is replaced.
 class FilmName : public QWidget
 {
     Q_OBJECT
@@ -23,8 +23,8 @@ public:
     void suggest(const QString &folder, const QString &name);
     QLineEdit &field() const { return *m_field; }
 
-    /// Returns why the learner must confirm a film of these frames. Returns an empty text if no file is in
-    /// the way or it may be replaced.
+    /// Returns the sentence that asks the learner to confirm a film of these frames, because it would replace a file. Empty
+    /// if there is no such file, or if it may be replaced.
     /// @throws UserError if the name is not a film name
     QString objection(std::int64_t from, std::int64_t to) const;
     /// Allows existing files with this name to be replaced, until the name changes.

@@ -21,7 +21,8 @@ public:
     static constexpr int least = 200; ///< px, of the width
     static constexpr int most = 3840;
 
-    /// One of the aspect ratios is that of `scene`, read whenever it is needed. `scene` must outlive this.
+    /// Offers the aspect ratio of `scene` among others, also after `scene` has changed its size. `scene` must outlive this
+    /// object.
     explicit FilmSize(const QWidget &scene, QWidget *parent = nullptr);
 
     QSize size() const;

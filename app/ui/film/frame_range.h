@@ -20,7 +20,7 @@ class FrameRange : public QObject
     Q_OBJECT
 
 public:
-    /// Adds the fields to `form`, whose widget becomes their parent. The helps are their tooltips.
+    /// Adds the fields to `form`, whose widget becomes their parent. The texts are their tooltips.
     FrameRange(QGridLayout &form, const QString &firstHelp, const QString &lastHelp);
 
     int first() const;

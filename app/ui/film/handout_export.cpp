@@ -32,7 +32,7 @@ HandoutPicture handoutPicture(const LessonLibrary &library)
     };
 }
 
-int handoutPictures(const LessonEntry &lesson)
+int handoutPictureCount(const LessonEntry &lesson)
 {
     std::ptrdiff_t count = 0;
     for (const lessons::Step &step : lesson.steps) {
@@ -51,7 +51,7 @@ QString exportHandout(QWidget &window, const LessonEntry &lesson, const LessonLi
     if (path.isEmpty())
         return {};
     QProgressDialog progress(HandoutExportText::tr("The pictures of “%1” are drawn…").arg(lesson.title),
-                             HandoutExportText::tr("Cancel"), 0, handoutPictures(lesson), &window);
+                             HandoutExportText::tr("Cancel"), 0, handoutPictureCount(lesson), &window);
     progress.setWindowModality(Qt::WindowModal);
     const HandoutPicture draw = handoutPicture(library);
     QTextDocument document;

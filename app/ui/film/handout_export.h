@@ -6,11 +6,11 @@ class QWidget;
 
 namespace app {
 
-/// Returns a function that draws the moments of a handout. `library` must have its lesson, and outlive the function.
+/// Returns a function that draws the pictures of a handout. `library` must have its lesson, and outlive the function.
 HandoutPicture handoutPicture(const LessonLibrary &library);
 
-/// Returns how many pictures the handout of a lesson asks for.
-int handoutPictures(const LessonEntry &lesson);
+/// Returns the number of pictures in the handout of a lesson.
+int handoutPictureCount(const LessonEntry &lesson);
 
 /// Asks for a file, and writes the handout of `lesson` into it. Shows the progress in a dialog where it can be cancelled.
 /// Returns the file; empty if the user cancelled.

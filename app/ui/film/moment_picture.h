@@ -6,7 +6,8 @@
 
 namespace app {
 
-/// Draws a moment of a run on light ground, for paper and web pages. Null if the run does not reach it in a few seconds.
+/// Returns a picture of a moment of a run in the light theme, for paper and web pages. Null if computing the run up to there
+/// takes more than a few seconds.
 QImage pictureOfMoment(const Experiment &experiment, sim::Cursor at, const LessonLibrary &library);
 
 }

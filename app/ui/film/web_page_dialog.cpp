@@ -86,10 +86,11 @@ QString WebPageDialog::message() const
     return m_progress->message();
 }
 
-void WebPageDialog::offer(std::vector<PlotSpec> plots)
+void WebPageDialog::offer(std::vector<PlotSpec> plots, const PageSwitches &switches)
 {
     if (!isMaking()) {
         m_plots = std::move(plots);
+        m_switches = switches;
         const auto played = static_cast<int>(m_session.experiment().frames);
         m_range->set(0, played > 1 ? played : usualFrames);
         m_progress->setMessage({});
@@ -117,6 +118,9 @@ void WebPageDialog::make(const QString &path)
     plan.from = m_range->first();
     plan.to = m_range->last();
     plan.plots = m_plots;
+    plan.switches = m_switches;
+    if (const Branch *ghost = m_session.comparisons().shown())
+        plan.ghost = PageGhost{ghost->name, ghost->script};
     plan.light = pageColors(Scheme::light);
     plan.dark = pageColors(Scheme::dark);
     m_path = path;

@@ -22,8 +22,9 @@ public:
     /// `session` must outlive it.
     explicit WebPageDialog(const Session &session, QWidget *parent = nullptr);
 
-    /// Shows the dialog with the frames of the open run. The page gets `plots`, which must name their bodies.
-    void offer(std::vector<PlotSpec> plots);
+    /// Shows the dialog with the frames of the open run. The page gets `plots`, which must name their bodies, and its scene
+    /// shows what `switches` say, with the ghost that the window shows when the page is made.
+    void offer(std::vector<PlotSpec> plots, const PageSwitches &switches);
     /// Makes the page with the frames of the dialog.
     void make(const QString &path);
     bool isMaking() const { return m_page != nullptr; }
@@ -41,6 +42,7 @@ private:
 
     const Session &m_session;
     std::vector<PlotSpec> m_plots;
+    PageSwitches m_switches;
     FrameRange *m_range;
     QWidget *m_fields; ///< all settings
     ExportProgress *m_progress;

@@ -1,10 +1,14 @@
 #include "app/ui/learn/fold_box.h"
 
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/prose.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QVBoxLayout>
+
+#include <cmath>
 
 namespace app {
 
@@ -14,6 +18,12 @@ constexpr int foldArrow = 14;
 constexpr int foldedLeft = foldArrow + 5; ///< px: the text below is aligned with the title
 constexpr int titlePadding = 4;           ///< px, above and below
 
+/// Returns the height of a line of a title, px.
+int titleLine(const Theme &theme)
+{
+    return QFontMetrics(theme.ui(13, QFont::Medium)).height();
+}
+
 }
 
 WhyButton::WhyButton(const QString &question, const Theme &theme, QWidget *parent)
@@ -21,15 +31,35 @@ WhyButton::WhyButton(const QString &question, const Theme &theme, QWidget *paren
 {
     setCheckable(true);
     setFocusPolicy(Qt::TabFocus);
-    setText(question);
-    setAccessibleName(question);
     setCursor(Qt::PointingHandCursor);
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
     connect(this, &QAbstractButton::toggled, this, &WhyButton::describeState);
-    connect(&theme, &Theme::changed, this, qOverload<>(&QWidget::update));
+    connect(&theme, &Theme::changed, this, &WhyButton::applyTheme);
     describeState();
+    setMarkdown(question);
+}
+
+void WhyButton::setMarkdown(const QString &text)
+{
+    if (text == m_markdown)
+        return;
+    m_markdown = text;
+    const QString plain = plainText(text);
+    setText(plain);
+    setAccessibleName(plain);
+    applyTheme();
+    updateGeometry();
+}
+
+void WhyButton::applyTheme()
+{
+    const Tokens &tokens = m_theme.tokens();
+    const QColor ink = underMouse() ? tokens.ink : tokens.ink2;
+    const double line = titleLine(m_theme);
+    setProse(m_document, m_markdown, {13, line, 4, ink, tokens.ink, QFont::Bold, 0, QFont::Medium}, m_theme);
+    update();
 }
 
 void WhyButton::describeState()
@@ -40,10 +70,8 @@ void WhyButton::describeState()
 
 int WhyButton::heightForWidth(int width) const
 {
-    const QRect room(0, 0, std::max(1, width - foldedLeft), 10'000);
-    return 2 * titlePadding + QFontMetrics(m_theme.ui(13, QFont::Medium))
-                                  .boundingRect(room, Qt::TextWordWrap | Qt::AlignLeft, text())
-                                  .height();
+    m_document.setTextWidth(std::max(1, width - foldedLeft));
+    return 2 * titlePadding + static_cast<int>(std::ceil(m_document.size().height()));
 }
 
 QSize WhyButton::sizeHint() const
@@ -61,26 +89,23 @@ void WhyButton::keyPressEvent(QKeyEvent *event)
 
 void WhyButton::enterEvent(QEnterEvent *)
 {
-    update();
+    applyTheme();
 }
 
 void WhyButton::leaveEvent(QEvent *)
 {
-    update();
+    applyTheme();
 }
 
 void WhyButton::paintEvent(QPaintEvent *)
 {
     const QColor ink = underMouse() ? m_theme.tokens().ink : m_theme.tokens().ink2;
     QPainter painter(this);
-    const QFont font = m_theme.ui(13, QFont::Medium);
-    const int line = QFontMetrics(font).height();
     m_theme.icon(isChecked() ? "down" : "right", ink)
-        .paint(&painter, QRect(0, titlePadding + (line - foldArrow) / 2, foldArrow, foldArrow));
-    painter.setFont(font);
-    painter.setPen(ink);
-    painter.drawText(rect().adjusted(foldedLeft, titlePadding, 0, 0), Qt::TextWordWrap | Qt::AlignLeft,
-                     text());
+        .paint(&painter, QRect(0, titlePadding + (titleLine(m_theme) - foldArrow) / 2, foldArrow, foldArrow));
+    m_document.setTextWidth(std::max(1, width() - foldedLeft));
+    painter.translate(foldedLeft, titlePadding);
+    m_document.drawContents(&painter);
 }
 
 FoldBox::FoldBox(const QString &title, const Theme &theme, QWidget *parent)
@@ -107,9 +132,9 @@ FoldBox::FoldBox(const QString &title, const Theme &theme, QWidget *parent)
 
 void FoldBox::showTitle(const QString &title, bool isDone, const QString &spoken)
 {
-    m_title->setText(isDone ? title + QStringLiteral(" ✓") : title);
-    m_title->setAccessibleName(isDone ? spoken : title);
-    m_title->updateGeometry();
+    m_title->setMarkdown(isDone ? title + QStringLiteral(" ✓") : title);
+    if (isDone)
+        m_title->setAccessibleName(spoken);
 }
 
 NarrationText *FoldBox::addText(const QString &name, const QString &text)

@@ -3,6 +3,7 @@
 #include "app/ui/theme/theme.h"
 
 #include <QAbstractButton>
+#include <QTextDocument>
 
 class QVBoxLayout;
 
@@ -17,8 +18,11 @@ class WhyButton : public QAbstractButton
     Q_OBJECT
 
 public:
+    /// `question` is Markdown.
     WhyButton(const QString &question, const Theme &theme, QWidget *parent = nullptr);
 
+    /// Shows a text in Markdown. text() and the accessible name have it without Markdown syntax.
+    void setMarkdown(const QString &text);
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
     QSize sizeHint() const override;
@@ -31,8 +35,11 @@ protected:
 
 private:
     void describeState();
+    void applyTheme();
 
     const Theme &m_theme;
+    QString m_markdown;
+    mutable QTextDocument m_document; ///< laid out for the width that was last requested
 };
 
 /// A box that is folded to its title until the learner unfolds it.
@@ -41,6 +48,7 @@ class FoldBox : public QWidget
     Q_OBJECT
 
 public:
+    /// `title` is Markdown.
     FoldBox(const QString &title, const Theme &theme, QWidget *parent);
 
     bool isUnfolded() const { return m_title->isChecked(); }
@@ -52,7 +60,7 @@ signals:
 
 protected:
     WhyButton &title() { return *m_title; }
-    /// Shows a title, with a tick and with other words for a screen reader if it `isDone`.
+    /// Shows a title in Markdown, with a tick and with other words for a screen reader if it `isDone`.
     void showTitle(const QString &title, bool isDone, const QString &spoken);
     /// Returns what is below the title, and its layout.
     QWidget *content() const { return m_content; }

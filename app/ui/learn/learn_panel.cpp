@@ -37,8 +37,7 @@ constexpr int listMargin = 8;
 LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_session(session), m_theme(theme), m_glossary(session.library()),
       m_title(new PanelTitle(tr("Lessons"), PanelTitle::CaptionPlace::right, theme, this)),
-      m_list(new LessonList(session, theme, this)),
-      m_narration(new Narration(session, m_glossary, theme, this)),
+      m_list(new LessonList(session, theme, this)), m_narration(makeNarration()),
       m_summary(new SummaryPage(session, theme, this)), m_rail(new LessonRail(theme, this)),
       m_map(new QToolButton(m_title)), m_fold(new QToolButton(m_title)), m_unfold(new QToolButton(m_title)),
       m_divider(new QFrame(this)), m_card(new WordCard(m_glossary, theme, this))
@@ -83,6 +82,13 @@ LearnPanel::LearnPanel(Session &session, const Theme &theme, QWidget *parent)
     showCount();
     updateRail();
     shareHeight();
+}
+
+Narration *LearnPanel::makeNarration()
+{
+    // Connected first, so that the texts link the words that there are now.
+    m_session.onChange(ChangeKind::texts, this, [this] { m_glossary = Glossary(m_session.library()); });
+    return new Narration(m_session, m_glossary, m_theme, this);
 }
 
 void LearnPanel::makeRecall()

@@ -39,6 +39,7 @@ public:
     /// Shows the command that opens the map of concepts as a button above the list.
     void setMapCommand(Command &command);
     Form form() const { return m_form; }
+    /// Returns the words of all lessons. It follows lessons that are opened, changed or removed.
     const Glossary &glossary() const { return m_glossary; }
     Narration &narration() const { return *m_narration; }
     ProjectDesk &projects() const { return *m_projects; }
@@ -68,6 +69,7 @@ private:
     void shareHeight();
     void shareRail();
     void updateRail();
+    Narration *makeNarration();
     void makeFold();
     void makeProject();
     void makeRecall();

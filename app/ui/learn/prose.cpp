@@ -3,6 +3,7 @@
 #include "app/model/text/glossary.h"
 
 #include <QFontMetricsF>
+#include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextCursor>
 
@@ -18,7 +19,7 @@ QTextCharFormat styled(const QTextCharFormat &from, const ProseStyle &style, con
     const bool bold = from.fontWeight() > QFont::Normal;
     const bool code = from.fontFixedPitch();
     QFont font =
-        code ? theme.mono(style.size - 1) : theme.ui(style.size, bold ? style.boldWeight : QFont::Normal);
+        code ? theme.mono(style.size - 1) : theme.ui(style.size, bold ? style.boldWeight : style.weight);
     font.setItalic(from.fontItalic());
     if (style.tracking != 0.0 && !code)
         font.setLetterSpacing(QFont::AbsoluteSpacing, style.tracking);
@@ -119,7 +120,9 @@ QString plainText(const QString &markdown)
 {
     QTextDocument document;
     document.setMarkdown(markdown, QTextDocument::MarkdownNoHTML);
-    return document.toPlainText().simplified();
+    // Not simplified(): it makes ordinary spaces of those between a number and its unit.
+    static const QRegularExpression breaks(QStringLiteral("[ \\t\\n\\x{2028}\\x{2029}]+"));
+    return document.toRawText().replace(breaks, QStringLiteral(" ")).trimmed();
 }
 
 }

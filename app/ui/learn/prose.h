@@ -19,6 +19,7 @@ struct ProseStyle
     QColor bold;
     QFont::Weight boldWeight = QFont::DemiBold;
     double tracking = 0; ///< px, added between letters
+    QFont::Weight weight = QFont::Normal;
 };
 
 /// Fills `document` with `markdown`. Line heights are set here, because Qt style sheets cannot set them.
@@ -42,7 +43,7 @@ struct StepPlace
 };
 StepPlace stepOf(const QUrl &link);
 
-/// Returns the text without Markdown syntax, for screen readers.
+/// Returns the text without Markdown syntax, in one line, for screen readers. Spaces that no line breaks at stay.
 QString plainText(const QString &markdown);
 
 }

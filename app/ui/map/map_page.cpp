@@ -176,6 +176,8 @@ void MapPage::rebuild()
 void MapPage::refresh()
 {
     const ConceptMap map(m_session.library());
+    if (map.nodes().size() != m_view->nodes().size()) // a lesson is just being replaced
+        m_view->setMap(map);
     const std::vector<ConceptState> states = map.states([this](const QString &lesson, const QString &step) {
         const LessonEntry *entry = m_session.library().lesson(lesson);
         return entry && m_session.isStepDone(*entry, *entry->step(step));

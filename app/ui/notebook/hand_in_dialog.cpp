@@ -67,8 +67,10 @@ EntryPicture remembered(EntryPicture picture)
 
 }
 
-HandInDialog::HandInDialog(Session &session, QString gallery, QWidget *parent)
-    : QDialog(parent), m_session(session), m_folder(std::move(gallery))
+HandInDialog::HandInDialog(const LessonLibrary &library, const Progress &progress, const Notes &notes,
+                           const Proofs &proofs, QString gallery, QWidget *parent)
+    : QDialog(parent), m_library(library), m_progress(progress), m_notes(notes), m_proofs(proofs),
+      m_folder(std::move(gallery))
 {
     setWindowTitle(tr("Hand in a notebook"));
     setModal(false);
@@ -197,11 +199,10 @@ void HandInDialog::offer()
 
 void HandInDialog::list()
 {
-    const LessonLibrary &library = m_session.library();
     m_lessons->clear();
-    for (std::size_t i = 0; i < library.entries(); ++i) {
-        const LessonEntry &lesson = library.entry(i);
-        const int count = notebookEntries(lesson, m_session.progress(), m_session.notes());
+    for (std::size_t i = 0; i < m_library.entries(); ++i) {
+        const LessonEntry &lesson = m_library.entry(i);
+        const int count = notebookEntries(lesson, m_progress, m_notes);
         if (count == 0)
             continue;
         auto *item = new QListWidgetItem(tr("%1 (%2)").arg(lesson.title).arg(count), m_lessons);
@@ -323,19 +324,17 @@ void HandInDialog::write()
 
 void HandInDialog::writeFiles(const QStringList &files) const
 {
-    const LessonLibrary &library = m_session.library();
     const NotebookPlan plan{.name = m_name->text(),
                             .lessons = lessons(),
                             .gallery = m_gallery->isChecked() ? m_folder : QString()};
-    const Notebook notebook =
-        collectNotebook(plan, library, m_session.progress(), m_session.notes(), m_session.proofs());
-    const EntryPicture picture = remembered(entryPicture(library));
+    const Notebook notebook = collectNotebook(plan, m_library, m_progress, m_notes, m_proofs);
+    const EntryPicture picture = remembered(entryPicture(m_library));
     // All contents first, so that a mistake writes nothing.
     std::vector<QByteArray> contents;
     for (const QString &file : files)
-        contents.push_back(file.endsWith(QLatin1String(pdfEnding)) ? notebookPdf(notebook, library, picture)
+        contents.push_back(file.endsWith(QLatin1String(pdfEnding)) ? notebookPdf(notebook, m_library, picture)
                            : file.endsWith(QLatin1String(webEnding))
-                               ? notebookHtml(notebook, library, picture)
+                               ? notebookHtml(notebook, m_library, picture)
                                : notebookText(notebook));
     for (qsizetype i = 0; i < files.size(); ++i)
         writeWholeFile(files[i], contents[static_cast<std::size_t>(i)]);

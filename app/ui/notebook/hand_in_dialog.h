@@ -1,7 +1,6 @@
 #pragma once
 
 #include "app/model/notebook/notebook_page.h"
-#include "app/model/session/session.h"
 
 #include <QDialog>
 
@@ -21,8 +20,9 @@ class HandInDialog : public QDialog
     Q_OBJECT
 
 public:
-    /// `session` must outlive it. `gallery` is the folder of the gallery; empty: there is none.
-    HandInDialog(Session &session, QString gallery, QWidget *parent = nullptr);
+    /// `gallery` is the folder of the gallery; empty: there is none. The other arguments must outlive it.
+    HandInDialog(const LessonLibrary &library, const Progress &progress, const Notes &notes,
+                 const Proofs &proofs, QString gallery, QWidget *parent = nullptr);
 
     /// Shows the dialog with what is done by now.
     void offer();
@@ -45,7 +45,10 @@ private:
     bool hasContent() const;
     QStringList lessons() const;
 
-    Session &m_session;
+    const LessonLibrary &m_library;
+    const Progress &m_progress;
+    const Notes &m_notes;
+    const Proofs &m_proofs;
     QString m_folder; ///< of the gallery
     QLineEdit *m_name = nullptr;
     QListWidget *m_lessons = nullptr;

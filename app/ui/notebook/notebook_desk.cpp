@@ -4,7 +4,11 @@
 
 namespace app {
 
-NotebookDesk::NotebookDesk(Session &session, QWidget &window) : m_session(session), m_window(window) {}
+NotebookDesk::NotebookDesk(const LessonLibrary &library, const Progress &progress, const Notes &notes,
+                           const Proofs &proofs, QWidget &window)
+    : m_library(library), m_progress(progress), m_notes(notes), m_proofs(proofs), m_window(window)
+{
+}
 
 NotebookDesk::~NotebookDesk() = default;
 
@@ -17,7 +21,7 @@ void NotebookDesk::setGallery(const QString &folder)
 void NotebookDesk::show()
 {
     if (!m_dialog)
-        m_dialog = new HandInDialog(m_session, m_gallery, &m_window);
+        m_dialog = new HandInDialog(m_library, m_progress, m_notes, m_proofs, m_gallery, &m_window);
     m_dialog->offer();
 }
 

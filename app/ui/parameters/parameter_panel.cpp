@@ -166,11 +166,21 @@ QStringList ParameterPanel::offered() const
     return ids;
 }
 
+bool ParameterPanel::hasOtherTexts() const
+{
+    return std::any_of(m_rows.begin(), m_rows.end(), [this](const ParameterRow *row) {
+        const lessons::Parameter &shown = row->parameter();
+        const lessons::Parameter *now = m_run.step().parameter(shown.id);
+        return now && (now->name != shown.name || now->help != shown.help || now->unit != shown.unit);
+    });
+}
+
 void ParameterPanel::follow(const Change &change)
 {
     const bool hasOtherParameters =
         change.isAny(ChangeKind::run) && m_run.isSandbox() && offered() != m_offered;
-    if (change.isAny(ChangeKind::step) || hasOtherParameters)
+    if (change.isAny(ChangeKind::step) || hasOtherParameters ||
+        (change.isAny(ChangeKind::texts) && hasOtherTexts()))
         open();
     if (change.isAny(ChangeKind::run | ChangeKind::playing))
         refreshNow();

@@ -57,6 +57,8 @@ private:
     void open();
     /// Returns the ids of the parameters that affect the scene.
     QStringList offered() const;
+    /// Returns whether the parameters have other names, helps or units than the rows: their document was saved.
+    bool hasOtherTexts() const;
     void follow(const Change &change);
     void addRows();
     void alignColumns();

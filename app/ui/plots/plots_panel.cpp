@@ -1,5 +1,8 @@
 #include "app/ui/plots/plots_panel.h"
 
+#include "app/model/session/comparison_runs.h"
+#include "app/model/session/playback.h"
+#include "app/model/session/preview.h"
 #include "app/model/text/quantity_text.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/dock/progress_line.h"
@@ -29,9 +32,10 @@ constexpr int heightOfTwo = 420;
 
 }
 
-PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
-    : LivePanel(parent), m_session(session), m_theme(theme),
-      m_series(session.run(), session.playback(), session.comparisons()),
+PlotsPanel::PlotsPanel(const OpenRun &run, Playback &playback, const Preview &preview,
+                       const ComparisonRuns &comparisons, const Theme &theme, QWidget *parent)
+    : LivePanel(parent), m_run(run), m_playback(playback), m_preview(preview), m_comparisons(comparisons),
+      m_theme(theme), m_series(run, playback, comparisons),
       m_title(new PanelTitle(tr("Plots"), PanelTitle::CaptionPlace::besideTitle, theme, this)),
       m_add(new FlatButton(theme, this)), m_pages(new QStackedWidget(this))
 {
@@ -62,12 +66,12 @@ PlotsPanel::PlotsPanel(Session &session, const Theme &theme, QWidget *parent)
     column->addWidget(saving());
     m_patience.setSingleShot(true);
     connect(&m_patience, &QTimer::timeout, m_saving, &QWidget::show);
-    session.onChange(ChangeKind::step, this, &PlotsPanel::open);
+    run.onChange(ChangeKind::step, this, &PlotsPanel::open);
     connect(&m_list, &PlotList::changed, this, &PlotsPanel::rebuild);
     connect(&m_series, &PlotSeries::changed, this, &PlotsPanel::refreshSoon);
-    session.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing | ChangeKind::selection, this,
-                     &PlotsPanel::refreshSoon);
-    session.onChange(ChangeKind::preview, this, &PlotsPanel::followPreview);
+    run.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing | ChangeKind::selection, this,
+                 &PlotsPanel::refreshSoon);
+    run.onChange(ChangeKind::preview, this, &PlotsPanel::followPreview);
     connect(&theme, &Theme::changed, this, &PlotsPanel::refreshSoon);
     open();
     rebuild();
@@ -97,7 +101,7 @@ void PlotsPanel::fillAddMenu(QMenu &menu)
     menu.clear();
     const auto offer = [&](const QString &text, const PlotSpec &plot) {
         QAction *made = menu.addAction(text);
-        const sim::Scene &scene = m_session.timeline().track().interval().scene;
+        const sim::Scene &scene = m_run.timeline().track().interval().scene;
         for (const Quantity &one : {m_series.bound(plot.up), m_series.bound(plot.across)}) {
             if (const std::optional<NoValue> why = whyNot(one, scene)) {
                 made->setEnabled(false);
@@ -117,13 +121,13 @@ void PlotsPanel::fillAddMenu(QMenu &menu)
     ofTime(QuantityKind::placeX);
     ofTime(QuantityKind::placeY);
     ofTime(QuantityKind::speed);
-    if (m_session.timeline().state().angle.rows() > 0)
+    if (m_run.timeline().state().angle.rows() > 0)
         ofTime(QuantityKind::angle);
     ofTime(QuantityKind::energy);
     menu.addSeparator();
     offer(tr("the path: y against x"), {{QuantityKind::placeY}, {QuantityKind::placeX}});
     offer(tr("velocity y against y"), {{QuantityKind::velocityY}, {QuantityKind::placeY}});
-    if (m_session.timeline().state().spin.rows() > 0)
+    if (m_run.timeline().state().spin.rows() > 0)
         offer(tr("turning speed against angle"), {{QuantityKind::spin}, {QuantityKind::angle}});
     menu.addSeparator();
     QAction *hint = menu.addAction(tr("For anything else, add a plot and choose what it shows"));
@@ -167,7 +171,7 @@ QWidget *PlotsPanel::saving()
 
 void PlotsPanel::open()
 {
-    m_list.open(m_session.timeline().script());
+    m_list.open(m_run.timeline().script());
 }
 
 std::size_t PlotsPanel::indexOf(const PlotCard &card) const
@@ -177,8 +181,7 @@ std::size_t PlotsPanel::indexOf(const PlotCard &card) const
 
 PlotCard *PlotsPanel::makeCard()
 {
-    auto *card = new PlotCard(m_session.run(), m_session.playback(), m_session.comparisons(), m_series,
-                              m_theme, m_scroll->widget());
+    auto *card = new PlotCard(m_run, m_playback, m_comparisons, m_series, m_theme, m_scroll->widget());
     connect(card, &PlotCard::changeWanted, this,
             [this, card](const PlotSpec &spec) { m_list.change(indexOf(*card), spec); });
     connect(
@@ -187,7 +190,8 @@ PlotCard *PlotsPanel::makeCard()
     connect(card, &PlotCard::pointedAt, this, &PlotsPanel::setHovered);
     connect(card, &PlotCard::pointedAt, this, &PlotsPanel::pointedAt);
     connect(card, &PlotCard::zoomWanted, this, &PlotsPanel::zoom);
-    connect(&card->exports(), &PlotExport::messageRequested, &m_session, &Session::showMessage);
+    connect(&card->exports(), &PlotExport::messageRequested, this,
+            [this](const QString &sentence) { m_run.showMessage(sentence); });
     connect(&card->exports(), &PlotExport::failed, this, &PlotsPanel::failed);
     connect(&card->exports(), &PlotExport::tableChanged, this, &PlotsPanel::showSaving);
     m_column->addWidget(card, 1);
@@ -260,7 +264,7 @@ void PlotsPanel::refreshSoon()
 
 void PlotsPanel::followPreview()
 {
-    const bool isInside = m_session.preview().isActive() && m_session.preview().run().cursor().phase > 0;
+    const bool isInside = m_preview.isActive() && m_preview.run().cursor().phase > 0;
     if (std::exchange(m_previewsInside, isInside) || isInside)
         refreshSoon();
 }
@@ -273,7 +277,7 @@ void PlotsPanel::setActive(bool isActive)
 void PlotsPanel::showContents()
 {
     const std::vector<double> begun = m_series.begun();
-    const std::optional<PlotSeries::Inside> inside = m_series.inside(m_session.preview().run());
+    const std::optional<PlotSeries::Inside> inside = m_series.inside(m_preview.run());
     for (PlotCard *card : m_cards)
         card->refresh(begun, inside);
     writeCaption();
@@ -282,7 +286,7 @@ void PlotsPanel::showContents()
 void PlotsPanel::writeCaption()
 {
     const std::int64_t last = m_series.window().last, first = m_series.window().first;
-    const bool isAll = first == 0 && last >= m_session.timeline().computed();
+    const bool isAll = first == 0 && last >= m_run.timeline().computed();
     const QString text = m_cards.empty() ? QString()
                          : isAll         ? tr("the whole run")
                                          : tr("frame %1 to %2").arg(first).arg(last);

@@ -2,7 +2,6 @@
 
 #include "app/model/series/plot_list.h"
 #include "app/model/series/plot_series.h"
-#include "app/model/session/session.h"
 #include "app/ui/dock/live_panel.h"
 #include "app/ui/theme/theme.h"
 
@@ -12,10 +11,13 @@ class QVBoxLayout;
 
 namespace app {
 
+class ComparisonRuns;
 class FlatButton;
 class NumberTable;
 class PanelTitle;
+class Playback;
 class PlotCard;
+class Preview;
 class ProgressLine;
 
 /// The panel of the learner's plots, one below the other, with one time.
@@ -24,7 +26,9 @@ class PlotsPanel : public LivePanel
     Q_OBJECT
 
 public:
-    PlotsPanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    /// All arguments must outlive it.
+    PlotsPanel(const OpenRun &run, Playback &playback, const Preview &preview,
+               const ComparisonRuns &comparisons, const Theme &theme, QWidget *parent = nullptr);
 
     const std::vector<PlotCard *> &cards() const { return m_cards; }
     PlotList &list() { return m_list; }
@@ -76,7 +80,10 @@ private:
     void showSaving();
     NumberTable *table() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    Playback &m_playback;
+    const Preview &m_preview;
+    const ComparisonRuns &m_comparisons;
     const Theme &m_theme;
     PlotSeries m_series;
     PlotList m_list;

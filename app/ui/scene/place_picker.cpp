@@ -2,6 +2,7 @@
 
 #include "app/model/text/numbers.h"
 #include "app/ui/scene/arrow_key.h"
+#include "app/ui/scene/hud/free_area.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -16,12 +17,12 @@ struct PlacePickerText
     Q_DECLARE_TR_FUNCTIONS(PlacePicker)
 };
 
-constexpr double pickStep = 10.0; ///< px that an arrow key moves the cross
-constexpr double pickFine = 1.0;  ///< px, with Shift
-constexpr double markArm = 11.0;  ///< screen px, of the cross
-constexpr double markRing = 6.0;  ///< screen px, the radius of the ring of the true place
-constexpr double markHalo = 5.0;  ///< screen px, the width of the line under a mark
-constexpr double nearby = 90.0;   ///< screen px: closer marks have their labels on different sides
+constexpr double pickStep = 10.0;   ///< px that an arrow key moves the cross
+constexpr double pickFine = 1.0;    ///< px, with Shift
+constexpr double markArm = 11.0;    ///< screen px, of the cross
+constexpr double markRing = 6.0;    ///< screen px, the radius of the ring of the true place
+constexpr double markHalo = 5.0;    ///< screen px, the width of the line under a mark
+constexpr double markToLabel = 4.0; ///< screen px between a mark and its label
 
 bool isEnter(const QKeyEvent &key)
 {
@@ -83,7 +84,7 @@ void PlacePicker::press(const QKeyEvent &key)
     }
 }
 
-void PlacePicker::draw(const Canvas &canvas) const
+void PlacePicker::draw(const Canvas &canvas, const LabelPlaces &places) const
 {
     const std::optional<PredictionDesk::PlaceMark> mark = m_desk ? m_desk->mark() : std::nullopt;
     if (!mark)
@@ -98,14 +99,25 @@ void PlacePicker::draw(const Canvas &canvas) const
     withHalo(canvas, t.ink2, [&] { canvas.painter.drawLine(said, found); });
     drawCross(canvas, said, t.link);
     withHalo(canvas, t.ok, [&] { canvas.painter.drawEllipse(found, markRing, markRing); });
-    const bool isClose = QLineF(said, found).length() < nearby;
-    const bool isSaidAbove = said.y() < found.y();
-    const double away = isClose ? (isSaidAbove ? -markArm : 2.0 * markArm) : -markArm;
-    const QString label = PlacePickerText::tr("your place, %1 away").arg(distanceWords(*mark));
-    const double wide = QFontMetricsF(canvas.shown.text).horizontalAdvance(label);
-    const bool fits = said.x() + markArm + wide <= canvas.area.right();
-    const double aside = fits ? markArm : -markArm - wide;
-    drawWords(canvas, {said + QPointF(aside, away), label, canvas.shown.text, t.ink});
+    const OverlayLabel label =
+        predictionLabel(*mark, canvas.camera, freeArea(canvas.shown, canvas.area), places, canvas.shown.text);
+    const QPointF down(0.0, QFontMetricsF(canvas.shown.text).ascent());
+    drawWords(canvas, {label.box.topLeft() + down, label.text, canvas.shown.text, t.ink});
+}
+
+OverlayLabel predictionLabel(const PredictionDesk::PlaceMark &mark, const Camera &camera, const QRectF &area,
+                             LabelPlaces places, const QFont &font)
+{
+    const QPointF said = camera.at(mark.said), found = camera.at(*mark.found);
+    const QPointF arm(markArm, markArm), ring(markRing, markRing);
+    places.take({said - arm, said + arm});
+    places.take({found - ring, found + ring});
+    places.takeStroke({said, found});
+    const QString text = PlacePickerText::tr("your place, %1 away").arg(distanceWords(mark));
+    const QFontMetricsF metrics(font);
+    const QSizeF size(metrics.horizontalAdvance(text), metrics.height());
+    const QPointF wanted = said + QPointF(markArm + markToLabel, -size.height() / 2.0);
+    return {text, places.within(area, wanted, size)};
 }
 
 QString PlacePicker::words() const

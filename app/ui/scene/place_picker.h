@@ -1,7 +1,8 @@
 #pragma once
 
 #include "app/model/learning/prediction_desk.h"
-#include "app/ui/scene/drawing/canvas.h"
+#include "app/ui/scene/drawing/label_places.h"
+#include "app/ui/scene/drawing/overlay_labels.h"
 
 #include <QKeyEvent>
 
@@ -24,13 +25,20 @@ public:
     /// stops.
     void press(const QKeyEvent &key);
 
-    /// Draws the predicted place and, after the run, the true one and the distance.
-    void draw(const Canvas &canvas) const;
+    /// Returns whether there is a predicted place to draw.
+    bool isMarked() const { return m_desk && m_desk->mark(); }
+    /// Draws the predicted place and, after the run, the true one and the distance, in one of `places`.
+    void draw(const Canvas &canvas, const LabelPlaces &places) const;
     /// Returns what draw() shows, in words for screen readers; may be empty.
     QString words() const;
 
 private:
     PredictionDesk *m_desk = nullptr;
 };
+
+/// Returns the label beside a predicted place whose true place is known. It is in one of `places`, within `area`, and also
+/// avoids the marks of the two places. `font` is that of labels.
+OverlayLabel predictionLabel(const PredictionDesk::PlaceMark &mark, const Camera &camera, const QRectF &area,
+                             LabelPlaces places, const QFont &font);
 
 }

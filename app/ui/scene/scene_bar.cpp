@@ -229,9 +229,10 @@ void SceneBar::showZoom(double percent)
 void SceneBar::arrange()
 {
     const int middle = m_middle ? m_middle->sizeHint().width() : 0;
-    const bool isShort = widthWith(m_method->fullWidth(), m_step->fullWidth()) + middle > width();
-    m_method->setShort(isShort);
-    m_step->setShort(isShort);
+    const int room = width() - middle;
+    // The caption of the step stays longer: hints name it, and a step alone ("1 frame") does not say what it is.
+    m_method->setShort(widthWith(m_method->fullWidth(), m_step->fullWidth()) > room);
+    m_step->setShort(widthWith(m_method->sizeHint().width(), m_step->fullWidth()) > room);
 }
 
 int SceneBar::widthWith(int method, int step) const

@@ -375,7 +375,9 @@ void SceneView::drawForeground(QPainter *painter, const QRectF &)
     const QTransform toView = painter->worldTransform();
     painter->setWorldTransform({});
     m_overlay.draw(*painter, Camera(toView), viewRect());
-    m_picker.draw({*painter, m_shown, m_theme, Camera(toView), viewRect()});
+    if (m_picker.isMarked())
+        m_picker.draw({*painter, m_shown, m_theme, Camera(toView), viewRect()},
+                      m_overlay.labelPlaces(Camera(toView), viewRect()));
     painter->setWorldTransform(toView);
 }
 

@@ -17,13 +17,14 @@ constexpr double nameGap = 8.0;
 constexpr double bend = 16.0; ///< px over which the dots descend from the track
 
 /// The position of the old run's dots and its name. Near the right end, the name replaces the last dots to
-/// stay visible. If no dots would be left, the name is left of the fork.
+/// stay visible. If no dots would be left, the name is left of the fork. A name that fits on no side is shortened.
 struct ComparisonRunPlace
 {
     double from = 0.0;
     double to = 0.0;
     double name = 0.0;
     double nameWidth = 0.0;
+    QString text; ///< the name as it is shown
 };
 
 ComparisonRunPlace placeOf(const TimelineAxis &axis, const ComparisonRun &comparison, const Theme &theme)
@@ -31,12 +32,17 @@ ComparisonRunPlace placeOf(const TimelineAxis &axis, const ComparisonRun &compar
     ComparisonRunPlace place;
     place.from = axis.xOf(comparison.fork);
     place.to = std::max(axis.xOf(comparison.end), place.from + bend);
-    place.nameWidth = QFontMetricsF(theme.ui(11.5)).horizontalAdvance(comparison.name);
-    place.name = std::min(place.to + nameGap, axis.right() - place.nameWidth);
-    if (place.name - nameGap >= place.from + bend)
+    const QFontMetricsF metrics(theme.ui(11.5));
+    const double rightRoom = axis.right() - place.from - bend - nameGap,
+                 leftRoom = place.from - nameGap - axis.left();
+    place.text = metrics.elidedText(comparison.name, Qt::ElideRight, std::max(rightRoom, leftRoom));
+    place.nameWidth = metrics.horizontalAdvance(place.text);
+    if (place.nameWidth <= rightRoom) {
+        place.name = std::min(place.to + nameGap, axis.right() - place.nameWidth);
         place.to = place.name - nameGap;
-    else
-        place.name = std::max(axis.left(), place.from - nameGap - place.nameWidth);
+    } else {
+        place.name = place.from - nameGap - place.nameWidth;
+    }
     return place;
 }
 
@@ -123,7 +129,7 @@ void paintComparisonRun(QPainter &painter, const TimelineAxis &axis, const Compa
     painter.fillRect(QRectF(place.name - 1, Places::comparisonRun - 6, place.nameWidth + 2, 13), t.panel);
     painter.setFont(theme.ui(11.5));
     painter.setPen(t.ink3);
-    painter.drawText(QPointF(place.name, Places::comparisonRun + 4), comparison.name);
+    painter.drawText(QPointF(place.name, Places::comparisonRun + 4), place.text);
 }
 
 void paintFan(QPainter &painter, const TimelineAxis &axis, double x, bool playing, const Tokens &t)

@@ -35,6 +35,17 @@ QString fileOf(const QMimeData *data)
 ExperimentFiles::ExperimentFiles(Session &session, Notice &notice, QWidget &window)
     : m_session(session), m_notice(notice), m_window(window), m_document(session)
 {
+    connect(&m_document, &Document::stateChanged, this, &ExperimentFiles::showTitle);
+    m_session.onChange(ChangeKind::step | ChangeKind::texts, this, &ExperimentFiles::showTitle);
+    showTitle();
+}
+
+void ExperimentFiles::showTitle()
+{
+    const QString path = m_document.path();
+    const QString name = path.isEmpty() ? m_session.step().title : shownPath(QFileInfo(path).fileName());
+    m_window.setWindowTitle(tr("%1[*] – Springstep").arg(name));
+    m_window.setWindowModified(m_document.isChanged());
 }
 
 bool ExperimentFiles::opens(const std::function<void()> &action)

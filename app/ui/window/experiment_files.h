@@ -14,7 +14,7 @@ namespace app {
 class Notice;
 
 /// Opens and saves the experiments of a window: as files, as text, and by drag and drop. It asks before changes would be
-/// lost, and shows errors.
+/// lost, shows errors, and names the file in the title of the window.
 class ExperimentFiles : public QObject
 {
     Q_OBJECT
@@ -59,6 +59,7 @@ signals:
     void lessonChosen(const QString &path);
 
 private:
+    void showTitle();
     /// Opens a file, but asks first if unsaved changes would be lost. A lesson takes nothing away.
     void openOrAsk(const QString &path);
     void openRecent(const QString &path);

@@ -3,6 +3,7 @@
 #include "app/model/run/run_program.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/stability_text.h"
+#include "app/ui/dock/button_flow.h"
 
 #include <QEvent>
 #include <QLabel>
@@ -75,22 +76,20 @@ void FailureNotice::showRemedies()
     delete m_buttons;
     m_buttons = new QWidget(this);
     layout()->addWidget(m_buttons);
-    auto *row = new QHBoxLayout(m_buttons);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
+    auto *column = new QVBoxLayout(m_buttons);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto *flow = new ButtonFlow(m_buttons);
+    column->addWidget(flow);
     for (const sim::Remedy &remedy : m_search.found()) {
         const QString label = remedyLabel(remedy);
-        auto *button = new QPushButton(label, m_buttons);
-        button->setToolTip(QStringLiteral("%1 (%2)").arg(remedyHelp(remedy), keyOf(label)));
+        auto *button = flow->add<QPushButton>(
+            "remedy", label, QStringLiteral("%1 (%2)").arg(remedyHelp(remedy), keyOf(label)));
         button->setAccessibleName(remedyTitle(remedy));
-        button->setFocusPolicy(Qt::TabFocus);
         button->setAccessibleDescription(remedyHelp(remedy));
         // Queued: using a remedy takes this button away.
         connect(
             button, &QPushButton::clicked, this, [this, remedy] { use(remedy); }, Qt::QueuedConnection);
-        row->addWidget(button);
     }
-    row->addStretch();
     m_buttons->setVisible(
         !m_search.found().empty()); // last, because no child may be added to a visible parent
 }

@@ -36,8 +36,8 @@ private:
     const Theme &m_theme;
     RemedySearch m_search;
     QLabel *m_text;
-    QLabel *m_hint; ///< shown instead of buttons
-    QWidget *m_buttons;
+    QLabel *m_hint;     ///< shown instead of buttons
+    QWidget *m_buttons; ///< one for each remedy
 };
 
 }

@@ -68,8 +68,8 @@ void GalleryDesk::openKept(const KeptExperiment &kept)
     const EditLabel label{tr("Open %1").arg(quoted(kept.title)), {}, {}};
     editor.endGesture();
     const bool isSandbox = m_session.isSandbox();
-    const bool isShown =
-        isSandbox ? editor.replaceScene(label, read->script, read->draft) : editor.setUp(label, read->script);
+    const bool isShown = isSandbox ? editor.replaceScene(label, read->script, read->draft)
+                                   : editor.setUp(label, read->script, RunEditor::Maker::learner);
     if (isShown && !isSandbox && read->draft)
         m_session.code().write(*read->draft);
     editor.endGesture();

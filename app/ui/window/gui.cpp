@@ -7,12 +7,14 @@
 #include "app/model/session/session.h"
 #include "app/model/text/language.h"
 #include "app/ui/effects/effects_panel.h"
+#include "app/ui/help/tour.h"
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/settings/appearance.h"
+#include "app/ui/stability/stability_panel.h"
 #include "app/ui/window/failure_notice.h"
 #include "app/ui/window/last_step.h"
 #include "app/ui/window/main_window.h"
-#include "app/ui/window/tour.h"
+#include "app/ui/window/restart.h"
 
 #include <QAction>
 #include <QApplication>
@@ -29,7 +31,7 @@ namespace app {
 
 namespace {
 
-int refuse(const QString &sentence)
+int reportError(const QString &sentence)
 {
     QTextStream(stderr) << "springstep: " << sentence << '\n';
     return 2;
@@ -75,7 +77,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     if (!work.session) {
         work.library = LessonLibrary::load(LessonLibrary::folders(), &language);
         if (work.library.lessons.empty())
-            return {refuse(noLessons()), {}};
+            return {reportError(noLessons()), {}};
         work.session = std::make_unique<Session>(work.library);
     } else if (work.language != language.code()) {
         retranslate(work.library, LessonLibrary::load(LessonLibrary::folders(), &language));
@@ -97,7 +99,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
         last.openIn(*work.session);
     window.show();
     if (from)
-        window.goOn(*from);
+        window.restart().continueFrom(*from);
     else if (!file.isEmpty())
         window.openFile(file);
     else if (Tour::isWanted())
@@ -108,7 +110,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     window.autosaveIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();
     QApplication::processEvents(); // what the session has postponed needs this application
-    return {code, window.handover()};
+    return {code, window.restart().handover()};
 }
 
 int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
@@ -121,7 +123,7 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
     Language language(Language::chosen({}));
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
     if (library.lessons.empty())
-        return refuse(noLessons());
+        return reportError(noLessons());
     try {
         const Experiment experiment = newExperiment(request.lesson, request.step, library);
         Theme theme(request.scheme);
@@ -136,26 +138,26 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         if (request.measuring)
             window.setMode(MainWindow::Mode::measure);
         if (request.energy)
-            window.showEnergy(true);
+            window.docks().show(Panel::energy, true);
         if (request.effects)
-            window.showEffects(true);
+            window.docks().show(Panel::effects, true);
         if (request.plots)
-            window.showPlots(true);
+            window.docks().show(Panel::plots, true);
         while (window.study().stage() == AccuracyStudy::Stage::measuring)
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         session.playback().goTo({request.frame, request.phase});
         while (session.playback().goal())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        if (request.reasons)
-            window.showStability(true);
+        if (request.reasons || request.settling)
+            window.docks().show(Panel::stability, true);
         if (request.effects)
             window.effects().measureAgain()->trigger();
         while (!window.effects().isSettled())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (request.map)
-            window.showGrowthMap(*request.map);
+            window.stabilityPanel().showMap(*request.map);
         if (request.settling)
-            window.showSettlingMap(true);
+            window.stabilityPanel().showSettling(true);
         while (!window.stability().isCurrent() || window.stability().isMapping() ||
                window.settling().isMapping() || window.stopNotice().search().isSearching())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
@@ -163,12 +165,12 @@ int takeScreenshot(QApplication &application, const ScreenshotRequest &request)
         while (!window.plots().isSettled())
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         if (!window.grab().save(request.out))
-            return refuse(QApplication::translate("Gui",
-                                                  "%1 could not be written: give a folder that you may write "
-                                                  "to, and a name that ends in .png or .jpg.")
-                              .arg(request.out));
+            return reportError(
+                QApplication::translate("Gui", "%1 could not be written: give a folder that you may write "
+                                               "to, and a name that ends in .png or .jpg.")
+                    .arg(request.out));
     } catch (const UserError &error) {
-        return refuse(error.sentence());
+        return reportError(error.sentence());
     }
     return 0;
 }

@@ -3,7 +3,7 @@
 #include "app/model/analysis/map_plane.h"
 #include "app/model/session/session.h"
 #include "app/ui/theme/theme.h"
-#include "app/ui/window/handover.h"
+#include "app/ui/window/restart.h"
 
 #include <QSize>
 #include <QString>

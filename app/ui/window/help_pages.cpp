@@ -36,6 +36,7 @@ void HelpPages::showGlossary(const QString &typed)
     if (!m_glossaryPage) {
         m_glossaryPage = new GlossaryPage(m_glossary, m_theme, &m_window);
         QObject::connect(m_glossaryPage, &GlossaryPage::stepRequested, &m_session, &Session::openStep);
+        m_session.onChange(ChangeKind::texts, m_glossaryPage, &GlossaryPage::refresh);
     }
     m_glossaryPage->search(typed);
 }

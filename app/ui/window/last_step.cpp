@@ -19,13 +19,13 @@ LastStep LastStep::load()
     return {settings.value(lessonKey).toString(), settings.value(stepKey).toString()};
 }
 
-void LastStep::store(const Session &session)
+void LastStep::store(const OpenRun &run)
 {
-    if (session.isSandbox())
+    if (run.isSandbox())
         return;
     QSettings settings;
-    settings.setValue(lessonKey, session.lesson().id);
-    settings.setValue(stepKey, session.step().id);
+    settings.setValue(lessonKey, run.lesson().id);
+    settings.setValue(stepKey, run.step().id);
 }
 
 void LastStep::openIn(Session &session) const

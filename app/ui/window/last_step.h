@@ -4,6 +4,7 @@
 
 namespace app {
 
+class OpenRun;
 class Session;
 
 /// The step of a lesson that was open last, in this program start or an earlier one.
@@ -14,7 +15,7 @@ struct LastStep
 
     static LastStep load();
     /// Stores the open step, unless it is a sandbox.
-    static void store(const Session &session);
+    static void store(const OpenRun &run);
     /// Opens the step, if it is installed.
     void openIn(Session &session) const;
 };

@@ -1,10 +1,8 @@
 #include "app/ui/window/main_window.h"
 
 #include "app/model/sandbox/build_guide.h"
-#include "app/model/sandbox/sandbox.h"
 #include "app/model/sandbox/sandbox_editor.h"
 #include "app/model/series/measure_series.h"
-#include "app/model/text/quoting.h"
 #include "app/ui/accuracy/accuracy_panel.h"
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/branches/branches_panel.h"
@@ -49,8 +47,10 @@
 #include "app/ui/window/last_step.h"
 #include "app/ui/window/left_pages.h"
 #include "app/ui/window/menus.h"
+#include "app/ui/window/mode_choice.h"
 #include "app/ui/window/numbers_panel.h"
 #include "app/ui/window/preview_links.h"
+#include "app/ui/window/restart.h"
 #include "app/ui/window/scene_column.h"
 #include "app/ui/window/scene_export.h"
 #include "app/ui/window/tour_stops.h"
@@ -59,7 +59,6 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QFileInfo>
 #include <QMenu>
 
 namespace app {
@@ -79,7 +78,7 @@ void followCover(const QDockWidget &dock, Content *content)
 MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, CostFunction cost,
                        QWidget *parent)
     : QMainWindow(parent), m_session(session), m_theme(theme), m_commands(*this, session), m_layout(*this),
-      m_visit(session), m_measures(new MeasureSeries(session.run(), this)),
+      m_measures(new MeasureSeries(session.run(), this)),
       m_study(new AccuracyStudy(session.run(), session.editor(), std::move(study), m_measuringThread, this)),
       m_stability(new StabilityMonitor(session.run(), session.editor(), session.preview(), this)),
       m_settling(new SettlingMonitor(session.run(), session.editor(), session.playback(), this)),
@@ -109,7 +108,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
         resize(1280, 800);
     m_layouts->restoreAtStart();
     m_stabilityDock->hide();
-    showPlots(PlotsDock::isWanted());
+    m_layout.docks.show(Panel::plots, PlotsDock::isWanted());
     m_centre->scene().setFocus();
 }
 
@@ -127,10 +126,13 @@ void MainWindow::makeDocks(CostFunction cost)
     m_energy = new EnergyPanel(m_session.run(), m_session.playback(), m_session.preview(), m_theme, this);
     m_effects = new EffectsPanel(m_session.run(), m_session.editor(), m_session.playback(), m_theme,
                                  std::move(cost), m_measuringThread, this);
-    m_branches = new BranchesPanel(m_session, m_theme, this);
+    m_branches = new BranchesPanel(m_session.run(), m_session.editor(), m_session.playback(),
+                                   m_session.comparisons(), m_theme, this);
     m_code = new CodePages(m_session, m_theme, this);
-    m_plots = new PlotsPanel(m_session, m_theme, this);
-    m_numbers = new NumbersPanel(m_session, *m_measures, m_theme, this);
+    m_plots = new PlotsPanel(m_session.run(), m_session.playback(), m_session.preview(),
+                             m_session.comparisons(), m_theme, this);
+    m_numbers = new NumbersPanel(m_session.run(), m_session.editor(), m_session.playback(),
+                                 m_session.preview(), *m_measures, m_theme, this);
     m_gauge = new StabilityGauge(*m_stability, *m_commands.view.stability, m_theme, this);
     m_stabilityPanel = new StabilityPanel(*m_stability, *m_settling, *m_commands.view.stability,
                                           *m_commands.view.settling, m_theme, this);
@@ -186,7 +188,7 @@ void MainWindow::connectPanels()
         connect(exports, &PlotExport::messageRequested, &m_session, &Session::showMessage);
         connect(exports, &PlotExport::failed, notice, &Notice::showMessage);
     }
-    const auto compare = [this] { showBranches(true); };
+    const auto compare = [&docks] { docks.show(Panel::branches, true); };
     connect(&m_centre->transport().runs(), &RunsMenu::compareWanted, this, compare);
     connect(&m_centre->timeline(), &TimelineStrip::compareWanted, this, compare);
     connectPreviews(m_session.run(), m_session.preview(),
@@ -213,7 +215,16 @@ void MainWindow::makeLayouts()
         m_sizes.fitHeights();
     });
     m_gauge->setCheckable(true);
-    connect(m_gauge, &StabilityGauge::clicked, this, &MainWindow::showStability);
+    Docks &docks = m_layout.docks;
+    docks.setShowFunction(Panel::plots, [this](bool isShown) {
+        m_plotsDock.show(isShown);
+        m_sizes.fitHeights();
+    });
+    docks.setShowFunction(Panel::stability, [this](bool isShown) {
+        isShown ? m_stabilityDock->show() : m_stabilityDock->hide();
+    });
+    connect(m_gauge, &StabilityGauge::clicked, this,
+            [&docks](bool isShown) { docks.show(Panel::stability, isShown); });
     connect(m_stabilityPanel, &StabilityPanel::closed, m_stabilityDock.get(), &StabilityDock::hide);
     connect(m_stabilityDock.get(), &StabilityDock::shownChanged, m_gauge, &StabilityGauge::setChecked);
     connect(m_stabilityDock.get(), &StabilityDock::shownChanged, m_commands.view.stability,
@@ -238,12 +249,12 @@ void MainWindow::makeSandbox()
                      m_centre->scene(), m_theme); // owned by the scene
     m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
     m_centre->bar().addTool(*m_sandbox->take);
-    m_build = new BuildPanel(m_session.run(), m_session.editor(), m_session.playback(), *editor, *guide,
-                             *m_sandbox, m_commands, m_theme, this);
-    m_build->showProject(m_learn->projects());
-    m_leftPages = new LeftPages(m_learn, m_build, this);
-    m_layout.docks[Panel::lessons].setWidget(m_leftPages);
-    connect(m_build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
+    auto *build = new BuildPanel(m_session.run(), m_session.editor(), m_session.playback(), *editor, *guide,
+                                 *m_sandbox, m_commands, m_theme, this);
+    build->showProject(m_learn->projects());
+    auto *pages = new LeftPages(m_learn, build, this);
+    m_layout.docks[Panel::lessons].setWidget(pages);
+    connect(build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
     m_code->rule().addCommand(*m_sandbox->tools().back());
     m_code->rule().addCommand(*m_sandbox->linkChosen);
     connect(m_sandbox->rule, &QAction::triggered, this, [this] {
@@ -251,20 +262,9 @@ void MainWindow::makeSandbox()
         m_code->choose(CodePages::Page::rule);
         m_code->rule().setFocus(Qt::ShortcutFocusReason);
     });
-    connect(editor, &SandboxEditor::changed, this, &MainWindow::followSandbox);
-    m_session.onChange(ChangeKind::step, this, &MainWindow::followSandbox);
-    followSandbox();
-}
-
-void MainWindow::followSandbox()
-{
-    const bool isOpen = m_session.isSandbox();
-    isOpen ? m_leftPages->showTools() : m_leftPages->showLessons();
-    m_rail->fitDock();
-    m_commands.view.build->setEnabled(sandboxOf(m_session.library()));
-    m_visit.note();
-    if (mode() != Mode::measure)
-        m_layouts->setMode(isOpen ? Mode::build : Mode::learn);
+    m_mode =
+        std::make_unique<ModeChoice>(m_session, *m_layouts, *m_rail, m_sizes, *pages, *m_commands.view.build);
+    connect(editor, &SandboxEditor::changed, m_mode.get(), &ModeChoice::followStep);
 }
 
 void MainWindow::makeFiles()
@@ -275,19 +275,24 @@ void MainWindow::makeFiles()
                                          *m_files, m_centre->notice(), m_theme);
     m_help = std::make_unique<HelpPages>(m_session, m_commands.list, m_learn->glossary(), m_theme, *this);
     m_learn->setMapCommand(*m_commands.help.map);
-    if (!MapPage::hasConcepts(m_session.library()))
-        m_commands.help.map->setObstacle(tr("These lessons have no concepts"));
+    const auto offerMap = [this] {
+        m_commands.help.map->setObstacle(
+            MapPage::hasConcepts(m_session.library()) ? QString() : tr("These lessons have no concepts"));
+    };
+    offerMap();
+    m_session.onChange(ChangeKind::texts, this, offerMap);
     m_export = std::make_unique<SceneExport>(m_session, m_centre->scene(), *m_plots, m_centre->notice(),
                                              m_theme, *this);
     m_gallery = std::make_unique<GalleryDesk>(m_session, m_centre->scene(), m_learn->projects(), *m_files,
                                               m_centre->notice(), m_theme, *this);
-    m_notebook = std::make_unique<NotebookDesk>(m_session, *this);
+    m_notebook = std::make_unique<NotebookDesk>(m_session.library(), m_session.progress(), m_session.notes(),
+                                                m_session.proofs(), *this);
     for (Command *command : {m_commands.file.keep, m_commands.file.gallery})
         command->setObstacle(tr("There is no folder for the gallery"));
-    connect(&m_files->document(), &Document::stateChanged, this, &MainWindow::updateTitle);
-    m_session.onChange(ChangeKind::step | ChangeKind::texts, this, &MainWindow::updateTitle);
-    m_session.onChange(ChangeKind::step, this, [this] { LastStep::store(m_session); });
-    updateTitle();
+    m_restart = std::make_unique<Restart>(
+        RestartParts{m_session, m_files->document(), *m_mode, *m_commands.view.sceneOnly}, *m_export,
+        m_centre->notice(), *this);
+    m_session.onChange(ChangeKind::step, this, [this] { LastStep::store(m_session.run()); });
 }
 
 void MainWindow::connectCommands()
@@ -330,14 +335,18 @@ void MainWindow::connectCommands()
     on(view.fit, [this] { m_centre->scene().fit(); });
     on(view.nextOutside, [this] { m_centre->scene().showNextOutside(); });
     Docks &docks = m_layout.docks;
-    docks.toggle(*view.lessons, {Panel::lessons});
-    docks.toggle(*view.codeAndParameters, {Panel::code, Panel::parameters});
-    docks.toggle(*view.energy, Panel::energy, [this](bool shown) { showEnergy(shown); });
-    docks.toggle(*view.effects, Panel::effects, [this](bool shown) { showEffects(shown); });
-    docks.toggle(*run.compare, Panel::branches, [this](bool shown) { showBranches(shown); });
-    docks.toggle(*view.plots, Panel::plots, [this](bool shown) { showPlots(shown); });
-    on(view.stability, [this](bool shown) { showStability(shown); });
-    on(view.settling, [this](bool shown) { showSettlingMap(shown); });
+    docks.toggleTogether(*view.lessons, {Panel::lessons});
+    docks.toggleTogether(*view.codeAndParameters, {Panel::code, Panel::parameters});
+    docks.toggle(*view.energy, Panel::energy);
+    docks.toggle(*view.effects, Panel::effects);
+    docks.toggle(*run.compare, Panel::branches);
+    docks.toggle(*view.plots, Panel::plots);
+    on(view.stability, [&docks](bool isShown) { docks.show(Panel::stability, isShown); });
+    on(view.settling, [this, &docks](bool isShown) {
+        if (isShown)
+            docks.show(Panel::stability, true);
+        m_stabilityPanel->showSettling(isShown);
+    });
     m_commands.list.add(*m_effects->measureAgain(), KeyGroup::window);
     on(view.resetPanels, [this] {
         m_layouts->reset();
@@ -381,9 +390,9 @@ void MainWindow::makeMenus()
     auto *size = new SizeMenu(this);
     const auto dismiss = [this] { m_centre->notice().showMessage({}); };
     connect(language, &LanguageMenu::unchanged, this, dismiss);
-    connect(language, &LanguageMenu::restartWanted, this, &MainWindow::restartUnlessFilming);
+    connect(language, &LanguageMenu::restartWanted, m_restart.get(), &Restart::offer);
     connect(size, &SizeMenu::unchanged, this, dismiss);
-    connect(size, &SizeMenu::restartWanted, this, &MainWindow::restartUnlessFilming);
+    connect(size, &SizeMenu::restartWanted, m_restart.get(), &Restart::offer);
     new Appearance(*this, m_centre->bar(), m_centre->scene(), view, m_theme);
     const Submenus submenus{recent, &m_centre->transport().runs(), arrange, language, size};
     m_lessons = new LessonDesk(m_session, m_files->document(), m_commands.list, m_centre->notice(), *this);
@@ -392,24 +401,9 @@ void MainWindow::makeMenus()
                              m_theme, this));
 }
 
-void MainWindow::updateTitle()
-{
-    const QString path = m_files->document().path();
-    const QString name = path.isEmpty() ? m_session.step().title : shownPath(QFileInfo(path).fileName());
-    setWindowTitle(tr("%1[*] – Springstep").arg(name));
-    setWindowModified(m_files->document().isChanged());
-}
-
 void MainWindow::setMode(Mode mode)
 {
-    if (mode == this->mode())
-        return;
-    m_layouts->setMode(mode);
-    if (mode == Mode::build)
-        m_visit.go();
-    else if (mode == Mode::learn)
-        m_visit.comeBack();
-    m_sizes.fitHeights();
+    m_mode->choose(mode);
 }
 
 void MainWindow::showDocumentMistake(const QString &sentence)
@@ -420,29 +414,6 @@ void MainWindow::showDocumentMistake(const QString &sentence)
 const FailureNotice &MainWindow::stopNotice() const
 {
     return m_centre->failure();
-}
-
-void MainWindow::showPlots(bool shown)
-{
-    m_plotsDock.show(shown);
-    m_sizes.fitHeights();
-}
-
-void MainWindow::showStability(bool shown)
-{
-    shown ? m_stabilityDock->show() : m_stabilityDock->hide();
-}
-
-void MainWindow::showGrowthMap(MapPlane plane)
-{
-    m_stabilityPanel->showMap(plane);
-}
-
-void MainWindow::showSettlingMap(bool shown)
-{
-    if (shown)
-        showStability(true);
-    m_stabilityPanel->showSettling(shown);
 }
 
 void MainWindow::setSceneOnly(bool isOn)
@@ -523,37 +494,6 @@ void MainWindow::offerYourLessons(YourLessons &lessons)
     m_lessons->setLessons(lessons);
 }
 
-void MainWindow::restartUnlessFilming(const QString &sentence)
-{
-    const bool films = m_export->isMakingFilm();
-    if (!films && !m_export->isMakingWebPage()) {
-        startAgain();
-        return;
-    }
-    m_centre->notice().ask(films ? tr("%1 A film is being made.").arg(sentence)
-                                 : tr("%1 A web page is being made.").arg(sentence),
-                           {{tr("Restart now"),
-                             films ? tr("Cancels the film; everything else is kept")
-                                   : tr("Cancels the page; everything else is kept"),
-                             [this] { startAgain(); }}});
-}
-
-void MainWindow::startAgain()
-{
-    m_handover = handOver(m_session, m_files->document(), mode(), m_commands.view.sceneOnly->isChecked());
-    close();
-}
-
-void MainWindow::goOn(const Handover &from)
-{
-    const LastStep last = LastStep::load();
-    m_visit.comeBackTo(last.lesson, last.step);
-    m_layouts->setMode(from.mode); // the session is there already
-    m_sizes.fitHeights();
-    m_commands.view.sceneOnly->setChecked(from.isSceneOnly);
-    takeOver(from, m_session, m_files->document());
-}
-
 bool MainWindow::event(QEvent *event)
 {
     switch (event->type()) {
@@ -616,7 +556,7 @@ void MainWindow::resizeEvent(QResizeEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!m_handover && !m_files->mayClose()) {
+    if (!m_restart->handover() && !m_files->mayClose()) {
         event->ignore();
         return;
     }

@@ -4,7 +4,6 @@
 #include "app/model/analysis/cost_monitor.h"
 #include "app/model/analysis/stability_monitor.h"
 #include "app/model/files/autosave.h"
-#include "app/model/sandbox/sandbox_visit.h"
 #include "app/model/session/session.h"
 #include "app/ui/actions/commands.h"
 #include "app/ui/dock/panel_layout.h"
@@ -12,18 +11,15 @@
 #include "app/ui/dock/plots_dock.h"
 #include "app/ui/dock/window_place.h"
 #include "app/ui/theme/theme.h"
-#include "app/ui/window/handover.h"
 
 #include <QMainWindow>
 
 #include <memory>
-#include <optional>
 
 namespace app {
 
 class AccuracyPanel;
 class BranchesPanel;
-class BuildPanel;
 class CodePages;
 class DockFitter;
 class EffectsPanel;
@@ -33,14 +29,15 @@ class FailureNotice;
 class GalleryDesk;
 class HelpPages;
 class LearnPanel;
-class LeftPages;
 class LessonDesk;
 class MeasureSeries;
+class ModeChoice;
 class NotebookDesk;
 class NumbersPanel;
 class PlotsPanel;
 class RailChoice;
 class RecoveryPrompt;
+class Restart;
 class SandboxCommands;
 class SceneColumn;
 class SceneExport;
@@ -71,22 +68,14 @@ public:
     const AccuracyStudy &study() const { return *m_study; }
     const StabilityMonitor &stability() const { return *m_stability; }
     const SettlingMonitor &settling() const { return *m_settling; }
+    /// Returns the docks, which show and hide the panels.
+    const Docks &docks() const { return m_layout.docks; }
     PlotsPanel &plots() const { return *m_plots; }
     const EffectsPanel &effects() const { return *m_effects; }
+    StabilityPanel &stabilityPanel() const { return *m_stabilityPanel; }
     const FailureNotice &stopNotice() const;
     /// Shows a mistake in a document of a lesson, until it is mended. Empty: there is none.
     void showDocumentMistake(const QString &sentence);
-
-    void showEnergy(bool shown) { m_layout.docks.show(Panel::energy, shown); }
-    void showEffects(bool shown) { m_layout.docks.show(Panel::effects, shown); }
-    void showBranches(bool shown) { m_layout.docks.show(Panel::branches, shown); }
-    void showPlots(bool shown);
-    /// Shows what limits the step in place of code or accuracy, or shows those again.
-    void showStability(bool shown);
-    /// Shows the growth map in the stability panel, if the step has one.
-    void showGrowthMap(MapPlane plane);
-    /// Shows the map of settling times in the stability panel, or hides that map.
-    void showSettlingMap(bool shown);
 
     /// Makes the window no larger than `room`, px. Panels hide until the others fit, and come back when there is
     /// room again or when the learner asks for them.
@@ -112,13 +101,8 @@ public:
     /// Offers to open and to begin lessons without C++, which are kept in `lessons`. `lessons` must outlive the window.
     void offerYourLessons(YourLessons &lessons);
 
-    /// Closes the window so that another one can continue from handover(). Nothing is lost, so nothing is asked.
-    void startAgain();
-    /// Returns what another window needs to continue; empty if this one is simply closed.
-    const std::optional<Handover> &handover() const { return m_handover; }
-    /// Continues from an earlier window on the same session. Call it before autosaveIn(), so that the open run
-    /// is not offered for recovery.
-    void goOn(const Handover &from);
+    /// Returns what closes this window for another one that continues from it.
+    Restart &restart() const { return *m_restart; }
 
 protected:
     bool event(QEvent *event) override;
@@ -137,11 +121,6 @@ private:
     void connectCommands();
     void connectHelp();
     void setSceneOnly(bool isOn);
-    /// Shows the lessons or the tools of the sandbox, and chooses the mode to match.
-    void followSandbox();
-    /// Opens the window again, unless that would stop a film: then it asks, beginning with `sentence`.
-    void restartUnlessFilming(const QString &sentence);
-    void updateTitle();
 
     Session &m_session;
     Theme &m_theme;
@@ -150,11 +129,11 @@ private:
     PanelSizes m_sizes{m_layout};
     PlotsDock m_plotsDock{m_layout};
     WindowPlace m_place{*this};
-    SandboxVisit m_visit;
     std::unique_ptr<RailChoice> m_rail;
     std::unique_ptr<DockFitter> m_fitter;
     std::unique_ptr<StabilityDock> m_stabilityDock;
     std::unique_ptr<WindowLayouts> m_layouts;
+    std::unique_ptr<ModeChoice> m_mode;
     std::unique_ptr<SandboxCommands> m_sandbox;
     std::unique_ptr<ExperimentFiles> m_files;
     std::unique_ptr<RecoveryPrompt> m_recovery;
@@ -162,7 +141,7 @@ private:
     std::unique_ptr<NotebookDesk> m_notebook;
     std::unique_ptr<HelpPages> m_help;
     std::unique_ptr<SceneExport> m_export;
-    std::optional<Handover> m_handover;
+    std::unique_ptr<Restart> m_restart;
 
     MeasureSeries *m_measures; ///< what the steps measure
     /// Shared by all measurements of time, so that they do not disturb each other.
@@ -173,8 +152,6 @@ private:
     SceneColumn *m_centre;
     LearnPanel *m_learn = nullptr;
     LessonDesk *m_lessons = nullptr;
-    BuildPanel *m_build = nullptr;
-    LeftPages *m_leftPages = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
     EnergyPanel *m_energy = nullptr;
     EffectsPanel *m_effects = nullptr;

@@ -1,6 +1,5 @@
 #include "app/ui/window/numbers_panel.h"
 
-#include "app/model/session/session.h"
 #include "app/ui/dock/divider.h"
 #include "app/ui/parameters/measure_panel.h"
 #include "app/ui/parameters/parameter_panel.h"
@@ -10,11 +9,10 @@
 
 namespace app {
 
-NumbersPanel::NumbersPanel(Session &session, MeasureSeries &series, const Theme &theme, QWidget *parent)
-    : QWidget(parent),
-      m_measures(new MeasurePanel(session.run(), session.playback(), session.preview(), series, theme, this)),
-      m_divider(divider(this)),
-      m_parameters(new ParameterPanel(session.run(), session.editor(), session.playback(), theme, this))
+NumbersPanel::NumbersPanel(const OpenRun &run, RunEditor &editor, Playback &playback, Preview &preview,
+                           MeasureSeries &series, const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_measures(new MeasurePanel(run, playback, preview, series, theme, this)),
+      m_divider(divider(this)), m_parameters(new ParameterPanel(run, editor, playback, theme, this))
 {
     m_parameters->setPresetPainter(
         [&theme](const lessons::Step &step, const lessons::Preset &preset, QSize size) {

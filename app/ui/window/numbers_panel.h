@@ -8,8 +8,11 @@ namespace app {
 
 class MeasurePanel;
 class MeasureSeries;
+class OpenRun;
 class ParameterPanel;
-class Session;
+class Playback;
+class Preview;
+class RunEditor;
 
 /// The measures of a step, if it has any, above its parameters.
 class NumbersPanel : public QWidget
@@ -18,7 +21,8 @@ class NumbersPanel : public QWidget
 
 public:
     /// All arguments must outlive it.
-    NumbersPanel(Session &session, MeasureSeries &series, const Theme &theme, QWidget *parent);
+    NumbersPanel(const OpenRun &run, RunEditor &editor, Playback &playback, Preview &preview,
+                 MeasureSeries &series, const Theme &theme, QWidget *parent);
 
     ParameterPanel &parameters() const { return *m_parameters; }
 

@@ -1,6 +1,7 @@
 #include "app/ui/window/scene_card.h"
 
-#include "app/model/session/session.h"
+#include "app/model/catalog/progress.h"
+#include "app/model/session/open_run.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/scene/hud/free_area.h"
@@ -32,9 +33,10 @@ QString firstSentence(const QString &text)
 
 }
 
-SceneCard::SceneCard(Session &session, const Command &nextStep, const Theme &theme, SceneView &scene)
-    : QFrame(&scene), m_session(session), m_nextKeys(nextStep.shortcut()), m_theme(theme), m_scene(scene),
-      m_title(new QLabel(this)), m_text(new QLabel(this))
+SceneCard::SceneCard(const OpenRun &run, const Progress &progress, const Command &nextStep,
+                     const Theme &theme, SceneView &scene)
+    : QFrame(&scene), m_run(run), m_progress(progress), m_nextKeys(nextStep.shortcut()), m_theme(theme),
+      m_scene(scene), m_title(new QLabel(this)), m_text(new QLabel(this))
 {
     setObjectName("sceneCard");
     setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -47,9 +49,9 @@ SceneCard::SceneCard(Session &session, const Command &nextStep, const Theme &the
     column->setSpacing(4);
     column->addWidget(m_title);
     column->addWidget(m_text);
-    session.onChange(ChangeKind::step | ChangeKind::texts, this, &SceneCard::refresh);
-    session.onChange(ChangeKind::cursor, this, &SceneCard::place);
-    connect(&session.progress(), &Progress::changed, this, &SceneCard::refresh);
+    run.onChange(ChangeKind::step | ChangeKind::texts, this, &SceneCard::refresh);
+    run.onChange(ChangeKind::cursor, this, &SceneCard::place);
+    connect(&progress, &Progress::changed, this, &SceneCard::refresh);
     connect(&theme, &Theme::changed, this, &SceneCard::applyTheme);
     scene.installEventFilter(this);
     applyTheme();
@@ -66,21 +68,21 @@ void SceneCard::applyTheme()
 
 QString SceneCard::sentence() const
 {
-    const lessons::Step &step = m_session.step();
+    const lessons::Step &step = m_run.step();
     for (std::size_t i = 0; i < step.tries.size(); ++i) {
-        if (!m_session.progress().isDone(m_session.lesson().id, step.id, static_cast<int>(i)))
+        if (!m_progress.isDone(m_run.lesson().id, step.id, static_cast<int>(i)))
             return plainText(step.tries[i].text);
     }
     if (step.tries.empty())
         return firstSentence(plainText(step.narration));
-    return m_session.following()
+    return m_run.following()
                ? tr("Done! You have tried everything here. %1 opens the next step.").arg(keyText(m_nextKeys))
                : tr("Done! You have tried everything here.");
 }
 
 void SceneCard::refresh()
 {
-    m_title->setText(m_session.step().title);
+    m_title->setText(m_run.step().title);
     m_text->setText(sentence());
     setAccessibleName(tr("%1: %2").arg(m_title->text(), m_text->text()));
     place();

@@ -9,9 +9,10 @@ class QLabel;
 
 namespace app {
 
-class SceneView;
 class Command;
-class Session;
+class OpenRun;
+class Progress;
+class SceneView;
 
 /// A card over the scene, for a window without panels: the step and the next thing to try. The mouse goes through it.
 class SceneCard : public QFrame
@@ -20,7 +21,8 @@ class SceneCard : public QFrame
 
 public:
     /// All arguments must outlive it.
-    SceneCard(Session &session, const Command &nextStep, const Theme &theme, SceneView &scene);
+    SceneCard(const OpenRun &run, const Progress &progress, const Command &nextStep, const Theme &theme,
+              SceneView &scene);
 
     /// Returns the next thing to try, or that all are done and how to go on.
     QString sentence() const;
@@ -35,7 +37,8 @@ private:
     void refresh();
     void place();
 
-    Session &m_session;
+    const OpenRun &m_run;
+    const Progress &m_progress;
     const QKeySequence m_nextKeys; ///< that open the next step
     const Theme &m_theme;
     SceneView &m_scene;

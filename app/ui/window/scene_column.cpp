@@ -56,7 +56,8 @@ void SceneColumn::showAlone()
     m_bar->setMiddle(
         new FocusParameters(m_session.run(), m_session.editor(), m_session.playback(), m_theme, m_bar));
     if (!m_card)
-        m_card = new SceneCard(m_session, *m_commands.nextStep, m_theme, *m_scene);
+        m_card =
+            new SceneCard(m_session.run(), m_session.progress(), *m_commands.nextStep, m_theme, *m_scene);
     m_card->show();
     m_scene->setFocus();
 }

@@ -17,6 +17,24 @@
 
 namespace app {
 
+namespace {
+
+PageSwitches switchesFrom(const Extras &extras)
+{
+    PageSwitches switches;
+    switches.trails = extras.trails;
+    switches.velocities = extras.velocities;
+    switches.onion = extras.onion;
+    switches.ghost = extras.comparison;
+    switches.guides = extras.overlays;
+    switches.unitCircle = extras.unitCircle;
+    switches.grid = extras.grid;
+    switches.eyes = extras.eyes;
+    return switches;
+}
+
+}
+
 SceneExport::SceneExport(Session &session, SceneView &scene, PlotsPanel &plots, Notice &notice,
                          const Theme &theme, QWidget &window)
     : m_session(session), m_scene(scene), m_plots(plots), m_notice(notice), m_theme(theme), m_window(window)
@@ -71,7 +89,7 @@ void SceneExport::showWebPage()
         for (const PlotSpec &plot : m_plots.list().plots())
             plots.push_back(pinned(plot, m_session.selected()));
     }
-    m_webPage->offer(std::move(plots));
+    m_webPage->offer(std::move(plots), switchesFrom(m_scene.extras()));
 }
 
 bool SceneExport::isMakingWebPage() const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/window/tour.h"
+#include "app/ui/help/tour.h"
 
 namespace app {
 

@@ -32,6 +32,13 @@ Condition saying(const QString &todo, Condition condition)
     return condition;
 }
 
+/// Returns `condition`, which can hold inside a frame only.
+Condition inPhases(Condition condition)
+{
+    condition.insideFrame = true;
+    return condition;
+}
+
 /// Returns the speed at which the last drag released its body, in px/frame. It is 0 during a drag.
 double releaseSpeed(const sim::Timeline &run)
 {
@@ -101,6 +108,13 @@ const Condition *Conditions::missing(const sim::Timeline &run) const
     const auto missing = std::find_if(m_all.begin(), m_all.end(),
                                       [&](const Condition &condition) { return !condition.holds(run); });
     return missing == m_all.end() ? nullptr : &*missing;
+}
+
+bool Conditions::waitsForPhase(const sim::Timeline &run) const
+{
+    const auto missing = std::find_if(m_all.begin(), m_all.end(),
+                                      [&](const Condition &condition) { return !condition.holds(run); });
+    return missing != m_all.end() && missing->insideFrame;
 }
 
 QString Conditions::todo(const sim::Timeline &run) const
@@ -213,15 +227,16 @@ Condition stepIs(double h, const QString &sentence)
 
 Condition insideFrame()
 {
-    return saying(Text::tr("stop, show the page **Engine** of the code, and go into a frame: **Shift+→**."),
-                  {[](const sim::Timeline &run) { return run.cursor().phase > 0; }});
+    return inPhases(
+        saying(Text::tr("stop, show the page **Engine** of the code, and go into a frame: **Shift+→**."),
+               {[](const sim::Timeline &run) { return run.cursor().phase > 0; }}));
 }
 
 Condition onlyPulled()
 {
-    return saying(
-        Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved."),
-        {onlySpringsPulled});
+    return inPhases(
+        saying(Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved."),
+               {onlySpringsPulled}));
 }
 
 Condition comparisonDiffers(const std::string &id)

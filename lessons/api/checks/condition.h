@@ -30,6 +30,7 @@ struct Condition
     /// per frame or more. Yours left at %1." `%1` stands for `measured`. Empty if the text of the thing to
     /// try says everything.
     QString todo = {};
+    bool insideFrame = false; ///< whether it can hold between two phases of a frame only
 
     /// Returns the measured number as learners read it.
     QString number(const sim::Timeline &run) const;
@@ -62,6 +63,9 @@ public:
     /// Returns the first condition that does not hold, once a learner has begun. Null before, and when everything is
     /// done.
     const Condition *missing(const sim::Timeline &run) const;
+    /// Returns whether the first condition that does not hold can hold inside a frame only. A method with a single phase
+    /// cannot stop there.
+    bool waitsForPhase(const sim::Timeline &run) const;
     /// Returns what is still to do. Empty before a learner has begun and when everything is done.
     QString todo(const sim::Timeline &run) const;
 

@@ -2,6 +2,7 @@
 
 #include "lessons/api/text/document_scan.h"
 #include "lessons/api/text/formula_reader.h"
+#include "lessons/api/text/parameter_text.h"
 #include "lessons/api/text/predict_reader.h"
 #include "lessons/api/text/run_setup.h"
 
@@ -77,6 +78,8 @@ private:
             readPredict(section, heading);
         else if (heading.kind == u"Task")
             readTask(section, heading);
+        else if (heading.kind == u"Parameter")
+            readParameter(section, heading);
         else if (heading.kind == u"Word")
             readWord(section, heading);
         else if (heading.kind == u"Concept")
@@ -88,9 +91,8 @@ private:
         else
             reject(section.part.line,
                    DocumentText::tr("%1 is not a heading of a lesson. Write “## Try {#id}”, “## Predict "
-                                    "{#id}”, “## Task: title "
-                                    "{#id}”, “## Word: name”, “## Concept: title {#id}”, “## Why: question” "
-                                    "or “## Learnt”.")
+                                    "{#id}”, “## Task: title {#id}”, “## Parameter: name {#id}”, “## Word: "
+                                    "name”, “## Concept: title {#id}”, “## Why: question” or “## Learnt”.")
                        .arg(shown(section.part, QStringLiteral("##"))));
     }
 
@@ -298,6 +300,18 @@ private:
                        .arg(task.hints.size()));
         m_document.tasks.push_back(task);
         m_document.taskLines.push_back(section.part.line);
+    }
+
+    void readParameter(const DocumentSection &section, const Heading &heading)
+    {
+        checkId(section, heading);
+        checkNoFields(section);
+        if (heading.name.isEmpty())
+            reject(section.part.line,
+                   DocumentText::tr("the parameter “%1” has no name. Write “## Parameter: name {#%1}”.")
+                       .arg(heading.id));
+        m_document.parameters.push_back(
+            parseParameter(section.part, heading.name, heading.id, m_document.file));
     }
 
     NearMiss nearMiss(const DocumentPart &field) const

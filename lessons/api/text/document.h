@@ -3,6 +3,7 @@
 #include "lessons/api/explanation.h"
 #include "lessons/api/listing.h"
 #include "lessons/api/prediction.h"
+#include "lessons/api/text/parameter_text.h"
 #include "lessons/api/text/run_setup.h"
 #include "lessons/api/try.h"
 
@@ -39,7 +40,8 @@ struct Document
 {
     QString file; ///< the name that errors show
     QString title;
-    QString story; ///< Markdown
+    QString story;                              ///< Markdown
+    std::vector<ParameterText> parameters = {}; ///< of a lesson without C++; empty in other lessons
     std::vector<TryText> tries = {};
     std::vector<Prediction> predictions = {};
     std::vector<CodeTask> tasks = {};

@@ -87,6 +87,18 @@ std::vector<Try> joinedTries(const Document &document, const std::vector<Check> 
     return tries;
 }
 
+void checkParameters(const Document &document, const std::vector<Parameter> &parameters)
+{
+    for (const ParameterText &text : document.parameters) {
+        if (withId(parameters, text.id) == parameters.end())
+            throw DocumentError(
+                document.file, text.line,
+                JoinText::tr("the step has no parameter “%1”. Remove the heading: only lessons without "
+                             "C++ declare parameters in a document.")
+                    .arg(text.id));
+    }
+}
+
 void checkGaps(const Document &document, const Listing &listing)
 {
     for (std::size_t i = 0; i < document.tasks.size(); ++i) {

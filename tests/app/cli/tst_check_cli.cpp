@@ -44,7 +44,7 @@ private slots:
         QVERIFY(answer.out.startsWith(
             "pendulum_clock: A pendulum clock (steps: 3; languages besides the first: de, es, fr)\n"));
         QVERIFY(answer.out.contains(
-            "  ok    swing   listing                 same motion as semi_implicit_euler\n"));
+            "  ok    swing   listing                   same motion as semi_implicit_euler\n"));
     }
 
     void aZipPassesAsJson()

@@ -106,6 +106,23 @@ void FilmCliTest::badUseIsOneSentenceAndCodeTwo_data()
     row("a page whose frames are the wrong way round", {from, out("x.html"), "--from", "9", "--to", "3"},
         "Swap");
     row("a page of a long run", {from, out("x.html"), "--to", "5000000"}, "100000 frames");
+    row("a language that is none", {from, out("x.gif"), "--language", "xx"}, "en, es, fr");
+    row("a film with a plot", {from, out("x.gif"), "--plot", "energy"}, "--plot is for web pages");
+    row("a film with a ghost", {from, out("x.gif"), "--ghost", "before"}, "--ghost is for web pages");
+    row("a plot of nothing", {from, out("x.html"), "--plot", "beauty(body)"}, "velocity_x");
+    row("a plot of time", {from, out("x.html"), "--plot", "time"}, "velocity_x");
+    row("a plot of a body that is none", {from, out("x.html"), "--plot", "y(nose)"}, "there is no \"nose\"");
+    row("a distance to no body", {from, out("x.html"), "--plot", "distance(foot0)"}, "distance(foot0, body)");
+    row("a distance to a body that is none", {from, out("x.html"), "--plot", "distance(foot0, nose)"},
+        "there is no \"nose\"");
+    row("a plot without values", {from, out("x.html"), "--plot", "angle(body)"}, "no value in this scene");
+    row("a plot against nothing", {from, out("x.html"), "--plot", "y(body):"}, "--plot is \"\"");
+    QStringList many = {from, out("x.html")};
+    for (int i = 0; i < 9; ++i)
+        many << "--plot"
+             << "x";
+    row("too many plots", many, "room for 8 plots");
+    row("a ghost that is none", {from, out("x.html"), "--ghost", "before"}, "no other run");
     row("a page in a folder that is not there", {from, out("nowhere/x.html")}, "nowhere");
 }
 

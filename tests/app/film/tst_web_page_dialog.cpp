@@ -6,9 +6,12 @@
 #include "tests/suite.h"
 
 #include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QtEndian>
 
 using namespace app;
 using namespace tests;
@@ -19,6 +22,7 @@ class WebPageDialogTest : public QObject
 
 private slots:
     void aPageIsMadeWhileTheWindowGoesOn();
+    void thePageShowsWhatTheWindowShows();
     void aPageThatIsCancelledLeavesNoFile();
     void badInputIsNamed();
 
@@ -29,6 +33,22 @@ private:
         return *fixture.window.findChild<WebPageDialog *>();
     }
     QString path(const char *name) { return m_folder.filePath(name); }
+    /// Makes the page, and returns the texts of its run.
+    QJsonObject made(WebPageDialog &dialog, const char *name)
+    {
+        dialog.make(path(name));
+        if (!QTest::qWaitFor([&] { return !dialog.isMaking(); }, 20'000))
+            qFatal("The page is not made.");
+        dialog.close();
+        QFile file(path(name));
+        if (!file.open(QFile::ReadOnly))
+            qFatal("There is no page: %s", qPrintable(dialog.message()));
+        const QByteArray page = file.readAll();
+        const qsizetype from = page.indexOf("id=\"run\">") + 9;
+        const QByteArray packed = QByteArray::fromBase64(page.mid(from, page.indexOf('<', from) - from));
+        const QByteArray data = qUncompress(QByteArray("\x00\x10\x00\x00", 4) + packed); // expects 1 MiB
+        return QJsonDocument::fromJson(data.mid(4, qFromLittleEndian<quint32>(data.constData()))).object();
+    }
     QTemporaryDir m_folder;
 };
 
@@ -50,6 +70,34 @@ void WebPageDialogTest::aPageIsMadeWhileTheWindowGoesOn()
     QVERIFY(text.startsWith("<!doctype html>"));
     QVERIFY(text.contains("default-src 'none'") && text.contains("<springstep-run") &&
             !text.contains("@script@"));
+}
+
+void WebPageDialogTest::thePageShowsWhatTheWindowShows()
+{
+    WindowFixture fixture({"walking_gait", "ground"});
+    fixture.session.playback().goTo({20, 0});
+    const QJsonObject plain = made(openDialog(fixture), "plain.html");
+    QCOMPARE(plain["shows"]["velocities"], QJsonValue(false));
+    QCOMPARE(plain["shows"]["trails"], QJsonValue(true));
+    QVERIFY(!plain.contains("ghost"));
+    fixture.window.activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(&fixture.window));
+    Extras extras = fixture.view.extras();
+    extras.velocities = extras.onion = true;
+    extras.trails = extras.unitCircle = extras.grid = false;
+    fixture.view.setExtras(extras);
+    fixture.session.playback().goTo({10, 0});
+    fixture.session.editor().setParameter("damp", 0.5);
+    fixture.session.editor().endGesture();
+    fixture.session.playback().goTo({20, 0});
+    QVERIFY(fixture.session.comparisons().shown());
+    const QJsonObject more = made(openDialog(fixture), "more.html");
+    for (const char *name : {"velocities", "onion", "ghost", "guides", "eyes"})
+        QCOMPARE(more["shows"][name], QJsonValue(true));
+    for (const char *name : {"trails", "unitCircle", "grid"})
+        QCOMPARE(more["shows"][name], QJsonValue(false));
+    QCOMPARE(more["ghost"]["name"].toString(), fixture.session.comparisons().shown()->name);
+    QVERIFY(more["ghost"]["parts"][0]["first"].toInt() > 10);
 }
 
 void WebPageDialogTest::aPageThatIsCancelledLeavesNoFile()

@@ -160,8 +160,8 @@ void RightToLeftTest::nothingIsCut()
     QFETCH(bool, measuring);
     WindowFixture window({.lesson = lesson, .step = step, .study = quickStudy, .codePage = "listing"});
     window.window.setMode(measuring ? MainWindow::Mode::measure : MainWindow::Mode::learn);
-    window.window.showEnergy(measuring);
-    window.window.showEffects(measuring);
+    window.window.docks().show(Panel::energy, measuring);
+    window.window.docks().show(Panel::effects, measuring);
     window.session.playback().goTo({3, 1});
     settle();
     if (measuring) {

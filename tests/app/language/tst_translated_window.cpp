@@ -1,10 +1,11 @@
 // The window in other languages, whose texts are longer: nothing is cut.
 
 #include "app/ui/help/help_page.h"
+#include "app/ui/help/tour.h"
 #include "app/ui/sandbox/build_panel.h"
+#include "app/ui/stability/stability_panel.h"
 #include "app/ui/status/status_figures.h"
 #include "app/ui/status/status_sentence.h"
-#include "app/ui/window/tour.h"
 #include "tests/app/language/cut_text.h"
 #include "tests/app/language/drawn_text.h"
 #include "tests/app/language/translated_window.h"
@@ -90,8 +91,8 @@ void TranslatedWindowTest::nothingIsCut()
             continue; // their parameters and narration are seen in learning
         shown.session.openStep(lesson, step.id);
         shown.session.playback().goTo({3, 1});
-        shown.window.showEnergy(measuring);
-        shown.window.showEffects(measuring);
+        shown.window.docks().show(Panel::energy, measuring);
+        shown.window.docks().show(Panel::effects, measuring);
         settle();
         if (measuring) { // the results arrive later, and must fit, too
             QTRY_COMPARE(shown.window.study().stage(), AccuracyStudy::Stage::done);
@@ -118,13 +119,13 @@ void TranslatedWindowTest::theReasonsOfStabilityAreNotCut()
             cut << QString("%1: %2").arg(what, where);
     };
     shown.session.openStep("multi_foot", "any_number");
-    shown.window.showStability(true);
+    shown.window.docks().show(Panel::stability, true);
     look("stability", &shown.window);
     for (const MapPlane plane : {MapPlane::step, MapPlane::damping}) {
-        shown.window.showGrowthMap(plane);
+        shown.window.stabilityPanel().showMap(plane);
         look(plane == MapPlane::step ? "map of steps" : "map of damping", &shown.window);
     }
-    shown.window.showSettlingMap(true);
+    shown.window.stabilityPanel().showSettling(true);
     look("map of the time to rest", &shown.window);
     QVERIFY2(cut.isEmpty(), qPrintable('\n' + cut.join('\n')));
 }

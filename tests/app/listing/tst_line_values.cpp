@@ -97,6 +97,13 @@ private slots:
         QVERIFY(conditionNames(session.step(), session.timeline()).variables.count("centre") == 1);
     }
 
+    void theLastLineOfAFunctionHasAValueToo()
+    {
+        Opened opened("swaying_tree", "trunk");
+        opened.goTo(3);
+        QCOMPARE(chipAt(opened, "Vec2 end").text, "end = " + shownText(sim::Vec2{275.0, 300.0}));
+    }
+
     void whatTheSceneRemembersHasValuesToo()
     {
         Opened opened("walking_gait", "steering");

@@ -270,6 +270,17 @@ private slots:
         QVERIFY(shown.view.picture() != with);
     }
 
+    void theMarkOfANameGoesWithItsStep()
+    {
+        ListingFixture shown("codeling", "motor");
+        shown.key(Qt::Key_Right);
+        shown.point(shown.middleOf("lead.velocity = hand", "velocity"));
+        QVERIFY(shown.view.shown().vector.has_value());
+        shown.session.openStep("codeling", "orientation"); // its listing has the same word in the same place
+        tests::settle();
+        QVERIFY(!shown.view.shown().vector);
+    }
+
     void pointingAtABodyMarksWhereTheListingUsesIt()
     {
         ListingFixture shown;

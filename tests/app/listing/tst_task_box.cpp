@@ -101,6 +101,7 @@ private slots:
     void theButtonsOfATaskStayInView();
     void nothingIsCutOffInASmallWindow_data();
     void nothingIsCutOffInASmallWindow();
+    void whatNeedsAPhaseSaysHowToGetOne();
 };
 
 void TaskBoxTest::tasksAreUnfoldedAndStartedWithTheMouse()
@@ -261,6 +262,24 @@ void TaskBoxTest::nothingIsCutOffInASmallWindow()
     settle();
     QVERIFY(!rows.back()->visibleRegion().isEmpty());
     QVERIFY(rows.back()->visibleRegion().boundingRect().bottom() >= rows.back()->height() - 1);
+}
+
+void TaskBoxTest::whatNeedsAPhaseSaysHowToGetOne()
+{
+    listing_window::ListingFixture shown("rigid_constraint", "pair");
+    shown.window.findChild<LearnPanel *>()->setForm(LearnPanel::Form::whole);
+    shown.type("share_of_a = 1;", "1", "2"); // as after a task: the learner's code computes the run
+    QCOMPARE(shown.session.timeline().script().method->id(), std::string("listing"));
+    const TryBox &beforeStick = *shown.part<Narration>().findChildren<TryBox *>()[1];
+    const auto &todo = *beforeStick.findChild<NarrationText *>("todoText");
+    QVERIFY(todo.isHidden());
+    shown.session.input().setPointer({200.0, 300.0}, true);
+    shown.key(Qt::Key_Right);
+    QTRY_VERIFY(!todo.isHidden());
+    QVERIFY2(todo.toPlainText().contains("Reset listing"), qPrintable(todo.toPlainText()));
+    QTest::mouseClick(&shown.part<QToolButton>("resetListing"), Qt::LeftButton);
+    QTRY_VERIFY2(todo.toPlainText().contains("Engine"), qPrintable(todo.toPlainText()));
+    QVERIFY(!todo.isHidden());
 }
 
 SUITE(tst_task_box, TaskBoxTest)

@@ -124,7 +124,7 @@ void HandoutTest::picturesShowWherePredictionsBeginAndEnd()
                          },
                          {}));
     QCOMPARE(drawn, expected);
-    QCOMPARE(handoutPictures(lesson), static_cast<int>(expected.size()));
+    QCOMPARE(handoutPictureCount(lesson), static_cast<int>(expected.size()));
 }
 
 void HandoutTest::aTaskHasALineForEachLineOfItsSolutionUpToAPage()

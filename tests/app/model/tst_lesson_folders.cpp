@@ -302,6 +302,10 @@ private slots:
                    "- until: bob.vx < -1000", "its condition does not hold up to frame 300");
         mistakeRow("curves that look the same", "two.md", "- gravity: 1.2\n", "- iterations: 9\n",
                    "two of its curves look the same");
+        mistakeRow("a nail that cannot be held", "swing.code",
+                   "    if (nail.held)\n        nail.position = hand;\n", "",
+                   "in which the hand holds it. Every body can be held: write “if (nail.held) nail.position "
+                   "= hand;”");
         mistakeRow("another motion", "swing.code", "bob.velocity *= damp;", "bob.velocity *= damp * damp;",
                    "the listing moves \"bob\" otherwise than the method semi_implicit_euler");
     }

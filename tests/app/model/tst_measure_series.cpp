@@ -272,7 +272,7 @@ private slots:
     void aTryWithABudgetIsDoneByARunThatKeepsIt()
     {
         MeasuredRun fixture;
-        fixture.session.progress().forgetAll();
+        fixture.session.progress().forgetLesson("lesson");
         fixture.session.openStep("lesson", "whole");
         const auto done = [&](int number) {
             return fixture.session.progress().isDone("lesson", "whole", number);

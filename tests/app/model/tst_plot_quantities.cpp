@@ -70,6 +70,22 @@ class PlotQuantities : public QObject
     Q_OBJECT
 
 private slots:
+    void aNameIsReadBack()
+    {
+        for (const QuantityKind what : allMeasured()) {
+            Quantity quantity = of(what);
+            if (aboutOf(what) == About::twoBodies)
+                quantity.other = "body";
+            QCOMPARE(quantityFrom(quantityName(quantity)), std::optional(quantity));
+        }
+        QCOMPARE(quantityFrom(" distance( foot ,body ) "),
+                 std::optional(Quantity{QuantityKind::distance, "foot", "body"}));
+        QCOMPARE(quantityFrom("y"), std::optional(Quantity{QuantityKind::placeY}));
+        for (const char *name :
+             {"", "z(foot)", "y(foot", "y()", "y(foot, body)", "energy(foot)", "distance(foot)", "y(foot) x"})
+            QVERIFY2(!quantityFrom(name), name);
+    }
+
     /// Semi-implicit Euler with h = 1: v = g n, y = y0 + g n (n + 1) / 2.
     void aFreeFallIsTheMethodsParabola()
     {

@@ -21,9 +21,10 @@ namespace {
 
 struct PredictionFixture : SessionFixture
 {
-    explicit PredictionFixture(const QString &step) : SessionFixture(predictedLessons())
+    explicit PredictionFixture(const QString &step, const QString &lesson = "single_spring")
+        : SessionFixture(predictedLessons())
     {
-        session.openStep("single_spring", step);
+        session.openStep(lesson, step);
         session.playback().setSpeed(4.0);
     }
 
@@ -42,6 +43,10 @@ struct PredictionFixture : SessionFixture
     const lessons::Step &stepCalled(const QString &id) const
     {
         return *library.lesson("single_spring")->step(id);
+    }
+    bool isTicked(int number)
+    {
+        return session.progress().isDone(session.lesson().id, session.step().id, number);
     }
     std::int64_t frame() const { return session.timeline().cursor().frame; }
 
@@ -66,6 +71,8 @@ private slots:
     void pausingDoesNotLoseTheEnd();
     void newTextsOfTheStepAreFollowed();
     void theRunOfAPredictionTicksNothing();
+    void whatThePredictionDidIsNotTickedWhenTheLearnerGoesOn();
+    void whatThePredictionDidIsNotTickedWhenTheRunComesBack();
     void aPlaceIsPickedAtTheBeginningOfTheRun();
     void outcomesAreSentences_data();
     void outcomesAreSentences();
@@ -214,8 +221,51 @@ void PredictionsTest::theRunOfAPredictionTicksNothing()
     QVERIFY(!step.tries.empty());
     for (int i = 0; i < static_cast<int>(step.tries.size()); ++i) {
         QVERIFY(!fixture.session.progress().isDone("single_spring", "drag", i));
-        QCOMPARE(fixture.session.todo(i), QString());
+        const QString todo = fixture.session.todo(i);
+        QVERIFY2(todo.isEmpty() || todo.contains("set up for you"), qPrintable(todo));
     }
+}
+
+// In the step "branches", the prediction sets the spread to 90°, which is also the first thing to try.
+void PredictionsTest::whatThePredictionDidIsNotTickedWhenTheLearnerGoesOn()
+{
+    PredictionFixture fixture("branches", "swaying_tree");
+    RunEditor &editor = fixture.session.editor();
+    QVERIFY(fixture.predict("left_again", {.place = {270.0, 300.0}}));
+    QCOMPARE(editor.parameter("spread"), 90.0);
+    QVERIFY(!fixture.isTicked(0));
+    QVERIFY(fixture.session.todo(0).contains("set up for you"));
+    editor.setParameter("slope", 0.7); // the second thing to try, in the run of the prediction
+    QVERIFY(fixture.isTicked(1));
+    QVERIFY(!fixture.isTicked(0));
+    QVERIFY(fixture.session.todo(0).contains("set up for you"));
+    editor.setParameter("spread", 40.0);
+    QCOMPARE(fixture.session.todo(0), QString());
+    editor.setParameter("spread", 90.0); // now the learner does it
+    QVERIFY(fixture.isTicked(0));
+}
+
+void PredictionsTest::whatThePredictionDidIsNotTickedWhenTheRunComesBack()
+{
+    PredictionFixture fixture("branches", "swaying_tree");
+    RunEditor &editor = fixture.session.editor();
+    QVERIFY(fixture.predict("left_again", {.place = {270.0, 300.0}}));
+    fixture.session.openStep("swaying_tree", "trunk");
+    fixture.session.openStep("swaying_tree", "branches"); // as it was left
+    QCOMPARE(editor.parameter("spread"), 90.0);
+    QVERIFY(!fixture.isTicked(0));
+    fixture.desk.startAgain("left_again");
+    editor.startAfresh();
+    QVERIFY(editor.parameter("spread") != 90.0);
+    QVERIFY(fixture.predict("left_again", {.place = {270.0, 300.0}}));
+    editor.undo();
+    QVERIFY(editor.parameter("spread") != 90.0);
+    editor.redo();
+    QCOMPARE(editor.parameter("spread"), 90.0);
+    QVERIFY(!fixture.isTicked(0));
+    editor.undo();
+    editor.setParameter("spread", 90.0); // the same run, made by the learner
+    QVERIFY(fixture.isTicked(0));
 }
 
 void PredictionsTest::aPlaceIsPickedAtTheBeginningOfTheRun()

@@ -178,8 +178,8 @@ private slots:
         BranchesFixture fixture;
         fixture.fork(100, 60, 0.75);
         fixture.session.playback().goTo({90, 0});
-        fixture.window.showBranches(true);
-        fixture.window.showEnergy(true);
+        fixture.window.docks().show(Panel::branches, true);
+        fixture.window.docks().show(Panel::energy, true);
         auto *energy = fixture.window.findChild<EnergyPanel *>();
         fixture.window.findChild<QDockWidget *>("energy")->raise();
         QTRY_VERIFY(energy->series().last() == 90);
@@ -187,7 +187,7 @@ private slots:
         fixture.session.playback().goTo({100, 0});
         QTRY_VERIFY(energy->series().last() == 100);
         QCOMPARE(fixture.panel().series().next(), looked);
-        fixture.window.showBranches(true); // to the front
+        fixture.window.docks().show(Panel::branches, true); // to the front
         QTRY_VERIFY(fixture.panel().series().next() > looked);
         fixture.session.playback().frameForward();
         QCoreApplication::processEvents();
@@ -249,7 +249,7 @@ private slots:
     void theDifferenceIsSavedAsPictureAndNumbers()
     {
         BranchesFixture fixture;
-        fixture.window.showBranches(true);
+        fixture.window.docks().show(Panel::branches, true);
         PlotExport &exports = fixture.panel().exports();
         QSignalSpy said(&exports, &PlotExport::messageRequested);
         QSignalSpy failed(&exports, &PlotExport::failed);
@@ -282,7 +282,7 @@ private slots:
     void aPressInThePlotGoesToItsFrame()
     {
         BranchesFixture fixture;
-        fixture.window.showBranches(true);
+        fixture.window.docks().show(Panel::branches, true);
         fixture.fork(100, 60, 0.75);
         fixture.session.playback().goTo({90, 0});
         DifferencePlot &plot = fixture.panel().plot();

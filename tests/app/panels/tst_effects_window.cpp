@@ -82,7 +82,7 @@ private slots:
         MainWindow &window = fixture.window;
         window.setMode(MainWindow::Mode::measure);
         QTRY_VERIFY(isStudying);
-        window.showEffects(true);
+        window.docks().show(Panel::effects, true);
         QTRY_COMPARE(window.effects().ledger().costs().stage(), CostMonitor::Stage::measuring);
         const int costsBefore = costs;
         mayEnd = true;
@@ -95,8 +95,8 @@ private slots:
     void besideEnergyItIsATab()
     {
         EffectsWindowFixture fixture;
-        fixture.window.showEnergy(true);
-        fixture.window.showEffects(true);
+        fixture.window.docks().show(Panel::energy, true);
+        fixture.window.docks().show(Panel::effects, true);
         QTRY_VERIFY(fixture.isSeen());
         QVERIFY(fixture.window.width() <= 1280);
         const auto areTogether = [&] {

@@ -104,7 +104,7 @@ private slots:
         WindowFixture fixture(
             {.lesson = "one", .step = "first", .size = {1920, 1080}, .library = twoLessons()});
         MainWindow &window = fixture.window;
-        window.showEnergy(true);
+        window.docks().show(Panel::energy, true);
         fixture.session.playback().goTo({60, 0});
         auto &energy = *window.findChild<EnergyPanel *>();
         QTRY_VERIFY(energy.series().last() >= 60 && window.plots().isSettled());

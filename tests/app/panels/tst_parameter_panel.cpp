@@ -39,7 +39,7 @@ void ParameterPanelTest::aChangeInThePastLeavesAGhostMark()
     fixture.session.playback().goTo({5, 0});
     typeInto(*rowOf(fixture.panel, "damp")->findChild<NumberBox *>(), "0.5");
     QVERIFY(fixture.session.timeline().comparison());
-    QCOMPARE(fixture.session.comparisons().comparisonName(), QString("before: damp 0.9"));
+    QCOMPARE(fixture.session.comparisons().comparisonName(), QString("before: damping 0.9"));
     QCOMPARE(slider->comparison(), std::optional<double>(0.9));
     QCOMPARE(rowOf(fixture.panel, "k")->findChild<ParameterSlider *>()->comparison(),
              std::optional<double>());

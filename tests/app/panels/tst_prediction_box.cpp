@@ -148,6 +148,9 @@ private slots:
     void theFirstQuestionIsOpenAndTheOthersAreFolded();
     void aButtonAboveTheThingsToTryLeadsToTheQuestion();
     void theSummaryListsWhatWasPredicted();
+    void theEndOfALongAnswerIsInView();
+    void theTitleKeepsItsSpacesAndBoldWords();
+    void theTickSaysAnswered();
     void aChoiceIsKeptAndJudgedWhenTheThingIsDone();
     void aChoiceReturnsAfterARestart();
 };
@@ -359,6 +362,65 @@ void PredictionBoxTest::theSummaryListsWhatWasPredicted()
     QVERIFY2(text.contains("After how many frames is it slow?"), qPrintable(text));
     QVERIFY2(text.contains("You said 20\u202Fframes. It is 17\u202Fframes"), qPrintable(text));
     QVERIFY(!text.contains("Where does it stop?"));
+}
+
+void PredictionBoxTest::theEndOfALongAnswerIsInView()
+{
+    lessons::Prediction asked = predictedNumber();
+    asked.text = QString("This question is long, and it needs some lines of the panel. ").repeated(3);
+    asked.answer = QString("The answer is long, too, so that it needs many lines. ").repeated(5);
+    PredictionWindow fixture({asked});
+    fixture.part<LearnPanel>().setForm(LearnPanel::Form::whole);
+    settle();
+    fixture.box().focusField();
+    auto &field = fixture.in<QLineEdit>("predictedNumber");
+    QTest::keyClicks(&field, "25");
+    QTest::keyClick(&field, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.isShown("slow"), 30'000);
+    const auto &answer = fixture.in<NarrationText>("predictionAnswer");
+    const auto &again = fixture.in<QPushButton>("predictAgain");
+    QTRY_COMPARE(again.visibleRegion().boundingRect(), again.rect());
+    const auto below = [&](const QWidget &one) {
+        return one.mapTo(&fixture.window, QPoint(0, one.height())).y();
+    };
+    QTRY_VERIFY(below(answer) <= below(again) - again.height());
+    QVERIFY(answer.height() >= answer.heightForWidth(answer.width()));
+}
+
+void PredictionBoxTest::theTitleKeepsItsSpacesAndBoldWords()
+{
+    lessons::Prediction asked = predictedNumber();
+    asked.text = "**Damping** is 0.9, and the foot is 100\u202Fpx away. After how many frames is it slow?";
+    PredictionWindow fixture({asked});
+    auto &title = *fixture.box().findChild<WhyButton *>();
+    QCOMPARE(title.text(),
+             QString("Damping is 0.9, and the foot is 100\u202Fpx away. After how many frames is "
+                     "it slow?"));
+    QCOMPARE(title.accessibleName(), title.text());
+    const QImage bold = title.grab().toImage();
+    title.setMarkdown(title.text());
+    settle();
+    QVERIFY(title.grab().toImage() != bold);
+}
+
+void PredictionBoxTest::theTickSaysAnswered()
+{
+    PredictionWindow fixture({predictedNumber()});
+    auto &title = *fixture.box().findChild<WhyButton *>();
+    QVERIFY(!title.toolTip().contains("Answered"));
+    fixture.desk.say("slow", PredictedAnswer{.number = 1.0}); // wrong
+    fixture.desk.commit("slow");
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.isShown("slow"), 30'000);
+    QVERIFY(title.text().endsWith("✓"));
+    QVERIFY(title.accessibleName().endsWith(", answered"));
+    QVERIFY(title.toolTip().startsWith("Answered"));
+    QTest::mouseClick(&title, Qt::LeftButton);
+    QVERIFY(!title.isChecked());
+    QVERIFY(title.toolTip().startsWith("Answered"));
+    title.setChecked(true);
+    QTest::mouseClick(&fixture.in<QPushButton>("predictAgain"), Qt::LeftButton);
+    QVERIFY(!title.toolTip().contains("Answered"));
+    QVERIFY(!title.text().endsWith("✓"));
 }
 
 void PredictionBoxTest::aChoiceIsKeptAndJudgedWhenTheThingIsDone()

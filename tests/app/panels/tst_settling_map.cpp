@@ -82,7 +82,7 @@ void SettlingMapTest::theMapOpensByItsKeysAndByItsTab()
     QVERIFY(!fixture.plot().isVisible() && !fixture.plane(2)->isChecked());
     QTest::mouseClick(fixture.plane(2), Qt::LeftButton);
     QVERIFY(!fixture.plane(1)->isChecked() && !fixture.panel.plot().isVisible());
-    fixture.window.showStability(false);
+    fixture.window.docks().show(Panel::stability, false);
     QVERIFY(!fixture.monitor().isActive());
 }
 

@@ -38,7 +38,9 @@ struct RoomFixture
         column->addWidget(one);
         buttons = new QWidget;
         buttons->setFixedHeight(30);
-        room.addBelow(tries, buttons);
+        heading = new QWidget;
+        heading->setFixedHeight(20);
+        room.addBelow(heading, tries, buttons);
         panel.show();
         fit();
     }
@@ -56,6 +58,7 @@ struct RoomFixture
     QWidget panel;
     StepRoom room{panel};
     QWidget *box = nullptr;
+    QWidget *heading = nullptr;
     QWidget *tries = nullptr;
     QWidget *one = nullptr;
     QWidget *buttons = nullptr;
@@ -69,7 +72,9 @@ class StepRoomTest : public QObject
 
 private slots:
     void whatIsShownWholeStaysSoWhenTheTriesGrow();
+    void whatIsShownWholeStaysSoWhenItGrows();
     void aLearnerWhoScrolledIsLeftWhereSheIs();
+    void theHeadingStaysWhileTheTriesScroll();
 };
 
 void StepRoomTest::whatIsShownWholeStaysSoWhenTheTriesGrow()
@@ -81,6 +86,27 @@ void StepRoomTest::whatIsShownWholeStaysSoWhenTheTriesGrow()
     fixture.one->setFixedHeight(120);
     fixture.fit();
     QTRY_VERIFY(fixture.isWhole());
+}
+
+void StepRoomTest::whatIsShownWholeStaysSoWhenItGrows()
+{
+    RoomFixture fixture;
+    fixture.room.showWhole(fixture.box);
+    QTRY_VERIFY(fixture.isWhole());
+    fixture.box->setFixedHeight(90); // its text has one more line
+    fixture.fit();
+    QTRY_VERIFY(fixture.isWhole());
+}
+
+void StepRoomTest::theHeadingStaysWhileTheTriesScroll()
+{
+    RoomFixture fixture;
+    fixture.one->setFixedHeight(600);
+    fixture.fit();
+    fixture.room.showTry(fixture.one);
+    settle();
+    QCOMPARE(fixture.heading->visibleRegion().boundingRect(), fixture.heading->rect());
+    QVERIFY(fixture.heading->geometry().bottom() < fixture.panel.findChild<QScrollArea *>("tries")->y());
 }
 
 void StepRoomTest::aLearnerWhoScrolledIsLeftWhereSheIs()

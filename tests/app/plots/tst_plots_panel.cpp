@@ -233,7 +233,7 @@ private slots:
         QSettings().clear();
         WindowFixture fixture({.lesson = "plots", .step = "pair", .library = plots_support::library()});
         MainWindow &window = fixture.window;
-        window.showPlots(true);
+        window.docks().show(Panel::plots, true);
         fixture.session.playback().goTo({90, 0});
         QVERIFY(QTest::qWaitFor([&] { return window.plots().isSettled(); }));
         auto *timeline = window.findChild<TimelineStrip *>();

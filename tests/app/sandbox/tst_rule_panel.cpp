@@ -222,7 +222,7 @@ private slots:
     {
         RuleFixture fixture;
         fixture.write(push);
-        fixture.window.showEffects(true);
+        fixture.window.docks().show(Panel::effects, true);
         settle();
         auto &list = fixture.part<EffectList>();
         const std::vector<EffectLine> &lines = list.lines().lines();

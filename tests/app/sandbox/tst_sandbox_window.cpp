@@ -148,7 +148,7 @@ private slots:
     {
         SandboxFixture fixture;
         fixture.build();
-        fixture.window.showEnergy(true);
+        fixture.window.docks().show(Panel::energy, true);
         fixture.editor().setTool(BuildTool::spring);
         for (const double x : {100.0, 150.0, 200.0, 250.0})
             fixture.editor().use({x, 100}, -1);
@@ -285,7 +285,7 @@ private slots:
         QTest::mouseClick(wind, Qt::LeftButton, {}, {8, 8});
         QVERIFY(fixture.editor().has("breeze"));
         QVERIFY(rowOf(*fixture.window.findChild<ParameterPanel *>(), "wind"));
-        fixture.window.showEffects(true);
+        fixture.window.docks().show(Panel::effects, true);
         EffectsPanel &ledger = *fixture.window.findChild<EffectsPanel *>();
         EffectListModel &lines = ledger.findChild<EffectList *>()->lines();
         const auto rowOfLine = [&](const QString &id) {

@@ -5,15 +5,15 @@
 #include "sim/scene/scene.h"
 #include "sim/scenes/points.h"
 
-/// Small scenes for what a look can say, each with points that go where a formula puts them.
+/// Small scenes for what a view can show, each with points that go where a formula puts them.
 namespace drawn_scenes {
 
-/// A step that has nothing but a scene and a look.
+/// Returns a step that has nothing but a scene and a view.
 lessons::Step step(const char *id, const sim::Scene &scene, const lessons::View &view);
 
-/// All points go on by `velocity`, px/frame.
+/// Moves all points by `velocity`, px/frame.
 void letGlide(sim::Scene &scene, sim::Vec2 velocity);
-/// A look with one foot a point.
+/// Returns a view that shows each point as a foot.
 lessons::View feetOnly(const sim::Scene &scene);
 
 /// A tree that forks `forks` times: 2^(forks + 1) - 1 branches, the trunk 100 px long and from (270, 400) straight
@@ -24,7 +24,7 @@ struct Tree
     lessons::View view;
 };
 Tree tree(int forks);
-/// All branches turn to and fro, the thinner the farther.
+/// Turns all branches to and fro, thin ones farther.
 void letSway(Tree &tree);
 
 }

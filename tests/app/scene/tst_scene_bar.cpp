@@ -1,6 +1,7 @@
 // The bar above the scene.
 
 #include "app/model/text/step_text.h"
+#include "app/ui/scene/flat_button.h"
 #include "app/ui/scene/scene_bar.h"
 #include "tests/app/scene/scene_support.h"
 #include "tests/suite.h"
@@ -51,6 +52,7 @@ private slots:
     void theBarZoomsTheView();
     void theBarFitsInEveryWidth_data();
     void theBarFitsInEveryWidth();
+    void theCaptionOfTheStepStaysLongest();
 };
 
 void SceneBarTest::stepsAreReadAsTyped_data()
@@ -185,6 +187,27 @@ void SceneBarTest::theBarFitsInEveryWidth()
         end = one->geometry().right();
     }
     QVERIFY(end < width);
+}
+
+void SceneBarTest::theCaptionOfTheStepStaysLongest()
+{
+    SceneFixture fixture;
+    SceneBar bar(fixture.session.run(), fixture.session.editor(), fixture.session.code(), fixture.theme);
+    bar.attach(fixture.view, fixture.fit);
+    bar.show();
+    auto *method = qobject_cast<FlatButton *>(button(bar, "Method"));
+    auto *step = qobject_cast<FlatButton *>(button(bar, "Step"));
+    QVERIFY(method && step);
+    bool hasStepAlone = false;
+    for (int width = 800; width >= bar.minimumSizeHint().width(); width -= 4) {
+        bar.resize(width, bar.height());
+        QApplication::processEvents();
+        const bool hasMethod = method->width() == method->fullWidth();
+        const bool hasStep = step->width() == step->fullWidth();
+        QVERIFY(hasStep || !hasMethod);
+        hasStepAlone = hasStepAlone || (hasStep && !hasMethod);
+    }
+    QVERIFY(hasStepAlone);
 }
 
 SUITE(tst_scene_bar, SceneBarTest)

@@ -21,7 +21,6 @@ class SceneDrawingTest : public QObject
     Q_OBJECT
 
 private slots:
-    void aViewIsMadeOnce();
     void captionsSayWhatIsDone_data();
     void captionsSayWhatIsDone();
     void pullsAreDrawnInsideAFrameOnly();
@@ -43,27 +42,6 @@ private slots:
     void aThemeChangeRepaints();
     void paintingTakesLittleTime();
 };
-
-void SceneDrawingTest::aViewIsMadeOnce()
-{
-    sim::Scene scene = scenes::pointsAt({{200, 200}, {300, 200}});
-    drawn_scenes::letGlide(scene, {1.0, 0.0});
-    lessons::Step step = drawn_scenes::step("once", scene, drawn_scenes::feetOnly(scene));
-    int made = 0;
-    step.view = [&made](const sim::Scene &built, const sim::Values &) {
-        ++made;
-        return drawn_scenes::feetOnly(built);
-    };
-    SceneFixture fixture({step});
-    for (int i = 0; i < 20; ++i)
-        fixture.session.playback().frameForward();
-    fixture.goTo(3);
-    QCOMPARE(made, 1);
-    fixture.session.editor().setMethod("semi_implicit_euler"); // another run
-    fixture.goTo(20);
-    QVERIFY(fixture.session.presentation().picture().view != nullptr);
-    QVERIFY(made <= 3);
-}
 
 void SceneDrawingTest::captionsSayWhatIsDone_data()
 {

@@ -5,6 +5,8 @@
 #include "app/ui/scene/drawing/label_places.h"
 #include "app/ui/scene/drawing/overlay_labels.h"
 #include "app/ui/scene/hud/free_area.h"
+#include "app/ui/scene/hud/hud.h"
+#include "app/ui/scene/place_picker.h"
 #include "lessons/api/view/view.h"
 #include "tests/app/scene/drawn_scenes.h"
 #include "tests/app/scene/scene_support.h"
@@ -14,7 +16,9 @@
 
 #include <QtTest>
 
+#include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 using namespace app;
@@ -32,6 +36,9 @@ private slots:
     void aNameCoversNoArrow();
     void aNameIsNotCutAtTheEdge_data();
     void aNameIsNotCutAtTheEdge();
+    void aLabelOfAThingAtRestStays();
+    void aPredictionCoversNothing_data();
+    void aPredictionCoversNothing();
     void aPullThatIsNotSeenHasNoName();
     void whatABoxCoversOfALine_data();
     void whatABoxCoversOfALine();
@@ -152,6 +159,71 @@ void SceneLabelsTest::aNameIsNotCutAtTheEdge()
     LabelPlaces places({QRectF(anchor + QPointF(2.0, -150.0), QSizeF(400.0, 300.0))});
     const QRectF box = places.beside(anchor, {120.0, 16.0}, area);
     QVERIFY2(area.contains(box), qPrintable(QString("x %1, y %2").arg(box.x()).arg(box.y())));
+}
+
+void SceneLabelsTest::aLabelOfAThingAtRestStays()
+{
+    const QRectF area(0.0, 0.0, 600.0, 470.0);
+    const QSizeF size(117.3, 15.7);
+    const auto boxesAt = [&](QPointF at) {
+        const QRectF body(at - QPointF(20.0, 20.0), QSizeF(40.0, 40.0));
+        return std::array{LabelPlaces({}).beside(at, size, area), LabelPlaces({body}).beside(at, size, area),
+                          LabelPlaces({body}).within(area, at - QPointF(58.65, 7.85), size)};
+    };
+    for (int i = 0; i < 200; ++i) {
+        const QPointF at(4.1 + 2.93 * i, 3.7 + 2.31 * i);
+        const auto first = boxesAt(at);
+        for (int frame = 1; frame < 20; ++frame) { // it moves by rounding errors
+            const auto boxes = boxesAt(at + frame * QPointF(1.3e-10, -0.7e-10));
+            for (std::size_t k = 0; k < boxes.size(); ++k) {
+                const QPointF moved = boxes[k].topLeft() - first[k].topLeft();
+                QVERIFY2(std::hypot(moved.x(), moved.y()) < 1e-6,
+                         qPrintable(QString("%1, %2").arg(at.x()).arg(at.y())));
+                QVERIFY(area.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(boxes[k]));
+            }
+        }
+    }
+}
+
+void SceneLabelsTest::aPredictionCoversNothing_data()
+{
+    QTest::addColumn<QPointF>("miss");
+    QTest::newRow("exact") << QPointF(0, 0);
+    QTest::newRow("on the name of the body") << QPointF(10, 20);
+    QTest::newRow("on the spring") << QPointF(-15, -5);
+    QTest::newRow("to the left, beyond the spring") << QPointF(-80, 0);
+    QTest::newRow("far to the right") << QPointF(230, 0);
+    QTest::newRow("far below") << QPointF(0, 180);
+}
+
+void SceneLabelsTest::aPredictionCoversNothing()
+{
+    QFETCH(QPointF, miss);
+    SceneFixture fixture("lone");
+    SceneContent shown;
+    shown.picture = fixture.session.presentation().picture();
+    auto withSpring = std::make_shared<lessons::View>(*shown.picture.view);
+    withSpring->springs = {{.a = 0, .b = -1, .at = {270, 200}}};
+    shown.picture.view = withSpring;
+    shown.text = fixture.theme.ui(12);
+    shown.selected = 0;
+    const sim::Vec2 foot = shown.state().positionOf(0);
+    shown.reference = ReferencePlaces{.places = {foot + sim::Vec2{4, 0}}, .farthest = 0, .distance = 4.0};
+    const Camera camera(fixture.view.viewportTransform());
+    const QRectF view(fixture.view.viewport()->rect());
+    const SceneContent noCompanion;
+    const LabelPlaces places = Hud(shown, noCompanion, fixture.theme).labelPlaces(camera, view);
+    QVERIFY(!places.isFree(nameBox(shown, camera, view)));
+    const QPointF onSpring = camera.at((0.5) * (foot + sim::Vec2{270, 200}));
+    QVERIFY(!places.isFree({onSpring - QPointF(2, 2), onSpring + QPointF(2, 2)}));
+
+    const sim::Vec2 said = foot + sim::Vec2{miss.x(), miss.y()};
+    const OverlayLabel label =
+        predictionLabel({said, foot}, camera, freeArea(shown, view), places, shown.text);
+    QVERIFY2(places.isFree(label.box), qPrintable(QString("%1, %2").arg(label.box.x()).arg(label.box.y())));
+    QVERIFY(view.contains(label.box));
+    QVERIFY(!label.box.contains(camera.at(said)) && !label.box.contains(camera.at(foot)));
+    QVERIFY(label.text.contains(QString::number(std::lround(sim::length(said - foot)))));
 }
 
 void SceneLabelsTest::aPullThatIsNotSeenHasNoName()

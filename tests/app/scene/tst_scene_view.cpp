@@ -1,5 +1,6 @@
 // Mouse and keys in the scene.
 
+#include "tests/app/scene/drawn_scenes.h"
 #include "tests/app/scene/scene_support.h"
 #include "tests/suite.h"
 
@@ -43,6 +44,7 @@ private slots:
     void theHandReachesTwelvePixels();
     void theNearestOfTwoBodiesIsTaken();
     void aBodyUnderAnotherOneIsNotTaken();
+    void aHiddenBodyIsNotTaken();
     void theHandLetsGo_data();
     void theHandLetsGo();
     void theCursorIsAHandOverBodies();
@@ -239,6 +241,26 @@ void SceneViewTest::aBodyUnderAnotherOneIsNotTaken()
     fixture.session.input().release();
     fixture.press(fixture.onScreen("foot0")); // the body is drawn over it
     QCOMPARE(fixture.session.selected(), "body");
+}
+
+void SceneViewTest::aHiddenBodyIsNotTaken()
+{
+    const sim::Scene scene = scenes::pointsAt({{270, 200}, {320, 240}});
+    lessons::View view = drawn_scenes::feetOnly(scene);
+    view.bodies[0].shape = lessons::BodyView::Shape::none;
+    SceneFixture fixture({drawn_scenes::step("hidden", scene, view)});
+    const QPoint hidden = fixture.onScreen("p0");
+    fixture.move(hidden, Qt::NoButton);
+    QCOMPARE(fixture.view.viewport()->cursor().shape(), Qt::ArrowCursor);
+    fixture.press(hidden);
+    fixture.move(hidden + QPoint(30, 0));
+    QVERIFY(!fixture.session.input().isHolding());
+    fixture.release(hidden + QPoint(30, 0));
+    const QPoint shown = fixture.onScreen("p1");
+    fixture.press(shown);
+    fixture.move(shown + QPoint(30, 0));
+    QVERIFY(fixture.session.input().isHolding());
+    fixture.release(shown + QPoint(30, 0));
 }
 
 void SceneViewTest::theHandLetsGo_data()

@@ -28,6 +28,10 @@ Panel panelOf(app::Session &session, const app::Theme &theme, More &&...more)
     else if constexpr (std::is_constructible_v<Panel, const app::OpenRun &, app::RunEditor &, app::Playback &,
                                                const app::Theme &, More...>)
         return Panel(session.run(), session.editor(), session.playback(), theme, std::forward<More>(more)...);
+    else if constexpr (std::is_constructible_v<Panel, const app::OpenRun &, app::Playback &, app::Preview &,
+                                               app::ComparisonRuns &, const app::Theme &, More...>)
+        return Panel(session.run(), session.playback(), session.preview(), session.comparisons(), theme,
+                     std::forward<More>(more)...);
     else
         return Panel(session.run(), session.playback(), session.preview(), theme,
                      std::forward<More>(more)...);

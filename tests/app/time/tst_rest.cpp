@@ -171,7 +171,7 @@ private slots:
         QTRY_VERIFY(!session.playback().goal());
         session.editor().setParameter("gravity", 0.1);
         session.editor().setParameter("gravity", 0.0);
-        session.progress().forgetAll();
+        session.progress().forgetLesson("patience");
         session.playback().play();
         QTRY_VERIFY_WITH_TIMEOUT(session.playback().isWaiting(), 60'000);
         QVERIFY(session.progress().isDone("patience", "waits", 0));

@@ -199,7 +199,7 @@ void TestTime::theGhostAppearsAfterAChangeInThePastAndCanBeForgotten()
     const QImage without = fixture.strip->grab().toImage();
     fixture.session.editor().setParameter("damp", 0.5);
     QVERIFY(fixture.session.timeline().comparison());
-    QVERIFY(fixture.strip->hintAt(dots).contains("before: damp 0.9"));
+    QVERIFY(fixture.strip->hintAt(dots).contains("before: damping 0.9"));
     QVERIFY(fixture.strip->grab().toImage().copy(0, 32, 600, 14) != without.copy(0, 32, 600, 14));
     QContextMenuEvent ask(QContextMenuEvent::Mouse, dots, fixture.strip->mapToGlobal(dots));
     QApplication::sendEvent(fixture.strip, &ask);

@@ -1,5 +1,6 @@
 #include "app/ui/theme/theme.h"
 #include "app/ui/time/timeline_axis.h"
+#include "app/ui/time/timeline_painter.h"
 #include "tests/suite.h"
 
 #include <QFontMetricsF>
@@ -16,6 +17,8 @@ private slots:
     void theAxisGrowsInNiceStepsAndNeverShrinks();
     void tickLabelsNeverMeet_data();
     void tickLabelsNeverMeet();
+    void theNameOfARunFitsBesideItsFork_data();
+    void theNameOfARunFitsBesideItsFork();
 };
 
 void TestTimelineAxis::theAxisGrowsInNiceStepsAndNeverShrinks_data()
@@ -76,6 +79,28 @@ void TestTimelineAxis::tickLabelsNeverMeet()
         QVERIFY(start >= end + 8);
         end = start + widthOf(tick);
     }
+}
+
+void TestTimelineAxis::theNameOfARunFitsBesideItsFork_data()
+{
+    QTest::addColumn<qint64>("fork");
+    for (const qint64 fork : {0, 30, 60, 90, 110})
+        QTest::addRow("fork at %lld", fork) << fork;
+}
+
+void TestTimelineAxis::theNameOfARunFitsBesideItsFork()
+{
+    QFETCH(qint64, fork);
+    const Theme theme(Scheme::light);
+    TimelineAxis axis;
+    axis.setWidth(420);
+    const ComparisonRun before{.fork = fork,
+                               .end = 120,
+                               .name =
+                                   QString("before: double error = length(d) - stick.length ").repeated(3),
+                               .id = 1};
+    const QRectF area = comparisonRunArea(axis, before, theme);
+    QVERIFY(area.left() >= axis.left() - 5.0 && area.right() <= axis.right() + 5.0);
 }
 
 SUITE(tst_timeline_axis, TestTimelineAxis)

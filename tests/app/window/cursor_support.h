@@ -30,7 +30,7 @@ struct CursorFixture : tests::WindowFixture
                            StudyFunction study = tests::noStudy)
         : WindowFixture({.lesson = lesson, .step = step, .size = {1600, 900}, .study = std::move(study)})
     {
-        window.showEnergy(true);
+        window.docks().show(Panel::energy, true);
         goTo(80);
         goTo(currentFrame);
         settle();

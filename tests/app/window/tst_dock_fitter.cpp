@@ -140,7 +140,7 @@ private slots:
         FitterFixture fixture({1280, 800});
         fixture.window.setMode(mode);
         fixture.openAll();
-        fixture.window.showStability(reasons);
+        fixture.window.docks().show(Panel::stability, reasons);
         const QStringList before = fixture.shownDocks();
         for (const LessonEntry &lesson : fixture.library.lessons) {
             for (const lessons::Step &step : lesson.steps) {

@@ -77,6 +77,27 @@ private slots:
         QVERIFY(picture->rect().contains(fixture.failure.geometry()));
     }
 
+    void theRemediesWrapInANarrowPicture()
+    {
+        FailureFixture fixture;
+        QWidget picture; // narrower than the remedies in one row
+        picture.setAttribute(Qt::WA_DontShowOnScreen);
+        picture.resize(360, 500);
+        FailureNotice narrow(fixture.session.run(), fixture.session.editor(), fixture.theme, &picture);
+        picture.show();
+        QVERIFY(fixture.stops());
+        QVERIFY(QTest::qWaitFor([&] { return !narrow.search().isSearching(); }, 20'000));
+        settle();
+        QVERIFY(picture.rect().contains(narrow.geometry()));
+        const auto remedies = narrow.findChildren<QPushButton *>("remedy");
+        QVERIFY(remedies.size() >= 3);
+        for (const QPushButton *one : remedies) {
+            QVERIFY2(one->width() >= one->sizeHint().width(), qPrintable(one->text()));
+            const QRect place(one->mapTo(&narrow, QPoint()), one->size());
+            QVERIFY2(narrow.rect().contains(place), qPrintable(one->text()));
+        }
+    }
+
     void aRemedyRunsAgainToThatFrame_data()
     {
         QTest::addColumn<QString>("remedy");

@@ -127,8 +127,8 @@ void KeyboardTest::tabReachesEverythingAndComesRound()
     QFETCH(const MainWindow::Mode, mode);
     LargeWindow fixture;
     fixture.window.setMode(mode);
-    fixture.window.showEnergy(true);
-    fixture.window.showEffects(true);
+    fixture.window.docks().show(Panel::energy, true);
+    fixture.window.docks().show(Panel::effects, true);
     QCoreApplication::processEvents();
     auto *view = fixture.window.findChild<SceneView *>();
     view->setFocus();
@@ -161,8 +161,8 @@ void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen()
     QFETCH(const MainWindow::Mode, mode);
     LargeWindow fixture;
     fixture.window.setMode(mode);
-    fixture.window.showEnergy(true);
-    fixture.window.showEffects(true);
+    fixture.window.docks().show(Panel::energy, true);
+    fixture.window.docks().show(Panel::effects, true);
     QCoreApplication::processEvents();
     fixture.window.findChild<SceneView *>()->setFocus();
     QStringList nameless;

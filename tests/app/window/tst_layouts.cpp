@@ -96,8 +96,8 @@ private slots:
         LayoutFixture fixture;
         fixture.move("Plots", "below the picture");
         QCOMPARE(fixture.areaOf("plots"), Qt::BottomDockWidgetArea);
-        fixture.window.showPlots(false);
-        fixture.window.showPlots(true);
+        fixture.window.docks().show(Panel::plots, false);
+        fixture.window.docks().show(Panel::plots, true);
         QCOMPARE(fixture.areaOf("plots"), Qt::BottomDockWidgetArea);
         fixture.key(Qt::Key_F6);
         fixture.key(Qt::Key_F5);

@@ -114,7 +114,7 @@ private slots:
     void theReasonsInThePanelStayThoseOfTheRun()
     {
         Stiffened fixture;
-        fixture.window.showStability(true);
+        fixture.window.docks().show(Panel::stability, true);
         auto &panel = *fixture.window.findChild<StabilityPanel *>();
         QCoreApplication::processEvents();
         const QString verdict = panel.verdict();

@@ -7,6 +7,7 @@
 #include "app/ui/learn/after/project_box.h"
 #include "app/ui/learn/after/summary_page.h"
 #include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/narration_text.h"
 #include "sim/run/script/composed_interval.h"
 #include "tests/suite.h"
 
@@ -92,7 +93,9 @@ private slots:
     void aProjectOfTheListingReplacesWhatWasWrittenBefore();
     void aSolutionIsTickedByKeys();
     void whatIsMissingIsSaid();
+    void theWholeVerdictIsInView();
     void judgingCanBeCancelled();
+    void thePageCountsTheLevels();
     void aHintIsShownAndHidden();
     void whatWasBuiltWaits();
     void puttingAwayKeepsTheScene();
@@ -209,6 +212,42 @@ void ProjectsTest::whatIsMissingIsSaid()
     const QString sentence = window.sentenceOf(level);
     QVERIFY2(sentence.startsWith("Not yet: at the end, in frame 60"), qPrintable(sentence));
     QVERIFY(!window.session.progress().isWritten("single_spring", "project", "on_time"));
+}
+
+void ProjectsTest::theWholeVerdictIsInView()
+{
+    ProjectFixture window("single_spring", "de");
+    window.click(window.project(), "startProject");
+    LevelBox &level = *window.project().levels().front();
+    window.click(level, "judgeLevel");
+    window.waitForJudge();
+    const auto &verdict = *level.findChild<QLabel *>("levelSentence");
+    QVERIFY(verdict.height() > 2 * verdict.fontMetrics().height()); // more than one line
+    const auto &judge = *level.findChild<QToolButton *>("judgeLevel");
+    QTRY_COMPARE(verdict.visibleRegion().boundingRect(), verdict.rect());
+    QTRY_COMPARE(judge.visibleRegion().boundingRect(), judge.rect());
+    const int end = verdict.mapTo(&window.window, QPoint(0, verdict.height())).y();
+    QVERIFY(end <= judge.mapTo(&window.window, QPoint()).y());
+}
+
+void ProjectsTest::thePageCountsTheLevels()
+{
+    ProjectFixture window("single_spring");
+    const auto text = [&] {
+        QString all;
+        for (const NarrationText *one : window.part<SummaryPage>().findChildren<NarrationText *>())
+            all += one->toPlainText() + '\n';
+        return all;
+    };
+    QVERIFY2(text().contains("0 of 3 levels of the project passed."), qPrintable(text()));
+    QVERIFY(text().contains("Still to pass: On time"));
+    window.session.progress().markWritten("single_spring", projectTicks, "on_time");
+    QVERIFY(text().contains("1 of 3 levels of the project passed."));
+    QVERIFY(!text().contains("Still to pass: On time"));
+    QVERIFY(text().contains("Still to pass: "));
+    for (const lessons::ProjectLevel &level : window.session.lesson().project->levels)
+        window.session.progress().markWritten("single_spring", projectTicks, level.id);
+    QVERIFY(text().contains("Project: " + window.session.lesson().project->title + " ✓"));
 }
 
 void ProjectsTest::judgingCanBeCancelled()

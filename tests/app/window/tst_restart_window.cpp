@@ -7,6 +7,7 @@
 #include "app/ui/film/film_dialog.h"
 #include "app/ui/film/film_name.h"
 #include "app/ui/window/last_step.h"
+#include "app/ui/window/restart.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -136,10 +137,10 @@ private slots:
         const sim::State state = session.timeline().state();
         size->trigger(); // nothing is asked: nothing is lost
         QVERIFY(!restart.window->isVisible());
-        const std::optional<Handover> left = restart.window->handover();
+        const std::optional<Handover> left = restart.window->restart().handover();
         QVERIFY(left);
         restart.open();
-        restart.window->goOn(*left);
+        restart.window->restart().continueFrom(*left);
         restart.window->autosaveIn(folder.path(), autosaveDelay);
         QCOMPARE(session.lesson().id, lesson);
         QCOMPARE(session.step().id, step);
@@ -167,11 +168,11 @@ private slots:
         restart.session.input().moveTo({before.x - 60.0, before.y + 40.0});
         const sim::Vec2 moved = place();
         QVERIFY(moved != before);
-        restart.window->startAgain();
+        restart.window->restart().start();
         QVERIFY(!restart.session.input().isHolding());
-        const std::optional<Handover> left = restart.window->handover();
+        const std::optional<Handover> left = restart.window->restart().handover();
         restart.open();
-        restart.window->goOn(*left);
+        restart.window->restart().continueFrom(*left);
         QCOMPARE(restart.session.timeline().cursor().frame, 0);
         QVERIFY(place() == moved);
     }
@@ -186,10 +187,10 @@ private slots:
         restart.session.playback().goTo({25, 0});
         QVERIFY(restart.window->saveFile(folder.path() + "/mine.json"));
         restart.session.openStep("single_spring", "offset"); // and back later
-        restart.window->startAgain();
-        const std::optional<Handover> left = restart.window->handover();
+        restart.window->restart().start();
+        const std::optional<Handover> left = restart.window->restart().handover();
         restart.open();
-        restart.window->goOn(*left);
+        restart.window->restart().continueFrom(*left);
         restart.session.openStep("two_body", "mutual");
         QCOMPARE(restart.session.editor().parameter("k"), 0.15);
         QVERIFY(restart.window->windowTitle().contains("mine"));
@@ -214,14 +215,14 @@ private slots:
         QVERIFY(fixture.window.isVisible() && film->isMaking());
         QVERIFY(fixture.notice.sentence().contains("125"));
         QVERIFY(fixture.answer("Restart now"));
-        QVERIFY(fixture.window.handover());
+        QVERIFY(fixture.window.restart().handover());
     }
 
     void aWindowThatIsOnlyClosedDoesNotComeBack()
     {
         WindowFixture fixture;
         fixture.window.close();
-        QVERIFY(!fixture.window.handover());
+        QVERIFY(!fixture.window.restart().handover());
     }
 };
 

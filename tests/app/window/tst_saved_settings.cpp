@@ -4,13 +4,13 @@
 #include "app/model/files/recent_files.h"
 #include "app/ui/code/engine/code_view.h"
 #include "app/ui/dialogs/recovery_list.h"
+#include "app/ui/help/tour.h"
 #include "app/ui/learn/step/narration.h"
 #include "app/ui/learn/step/try_row.h"
 #include "app/ui/plots/plot_card.h"
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/settings/appearance.h"
 #include "app/ui/window/last_step.h"
-#include "app/ui/window/tour.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 
@@ -189,7 +189,7 @@ void SavedSettingsTest::theSceneShowsWhatWasChosen()
 void SavedSettingsTest::plotsAreThoseThatWereAdded()
 {
     RestoredWindow restored({1280, 800});
-    restored.window.showPlots(true);
+    restored.window.docks().show(Panel::plots, true);
     const auto &cards = restored.window.plots().cards();
     QCOMPARE(cards.size(), std::size_t(2));
     QCOMPARE(cards[0]->plot().title(), QString("y of foot against time"));

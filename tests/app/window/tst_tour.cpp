@@ -1,10 +1,10 @@
 // The tour of the window: a minute with mouse or keyboard, which never stands in the way; and the keys of what helps
 // to learn.
 
+#include "app/ui/help/tour.h"
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/step/try_box.h"
 #include "app/ui/learn/words/glossary_page.h"
-#include "app/ui/window/tour.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 

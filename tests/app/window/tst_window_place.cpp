@@ -7,6 +7,7 @@
 #include "app/ui/help/about_page.h"
 #include "app/ui/settings/appearance.h"
 #include "app/ui/window/gui.h"
+#include "app/ui/window/restart.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 
@@ -62,7 +63,7 @@ struct Program
             QVERIFY(window && QTest::qWaitForWindowExposed(window));
             actions(*window, *work.session);
             if (window->isVisible())
-                window->startAgain();
+                window->restart().start();
         });
         left = runWindow(*start.application, work, {}, left).handover;
         QVERIFY(left);

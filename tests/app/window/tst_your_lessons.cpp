@@ -8,6 +8,12 @@
 #include "app/ui/learn/lessons/lesson_desk.h"
 #include "app/ui/learn/lessons/lesson_list.h"
 #include "app/ui/learn/lessons/lesson_model.h"
+#include "app/ui/learn/words/glossary_page.h"
+#include "app/ui/map/concept_button.h"
+#include "app/ui/map/map_page.h"
+#include "app/ui/parameters/number_box.h"
+#include "app/ui/parameters/parameter_row.h"
+#include "tests/app/support/panel_fixture.h"
 #include "tests/suite.h"
 
 #include <QDesktopServices>
@@ -18,6 +24,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <QTextBrowser>
 #include <QTimer>
 
 using namespace app;
@@ -67,6 +74,20 @@ struct YoursFixture : WindowFixture
         QTest::mouseClick(list.viewport(), Qt::LeftButton, {}, list.visualRect(index).center());
         QCoreApplication::processEvents();
     }
+
+    /// Begins a new lesson in a folder, with the dialog.
+    void beginLesson(const QString &folder)
+    {
+        QTimer::singleShot(0, qApp, [&folder] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            auto *name = dialog->findChild<QLineEdit *>("fileNameEdit");
+            name->setText(folder);
+            QTest::keyClick(name, Qt::Key_Return);
+        });
+        desk.begin().trigger();
+    }
+    ParameterRow &row(const QString &id) const { return *rowOf(part<ParameterPanel>(), id); }
 
     YourLessons yours;
     LessonDesk &desk = part<LessonDesk>();
@@ -118,6 +139,9 @@ private slots:
     void aMistakeIsToldAndTheLastGoodStateStays();
     void whatIsSavedIsShownAtTheSameStepAndFrame();
     void aNewLessonBeginsWithTheSceneOfTheSandbox();
+    void aNewLessonBeginsWithASceneOfYours();
+    void aParameterIsARowThatFollowsItsFile();
+    void theWordsAndTheMapFollow();
     void aLessonIsTakenOutOfTheListAndPutBack();
 
 private:
@@ -242,24 +266,106 @@ void YourLessonsTest::aNewLessonBeginsWithTheSceneOfTheSandbox()
     const QString path = QFileInfo(folder.path()).canonicalFilePath() + "/first_try";
     QDesktopServices::setUrlHandler("file", this, "takeUrl");
     YoursFixture fixture("sandbox", "build");
-    QTimer::singleShot(0, qApp, [&path] {
-        auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
-        QVERIFY(dialog);
-        auto *name = dialog->findChild<QLineEdit *>("fileNameEdit");
-        name->setText(path);
-        QTest::keyClick(name, Qt::Key_Return);
-    });
-    fixture.key(Qt::Key_T, Qt::ControlModifier | Qt::ShiftModifier);
+    fixture.beginLesson(path);
     QDesktopServices::unsetUrlHandler("file");
     QCOMPARE(fixture.notice.sentence(), QString());
     QCOMPARE(m_url, QUrl::fromLocalFile(path));
     QCOMPARE(fixture.session.lesson().id, QString("first_try"));
     QCOMPARE(fixture.session.step().id, QString("first"));
     QVERIFY(!fixture.session.step().tries.empty());
-    QVERIFY(!fixture.desk.begin().isEnabled());
-    QVERIFY(!fixture.desk.begin().obstacle().isEmpty());
-    fixture.window.setMode(MainWindow::Mode::build);
     QVERIFY(fixture.desk.begin().isEnabled());
+}
+
+void YourLessonsTest::aNewLessonBeginsWithASceneOfYours()
+{
+    const LessonCopy copy;
+    const QTemporaryDir folder;
+    const QString path = QFileInfo(folder.path()).canonicalFilePath() + "/second_clock";
+    QDesktopServices::setUrlHandler("file", this, "takeUrl");
+    YoursFixture fixture;
+    fixture.dropFile(copy.path);
+    fixture.session.openStep(clockLesson, "clock");
+    fixture.session.editor().setParameter("wheel", 0.15);
+    fixture.beginLesson(path);
+    QDesktopServices::unsetUrlHandler("file");
+    QCOMPARE(fixture.notice.sentence(), QString());
+    QCOMPARE(fixture.session.lesson().id, QString("second_clock"));
+    QCOMPARE(fixture.session.step().parameter("wheel")->defaultValue, 0.15);
+    QCOMPARE(fixture.session.step().parameter("damp")->defaultValue, 0.998);
+
+    fixture.session.openStep(clockLesson, "clock");
+    copy.write("clock.json", "{");
+    QTRY_VERIFY(!fixture.notice.sentence().isEmpty());
+    fixture.notice.showMessage({});
+    fixture.beginLesson(path + "_again");
+    QVERIFY2(fixture.notice.sentence().contains("pendulum_clock/clock.json"),
+             qPrintable(fixture.notice.sentence()));
+    QVERIFY(!QFileInfo::exists(path + "_again"));
+}
+
+void YourLessonsTest::aParameterIsARowThatFollowsItsFile()
+{
+    const LessonCopy copy;
+    YoursFixture fixture;
+    fixture.dropFile(copy.path);
+    fixture.session.openStep(clockLesson, "clock");
+    typeInto(*fixture.row("wheel").findChild<NumberBox *>(), "0.05");
+    QCOMPARE(fixture.session.editor().parameter("wheel"), 0.05);
+    fixture.key(Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(fixture.session.editor().parameter("wheel"), 0.1);
+    fixture.key(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(fixture.session.editor().parameter("wheel"), 0.05);
+    fixture.goTo(40);
+    const sim::State state = fixture.session.timeline().state();
+
+    copy.write("clock.md", copy.read("clock.md").replace("Parameter: Push", "Parameter: Kick"));
+    QTRY_COMPARE(fixture.row("wheel").parameter().name, QString("Kick"));
+    QCOMPARE(fixture.session.editor().parameter("wheel"), 0.05); // the run is the same
+    QVERIFY(fixture.frame() == 40 && sim::sameBits(fixture.session.timeline().state(), state));
+
+    copy.write("clock.md", copy.read("clock.md").replace("value: 0.1\n", "value: 0.3\n"));
+    QTRY_VERIFY(fixture.notice.sentence().contains("outside its range from 0 to 0.2."));
+    QCOMPARE(fixture.row("wheel").parameter().max, 0.2);
+    copy.write("clock.md", copy.read("clock.md").replace("maximum: 0.2", "maximum: 0.4"));
+    QTRY_COMPARE(fixture.row("wheel").parameter().max, 0.4);
+    QTRY_COMPARE(fixture.notice.sentence(), QString());
+    QCOMPARE(fixture.session.editor().parameter("wheel"), 0.3);
+    QCOMPARE(fixture.frame(), 40);
+
+    fixture.session.editor().setParameter("wheel", 0.15);
+    fixture.key(Qt::Key_B, Qt::ControlModifier);
+    QVERIFY(fixture.session.isSandbox());
+    QVERIFY2(fixture.session.rule().text().contains("return Vec2(-0.15, 0);"),
+             qPrintable(fixture.session.rule().text()));
+    QVERIFY(fixture.session.rule().isActing() && fixture.session.rule().mistakes().empty());
+}
+
+void YourLessonsTest::theWordsAndTheMapFollow()
+{
+    const LessonCopy copy;
+    YoursFixture fixture;
+    fixture.actionCalled("Glossary").trigger();
+    fixture.actionCalled("Map of concepts").trigger();
+    const auto &words = *fixture.part<GlossaryPage>().findChild<QTextBrowser *>();
+    const auto explains = [&words](const char *word) { return words.toPlainText().contains(word); };
+    const auto node = [&fixture] {
+        return fixture.part<MapPage>().findChild<ConceptButton *>("limit_swing");
+    };
+    QVERIFY(!explains("Escapement") && !node());
+
+    fixture.dropFile(copy.path); // opened
+    QVERIFY(explains("Escapement") && node());
+    fixture.session.openStep(clockLesson, "clock");
+    copy.write("clock.md", copy.read("clock.md")
+                               .replace("## Word: Escapement", "## Word: Anchor")
+                               .replace("{#limit_swing}", "{#own_swing}"));
+    QTRY_VERIFY(explains("Anchor")); // changed
+    QVERIFY(!explains("Escapement") && !node());
+    QVERIFY(fixture.part<MapPage>().findChild<ConceptButton *>("own_swing"));
+
+    fixture.desk.forget().trigger(); // removed
+    QVERIFY(!explains("Anchor"));
+    QVERIFY(!fixture.part<MapPage>().findChild<ConceptButton *>("own_swing"));
 }
 
 void YourLessonsTest::aLessonIsTakenOutOfTheListAndPutBack()

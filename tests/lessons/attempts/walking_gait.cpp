@@ -124,6 +124,16 @@ std::vector<Attempt> standingAttempts()
          },
          "walked 0"},
         {"ground", 2, "before any foot bounces", [](Player &p) { p.set("bounce", 0.8); }, "bounces"},
+        {"steering", 1, "by key after a click",
+         [](Player &p) {
+             p.point({300, 300}, true);
+             p.play(1);
+             p.point({300, 300}, false);
+             p.set("top", 0.05);
+             p.key(&sim::Keys::left, true);
+             p.play(60);
+         },
+         "pointer"},
         {"steering", 2, "only passing through",
          [](Player &p) {
              p.key(&sim::Keys::left, true);

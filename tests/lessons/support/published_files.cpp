@@ -9,6 +9,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>
@@ -166,6 +167,19 @@ double largestDifference(const PublishedRun &run)
             largest = std::max(largest, std::abs(now.angle[point] - *row.angle));
     }
     return largest;
+}
+
+void addPublishedRows(const QString &lesson)
+{
+    QTest::addColumn<QString>("name");
+    for (const QString &name : publishedNames(lesson))
+        QTest::addRow("%s", qPrintable(name)) << name;
+}
+
+void checkPublished(const LoadedLesson &lesson)
+{
+    QFETCH(QString, name);
+    QVERIFY(largestDifference(readPublished(name, lesson)) <= 1e-9);
 }
 
 }

@@ -40,4 +40,9 @@ PublishedRun readPublished(const QString &name, const LoadedLesson &lesson);
 /// the script. Infinite if the run lacks a body or a frame.
 double largestDifference(const PublishedRun &run);
 
+/// Adds one test row per published file of a lesson, with the column "name".
+void addPublishedRows(const QString &lesson);
+/// Checks the trajectory of the current test row, within 1e-9.
+void checkPublished(const LoadedLesson &lesson);
+
 }

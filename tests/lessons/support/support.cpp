@@ -1,7 +1,9 @@
 #include "tests/lessons/support/support.h"
 
 #include "lessons/api/lesson.h"
+#include "sim/base/error.h"
 #include "sim/methods/methods.h"
+#include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
 #include "sim/run/track.h"
 
@@ -68,6 +70,34 @@ lessons::Step stepOfRow()
     return loadLesson(lesson).step(id);
 }
 
+bool fits(const lessons::Step &step, const sim::Method &method)
+{
+    const sim::Script script = scriptOf(step, method.id(), 1.0);
+    try {
+        sim::compose(sim::sceneOf(script, script.values), method, script.step);
+        return true;
+    } catch (const sim::Error &) {
+        return false;
+    }
+}
+
+void addStepAndMethodRows(const std::function<bool(const lessons::Step &, const sim::Method &)> &accept)
+{
+    QTest::addColumn<QString>("lesson");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("method");
+    for (const QString &lesson : lessonIds()) {
+        for (const lessons::Step &step : loadLesson(lesson).steps) {
+            for (const sim::MethodPtr &method : sim::allMethods()) {
+                if (accept(step, *method))
+                    QTest::addRow("%s/%s with %s", qPrintable(lesson), qPrintable(step.id),
+                                  method->id().c_str())
+                        << lesson << step.id << QString::fromStdString(method->id());
+            }
+        }
+    }
+}
+
 std::optional<QString> regionText(const sim::Region &region)
 {
     QFile file(QStringLiteral(":/source/") + QString::fromStdString(region.file));
@@ -95,6 +125,13 @@ std::vector<sim::MethodPtr> walkingMethods()
                method->id() == "explicit_euler" || method->id() == "midpoint";
     });
     return methods;
+}
+
+void addWalkingMethodRows()
+{
+    QTest::addColumn<QString>("method");
+    for (const sim::MethodPtr &method : walkingMethods())
+        QTest::addRow("%s", method->id().c_str()) << QString::fromStdString(method->id());
 }
 
 std::string figurePointName(std::size_t point)

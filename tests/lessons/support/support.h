@@ -7,6 +7,7 @@
 #include <QString>
 #include <QStringList>
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ void addStepRows();
 /// Returns the step of the current test row.
 lessons::Step stepOfRow();
 
+/// Returns whether `method` can compute `step`. Methods with requirements reject some steps.
+bool fits(const lessons::Step &step, const sim::Method &method);
+/// Adds one test row per step of every lesson and method that `accept` accepts, with the columns "lesson", "id" and
+/// "method".
+void addStepAndMethodRows(const std::function<bool(const lessons::Step &, const sim::Method &)> &accept);
+
 /// Returns the embedded text of a source region. Empty if the file is missing or lacks exactly two marker
 /// lines.
 std::optional<QString> regionText(const sim::Region &region);
@@ -42,6 +49,8 @@ std::optional<QString> regionText(const sim::Region &region);
 /// without damping. Their order is at most 2, so that rounding does not hide their errors at the steps where
 /// orders are measured.
 std::vector<sim::MethodPtr> walkingMethods();
+/// Adds one test row per walking method, with the column "method".
+void addWalkingMethodRows();
 
 /// Returns the name of a point of a figure in the lesson on rigid constraints: "p0", "p1" and so on.
 std::string figurePointName(std::size_t point);

@@ -42,20 +42,24 @@ class Listing {
     /** Returns the text beside a line of the listing (from 1) at frame `index` of the page. */
     textAt(number, index) {
         const line = this.lines.find((one) => one.number === number);
-        return line ? textOf(line, index) : "";
+        return line ? line.texts[textsBefore(line, index) - 1] ?? "" : "";
     }
 
     show(index) {
         for (const line of this.lines) {
-            const text = textOf(line, index);
-            if (line.value.textContent !== text)
-                line.value.textContent = text;
-            line.row.classList.toggle("changed", line.at.includes(index) && index > 0);
+            const count = textsBefore(line, index);
+            const isChanged = index > 0 && line.at[count - 1] === index;
+            if (count !== line.shown)
+                line.value.textContent = line.texts[count - 1] ?? "";
+            if (isChanged !== line.isChanged)
+                line.row.classList.toggle("changed", isChanged);
+            Object.assign(line, { shown: count, isChanged });
         }
     }
 }
 
-function textOf(line, index) {
+/** Returns how many of the texts of a line come up to frame `index` of the page. */
+function textsBefore(line, index) {
     let low = 0;
     let high = line.at.length;
     while (low < high) {
@@ -65,5 +69,5 @@ function textOf(line, index) {
         else
             high = middle;
     }
-    return low > 0 ? line.texts[low - 1] : "";
+    return low;
 }

@@ -12,6 +12,19 @@ async function unpack(text) {
     return run;
 }
 
+let decimalSign = "."; // of the language of the page
+
+/** Returns a number with so many digits after the decimal sign, and never "-0". */
+function fixedNumber(value, digits) {
+    const text = Math.abs(value) < 1e7 ? value.toFixed(digits) : value.toExponential(1).replace("e+", "e");
+    return (Number(text) === 0 ? text.replace("-", "") : text).replaceAll("-", "−").replace(".", decimalSign);
+}
+
+/** Returns a number with the digits that it needs, at most six. */
+function plainNumber(value) {
+    return String(Number(value.toPrecision(6))).replaceAll("-", "−").replace(".", decimalSign);
+}
+
 /** Returns `count` numbers of the column at byte `at`. */
 function readColumn(bytes, at, count) {
     const view = new DataView(bytes.buffer, bytes.byteOffset);

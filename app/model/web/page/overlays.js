@@ -1,7 +1,10 @@
 // Draws the lines and labels that explain a step, and the trails of the bodies.
 
 const trailFrames = 20;
-const unitArrow = 38; // px of the screen: an acceleration of one unit
+const mostTrailed = 600; // bodies
+const unitArrow = 38; // px of the screen: the arrow of the legend
+const longestArrow = 100; // px of the screen
+const longestVelocity = 140;
 
 /** Reads the overlays of a part of the run. */
 function readDrawings(run, part) {
@@ -24,22 +27,78 @@ function overlaysAt(part, i) {
     });
 }
 
-/** Returns the acceleration that an arrow of 38 px stands for, so that the longest arrow of the run has 100 px. */
-function arrowUnit(parts) {
-    let longest = 0;
-    for (const part of parts) {
+/** Returns the longest arrow of an acceleration in each frame of the page, px/frame². */
+function longestPulls(run) {
+    const longest = new Float64Array(run.count);
+    for (const part of run.figures.flatMap((figure) => figure.parts)) {
         for (const drawings of part.drawings) {
             drawings.shapes.forEach((shape, k) => {
                 if (shape !== "arrow")
                     return;
                 const [x, y] = [drawings.numbers[6 * k + 3], drawings.numbers[6 * k + 4]];
-                x.forEach((one, i) => { longest = Math.max(longest, Math.hypot(one, y[i])); });
+                const first = part.first + drawings.first;
+                x.forEach((one, i) => { longest[first + i] = Math.max(longest[first + i], Math.hypot(one, y[i])); });
             });
         }
     }
-    const least = Math.max(0.01, longest * unitArrow / 100);
-    const power = 10 ** Math.floor(Math.log10(least));
-    return [1, 2, 5, 10].map((step) => step * power).find((unit) => unit >= least);
+    return longest;
+}
+
+/** Returns the largest speed of a body in each frame of the page, px/frame. */
+function largestSpeeds(run) {
+    const largest = new Float64Array(run.count);
+    for (const { first, view, vx, vy } of run.figures[0].parts) {
+        vx.forEach((x, point) => {
+            if (view.bodies[point].shape === "none")
+                return;
+            x.forEach((one, i) => { largest[first + i] = Math.max(largest[first + i], Math.hypot(one, vy[point][i])); });
+        });
+    }
+    return largest;
+}
+
+/**
+ * Returns what an arrow of 38 px stands for in each frame: 1, 2 or 5 times a power of ten. The longest arrow has at most
+ * `room` px. The scale stays while that is so, as in the window.
+ */
+function unitsOf(longest, room) {
+    let unit = 0;
+    return longest.map((length) => {
+        const least = length * unitArrow / room;
+        if (least > 0 && (least > unit || least < 0.15 * unit)) {
+            const power = 10 ** Math.floor(Math.log10(least));
+            unit = Math.max(0.01, [1, 2, 5, 10].map((step) => step * power).find((one) => one >= least) ?? least);
+        }
+        return unit;
+    });
+}
+
+/** Draws the velocities, from the edges of the bodies. */
+function drawVelocities(scene) {
+    const { part, i, pen, colors, velocityUnit } = scene;
+    if (part.vx.length === 0 || velocityUnit === 0)
+        return;
+    useStroke(pen, colors.ink2, 2);
+    part.view.bodies.forEach((body, point) => {
+        const x = part.vx[point][i] * unitArrow / velocityUnit;
+        const y = part.vy[point][i] * unitArrow / velocityUnit;
+        const length = Math.hypot(x, y);
+        const place = at(scene, point);
+        const radius = discRadius(scene, point);
+        if (radius === 0 || !(length >= 3) || !isSeen(scene, place, length + radius))
+            return;
+        const u = { x: x / length, y: y / length };
+        const from = { x: place.x + (radius + 3) * u.x, y: place.y + (radius + 3) * u.y };
+        const tip = { x: from.x + x, y: from.y + y };
+        const head = Math.min(10.2, length);
+        const half = head * 0.51;
+        line(pen, from, tip);
+        pen.beginPath();
+        pen.moveTo(tip.x - head * u.x - half * u.y, tip.y - head * u.y + half * u.x);
+        pen.lineTo(tip.x, tip.y);
+        pen.lineTo(tip.x - head * u.x + half * u.y, tip.y - head * u.y - half * u.x);
+        pen.stroke();
+    });
 }
 
 function drawArrow(scene, from, to) {
@@ -135,9 +194,9 @@ function drawOverlay(scene, overlay) {
         break;
     }
     case "arrow": {
-        const scale = unitArrow / scene.unit;
+        const scale = unitArrow / scene.pullUnit;
         const length = Math.hypot(overlay.bx, overlay.by) * scale;
-        if (length < 3)
+        if (!(length >= 3 && length < mostSize))
             return;
         const away = (bodyAt(scene, overlay.ax, overlay.ay) + 8) / length;
         const end = (share) => ({ x: place.x + share * scale * overlay.bx, y: place.y + share * scale * overlay.by });
@@ -168,25 +227,67 @@ function drawOverlay(scene, overlay) {
         drawLabel(scene, overlay.label, anchor);
 }
 
-/** Writes a label beside its place, where neither an earlier one nor a body is. */
+const widths = new Map(); // of labels, px
+
+function widthOf(scene, text) {
+    let width = widths.get(text);
+    if (width === undefined) {
+        if (widths.size > 2000)
+            widths.clear();
+        scene.pen.font = scene.font;
+        width = scene.pen.measureText(text).width;
+        widths.set(text, width);
+    }
+    return width;
+}
+
+/** Returns whether a line crosses a box (Liang and Barsky). */
+function crosses([from, to], box) {
+    let first = 0;
+    let last = 1;
+    const cut = (start, way, low, high) => {
+        if (way === 0)
+            return start >= low && start <= high;
+        const [near, far] = [(low - start) / way, (high - start) / way].sort((a, b) => a - b);
+        first = Math.max(first, near);
+        last = Math.min(last, far);
+        return first <= last;
+    };
+    return cut(from.x, to.x - from.x, box.left, box.right) && cut(from.y, to.y - from.y, box.top, box.bottom);
+}
+
+/** Writes a label beside its place, where neither an earlier one nor a body is, and no line if there is such a spot. */
 function drawLabel(scene, text, place) {
-    scene.pen.font = scene.font;
-    const width = scene.pen.measureText(text).width;
+    const width = widthOf(scene, text);
     const spots = [[10, -8], [10, 18], [-10 - width, -8], [-10 - width, 18], [-width / 2, -16], [-width / 2, 28],
                    [20, -26], [20, 36], [-20 - width, -26], [-20 - width, 36]];
     const boxes = spots.map(([x, y]) => new Box(place.x + x - 2, place.y + y - 13, place.x + x + width + 2,
                                                 place.y + y + 3));
     const inside = new Box(0, 0, scene.camera.width, scene.camera.height);
-    const fits = (box) => box.cut(inside).width === box.width && !scene.labels.some((one) => !one.cut(box).isEmpty);
-    const box = boxes.find(fits) ?? boxes[0];
+    const free = boxes.filter((box) => box.cut(inside).width === box.width &&
+                                       !scene.labels.some((one) => !one.cut(box).isEmpty));
+    const box = free.find((one) => !scene.lines.some((stroke) => crosses(stroke, one))) ?? free[0] ?? boxes[0];
     scene.labels.push(box);
     drawWords(scene, text, box.left + 2, box.bottom - 3, scene.colors.ink2);
+}
+
+/** Returns the lines that labels avoid: those that explain the step, and the links of a few bodies. */
+function linesToAvoid(scene, overlays) {
+    const { view } = scene.part;
+    if (view.bodies.length > fewBodies)
+        return [];
+    const lines = overlays.filter((one) => one.shape === "line").map((one) =>
+        [scene.camera.at(one.ax + scene.shiftX, one.ay + scene.shiftY), scene.camera.at(one.bx + scene.shiftX, one.by + scene.shiftY)]);
+    view.springs.forEach((spring) => lines.push([at(scene, spring.a), endOf(scene, spring)]));
+    view.legs.filter((leg) => !leg.curve).forEach((leg) => lines.push([at(scene, leg.from), at(scene, leg.to)]));
+    view.sticks.forEach((stick) => lines.push([at(scene, stick.a), at(scene, stick.b)]));
+    return lines;
 }
 
 /** Returns the boxes of the bodies, which labels avoid. */
 function boxesOfBodies(scene) {
     const { bodies } = scene.part.view;
-    if (bodies.length > 60)
+    if (bodies.length > fewBodies)
         return [];
     return bodies.map((body, point) => ({ place: at(scene, point), radius: discRadius(scene, point) }))
         .filter(({ radius }) => radius > 0)
@@ -209,7 +310,7 @@ function drawHand(pen, colors, place) {
     pen.fill(hand);
 }
 
-/** Draws where the bodies have been in the last frames. */
+/** Draws where the bodies have been in the last frames. Those that hardly move have no trail. */
 function drawTrails(scene) {
     const { part, i, pen, camera, every } = scene;
     const bodies = part.view.bodies;
@@ -217,19 +318,21 @@ function drawTrails(scene) {
     let trailed = points.filter((point) => bodies[point].shape === "body");
     if (trailed.length === 0)
         trailed = points.filter((point) => bodies[point].shape !== "none");
-    if (bodies.length > 600 || part.view.tree)
+    if (bodies.length > mostTrailed || part.view.tree)
         return;
     const marks = Math.floor(trailFrames / every);
-    for (let back = Math.min(marks, i); back > 0; --back) {
-        useStroke(pen, faded(scene.colors.body, 0.05 + 0.3 * (1 - (back - 1) / marks)), 2);
-        pen.beginPath();
+    const piece = trailed.length > fewBodies ? Math.max(1, Math.floor(marks / 5)) : 1; // frames
+    const place = (point, k) => camera.at(part.x[point][k] + scene.shiftX, part.y[point][k] + scene.shiftY);
+    for (let back = marks; back > 0; back -= piece) {
+        if (i - back + piece < 1)
+            continue;
+        useStroke(pen, faded(scene.colors.body, 0.05 + 0.3 * (1 - (back - piece) / marks)), 2);
+        pen.lineCap = "butt"; // round ones would be darker where they overlap
         for (const point of trailed) {
-            const place = (k) => camera.at(part.x[point][k] + scene.shiftX, part.y[point][k] + scene.shiftY);
-            const from = place(i - back);
-            const to = place(i - back + 1);
-            pen.moveTo(from.x, from.y);
-            pen.lineTo(to.x, to.y);
+            const from = place(point, Math.max(0, i - back));
+            const to = place(point, i - back + piece);
+            if (Math.abs(to.x - from.x) + Math.abs(to.y - from.y) > 0.2)
+                line(pen, from, to);
         }
-        pen.stroke();
     }
 }

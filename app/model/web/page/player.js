@@ -9,10 +9,11 @@ const icons = {
     zoomIn: "<circle cx='8' cy='8' r='5'/><path d='M12 12l4 4M8 5.8v4.4M5.8 8h4.4'/>",
     zoomOut: "<circle cx='8' cy='8' r='5'/><path d='M12 12l4 4M5.8 8h4.4'/>",
     fit: "<path d='M2 6V2h4M12 2h4v4M16 12v4h-4M6 16H2v-4'/>",
-    trails: "<path d='M2 14c4 0 3-9 8-9'/><circle class='solid' cx='13' cy='5' r='2.2'/>",
+    show: "<path d='M1.5 9C3.5 5.5 6 4 9 4s5.5 1.5 7.5 5c-2 3.5-4.5 5-7.5 5s-5.5-1.5-7.5-5z'/><circle class='solid' cx='9' cy='9' r='2.4'/>",
     light: "<circle cx='9' cy='9' r='3.4'/><path d='M9 1v2M9 15v2M1 9h2M15 9h2M3.3 3.3l1.4 1.4M13.3 13.3l1.4 1.4M14.7 3.3l-1.4 1.4M4.7 13.3l-1.4 1.4'/>",
     dark: "<path d='M15 11A6.5 6.5 0 0 1 7 3a6.5 6.5 0 1 0 8 8z'/>",
 };
+const switches = { trails: "t", velocities: "v", onion: "o", ghost: "g", guides: "l", unitCircle: "u" }; // with their keys
 const speeds = [0.1, 0.25, 0.5, 1, 2, 4];
 const zoomStep = 1.25;
 const panStep = 60; // px
@@ -48,6 +49,7 @@ class SpringstepRun extends HTMLElement {
     #pointers = new Map(); // that hold the picture, by id
     #isHome = true; // the reader has not moved the view
     #follows = true; // the view follows a body that walks
+    #chosen = ""; // the colours that the reader has chosen: "light", "dark"
 
     async connectedCallback() {
         if (this.#run)
@@ -94,6 +96,12 @@ class SpringstepRun extends HTMLElement {
         const point = part.names.indexOf(body);
         return point < 0 ? null : { x: part.x[point][i], y: part.y[point][i] };
     }
+    /** Returns the velocity of a body at the frame that is shown, in px/frame; null if the page has none. */
+    velocityOf(body) {
+        const { part, i } = partAt(this.#run.figures[0], this.#index);
+        const point = part.names.indexOf(body);
+        return point < 0 || part.vx.length === 0 ? null : { x: part.vx[point][i], y: part.vy[point][i] };
+    }
     /** Returns where a place of the scene is on the screen, in px from the top left corner of the picture. */
     placeOnScreen(x, y) { return this.painter.camera.at(x, y); }
     /** Returns the text beside a line of the listing (from 1). */
@@ -112,7 +120,7 @@ class SpringstepRun extends HTMLElement {
     pause() {
         this.#isPlaying = false;
         this.#showPlaying();
-        this.#describe();
+        this.#drawSoon(); // which also tells screen readers the moment
     }
 
     // The parts of the page.
@@ -139,17 +147,21 @@ class SpringstepRun extends HTMLElement {
     #buildStage(words) {
         this.canvas = make("canvas", { tabindex: "0", role: "img", "aria-label": words.scene });
         this.note = make("p", { class: "note", role: "status" });
-        this.trails = this.#button("trails", () => this.#switchTrails(), { "aria-pressed": "true" });
-        const tools = make("div", { class: "tools", role: "group", "aria-label": words.scene }, this.trails,
+        this.legend = new Legend(words);
+        if (this.#run.figures[0].parts.some((part) => part.view.angle))
+            this.circle = new UnitCircle(words);
+        const tools = make("div", { class: "tools", role: "group", "aria-label": words.scene }, this.#buildShow(words),
                            this.#button("zoomOut", () => this.#zoom(1 / zoomStep)),
                            this.#button("zoomIn", () => this.#zoom(zoomStep)),
                            this.#button("fit", () => this.#home()));
         this.playButton = this.#button("play", () => this.#playOrPause(), { class: "play" });
         this.slider = make("input", { type: "range", min: "0", max: String(this.count - 1), value: "0", step: "1",
                                       "aria-label": words.frame, title: words.frame });
-        this.clock = make("span", { class: "clock" });
+        this.clockFrame = make("strong");
+        this.clockTime = make("span");
+        this.clock = make("span", { class: "clock" }, this.clockFrame, " ", this.clockTime);
         this.speedBox = make("select", { "aria-label": words.speed, title: words.speed }, ...speeds.map((speed) => {
-            const option = make("option", { value: String(speed) }, `${speed.toLocaleString(document.documentElement.lang)}\u202f×`);
+            const option = make("option", { value: String(speed) }, `${plainNumber(speed)}\u202f×`);
             option.selected = speed === 1;
             return option;
         }));
@@ -157,7 +169,33 @@ class SpringstepRun extends HTMLElement {
                           this.#button("start", () => this.#step(-this.count)),
                           this.#button("back", () => this.#step(-1)), this.playButton,
                           this.#button("forward", () => this.#step(1)), this.slider, this.clock, this.speedBox);
-        return make("main", { class: "stage" }, make("div", { class: "view" }, this.canvas, this.note, tools), time);
+        this.view = make("div", { class: "view" }, this.canvas, this.note, this.legend.element, tools);
+        return make("main", { class: "stage" }, this.view, time);
+    }
+
+    /** Makes the menu of what the scene can show. */
+    #buildShow(words) {
+        const run = this.#run;
+        const parts = run.figures.flatMap((figure) => figure.parts);
+        const has = {
+            trails: parts.some((part) => !part.view.tree && part.names.length <= mostTrailed),
+            velocities: run.velocityUnits.some((unit) => unit > 0),
+            onion: true,
+            ghost: run.ghost !== undefined,
+            guides: parts.some((part) => part.drawings.some((one) => one.shapes.length > 0)),
+            unitCircle: this.circle !== undefined,
+        };
+        this.boxes = {};
+        const choices = Object.keys(switches).filter((name) => has[name]).map((name) => {
+            const box = make("input", { type: "checkbox", name, "aria-label": words[name], "aria-keyshortcuts": switches[name] });
+            box.checked = run.shows[name];
+            box.addEventListener("change", () => this.#switch(name));
+            this.boxes[name] = box;
+            return make("label", {}, box, make("span", {}, words[name]), make("kbd", { "aria-hidden": "true" }, switches[name].toUpperCase()));
+        });
+        this.menu = make("details", { class: "show" }, make("summary", { title: words.showHelp }, iconOf("show"), words.show),
+                         make("div", { class: "menu", role: "group", "aria-label": words.show }, ...choices));
+        return this.menu;
     }
 
     #buildBeside(words) {
@@ -182,7 +220,8 @@ class SpringstepRun extends HTMLElement {
         const keys = [["keySpace", "playPause"], ["keyArrows", "oneFrame"], ["keyEnds", "firstLast"],
                       ["keyMove", "moveView"], ["keyWheel", "zoomView"]];
         const list = keys.flatMap(([key, does]) => [make("dt", {}, words[key]), make("dd", {}, words[does])]);
-        for (const [key, does] of [["+ −", words.zoomView], ["0", words.fit], ["T", words.trails], ["C", words.otherColours]])
+        const letters = Object.keys(this.boxes).map((name) => [switches[name].toUpperCase(), words[name]]);
+        for (const [key, does] of [["+ −", words.zoomView], ["0", words.fit], ["C", words.otherColours], ...letters])
             list.push(make("dt", {}, key), make("dd", {}, does));
         beside.append(make("details", { class: "keys" }, make("summary", {}, words.keys), make("dl", {}, ...list)),
                       make("p", { class: "made" }, words.made));
@@ -191,6 +230,10 @@ class SpringstepRun extends HTMLElement {
 
     #listen() {
         document.addEventListener("keydown", (event) => this.#takeKey(event));
+        document.addEventListener("pointerdown", (event) => {
+            if (!this.menu.contains(event.target))
+                this.menu.open = false;
+        });
         this.slider.addEventListener("input", () => {
             this.pause();
             this.#show(Number(this.slider.value));
@@ -208,7 +251,11 @@ class SpringstepRun extends HTMLElement {
         this.canvas.addEventListener("dblclick", () => this.#home());
         for (const plot of this.plots)
             plot.canvas.addEventListener("pointerdown", (event) => this.#scrubPlot(plot, event));
-        new ResizeObserver(() => this.#resize()).observe(this.canvas);
+        const sizes = new ResizeObserver(() => this.#resize());
+        for (const canvas of [this.canvas, ...this.plots.map((plot) => plot.canvas)])
+            sizes.observe(canvas);
+        addEventListener("beforeprint", () => this.#useColours("light"));
+        addEventListener("afterprint", () => this.#useColours(this.#chosen));
         matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#showColours());
     }
 
@@ -237,7 +284,6 @@ class SpringstepRun extends HTMLElement {
     #step(frames) {
         this.pause();
         this.#show(this.#index + frames);
-        this.#describe();
     }
 
     #show(index) {
@@ -268,26 +314,68 @@ class SpringstepRun extends HTMLElement {
     #draw() {
         this.#isDue = false;
         const { words, first, every, notes } = this.#run;
+        this.#placeCircle();
         this.painter.draw(this.#index);
         this.slider.value = String(this.#index);
         this.slider.style.setProperty("--share", `${100 * this.#index / Math.max(1, this.count - 1)}%`);
-        const last = first + (this.count - 1) * every;
-        const seconds = filled(words.seconds, (this.frame / 30).toLocaleString(document.documentElement.lang,
-            { minimumFractionDigits: 2, maximumFractionDigits: 2 }));
-        const title = filled(words.frameOf, this.frame, last);
-        this.slider.setAttribute("aria-valuetext", `${title}, ${seconds}`);
-        this.clock.replaceChildren(make("strong", {}, title), make("span", {}, `  ${seconds}`));
-        const note = notes.findLast((one) => one.at <= this.#index);
-        if (this.note.textContent !== (note?.text ?? ""))
-            this.note.textContent = note?.text ?? "";
+        this.clockFrame.textContent = filled(words.frameOf, this.frame, first + (this.count - 1) * every);
+        this.clockTime.textContent = filled(words.seconds, fixedNumber(this.frame / 30, 2));
+        const note = notes.findLast((one) => one.at <= this.#index)?.text ?? "";
+        if (this.noted !== note)
+            this.note.textContent = this.noted = note;
+        this.#showLegend();
         this.listing?.show(this.#index);
         for (const plot of this.plots)
-            plot.show(this.#index, this.plotColors, this.painter.ratio);
+            plot.show(this.#index, this.plotColors);
+        if (!this.#isPlaying)
+            this.#describe();
     }
 
-    /** Tells screen readers where the bodies are, while time stands still. */
+    #showLegend() {
+        const { painter } = this;
+        const { view } = partAt(this.#run.figures[0], this.#index).part;
+        const floor = view.room?.floor ?? view.ground ?? Infinity;
+        this.legend.element.classList.toggle("outdoors", view.dusk);
+        this.legend.element.classList.toggle("low", painter.camera.at(0, floor).y < painter.camera.height - 30);
+        const { words, velocityUnits, pullUnits, every, ghost } = this.#run;
+        const unit = (is, units, text) => (is && units[this.#index] > 0 ? filled(text, plainNumber(units[this.#index])) : "");
+        this.legend.show({
+            ghost: painter.ghost ? ghost.name : "",
+            onion: painter.shows.onion ? filled(words.onionScale, onionStep * every) : "",
+            velocities: unit(painter.shows.velocities, velocityUnits, words.velocityScale),
+            pulls: unit(painter.shows.guides, pullUnits, words.pullScale),
+        });
+    }
+
+    /** Shows the unit circle in a corner of the scene, or below it where it would cover too much. */
+    #placeCircle() {
+        const { circle, painter } = this;
+        painter.card = null;
+        if (!circle)
+            return;
+        const { part, i } = partAt(this.#run.figures[0], this.#index);
+        const arrow = painter.shows.unitCircle ? angleArrow(part, i) : null;
+        circle.element.hidden = !arrow;
+        if (!arrow)
+            return;
+        if (!circle.width)
+            circle.measure();
+        circle.show(arrow);
+        if (this.isNarrow)
+            return;
+        const scene = painter.sceneOf(this.#run.figures[0], this.#index);
+        const [from, to] = [arrow.from, arrow.to].map((place) => painter.camera.at(place.x, place.y));
+        const [left, top] = circle.cornerIn(painter.camera, [
+            ...boxesOfBodies(scene), Box.around(from.x, from.y, 4).united(Box.around(to.x, to.y, 4))]);
+        circle.element.style.transform = `translate(${left}px, ${top}px)`;
+        painter.card = new Box(left, top, left + circle.width, top + circle.height);
+    }
+
+    /** Tells screen readers the moment and where the bodies are, while time stands still. */
     #describe() {
         const words = this.#run.words;
+        this.slider.setAttribute("aria-valuetext", `${this.clockFrame.textContent}, ${this.clockTime.textContent}`);
+        this.plots.forEach((plot) => plot.describe());
         const { part, i } = partAt(this.#run.figures[0], this.#index);
         const bodies = part.names.map((name, point) => ({ name, point }))
             .filter(({ point }) => part.view.bodies[point].shape !== "none").slice(0, 8)
@@ -298,11 +386,25 @@ class SpringstepRun extends HTMLElement {
     // The view.
 
     #resize() {
-        if (this.painter.resize()) {
-            if (this.#isHome)
-                this.#home();
-        }
-        this.#drawSoon();
+        const isOther = this.painter.resize();
+        if (isOther && this.#isHome)
+            this.#home();
+        if (isOther)
+            this.#putCircle();
+        for (const plot of this.plots)
+            plot.resize(this.painter.ratio);
+        this.#draw(); // at once: a canvas of another size is empty
+    }
+
+    /** Puts the card of the unit circle on the scene, or below it on a small screen. */
+    #putCircle() {
+        if (!this.circle)
+            return;
+        this.isNarrow = matchMedia("(max-width: 820px)").matches;
+        this.circle.element.style.transform = "";
+        this.circle.element.classList.toggle("below", this.isNarrow);
+        this.isNarrow ? this.view.after(this.circle.element) : this.view.append(this.circle.element);
+        this.circle.width = 0; // to be measured
     }
 
     #home() {
@@ -371,15 +473,27 @@ class SpringstepRun extends HTMLElement {
         plot.canvas.addEventListener("pointerup", () => plot.canvas.removeEventListener("pointermove", go), { once: true });
     }
 
-    #switchTrails() {
-        this.painter.showsTrails = !this.painter.showsTrails;
-        this.trails.setAttribute("aria-pressed", String(this.painter.showsTrails));
+    /** Shows or hides something in the scene. */
+    #switch(name) {
+        const { shows } = this.painter;
+        shows[name] = !shows[name];
+        this.boxes[name].checked = shows[name];
         this.#drawSoon();
     }
 
     #changeColours() {
-        document.documentElement.dataset.colors = this.painter.isDark ? "light" : "dark";
+        this.#chosen = this.painter.isDark ? "light" : "dark";
+        this.#useColours(this.#chosen);
+    }
+
+    /** Draws in the light or the dark colours, or in those of the reader's system. */
+    #useColours(colors) {
+        if (colors)
+            document.documentElement.dataset.colors = colors;
+        else
+            delete document.documentElement.dataset.colors;
         this.#showColours();
+        this.#draw();
     }
 
     #showColours() {
@@ -402,7 +516,7 @@ class SpringstepRun extends HTMLElement {
             return;
         const far = event.ctrlKey ? 10 : 1;
         const moves = { ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
-        const isPressable = target.matches?.("button, summary");
+        const isPressable = target.matches?.("button, summary, input[type=checkbox]");
         const acts = {
             " ": () => this.#playOrPause(),
             ArrowLeft: () => this.#step(-far),
@@ -415,9 +529,15 @@ class SpringstepRun extends HTMLElement {
             "=": () => this.#zoom(zoomStep),
             "-": () => this.#zoom(1 / zoomStep),
             0: () => this.#home(),
-            t: () => this.#switchTrails(),
             c: () => this.#changeColours(),
         };
+        for (const name of Object.keys(this.boxes))
+            letters[switches[name]] = () => this.#switch(name);
+        if (event.key === "Escape" && this.menu.open) {
+            this.menu.open = false;
+            this.menu.firstChild.focus();
+            return;
+        }
         let act = acts[event.key];
         if (event.shiftKey && moves[event.key])
             act = () => this.#pan(...moves[event.key].map((one) => one * panStep));

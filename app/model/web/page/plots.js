@@ -31,7 +31,6 @@ function shortNumber(value, step = 0) {
     const digits = step > 0 ? Math.max(0, -Math.floor(Math.log10(step) + 1e-9)) : 2;
     const size = Math.abs(value);
     const isPlain = size < 1e6 && (size === 0 || size >= 1e-3 || digits < 4);
-    const decimalSign = (0.5).toLocaleString(document.documentElement.lang).charAt(1);
     return (isPlain ? value.toFixed(Math.min(digits, 8)) : value.toExponential(1))
         .replace("e+", "e").replaceAll("-", "−").replace(".", decimalSign);
 }
@@ -55,6 +54,18 @@ class Plot {
         this.element = make("figure", { class: "plot" },
                             make("figcaption", {}, make("span", {}, title), this.value), this.canvas);
         this.title = title;
+        this.width = 0;
+        this.drawn = 0; // frames in the path of those up to the one that is shown
+    }
+
+    /** Gives the canvas the size that it has on the screen. */
+    resize(ratio) {
+        this.width = this.canvas.clientWidth;
+        this.ratio = ratio;
+        this.canvas.width = Math.round(this.width * ratio);
+        this.canvas.height = Math.round(plotHeight * ratio);
+        this.whole = this.width > 0 ? this.addPath(new Path2D(), 0, this.run.count) : null;
+        this.drawn = 0;
     }
 
     x(i) {
@@ -76,40 +87,49 @@ class Plot {
         return Math.round(share * (this.run.count - 1));
     }
 
-    show(index, colors, ratio) {
-        const width = this.canvas.clientWidth;
-        if (width === 0)
+    /** Shows frame `index` of the page. */
+    show(index, colors) {
+        const value = this.up.values[index];
+        const unit = this.up.unit ? "\u202f" + this.up.unit : "";
+        const text = Number.isFinite(value) ? shortNumber(value) + unit : this.words.noValue;
+        if (text !== this.text)
+            this.value.textContent = this.text = text;
+        if (!this.whole)
             return;
+        this.colors = colors;
         const pen = this.canvas.getContext("2d");
-        const isOther = width !== this.width || ratio !== this.ratio || colors !== this.colors;
-        if (isOther) {
-            Object.assign(this, { width, ratio, colors });
-            this.canvas.width = Math.round(width * ratio);
-            this.canvas.height = Math.round(plotHeight * ratio);
-        }
-        pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-        pen.clearRect(0, 0, width, plotHeight);
+        pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+        pen.clearRect(0, 0, this.width, plotHeight);
         this.drawAxes(pen);
-        if (isOther)
-            this.curve = this.pathTo(this.run.count);
         pen.lineWidth = 1.6;
         pen.lineJoin = "round";
         pen.strokeStyle = colors.line2;
-        pen.stroke(this.curve);
+        pen.stroke(this.whole);
         pen.strokeStyle = colors.link;
-        pen.stroke(this.pathTo(index + 1));
+        pen.stroke(this.pathTo(index));
         this.drawCursor(pen, index);
-        const unit = this.up.unit ? "\u202f" + this.up.unit : "";
-        const value = this.up.values[index];
-        this.value.textContent = Number.isFinite(value) ? shortNumber(value) + unit : this.words.noValue;
-        this.canvas.setAttribute("aria-label", `${this.title}: ${this.value.textContent}`);
     }
 
-    pathTo(end) {
-        const path = new Path2D();
+    /** Tells screen readers the value. */
+    describe() {
+        this.canvas.setAttribute("aria-label", `${this.title}: ${this.text}`);
+    }
+
+    /** Returns the curve up to a frame. It goes on from the last one while the run plays. */
+    pathTo(index) {
+        if (this.drawn === 0 || index < this.drawn - 1) {
+            this.path = new Path2D();
+            this.drawn = 0;
+        }
+        this.addPath(this.path, Math.max(0, this.drawn - 1), index + 1);
+        this.drawn = index + 1;
+        return this.path;
+    }
+
+    addPath(path, begin, end) {
         const every = Math.max(1, Math.floor(this.run.count / 4000));
         let isOn = false;
-        for (let i = 0; i < end; i += every) {
+        for (let i = Math.floor(begin / every) * every; i < end; i += every) {
             const value = this.up.values[i];
             if (!Number.isFinite(value) || !Number.isFinite(this.across.values[i])) {
                 isOn = false;

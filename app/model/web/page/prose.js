@@ -10,7 +10,7 @@ function inlineNodes(text) {
         end = match.index + match[0].length;
         const [, , code, bold, italic, link, escaped] = match;
         if (code !== undefined)
-            nodes.push(make("code", { class: code.length < 32 ? "short" : "long" }, code.trim()));
+            nodes.push(codeOf(code.trim()));
         else if (bold !== undefined)
             nodes.push(make("strong", {}, ...inlineNodes(bold)));
         else if (italic !== undefined)
@@ -20,6 +20,12 @@ function inlineNodes(text) {
     }
     nodes.push(text.slice(end));
     return nodes;
+}
+
+/** Shows code that breaks at its spaces only, not inside "-=". */
+function codeOf(code) {
+    const words = code.split(" ").flatMap((word, k) => [k > 0 ? " " : "", make("span", {}, word)]);
+    return make("code", {}, ...words);
 }
 
 function blockOf(text) {

@@ -6,16 +6,26 @@ const colorNames = ["scene", "win", "line2", "ink", "ink2", "ink3", "body", "bod
 
 /** Reads the numbers of all figures. */
 function readFigures(run) {
-    for (const figure of run.figures) {
+    decimalSign = run.decimal;
+    for (const figure of run.ghost ? [...run.figures, run.ghost] : run.figures) {
         for (const part of figure.parts) {
-            for (const name of ["x", "y", "angle"])
+            for (const name of ["x", "y", "angle", "restX", "restY"])
                 part[name] = part[name].map((at) => run.column(at, part.count));
+            part.vx = velocities(part.restX, part.x, run.every);
+            part.vy = velocities(part.restY, part.y, run.every);
             readDrawings(run, part);
         }
     }
     for (const name of ["handX", "handY"])
         run[name] = run[name] === undefined ? null : run.column(run[name], run.count);
-    run.unit = arrowUnit(run.figures.flatMap((figure) => figure.parts));
+    run.pullUnits = unitsOf(longestPulls(run), longestArrow);
+    run.velocityUnits = unitsOf(largestSpeeds(run), longestVelocity);
+}
+
+/** Returns the velocities along one axis, px/frame: the file has only what they differ from the way since the frame before. */
+function velocities(rests, places, every) {
+    return rests.map((rest, point) =>
+        rest.map((one, i) => one + (i > 0 ? (places[point][i] - places[point][i - 1]) / every : 0)));
 }
 
 /** Returns the part of a figure that shows frame `index` of the page, and the index in it. */
@@ -32,7 +42,8 @@ class Painter {
         this.pen = canvas.getContext("2d");
         this.camera = new Camera();
         this.stamps = new Map();
-        this.showsTrails = true;
+        this.shows = { ...run.shows }; // what the reader sees of the scene
+        this.motion = matchMedia("(prefers-reduced-motion: reduce)");
         this.takeColors();
     }
 
@@ -64,46 +75,73 @@ class Painter {
         const { part, i } = partAt(figure, index);
         return { part, i, pen: this.pen, camera: this.camera, colors: this.colors, isDark: this.isDark,
                  ratio: this.ratio, stamps: this.stamps, shiftX: figure.shiftX, shiftY: figure.shiftY,
-                 every: this.run.every, frame: this.run.first + index * this.run.every, unit: this.run.unit,
-                 font: "12px Inter, system-ui, sans-serif", labels: [],
-                 isStill: matchMedia("(prefers-reduced-motion: reduce)").matches };
+                 every: this.run.every, index, frame: this.run.first + index * this.run.every,
+                 pullUnit: this.run.pullUnits[index], velocityUnit: this.run.velocityUnits[index],
+                 hasEyes: this.shows.eyes, font: "12px Inter, system-ui, sans-serif", labels: [],
+                 isStill: this.motion.matches };
     }
 
     draw(index) {
-        const pen = this.pen;
+        const { pen } = this;
+        if (this.canvas.width === 0 || this.canvas.height === 0)
+            return;
         pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-        this.run.figures.forEach((figure, k) => {
-            const scene = this.sceneOf(figure, index);
-            if (k === 0)
-                this.drawBackground(scene);
-            this.drawFigure(scene, figure, k === 0);
-        });
+        const scenes = this.run.figures.map((figure) => this.sceneOf(figure, index));
+        this.drawSurroundings(scenes);
+        scenes.forEach((scene, k) => this.drawFigure(scene, this.run.figures[k], k === 0));
         const { handX, handY } = this.run;
         if (handX && Number.isFinite(handX[index]))
             drawHand(pen, this.colors, this.camera.at(handX[index], handY[index]));
     }
 
-    drawBackground(scene) {
-        if (scene.part.view.dusk) {
-            drawSky(scene);
+    /** Draws what does not move. While the view stays, it is a copy of a picture: the grid alone takes some milliseconds. */
+    drawSurroundings(scenes) {
+        const { x, y, zoom, width, height } = this.camera;
+        const views = scenes.map((scene) => scene.part.view);
+        const key = [x, y, zoom, width, height, this.ratio, this.shows.grid, this.colors, horizonOf(scenes[0]), ...views];
+        const isSame = (other) => other?.length === key.length && key.every((one, k) => one === other[k]);
+        if (isSame(this.still?.key)) {
+            this.pen.drawImage(this.still.canvas, 0, 0, width, height);
             return;
         }
-        this.pen.fillStyle = this.colors.scene;
-        this.pen.fillRect(0, 0, this.camera.width, this.camera.height);
-        drawGrid(scene);
+        const isStill = isSame(this.lastKey); // a view that moves is not worth a copy
+        this.lastKey = key;
+        if (!isStill) {
+            this.drawSurroundingsWith(this.pen, scenes);
+            return;
+        }
+        this.still ??= { canvas: document.createElement("canvas") };
+        const { canvas } = this.still;
+        canvas.width = this.canvas.width;
+        canvas.height = this.canvas.height;
+        const pen = canvas.getContext("2d", { alpha: false });
+        pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+        this.drawSurroundingsWith(pen, scenes);
+        this.still.key = key;
+        this.pen.drawImage(canvas, 0, 0, width, height);
+    }
+
+    drawSurroundingsWith(pen, scenes) {
+        const all = scenes.map((scene) => ({ ...scene, pen }));
+        const [own] = all;
+        if (own.part.view.dusk) {
+            drawSky(own);
+        } else {
+            pen.fillStyle = this.colors.scene;
+            pen.fillRect(0, 0, this.camera.width, this.camera.height);
+            if (this.shows.grid)
+                drawGrid(own);
+        }
+        all.forEach(drawRoom);
+        drawRamps(own);
+        drawGround(own);
     }
 
     drawFigure(scene, figure, isRun) {
         const view = scene.part.view;
-        drawRoom(scene);
-        if (isRun) {
-            drawRamps(scene);
-            drawGround(scene);
-        }
         drawShadows(scene);
         if (isRun) {
-            if (this.showsTrails)
-                drawTrails(scene);
+            this.drawPast(scene, figure);
             drawTree(scene);
             drawMeadow(scene);
         }
@@ -117,12 +155,36 @@ class Painter {
         drawRuleLinks(scene);
         this.pen.setLineDash([]);
         drawBodies(scene);
-        scene.labels = boxesOfBodies(scene);
-        overlaysAt(scene.part, scene.i).forEach((overlay) => drawOverlay(scene, overlay));
+        this.drawMarks(scene, isRun);
         if (figure.name) {
             const [left, top] = view.stage;
             const place = this.camera.at(left + scene.shiftX, top + scene.shiftY);
             drawWords(scene, figure.name, place.x, place.y + 12, this.colors.ink, "600 " + scene.font);
         }
+    }
+
+    /** Draws the ghost, and where the figure has been. */
+    drawPast(scene, figure) {
+        this.ghost = this.shows.ghost ? ghostAt(this.run, scene.index) : null;
+        if (this.ghost)
+            drawGhost(scene, this.ghost);
+        if (this.shows.onion)
+            drawOnion(scene, figure);
+        if (this.shows.trails)
+            drawTrails(scene);
+    }
+
+    /** Draws what explains the figure. */
+    drawMarks(scene, isRun) {
+        const overlays = this.shows.guides ? overlaysAt(scene.part, scene.i) : [];
+        scene.labels = boxesOfBodies(scene);
+        scene.lines = linesToAvoid(scene, overlays);
+        if (isRun && this.shows.unitCircle)
+            scene.lines.push(...drawTriangle(scene));
+        if (isRun && this.card)
+            scene.labels.push(this.card);
+        overlays.forEach((overlay) => drawOverlay(scene, overlay));
+        if (isRun && this.shows.velocities)
+            drawVelocities(scene);
     }
 }

@@ -1,6 +1,7 @@
 // Draws bodies and what links them, as app/ui/scene/layers does in the window. A scene is what scene.js makes for one
 // picture: `pen` (the canvas), `camera`, `colors`, `part` (the frames with the same bodies) and `i` (the frame in it).
 
+const fewBodies = 60; // more are drawn with less care
 const smallestFace = 12; // px of the screen: smaller bodies have no eyes
 
 function at(scene, point) {
@@ -50,8 +51,18 @@ function mixed(from, to, share) {
     return "#" + parts(from).map(channel).join("");
 }
 
+const fadedColors = new Map();
+
 function faded(color, alpha) {
-    return `rgba(${parts(color).join(",")},${alpha})`;
+    const name = color + alpha;
+    let found = fadedColors.get(name);
+    if (!found) {
+        if (fadedColors.size > 2000)
+            fadedColors.clear();
+        found = `rgba(${parts(color).join(",")},${alpha})`;
+        fadedColors.set(name, found);
+    }
+    return found;
 }
 
 /** Draws with a picture that is painted once for each size: gradients take long. */
@@ -77,6 +88,19 @@ function put(scene, picture, x, y, across = 1, down = 1) {
     const width = picture.width / scene.ratio * across;
     const height = picture.height / scene.ratio * down;
     scene.pen.drawImage(picture, x - width / 2, y - height / 2, width, height);
+}
+
+/** Draws a disc of one colour. In a crowd it is a copy of a picture, which is quicker and a little less sharp. */
+function putDot(scene, color, x, y, radius) {
+    if (scene.part.view.bodies.length <= fewBodies || radius > 20) {
+        scene.pen.fillStyle = color;
+        disc(scene.pen, x, y, radius);
+        return;
+    }
+    put(scene, stamp(scene, color, radius, (pen) => {
+        pen.fillStyle = color;
+        disc(pen, 0, 0, radius);
+    }), x, y);
 }
 
 function drawDisc(scene, x, y, radius) {
@@ -240,7 +264,8 @@ function endOf(scene, spring) {
 function drawSpring(scene, spring, front, back) {
     const { camera, pen } = scene;
     let from = at(scene, spring.a);
-    let to = endOf(scene, spring);
+    const end = endOf(scene, spring);
+    let to = end;
     const isPlace = spring.b < 0 || spring.at[0] !== 0 || spring.at[1] !== 0;
     const near = discRadius(scene, spring.a);
     const far = isPlace ? 3.5 : discRadius(scene, spring.b);
@@ -252,7 +277,7 @@ function drawSpring(scene, spring, front, back) {
         to = { x: to.x - far * u.x, y: to.y - far * u.y };
         length -= near + far;
     }
-    useStroke(pen, front, Math.min(2, Math.max(1, 1.1 * camera.zoom)));
+    pen.strokeStyle = front;
     if (!isHidden && length < 15) {
         line(pen, from, to);
     } else if (!isHidden) {
@@ -262,7 +287,6 @@ function drawSpring(scene, spring, front, back) {
         drawCoil(scene, from, to, turns, Math.min(7.5, Math.max(2, 4 * camera.zoom)) * swelling, front, back);
     }
     if (isPlace) {
-        const end = endOf(scene, spring);
         pen.beginPath();
         pen.arc(end.x, end.y, 3.5, 0, 2 * Math.PI);
         pen.stroke();
@@ -278,19 +302,14 @@ function drawSprings(scene) {
     for (const isInside of [true, false]) {
         useStroke(pen, faded(colors.spring, isInside ? 0.4 : 1),
                   isInside ? 1 : Math.min(2.4, Math.max(1, 1.1 * camera.zoom)));
-        pen.beginPath();
-        for (const spring of springs) {
-            if ((spring.part === "inside") !== isInside || (spring.part === "alone" && !areMany))
-                continue;
-            const from = at(scene, spring.a);
-            const to = endOf(scene, spring);
-            pen.moveTo(from.x, from.y);
-            pen.lineTo(to.x, to.y);
+        for (const spring of springs) { // one by one: a browser takes long for one path of all
+            if ((spring.part === "inside") === isInside && (spring.part !== "alone" || areMany))
+                line(pen, at(scene, spring.a), endOf(scene, spring));
         }
-        pen.stroke();
     }
     if (areMany)
         return;
+    useStroke(pen, colors.spring, Math.min(2, Math.max(1, 1.1 * camera.zoom)));
     const back = mixed(colors.spring, colors.scene, 0.35);
     springs.filter((one) => one.part === "alone").forEach((one) => drawSpring(scene, one, colors.spring, back));
 }
@@ -373,7 +392,8 @@ function curveThrough(places) {
     return curve;
 }
 
-function drawChain(scene, chain) {
+/** Returns the outline of a chain that gets thinner from its root to its tip. */
+function chainPath(scene, chain) {
     const middle = curveThrough(chain.points.map((point) => at(scene, point)));
     const root = chain.width * scene.camera.zoom / 2;
     const half = (k) => Math.max(0.5, root * (1 - 0.82 * k / Math.max(1, middle.length - 1)));
@@ -388,32 +408,47 @@ function drawChain(scene, chain) {
         sides[0].push([place.x + half(k) * along.y, place.y - half(k) * along.x]);
         sides[1].unshift([place.x - half(k) * along.y, place.y + half(k) * along.x]);
     });
+    const path = new Path2D();
+    [...sides[0], ...sides[1]].forEach(([x, y], k) => (k === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+    path.closePath();
+    addDisc(path, middle[0].x, middle[0].y, half(0));
+    addDisc(path, middle.at(-1).x, middle.at(-1).y, half(middle.length - 1));
+    return path;
+}
+
+function drawChain(scene, chain) {
     scene.pen.fillStyle = scene.colors.body;
-    fillPolygon(scene.pen, [...sides[0], ...sides[1]]);
-    disc(scene.pen, middle[0].x, middle[0].y, half(0));
-    disc(scene.pen, middle.at(-1).x, middle.at(-1).y, half(middle.length - 1));
+    scene.pen.fill(chainPath(scene, chain));
+}
+
+/** Returns the smooth closed curve through the points of a skin. */
+function skinPath(scene, skin) {
+    const path = new Path2D();
+    const count = skin.outline.length;
+    if (count < 3)
+        return path;
+    const places = skin.outline.map((point) => at(scene, point));
+    const place = (k) => places[(k + count) % count];
+    path.moveTo(places[0].x, places[0].y);
+    for (let k = 0; k < count; ++k) {
+        const [a, b, c, d] = [place(k - 1), place(k), place(k + 1), place(k + 2)];
+        path.bezierCurveTo(b.x + (c.x - a.x) / 6, b.y + (c.y - a.y) / 6, c.x - (d.x - b.x) / 6, c.y - (d.y - b.y) / 6,
+                           c.x, c.y);
+    }
+    return path;
 }
 
 function drawSkin(scene, skin) {
     const count = skin.outline.length;
     if (count < 3)
         return;
-    const places = skin.outline.map((point) => at(scene, point));
-    const place = (k) => places[(k + count) % count];
-    const pen = scene.pen;
-    pen.fillStyle = scene.colors.body;
-    pen.beginPath();
-    pen.moveTo(places[0].x, places[0].y);
-    for (let k = 0; k < count; ++k) {
-        const [a, b, c, d] = [place(k - 1), place(k), place(k + 1), place(k + 2)];
-        pen.bezierCurveTo(b.x + (c.x - a.x) / 6, b.y + (c.y - a.y) / 6, c.x - (d.x - b.x) / 6, c.y - (d.y - b.y) / 6,
-                          c.x, c.y);
-    }
-    pen.fill();
+    scene.pen.fillStyle = scene.colors.body;
+    scene.pen.fill(skinPath(scene, skin));
     if (skin.front < 0)
         return;
     const middle = { x: 0, y: 0 };
-    for (const one of places) {
+    for (const point of skin.outline) {
+        const one = at(scene, point);
         middle.x += one.x / count;
         middle.y += one.y / count;
     }
@@ -429,9 +464,11 @@ function drawSkin(scene, skin) {
              velocityOf(scene, skin.front));
 }
 
-/** How far a point has moved since the frame before, px/frame. */
+/** The velocity of a point, px/frame: from its places where the page has no velocities. */
 function velocityOf(scene, point) {
     const { part, i, every } = scene;
+    if (part.vx.length > 0)
+        return { x: part.vx[point][i], y: part.vy[point][i] };
     if (i === 0)
         return { x: 0, y: 0 };
     return { x: (part.x[point][i] - part.x[point][i - 1]) / every,
@@ -440,9 +477,9 @@ function velocityOf(scene, point) {
 
 /** Draws two eyes that look where the body goes. */
 function drawEyes(scene, centre, radius, across, up, velocity) {
-    if (radius < smallestFace)
+    if (radius < smallestFace || !scene.hasEyes)
         return;
-    const { pen, colors } = scene;
+    const { colors } = scene;
     const z = radius / 15;
     const speed = Math.hypot(velocity.x, velocity.y);
     const share = speed > 0 ? Math.min(1, speed / 6) / speed : 0;
@@ -450,14 +487,10 @@ function drawEyes(scene, centre, radius, across, up, velocity) {
     for (const side of [-5.2, 5.2]) {
         const x = centre.x + z * (side * across.x + 2 * gaze.x);
         const y = centre.y - radius * up + z * (side * across.y + 2 * gaze.y);
-        pen.fillStyle = colors.bodyInk;
-        disc(pen, x, y, 3.6 * z);
-        pen.fillStyle = colors.body;
-        disc(pen, x + 1.5 * z * gaze.x, y + 1.5 * z * gaze.y, 1.9 * z);
-        if (z < 1.5)
-            continue;
-        pen.fillStyle = colors.bodyInk;
-        disc(pen, x + 1.5 * z * gaze.x - 0.6 * z, y + 1.5 * z * gaze.y - 0.7 * z, 0.55 * z);
+        putDot(scene, colors.bodyInk, x, y, 3.6 * z);
+        putDot(scene, colors.body, x + 1.5 * z * gaze.x, y + 1.5 * z * gaze.y, 1.9 * z);
+        if (z >= 1.5)
+            putDot(scene, colors.bodyInk, x + 1.5 * z * gaze.x - 0.6 * z, y + 1.5 * z * gaze.y - 0.7 * z, 0.55 * z);
     }
 }
 

@@ -171,7 +171,7 @@ void ListingEditor::followText()
 {
     styleText();
     underlineSpots();
-    m_pointed.reset();
+    setPointed(std::nullopt); // another word may be under the mouse now
 }
 
 void ListingEditor::styleText()

@@ -128,8 +128,10 @@ void ListingPanel::hideEvent(QHideEvent *event)
 
 void ListingPanel::follow(const Change &change)
 {
-    if (change.isAny(ChangeKind::step))
+    if (change.isAny(ChangeKind::step)) {
         m_editor->dropPending(); // it belongs to the step before
+        pointAt(std::nullopt);
+    }
     if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::code)) {
         refresh();
         if (m_step != &m_session.step()) {

@@ -1,7 +1,10 @@
 #include "app/ui/code/listing/rule_panel.h"
 
 #include "app/model/listing/listing_names.h"
+#include "app/model/listing/rule_code.h"
 #include "app/model/run/rule_error.h"
+#include "app/model/session/playback.h"
+#include "app/model/session/run_editor.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/code/listing/listing_editor.h"
 #include "app/ui/code/listing/mistake_row.h"
@@ -23,11 +26,12 @@ const QString ruleEffect = QStringLiteral("rule");
 
 }
 
-RulePanel::RulePanel(Session &session, const Theme &theme, QWidget *parent)
-    : QWidget(parent), m_session(session), m_theme(theme),
+RulePanel::RulePanel(const OpenRun &run, RunEditor &changes, const Playback &playback, RuleCode &rule,
+                     const Theme &theme, QWidget *parent)
+    : QWidget(parent), m_run(run), m_changes(changes), m_playback(playback), m_rule(rule), m_theme(theme),
       m_editor(new ListingEditor(theme, ListingEditor::Kind::rule, this)),
-      m_parameters(new ParameterDrag(*m_editor, session.run(), session.editor())),
-      m_mistake(new MistakeRow(this)), m_state(new QLabel(this)), m_switchOn(new QPushButton(this))
+      m_parameters(new ParameterDrag(*m_editor, run, changes)), m_mistake(new MistakeRow(this)),
+      m_state(new QLabel(this)), m_switchOn(new QPushButton(this))
 {
     setObjectName("panel");
     setAttribute(Qt::WA_StyledBackground);
@@ -39,8 +43,7 @@ RulePanel::RulePanel(Session &session, const Theme &theme, QWidget *parent)
     layout->addWidget(makeFoot());
     setFocusProxy(m_editor);
     makeActions();
-    connect(m_editor, &ListingEditor::written, this,
-            [this](const QString &text) { m_session.rule().write(text); });
+    connect(m_editor, &ListingEditor::written, this, [this](const QString &text) { m_rule.write(text); });
     connect(m_editor, &ListingEditor::completionsWanted, this, [this](int line, int column) {
         m_editor->showCompletions(completionsAt(m_editor->text(), line, column, listing::ruleVocabulary()));
     });
@@ -48,9 +51,9 @@ RulePanel::RulePanel(Session &session, const Theme &theme, QWidget *parent)
     connect(m_editor, &ListingEditor::resetRequested, m_delete, &QToolButton::click);
     applyTheme();
     connect(&theme, &Theme::changed, this, &RulePanel::applyTheme);
-    session.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
-                         ChangeKind::code,
-                     this, &RulePanel::follow);
+    run.onChange(ChangeKind::step | ChangeKind::run | ChangeKind::cursor | ChangeKind::playing |
+                     ChangeKind::code,
+                 this, &RulePanel::follow);
     refresh();
 }
 
@@ -59,7 +62,7 @@ void RulePanel::makeActions()
     m_delete = m_actions.addButton("deleteRule", tr("Delete rule"));
     connect(m_delete, &QToolButton::clicked, this, [this] {
         m_editor->dropPending();
-        m_session.rule().remove();
+        m_rule.remove();
     });
 }
 
@@ -76,8 +79,7 @@ QWidget *RulePanel::makeFoot()
     m_switchOn->setObjectName("switchRuleOn");
     m_switchOn->setToolTip(tr("Let your rule act again, from frame 0 on"));
     m_switchOn->setFocusPolicy(Qt::TabFocus);
-    connect(m_switchOn, &QPushButton::clicked, this,
-            [this] { m_session.editor().setEffect(ruleEffect, true); });
+    connect(m_switchOn, &QPushButton::clicked, this, [this] { m_changes.setEffect(ruleEffect, true); });
     auto *words = new QHBoxLayout;
     words->setContentsMargins(16, 8, 12, 4);
     words->setSpacing(12);
@@ -141,43 +143,41 @@ void RulePanel::follow(const Change &change)
         m_editor->dropPending(); // it belongs to the step before
     if (change.isAny(ChangeKind::step | ChangeKind::run | ChangeKind::code)) {
         refresh();
-        if (m_step != &m_session.step())
+        if (m_step != &m_run.step())
             m_editor->showTop();
-        m_step = &m_session.step();
+        m_step = &m_run.step();
         return;
     }
-    if (isVisible() && !m_session.playback().isPlaying())
+    if (isVisible() && !m_playback.isPlaying())
         showMistakes();
 }
 
 void RulePanel::refresh()
 {
-    const RuleCode &rule = m_session.rule();
-    if (!rule.isOffered())
+    if (!m_rule.isOffered())
         return;
     m_parameters->offer();
-    const QString text = rule.text();
+    const QString text = m_rule.text();
     if (!m_editor->isPending())
         m_editor->setListing(text);
     const bool isThere = text != RuleCode::startingText();
     m_delete->setEnabled(isThere);
     m_delete->setToolTip(isThere ? tr("Delete your rule and begin anew (Undo brings it back)")
                                  : tr("There is no rule yet."));
-    m_switchOn->setVisible(rule.hasRule() && m_session.editor().isOff(ruleEffect));
+    m_switchOn->setVisible(m_rule.hasRule() && m_changes.isOff(ruleEffect));
     m_state->setText(stateText());
     showMistakes();
 }
 
 QString RulePanel::stateText() const
 {
-    const RuleCode &rule = m_session.rule();
-    if (!rule.hasRule())
+    if (!m_rule.hasRule())
         return tr("No rule acts yet. What you write acts as soon as you pause.");
-    if (m_session.editor().isOff(ruleEffect))
+    if (m_changes.isOff(ruleEffect))
         return tr("Your rule is switched off.");
-    if (!rule.isActing())
+    if (!m_rule.isActing())
         return tr("Your last rule without a mistake still acts.");
-    const sim::Blueprint &plan = *m_session.editor().blueprint();
+    const sim::Blueprint &plan = *m_changes.blueprint();
     QStringList words;
     if (plan.rule.program->hasForce())
         words << tr("force acts on every body.");
@@ -190,14 +190,13 @@ QString RulePanel::stateText() const
 
 void RulePanel::showMistakes()
 {
-    const RuleCode &rule = m_session.rule();
-    const std::vector<CodeMistake> mistakes = rule.mistakes();
+    const std::vector<CodeMistake> mistakes = m_rule.mistakes();
     m_editor->setMistakes(mistakes);
     QString sentence = mistakeSentence(mistakes);
     LineMarks marks;
-    if (const std::optional<listing::RuleError> error = rule.runError(); error && sentence.isEmpty()) {
-        sentence = ruleMistakeSentence(*error, m_session.timeline().track().interval().scene);
-        marks.failed = rule.isActing() ? error->error.line : 0;
+    if (const std::optional<listing::RuleError> error = m_rule.runError(); error && sentence.isEmpty()) {
+        sentence = ruleMistakeSentence(*error, m_run.timeline().track().interval().scene);
+        marks.failed = m_rule.isActing() ? error->error.line : 0;
     }
     m_editor->setMarks(marks);
     m_mistake->setSentence(sentence);

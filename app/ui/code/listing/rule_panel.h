@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/model/session/session.h"
+#include "app/model/session/open_run.h"
 #include "app/ui/code/title_actions.h"
 
 #include <QWidget>
@@ -15,6 +15,9 @@ class Command;
 class ListingEditor;
 class MistakeRow;
 class ParameterDrag;
+class Playback;
+class RuleCode;
+class RunEditor;
 class Theme;
 
 /// A panel with the learner's rule for the scene of the sandbox. Each change is compiled after a short pause, and the run
@@ -24,7 +27,9 @@ class RulePanel : public QWidget
     Q_OBJECT
 
 public:
-    RulePanel(Session &session, const Theme &theme, QWidget *parent = nullptr);
+    /// All arguments must outlive it.
+    RulePanel(const OpenRun &run, RunEditor &changes, const Playback &playback, RuleCode &rule,
+              const Theme &theme, QWidget *parent = nullptr);
 
     ListingEditor &editor() { return *m_editor; }
     /// Returns the buttons for the right end of the title. The code that creates the title must place them.
@@ -53,7 +58,10 @@ private:
     void showMistakes();
     QString stateText() const;
 
-    Session &m_session;
+    const OpenRun &m_run;
+    RunEditor &m_changes;
+    const Playback &m_playback;
+    RuleCode &m_rule;
     const Theme &m_theme;
     ListingEditor *m_editor;
     ParameterDrag *m_parameters;

@@ -1,12 +1,10 @@
 #include "app/ui/learn/after/level_box.h"
 
-#include "app/ui/learn/button_flow.h"
+#include "app/ui/dock/button_flow.h"
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/learn/view_keeper.h"
 
-#include <QCoreApplication>
 #include <QLabel>
-#include <QScrollArea>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -74,25 +72,13 @@ void LevelBox::refresh()
         m_sentence->setText(sentence);
         m_sentence->setAccessibleName(sentence);
         if (verdict && !isJudging && isVisible())
-            showJudgement();
+            keepInView(*this); // the judgement is at its end
     }
     m_sentence->setVisible(!sentence.isEmpty());
     m_judge->setVisible(!isJudging);
     m_cancel->setVisible(isJudging);
     m_buttons->refresh();
     emit changed();
-}
-
-void LevelBox::showJudgement()
-{
-    QTimer::singleShot(0, this, [this] {
-        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest); // each can post another one
-        QWidget *around = parentWidget();
-        while (around && !qobject_cast<QScrollArea *>(around))
-            around = around->parentWidget();
-        if (around)
-            static_cast<QScrollArea *>(around)->ensureWidgetVisible(m_buttons, 0, 0); // they are below it
-    });
 }
 
 }

@@ -32,8 +32,6 @@ signals:
 
 private:
     QString demandText() const;
-    /// Scrolls to the judgement, once the layout is done.
-    void showJudgement();
 
     ProjectDesk &m_desk;
     const QString m_lesson;

@@ -1,7 +1,7 @@
 #include "app/ui/learn/after/project_box.h"
 
+#include "app/ui/dock/button_flow.h"
 #include "app/ui/learn/after/level_box.h"
-#include "app/ui/learn/button_flow.h"
 #include "app/ui/learn/narration_text.h"
 
 #include <QHBoxLayout>

@@ -161,7 +161,7 @@ void SummaryPage::refresh()
     m_startOver->setText(canGiveBack ? tr("Restore the ticks") : tr("Restart this lesson"));
     m_startOver->setToolTip(canGiveBack ? tr("Ticks everything again that you had done before")
                                         : tr("Removes the ticks of this lesson. You can restore them."));
-    m_startOver->setEnabled(canGiveBack || summary.done > 0 || summary.written > 0);
+    m_startOver->setEnabled(canGiveBack || summary.done > 0 || summary.written > 0 || summary.passed > 0);
     if (!m_startOver->isEnabled())
         m_startOver->setToolTip(tr("Nothing is ticked in this lesson yet."));
     applyTheme();
@@ -183,6 +183,8 @@ QString SummaryPage::textOf(const LessonSummary &summary) const
     QStringList text{tr("%1 of %2 things tried.").arg(summary.done).arg(summary.count)};
     if (summary.codeTasks > 0)
         text << tr("%1 of %2 tasks written in the listing.").arg(summary.written).arg(summary.codeTasks);
+    if (summary.levels > 0)
+        text << tr("%1 of %2 levels of the project passed.").arg(summary.passed).arg(summary.levels);
     for (const StepSummary &step : summary.steps) {
         const bool isDone = step.open.isEmpty() && step.unwritten.isEmpty();
         text << QStringLiteral("**%1**%2")
@@ -194,6 +196,13 @@ QString SummaryPage::textOf(const LessonSummary &summary) const
             text << tr("Still to try: %1").arg(open);
         for (const QString &unwritten : step.unwritten)
             text << tr("Still to write: %1").arg(unwritten);
+    }
+    if (summary.levels > 0) {
+        const bool isDone = summary.unpassed.isEmpty();
+        text << tr("**Project: %1**").arg(m_session.lesson().project->title) +
+                    (isDone ? QStringLiteral(" ✓") : QString());
+        for (const QString &level : summary.unpassed)
+            text << tr("Still to pass: %1").arg(level);
     }
     if (summary.next)
         text << tr("**Next: %1.** %2").arg(summary.next->title, summary.next->summary);

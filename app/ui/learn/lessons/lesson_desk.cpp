@@ -47,11 +47,7 @@ void LessonDesk::setLessons(YourLessons &lessons)
 
 void LessonDesk::follow()
 {
-    m_begin.setObstacle(
-        !m_lessons ? tr("There is no place for lessons of your own")
-        : !m_session.lesson().source.isEmpty()
-            ? tr("A new lesson begins with a scene of the sandbox or of a lesson of the program")
-            : QString());
+    m_begin.setObstacle(m_lessons ? QString() : tr("There is no place for lessons of your own"));
     m_forget.setObstacle(m_lessons && !m_session.lesson().source.isEmpty()
                              ? QString()
                              : tr("The open lesson is not one of yours"));

@@ -3,7 +3,6 @@
 #include "app/ui/learn/choice_row.h"
 #include "app/ui/learn/fold_box.h"
 #include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/prose.h"
 
 #include <QVBoxLayout>
 
@@ -65,12 +64,10 @@ void GuessBox::setDone(bool done)
 void GuessBox::refresh()
 {
     const QString text = m_chosen < 0 ? QString() : m_choices.texts[m_chosen];
-    const QString title = m_chosen < 0 ? tr("What do you expect?") : tr("You said: %1").arg(plainText(text));
-    m_title->setText(title);
-    m_title->setAccessibleName(title);
+    const QString title = m_chosen < 0 ? tr("What do you expect?") : tr("You said: %1").arg(text);
+    m_title->setMarkdown(title);
     m_title->setToolTip(m_content->isHidden() ? tr("Choose what you expect") : tr("Hide the choices"));
     m_title->setVisible(!m_isDone);
-    m_title->updateGeometry();
     const QString mark = m_chosen == m_choices.right ? QStringLiteral(" ✓") : QStringLiteral(" ✗");
     m_said->setText(m_chosen < 0 ? QString() : tr("**You said:** %1").arg(text) + mark);
     m_said->setVisible(m_isDone && m_chosen >= 0);

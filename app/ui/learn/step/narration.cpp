@@ -44,7 +44,7 @@ Narration::Narration(Session &session, const Glossary &glossary, const Theme &th
     m_text->setGlossary(glossary);
     makeTries();
     makeButtons();
-    m_room.addBelow(m_tryPage, m_buttons);
+    m_room.addBelow(m_tryHead, m_tryPage, m_buttons);
     m_tryPage->installEventFilter(this);
     session.onChange(ChangeKind::step, this, &Narration::open);
     session.onChange(ChangeKind::texts, this, [this] {
@@ -109,17 +109,18 @@ void Narration::makeText()
 
 void Narration::makeTries()
 {
+    m_tryHead = new QWidget(this);
     m_tryPage = new QWidget(this);
     // The width decides about the height; the height at the least width would leave gaps.
     m_tryPage->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
-    m_heading = new QLabel(tr("Try this"), m_tryPage);
+    m_heading = new QLabel(tr("Try this"), m_tryHead);
     m_heading->setObjectName("heading");
     m_heading->setFixedHeight(headingHeight);
     m_heading->setIndent(TryBox::left);
     m_tryColumn = new QVBoxLayout(m_tryPage);
-    m_tryColumn->setContentsMargins(18 - TryBox::left, 6, 18, 4);
+    m_tryColumn->setContentsMargins(18 - TryBox::left, 0, 18, 4);
     m_tryColumn->setSpacing(0);
-    m_toPredictions = new QToolButton(m_tryPage);
+    m_toPredictions = new QToolButton(m_tryHead);
     m_toPredictions->setObjectName("toPredictions");
     m_toPredictions->setText(tr("Predict first"));
     m_toPredictions->setToolTip(tr("Goes to a question about a run, at the end of the text"));
@@ -133,12 +134,11 @@ void Narration::makeTries()
     connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerPredictions);
     connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerPredictions);
     connect(m_toPredictions, &QToolButton::clicked, this, &Narration::goToPrediction);
-    auto *row = new QHBoxLayout;
+    auto *row = new QHBoxLayout(m_tryHead);
+    row->setContentsMargins(18 - TryBox::left, 6, 18, 2);
     row->addWidget(m_heading);
     row->addStretch(1);
     row->addWidget(m_toPredictions);
-    m_tryColumn->addLayout(row);
-    m_tryColumn->addSpacing(2);
 }
 
 void Narration::makeButtons()
@@ -255,14 +255,14 @@ void Narration::showPredictions()
     offerPredictions();
     if (!changed)
         return;
-    fitText();
-    emit heightChanged();
-    if (ended) // its answer is in view
-        m_room.showTopOf(ended);
+    if (ended)
+        m_room.showWhole(ended); // the answer is at its end
     for (PredictionBox *box : m_predictionBoxes) {
         if (box->isPicking())
             m_room.showWhole(box);
     }
+    fitText();
+    emit heightChanged();
 }
 
 void Narration::offerPredictions()
@@ -286,6 +286,8 @@ void Narration::goToPrediction()
             continue;
         box->focusField();
         m_room.showWhole(box);
+        fitText();
+        emit heightChanged();
         return;
     }
 }
@@ -329,12 +331,12 @@ void Narration::showTasks()
         changed = box->refresh() || changed;
     if (!changed)
         return;
-    fitText();
-    emit heightChanged();
-    for (const TaskBox *box : m_tasks) {
+    for (TaskBox *box : m_tasks) {
         if (m_desk.task() == &box->task())
             m_room.showWhole(box); // the judgement is at its end
     }
+    fitText();
+    emit heightChanged();
 }
 
 void Narration::showUnfolded(QWidget *box, bool open)

@@ -108,6 +108,7 @@ private:
     StepRoom m_room;
     QLabel *m_title = nullptr;
     NarrationText *m_text = nullptr;
+    QWidget *m_tryHead = nullptr; ///< the heading of the things to try
     QWidget *m_tryPage = nullptr;
     QWidget *m_buttons = nullptr;
     QKeySequence m_backKeys;

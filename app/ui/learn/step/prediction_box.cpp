@@ -1,7 +1,7 @@
 #include "app/ui/learn/step/prediction_box.h"
 
 #include "app/model/learning/prediction_text.h"
-#include "app/ui/learn/button_flow.h"
+#include "app/ui/dock/button_flow.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/learn/step/curve_button.h"
@@ -41,7 +41,7 @@ std::optional<double> typedNumber(const QString &text)
 
 PredictionBox::PredictionBox(PredictionDesk &desk, const lessons::Prediction &prediction, const Theme &theme,
                              QWidget *parent)
-    : FoldBox(plainText(prediction.text), theme, parent), m_desk(desk), m_prediction(prediction),
+    : FoldBox(prediction.text, theme, parent), m_desk(desk), m_prediction(prediction),
       m_sentence(addText("predictionSentence", {})), m_answer(addText("predictionAnswer", prediction.answer))
 {
     setObjectName("prediction");
@@ -51,12 +51,17 @@ PredictionBox::PredictionBox(PredictionDesk &desk, const lessons::Prediction &pr
     else if (prediction.question.kind == AskedFor::curve)
         addCurveField(theme);
     addButtons();
-    const auto describe = [this](bool isOpen) {
-        title().setToolTip(isOpen ? tr("Fold this prediction") : tr("Predict what happens"));
-    };
-    connect(this, &FoldBox::unfolded, this, describe);
-    describe(false);
+    connect(this, &FoldBox::unfolded, this, &PredictionBox::describe);
     refresh();
+}
+
+void PredictionBox::describe()
+{
+    const bool isAnswered = m_stage == PredictionStage::shown;
+    if (isUnfolded())
+        title().setToolTip(isAnswered ? tr("Answered. Fold this prediction") : tr("Fold this prediction"));
+    else
+        title().setToolTip(isAnswered ? tr("Answered. Show it again") : tr("Predict what happens"));
 }
 
 void PredictionBox::addNumberField()
@@ -215,8 +220,8 @@ bool PredictionBox::refresh()
     const PredictionDesk::Sheet sheet = m_desk.sheet(m_prediction.id);
     m_stage = sheet.stage;
     const bool isOpen = sheet.stage == PredictionStage::open, isShown = sheet.stage == PredictionStage::shown;
-    const QString question = plainText(m_prediction.text);
-    showTitle(question, isShown, tr("%1, predicted").arg(question));
+    showTitle(m_prediction.text, isShown, tr("%1, answered").arg(plainText(m_prediction.text)));
+    describe();
     showField(sheet);
     const QString text = sentence(sheet);
     m_sentence->setText(text);

@@ -39,6 +39,7 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
+    void describe();
     void addNumberField();
     void addCurveField(const Theme &theme);
     void addButtons();

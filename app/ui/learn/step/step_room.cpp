@@ -1,6 +1,7 @@
 #include "app/ui/learn/step/step_room.h"
 
 #include "app/ui/learn/scroll_page.h"
+#include "app/ui/learn/view_keeper.h"
 
 #include <QCoreApplication>
 #include <QTimer>
@@ -12,7 +13,8 @@ namespace app {
 
 namespace {
 
-constexpr int leastTries = 120;    ///< px, the least height of the things to try, if they need more
+constexpr int leastTries = 92;     ///< px, the least height of the things to try, if they need more
+constexpr int mostWhole = 300;     ///< px, the height that showWhole() takes from the things to try, at most
 constexpr int separatorHeight = 1; ///< px, of the line above them
 
 /// Calls `scroll` once all widgets have their new heights, unless `box` is gone by then.
@@ -28,7 +30,8 @@ void afterLayout(const QWidget *box, Scroll scroll)
 
 }
 
-StepRoom::StepRoom(QWidget &panel) : m_panel(panel), m_area(makeScrollArea(panel))
+StepRoom::StepRoom(QWidget &panel)
+    : m_panel(panel), m_area(makeScrollArea(panel)), m_keeper(new ViewKeeper(*m_area))
 {
     auto *page = new QWidget;
     page->setObjectName("panel");
@@ -42,11 +45,6 @@ StepRoom::StepRoom(QWidget &panel) : m_panel(panel), m_area(makeScrollArea(panel
         column->setSpacing(0);
     }
     m_area->setWidget(page);
-    QObject::connect(&bar(), &QScrollBar::actionTriggered, &bar(), [this] { m_whole.clear(); });
-    QObject::connect(&bar(), &QScrollBar::rangeChanged, &bar(), [this] {
-        if (m_whole && m_isCut)
-            scrollToWhole();
-    });
     // The text takes only the height that it needs, so that the tasks follow directly below it.
     m_column->addWidget(m_area, 1000);
 }
@@ -57,8 +55,9 @@ void StepRoom::addText(QVBoxLayout *text)
     m_scrolled->addStretch(1);
 }
 
-void StepRoom::addBelow(QWidget *tries, QWidget *buttons)
+void StepRoom::addBelow(QWidget *heading, QWidget *tries, QWidget *buttons)
 {
+    m_heading = heading;
     m_tries = tries;
     m_buttons = buttons;
     m_tryArea = makeScrollArea(m_panel);
@@ -70,6 +69,7 @@ void StepRoom::addBelow(QWidget *tries, QWidget *buttons)
     line->setObjectName("divider");
     line->setFixedHeight(separatorHeight);
     m_column->addWidget(line);
+    m_column->addWidget(heading);
     m_column->addWidget(m_tryArea);
     m_column->addStretch(1);
     m_column->addWidget(buttons);
@@ -77,15 +77,19 @@ void StepRoom::addBelow(QWidget *tries, QWidget *buttons)
 
 void StepRoom::fit(int leastText)
 {
-    const bool hasWhole = m_whole && m_whole->geometry().bottom() < bar().value() + viewport()->height();
     const int text = page()->layout()->totalHeightForWidth(m_panel.width());
     const int tries = triesHeight();
-    const int left =
-        m_panel.height() - separatorHeight - m_buttons->sizeHint().height() - std::min(text, leastText);
+    const QWidget *whole = m_keeper->wanted();
+    const int least =
+        whole ? std::max(leastText, std::min(whole->heightForWidth(whole->width()), mostWhole)) : leastText;
+    const int left = m_panel.height() - aroundTries() - std::min(text, least);
     m_tryArea->setFixedHeight(std::clamp(left, std::min(tries, leastTries), tries));
     m_area->setMaximumHeight(std::max(1, text));
-    if (hasWhole)
-        scrollToWhole();
+}
+
+int StepRoom::aroundTries() const
+{
+    return separatorHeight + m_heading->sizeHint().height() + m_buttons->sizeHint().height();
 }
 
 int StepRoom::triesHeight() const
@@ -103,37 +107,29 @@ int StepRoom::fullHeight() const
 
 int StepRoom::leastHeight() const
 {
-    return m_area->minimumSizeHint().height() + separatorHeight + triesHeight() +
-           m_buttons->sizeHint().height();
+    return m_area->minimumSizeHint().height() + triesHeight() + aroundTries();
 }
 
 void StepRoom::showTopOf(const QWidget *box)
 {
-    m_whole.clear();
-    afterLayout(box, [this, box] { bar().setValue(box->y()); });
-}
-
-void StepRoom::showWhole(const QWidget *box)
-{
-    m_whole = box;
-    scrollToWhole();
-}
-
-void StepRoom::scrollToWhole()
-{
-    afterLayout(m_whole, [this, box = m_whole.data()] {
-        if (box != m_whole || !box->isVisible())
-            return;
-        const int top = box->y(), end = top + box->height() - viewport()->height();
-        const int wanted = std::max(end, std::min(top, bar().value()));
-        bar().setValue(wanted);
-        m_isCut = bar().value() < wanted;
+    m_keeper->forget();
+    m_keeper->release();
+    afterLayout(box, [this, box] {
+        if (!m_keeper->wanted()) // nothing else was shown since
+            bar().setValue(box->y());
     });
+}
+
+void StepRoom::showWhole(QWidget *box)
+{
+    m_keeper->keep(*box);
 }
 
 void StepRoom::showTry(QWidget *box)
 {
-    afterLayout(box, [this, box] { m_tryArea->ensureWidgetVisible(box, 0, 0); });
+    if (box->heightForWidth(box->width()) > m_tryArea->height())
+        m_keeper->release(); // the next fit() gives it more room
+    keepInView(*box);
 }
 
 }

@@ -1,12 +1,13 @@
 #pragma once
 
-#include <QPointer>
 #include <QScrollArea>
 #include <QScrollBar>
 
 class QVBoxLayout;
 
 namespace app {
+
+class ViewKeeper;
 
 /// Shares the room of a panel between the text of a step, the things to try below it, and buttons. The text and the
 /// things to try scroll separately, so that the latter stay below the text however much of it there is.
@@ -20,8 +21,8 @@ public:
     const QWidget *viewport() const { return m_area->viewport(); }
     QScrollBar &bar() const { return *m_area->verticalScrollBar(); }
     void addText(QVBoxLayout *text);
-    /// Adds what is below the text. Call it once, after addText().
-    void addBelow(QWidget *tries, QWidget *buttons);
+    /// Adds what is below the text. The heading stays while the things to try scroll. Call it once, after addText().
+    void addBelow(QWidget *heading, QWidget *tries, QWidget *buttons);
 
     /// Gives the text and the things to try the heights that they need. The things to try get less, and scroll, if less
     /// than `leastText` px, and less than the whole text, would be left above them.
@@ -33,25 +34,25 @@ public:
 
     /// Scrolls to the top of `box`, once the layout is done.
     void showTopOf(const QWidget *box);
-    /// Scrolls so that the whole box is in view, or at least its end, once the layout is done. While it is, fit() keeps it
-    /// so, until the learner scrolls.
-    void showWhole(const QWidget *box);
+    /// Scrolls so that the whole box is in view, or at least its end, and keeps it so until the learner scrolls.
+    void showWhole(QWidget *box);
     /// The same for one of the things to try.
     void showTry(QWidget *box);
 
 private:
     int triesHeight() const;
-    void scrollToWhole();
+    /// Returns the height of what is below the text apart from the things to try.
+    int aroundTries() const;
 
     QWidget &m_panel;
     QScrollArea *m_area;
+    ViewKeeper *m_keeper;
     QVBoxLayout *m_scrolled;
     QVBoxLayout *m_column;
+    QWidget *m_heading = nullptr;
     QWidget *m_tries = nullptr;
     QScrollArea *m_tryArea = nullptr;
     QWidget *m_buttons = nullptr;
-    QPointer<const QWidget> m_whole; ///< what showWhole() keeps in view
-    bool m_isCut = false; ///< whether the range of the bar ended above it: a long text gets its height later
 };
 
 }

@@ -1,7 +1,7 @@
 #include "app/ui/learn/step/task_box.h"
 
 #include "app/model/text/sentences.h"
-#include "app/ui/learn/button_flow.h"
+#include "app/ui/dock/button_flow.h"
 #include "app/ui/learn/narration_text.h"
 
 #include <QToolButton>

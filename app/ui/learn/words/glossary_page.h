@@ -22,13 +22,13 @@ public:
 
     /// Shows the page with the words that match `typed`, or with all words if `typed` is empty.
     void search(const QString &typed);
+    /// Shows the words that the glossary has now.
+    void refresh();
 
 signals:
     void stepRequested(const QString &lesson, const QString &step);
 
 private:
-    void refresh();
-
     const Glossary &m_glossary;
     const Theme &m_theme;
     QLineEdit *m_search;

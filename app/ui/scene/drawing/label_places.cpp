@@ -1,8 +1,12 @@
 #include "app/ui/scene/drawing/label_places.h"
 
+#include "app/ui/scene/drawing/figure.h"
+#include "lessons/api/view/view.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace app {
 
@@ -10,8 +14,25 @@ namespace {
 
 constexpr double raster = 8.0;      ///< px between two candidate positions
 constexpr double coverCost = 4.0;   ///< px of distance per covered square px
-constexpr double cutCost = 8.0;     ///< covered square px per square px outside the view
+constexpr double shiftCost = 64.0;  ///< covered square px per px that a label is moved into the view
 constexpr double strokeWidth = 8.0; ///< px; of a line with its arrow head
+/// A smaller advantage of a position can be a rounding error, with which a label would jump from frame to frame. Covered
+/// square px, or px.
+constexpr double leastGain = 0.01;
+constexpr std::size_t mostLinks = 200; ///< of which labels avoid each
+
+/// Returns `box`, moved into `area` as far as it fits.
+QRectF movedInto(const QRectF &area, QRectF box)
+{
+    box.moveLeft(std::max(area.left(), std::min(box.left(), area.right() - box.width())));
+    box.moveTop(std::max(area.top(), std::min(box.top(), area.bottom() - box.height())));
+    return box;
+}
+
+double distanceBetween(QPointF a, QPointF b)
+{
+    return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
 
 }
 
@@ -56,20 +77,19 @@ QRectF LabelPlaces::beside(QPointF anchor, QSizeF size, const QRectF &area)
     const double w = size.width();
     const double h = size.height();
     QRectF best;
-    double least = -1.0;
+    double least = std::numeric_limits<double>::infinity();
     for (const double away : {8.0, 20.0, 36.0}) {
         const std::array places{QPointF(away, -h / 2),    QPointF(-w / 2, -h - away),
                                 QPointF(-w / 2, away),    QPointF(-w - away, -h / 2),
                                 QPointF(away, -h - away), QPointF(away, away),
                                 QPointF(-w - away, away), QPointF(-w - away, -h - away)};
         for (const QPointF &place : places) {
-            const QRectF box(anchor + place, size);
-            const QRectF seen = box.intersected(area);
-            const double cost = covered(box) + cutCost * (w * h - seen.width() * seen.height());
-            if (least >= 0.0 && cost >= least)
-                continue;
-            least = cost;
-            best = box;
+            const QRectF box = movedInto(area, {anchor + place, size});
+            const double cost = covered(box) + shiftCost * distanceBetween(box.topLeft(), anchor + place);
+            if (cost < least - leastGain) {
+                least = cost;
+                best = box;
+            }
         }
     }
     m_taken.push_back(best);
@@ -78,10 +98,7 @@ QRectF LabelPlaces::beside(QPointF anchor, QSizeF size, const QRectF &area)
 
 QRectF LabelPlaces::within(QRectF area, QPointF wanted, QSizeF size)
 {
-    const auto distance = [&](const QRectF &box) {
-        const QPointF off = box.topLeft() - wanted;
-        return std::hypot(off.x(), off.y());
-    };
+    const auto distance = [&](const QRectF &box) { return distanceBetween(box.topLeft(), wanted); };
     const double right = std::max(area.left(), area.right() - size.width());
     const double bottom = std::max(area.top(), area.bottom() - size.height());
     const QPointF clamped(std::clamp(wanted.x(), area.left(), right),
@@ -97,7 +114,7 @@ QRectF LabelPlaces::within(QRectF area, QPointF wanted, QSizeF size)
         if (away >= least)
             return;
         const double here = coverCost * covered(box) + away;
-        if (here < least) {
+        if (here < least - leastGain) {
             least = here;
             best = box;
         }
@@ -133,6 +150,23 @@ std::vector<QRectF> bodyBoxes(const SceneContent &shown, const Camera &camera)
     for (int i = shown.isCrowd() ? shown.points() : 0; i < shown.points(); ++i)
         add(i);
     return boxes;
+}
+
+std::vector<QLineF> linkLines(const SceneContent &shown, const Camera &camera)
+{
+    const lessons::View &view = shown.view();
+    if (view.springs.size() + view.sticks.size() + view.legs.size() > mostLinks)
+        return {};
+    const sim::State &state = shown.state();
+    const auto at = [&](int point) { return camera.at(state.positionOf(point)); };
+    std::vector<QLineF> lines;
+    for (const lessons::SpringView &spring : view.springs)
+        lines.emplace_back(at(spring.a), camera.at(endOf(spring, state)));
+    for (const lessons::StickView &stick : view.sticks)
+        lines.emplace_back(at(stick.a), at(stick.b));
+    for (const lessons::LegView &leg : view.legs)
+        lines.emplace_back(at(leg.from), at(leg.to));
+    return lines;
 }
 
 }

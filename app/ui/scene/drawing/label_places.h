@@ -6,7 +6,8 @@
 
 namespace app {
 
-/// Finds positions for labels and cards where they cover no bodies, lines or other labels.
+/// Finds positions for labels and cards where they cover no bodies, lines or other labels. The same position is found again
+/// for a thing that has moved by a rounding error only: of positions that are as good, the first one counts.
 class LabelPlaces
 {
 public:
@@ -16,12 +17,14 @@ public:
     {
     }
 
-    /// Returns a box of `size` near `anchor`, inside `area` if there is space for it. Later boxes avoid it.
+    /// Returns a box of `size` near `anchor`, inside `area` (at its left and top edge if `area` is smaller). Later boxes avoid it.
     QRectF beside(QPointF anchor, QSizeF size, const QRectF &area);
     /// Returns the box of `size` within `area` that covers the least and is near `wanted` (its top left corner).
     QRectF within(QRectF area, QPointF wanted, QSizeF size);
     /// Adds a line that later boxes avoid.
     void takeStroke(const QLineF &line) { m_strokes.push_back(line); }
+    /// Adds a box that later boxes avoid.
+    void take(const QRectF &box) { m_taken.push_back(box); }
     /// Returns whether a box covers nothing.
     bool isFree(const QRectF &box) const { return covered(box) == 0.0; }
 
@@ -37,5 +40,7 @@ double lengthWithin(const QLineF &line, const QRectF &box);
 
 /// Returns the bounding boxes of the bodies on the screen.
 std::vector<QRectF> bodyBoxes(const SceneContent &shown, const Camera &camera);
+/// Returns the lines of springs, sticks and legs on the screen, from centre to centre. Empty if there are very many.
+std::vector<QLineF> linkLines(const SceneContent &shown, const Camera &camera);
 
 }

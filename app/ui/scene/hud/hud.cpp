@@ -2,6 +2,7 @@
 
 #include "app/model/picture/rest_marks.h"
 #include "app/model/text/accuracy_text.h"
+#include "app/model/text/scene_words.h"
 #include "app/ui/scene/drawing/arrows.h"
 #include "app/ui/scene/drawing/label_places.h"
 #include "app/ui/scene/drawing/overlay_labels.h"
@@ -71,6 +72,15 @@ struct Hud::Entry
     bool isNews = false; ///< has just changed
 };
 
+/// The boxes of what is placed beside bodies. Empty ones are not shown.
+struct Hud::Labels
+{
+    QRectF card; ///< of the forces
+    QRectF name; ///< of the selected body
+    QRectF reference;
+    std::vector<QRectF> taken; ///< these, and all that they avoid
+};
+
 std::vector<EdgeMarker> Hud::markers(const Camera &camera, QRectF view) const
 {
     std::vector<QRectF> taken = bodyBoxes(m_shown, camera);
@@ -108,6 +118,28 @@ std::vector<QRectF> Hud::takenBoxes(const Camera &camera, QRectF view,
     return taken;
 }
 
+Hud::Labels Hud::labels(const Camera &camera, QRectF view, const std::vector<EdgeMarker> &outside) const
+{
+    Labels placed;
+    placed.taken = takenBoxes(camera, view, outside);
+    if (hasCard(m_shown))
+        placed.card = pullCardBox(m_shown, m_theme, camera, cardArea(m_shown, camera, view), placed.taken);
+    placed.name = nameBox(m_shown, camera, view);
+    placed.taken.insert(placed.taken.end(), {placed.card, placed.name});
+    placed.reference =
+        referenceLabelBox(m_shown, camera, freeArea(m_shown, view).adjusted(8, 28, -8, -44), placed.taken);
+    placed.taken.push_back(placed.reference);
+    return placed;
+}
+
+LabelPlaces Hud::labelPlaces(const Camera &camera, QRectF view) const
+{
+    std::vector<QLineF> strokes = explainingStrokes(m_shown, camera, m_theme);
+    const std::vector<QLineF> links = linkLines(m_shown, camera);
+    strokes.insert(strokes.end(), links.begin(), links.end());
+    return LabelPlaces(labels(camera, view, markers(camera, view)).taken, std::move(strokes));
+}
+
 void Hud::draw(QPainter &painter, const Camera &camera, QRectF view) const
 {
     if (m_shown.points() == 0)
@@ -115,15 +147,11 @@ void Hud::draw(QPainter &painter, const Camera &camera, QRectF view) const
     painter.setFont(m_shown.text);
     const std::vector<EdgeMarker> outside = markers(camera, view);
     drawEdgeMarkers(painter, m_shown, m_theme, outside);
+    const Labels placed = labels(camera, view, outside);
     if (hasCard(m_shown))
-        drawPullCard(painter, m_shown, m_theme, camera, cardArea(m_shown, camera, view),
-                     takenBoxes(camera, view, outside));
-    else
-        drawName(painter, nameBox(m_shown, camera, view));
-    std::vector<QRectF> taken = takenBoxes(camera, view, outside);
-    taken.push_back(nameBox(m_shown, camera, view));
-    drawReferenceLabel(painter, m_shown, m_theme, camera, freeArea(m_shown, view).adjusted(8, 28, -8, -44),
-                       std::move(taken));
+        drawPullCard(painter, m_shown, m_theme, placed.card);
+    drawName(painter, placed.name);
+    drawReferenceLabel(painter, m_shown, m_theme, placed.reference);
     drawCaption(painter, camera, view);
     drawClock(painter, view);
     const double end = drawScale(painter, camera, view);
@@ -187,16 +215,16 @@ std::vector<Hud::Entry> Hud::legend() const
     if (m_shown.comparison && m_shown.extras.comparison)
         entries.push_back({Entry::Mark::comparison, 30.0, m_shown.comparisonName});
     if (!m_shown.onion.empty())
-        entries.push_back({Entry::Mark::onion, 30.0, HudText::tr("every %1 frames").arg(onionFrames)});
+        entries.push_back({Entry::Mark::onion, 30.0, onionWords().arg(onionFrames)});
     if (m_shown.extras.rests && hasRests(m_shown.picture.interval->scene))
         entries.push_back({Entry::Mark::rest, 30.0, HudText::tr("rest length")});
     if (m_shown.hasVelocityArrows() && m_shown.scales.velocity.isUsed)
         entries.push_back({Entry::Mark::velocity, unitArrow + 8.0,
-                           scaleWords(HudText::tr("velocity of %1\u2009px/frame"), m_shown.scales.velocity),
+                           scaleWords(velocityScaleWords(), m_shown.scales.velocity),
                            m_shown.scales.velocity.before.has_value()});
     if (m_shown.hasPulls)
         entries.push_back({Entry::Mark::pull, unitArrow + 8.0,
-                           scaleWords(HudText::tr("pull of %1\u2009px/frame²"), m_shown.scales.pull),
+                           scaleWords(pullScaleWords(), m_shown.scales.pull),
                            m_shown.scales.pull.before.has_value()});
     if (m_shown.hasSum())
         entries.push_back({Entry::Mark::sum, unitArrow + 2.0, sumWords(m_shown)});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/ui/scene/drawing/label_places.h"
 #include "app/ui/scene/hud/edge_markers.h"
 
 namespace app {
@@ -18,9 +19,12 @@ public:
     void draw(QPainter &painter, const Camera &camera, QRectF view) const;
     /// Returns the markers for bodies outside `view`.
     std::vector<EdgeMarker> markers(const Camera &camera, QRectF view) const;
+    /// Returns places for further labels. They avoid bodies, links, arrows, and everything that draw() places.
+    LabelPlaces labelPlaces(const Camera &camera, QRectF view) const;
 
 private:
     struct Entry;
+    struct Labels;
 
     std::vector<Entry> legend() const;
     /// Returns the colour of text on the background: stronger on a coloured sky.
@@ -36,6 +40,8 @@ private:
     void drawName(QPainter &painter, QRectF box) const;
     /// Returns the boxes of the texts in the scene: the labels of overlays, and the names of two creatures.
     std::vector<QRectF> wordBoxes(const Camera &camera, QRectF view) const;
+    /// Returns the boxes of what draw() places beside bodies.
+    Labels labels(const Camera &camera, QRectF view, const std::vector<EdgeMarker> &outside) const;
     /// Returns the boxes that a card must not cover.
     std::vector<QRectF> takenBoxes(const Camera &camera, QRectF view,
                                    const std::vector<EdgeMarker> &outside) const;
@@ -46,9 +52,10 @@ private:
     const Theme &m_theme;
 };
 
-/// Draws the card shown when a run is paused inside a frame: the force of each effect on the selected body, and the
-/// sum.
-void drawPullCard(QPainter &painter, const SceneContent &shown, const Theme &theme, const Camera &camera,
-                  QRectF free, std::vector<QRectF> taken);
+/// Returns the box in `free` for the card shown when a run is paused inside a frame. Avoids the boxes in `taken`.
+QRectF pullCardBox(const SceneContent &shown, const Theme &theme, const Camera &camera, QRectF free,
+                   std::vector<QRectF> taken);
+/// Draws that card in its box: the force of each effect on the selected body, and the sum.
+void drawPullCard(QPainter &painter, const SceneContent &shown, const Theme &theme, QRectF box);
 
 }

@@ -26,6 +26,11 @@ constexpr double nameAt = 28.0;
 constexpr double leastValueEnd = 124.0; ///< the right edge of the numbers
 constexpr double besideBody = 45.0;
 
+QString unitOfPulls()
+{
+    return PullCardText::tr("px/frame²");
+}
+
 struct Row
 {
     QString name;
@@ -69,18 +74,25 @@ Columns columnsOf(const std::vector<Row> &rows, const SceneContent &shown, const
 
 }
 
-void drawPullCard(QPainter &painter, const SceneContent &shown, const Theme &theme, const Camera &camera,
-                  QRectF free, std::vector<QRectF> taken)
+QRectF pullCardBox(const SceneContent &shown, const Theme &theme, const Camera &camera, QRectF free,
+                   std::vector<QRectF> taken)
 {
     const std::vector<Row> rows = rowsOf(shown, theme);
-    const QString unit = PullCardText::tr("px/frame²");
-    const Columns columns = columnsOf(rows, shown, unit);
+    const Columns columns = columnsOf(rows, shown, unitOfPulls());
     const QSizeF size(columns.width, rowHeight * static_cast<double>(rows.size()) + 12.0);
     const QPointF centre = camera.at(shown.state().positionOf(shown.selected));
     const double radius = camera.radius(shown.radius(shown.selected));
     const QPointF wanted = centre + QPointF(radius + besideBody, -radius - 20.0 - size.height());
     QRectF box = LabelPlaces(std::move(taken)).within(free, wanted, size);
     box.moveTo(std::round(box.left()) + 0.5, std::round(box.top()) + 0.5);
+    return box;
+}
+
+void drawPullCard(QPainter &painter, const SceneContent &shown, const Theme &theme, QRectF box)
+{
+    const std::vector<Row> rows = rowsOf(shown, theme);
+    const QString unit = unitOfPulls();
+    const Columns columns = columnsOf(rows, shown, unit);
     const Tokens &t = theme.tokens();
     painter.setPen(QPen(t.line2, 1.0));
     painter.setBrush(t.scene);

@@ -1,12 +1,12 @@
 #include "app/ui/scene/hud/unit_circle.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/scene_words.h"
 #include "app/ui/scene/drawing/label_places.h"
 #include "app/ui/scene/drawing/triangle_style.h"
 #include "app/ui/scene/hud/free_area.h"
 #include "app/ui/scene/scene_view.h"
 
-#include <QCoreApplication>
 #include <QEvent>
 #include <QPainter>
 
@@ -17,11 +17,6 @@
 namespace app {
 
 namespace {
-
-struct UnitCircleText
-{
-    Q_DECLARE_TR_FUNCTIONS(UnitCircle)
-};
 
 constexpr int cardPadding = 10;       ///< px
 constexpr double circleRadius = 44.0; ///< px
@@ -40,25 +35,21 @@ enum CircleRow { angleRow, cosineRow, besideRow, sineRow, oppositeRow, pythagora
 
 QStringList linesOf(const ArrowAngle &arrow)
 {
+    const UnitCircleWords words = unitCircleWords();
     const double length = arrow.length(), cosine = arrow.cosine(), sine = arrow.sine();
     if (length == 0.0)
-        return {UnitCircleText::tr("The arrow has no length,"),
-                UnitCircleText::tr("so it has no direction.")};
-    //: cosine = 40 / 50 = 0.8
-    const QString side = UnitCircleText::tr("%1 = %2 / %3 = %4");
+        return {words.noLength, words.noDirection};
     return {
-        UnitCircleText::tr("angle = %1° = %2\u2009rad")
-            .arg(fixedNumber(arrow.angle() * 180.0 / std::numbers::pi, 1), fixedNumber(arrow.angle(), 3)),
-        side.arg(UnitCircleText::tr("cosine"), fixedNumber(arrow.vector().x, 1), fixedNumber(length, 1),
-                 fixedNumber(cosine, 3)),
-        UnitCircleText::tr("the side beside the angle"),
-        side.arg(UnitCircleText::tr("sine"), fixedNumber(arrow.vector().y, 1), fixedNumber(length, 1),
-                 fixedNumber(sine, 3)),
-        UnitCircleText::tr("the side opposite the angle"),
-        //: Pythagoras: 0.8² + 0.6² = 1
-        UnitCircleText::tr("%1² + %2² = 1")
-            .arg(fixedNumber(std::abs(cosine), 3), fixedNumber(std::abs(sine), 3)),
-        UnitCircleText::tr("y points down: a sine above 0 is down"),
+        words.angle.arg(fixedNumber(arrow.angle() * 180.0 / std::numbers::pi, 1),
+                        fixedNumber(arrow.angle(), 3)),
+        words.side.arg(words.cosine, fixedNumber(arrow.vector().x, 1), fixedNumber(length, 1),
+                       fixedNumber(cosine, 3)),
+        words.beside,
+        words.side.arg(words.sine, fixedNumber(arrow.vector().y, 1), fixedNumber(length, 1),
+                       fixedNumber(sine, 3)),
+        words.opposite,
+        words.pythagoras.arg(fixedNumber(std::abs(cosine), 3), fixedNumber(std::abs(sine), 3)),
+        words.down,
     };
 }
 
@@ -88,7 +79,7 @@ UnitCircle::UnitCircle(SceneView &scene, const Theme &theme) : QWidget(&scene), 
 {
     setObjectName("unitCircle");
     setAttribute(Qt::WA_TransparentForMouseEvents);
-    setAccessibleName(tr("Unit circle"));
+    setAccessibleName(unitCircleWords().title);
     hide();
     connect(&scene, &SceneView::contentChanged, this, &UnitCircle::follow);
     connect(&scene, &SceneView::zoomChanged, this, &UnitCircle::place);

@@ -78,26 +78,31 @@ void drawReference(const Canvas &canvas)
     }
 }
 
-void drawReferenceLabel(QPainter &painter, const SceneContent &shown, const Theme &theme,
-                        const Camera &camera, QRectF area, std::vector<QRectF> taken)
+QRectF referenceLabelBox(const SceneContent &shown, const Camera &camera, QRectF area,
+                         std::vector<QRectF> taken)
 {
     if (!shown.reference || !shown.extras.reference || shown.reference->farthest < 0 ||
         shown.reference->distance <= 0.0)
-        return;
-    const QString text = referenceSentence(*shown.reference);
+        return {};
     const QFontMetricsF metrics(shown.text);
     const QPointF body = camera.at(shown.state().positionOf(shown.reference->farthest));
     const double radius = camera.radius(shown.radius(shown.reference->farthest));
-    const QRectF box = LabelPlaces(std::move(taken))
-                           .within(area, body + QPointF(radius + 10.0, radius + 4.0),
-                                   {metrics.horizontalAdvance(text) + 16.0, 22.0});
+    return LabelPlaces(std::move(taken))
+        .within(area, body + QPointF(radius + 10.0, radius + 4.0),
+                {metrics.horizontalAdvance(referenceSentence(*shown.reference)) + 16.0, 22.0});
+}
+
+void drawReferenceLabel(QPainter &painter, const SceneContent &shown, const Theme &theme, QRectF box)
+{
+    if (box.isEmpty())
+        return;
     painter.setPen(QPen(theme.tokens().line2, 1.0));
     painter.setBrush(theme.tokens().scene);
     painter.drawRoundedRect(box, 5.0, 5.0);
     painter.setBrush(Qt::NoBrush);
     painter.setFont(shown.text);
     painter.setPen(theme.tokens().ink);
-    painter.drawText(box, Qt::AlignCenter, text);
+    painter.drawText(box, Qt::AlignCenter, referenceSentence(*shown.reference));
 }
 
 void drawReferenceMark(QPainter &painter, const Theme &theme, QPointF centre)

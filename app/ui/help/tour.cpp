@@ -1,4 +1,4 @@
-#include "app/ui/window/tour.h"
+#include "app/ui/help/tour.h"
 
 #include "app/ui/learn/prose.h"
 
@@ -23,7 +23,7 @@ constexpr const char *tourSeenKey = "tour/seen";
 constexpr int tourCardWidth = 360;  ///< px, its tip included, where its buttons need no more
 constexpr int tipLength = 10;       ///< px round the card, in which the tip lies
 constexpr int tipHalf = 9;          ///< px
-constexpr int padding = 16;         ///< px inside the card
+constexpr int cardPadding = 16;     ///< px inside the card
 constexpr double tourRadius = 10.0; ///< px
 constexpr int edge = 8;             ///< px that the card keeps from the window's edges
 
@@ -65,7 +65,7 @@ Tour::Tour(std::vector<TourStop> stops, const Theme &theme, QWidget *window)
     m_text->setTextFormat(Qt::MarkdownText);
     m_count->setObjectName("caption");
     auto *column = new QVBoxLayout(this);
-    const int margin = padding + tipLength;
+    const int margin = cardPadding + tipLength;
     column->setContentsMargins(margin, margin - 4, margin, margin - 4);
     column->setSpacing(6);
     column->addWidget(m_title);

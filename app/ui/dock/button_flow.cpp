@@ -1,4 +1,4 @@
-#include "app/ui/learn/button_flow.h"
+#include "app/ui/dock/button_flow.h"
 
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
@@ -89,11 +89,12 @@ void ButtonFlow::watchScrolling()
     while (above && !qobject_cast<QAbstractScrollArea *>(above))
         above = above->parentWidget();
     auto *area = qobject_cast<QAbstractScrollArea *>(above);
-    QWidget *viewport = area ? area->viewport() : nullptr;
+    // A card over a scroll area, beside its viewport, does not scroll with it.
+    QWidget *viewport = area && area->viewport()->isAncestorOf(this) ? area->viewport() : nullptr;
     if (viewport == m_viewport)
         return;
     m_viewport = viewport;
-    if (!area)
+    if (!viewport)
         return;
     // The place in the visible part changes when any widget in between moves: one of them does when the text scrolls.
     for (QWidget *between = parentWidget(); between != viewport; between = between->parentWidget())
