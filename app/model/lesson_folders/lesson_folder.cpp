@@ -49,7 +49,7 @@ QString textIn(const QByteArray &content, const QString &file)
     return text.remove('\r');
 }
 
-/// Returns the sentence of an error on one line of bounded length, whatever the document quotes.
+/// Returns the error's sentence as one line, shortened if it quotes a long text of the document.
 QString sentenceOf(const lessons::DocumentError &error)
 {
     constexpr qsizetype most = 800; // characters
@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    /// The scene of a step, its own parameters, and what they set.
+    /// A step's scene, with the parameters that the step declares and the numbers that they set in it.
     struct Beginning
     {
         Experiment scene;

@@ -28,8 +28,9 @@ public:
 
     /// How the time is told that a run takes, for things to try within a budget; measured, unless said otherwise.
     void setTiming(lessons::TimeMeasurement timing) { m_timing = std::move(timing); }
-    /// Sets whether the run is the learner's own. A run that the program has set up ticks nothing. What it has done is not
-    /// ticked either while the learner goes on with it, until it is undone.
+    /// Sets whether the run is the learner's own. A run that the program has set up, for example for a prediction, ticks
+    /// nothing. If the learner then changes that run, a thing to try that was already done in it counts only after it has
+    /// stopped being done once.
     void setOwnRun(bool isOwn) { m_isOwnRun = isOwn; }
 
     /// Ticks what is done at the moment of `timeline`, a run of this step, which plays or stands.

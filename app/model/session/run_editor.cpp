@@ -177,7 +177,7 @@ bool RunEditor::setUp(const EditLabel &label, const sim::Script &script, Maker m
     if (!sameScript(script, m_run.timeline().script()) && !replaceBy(label, script))
         return false;
     m_run.setEdited(maker == Maker::learner);
-    // The run that the step begins with does nothing by itself, and a frame of it can be looked into.
+    // The step's first run is no answer to anything, so looking into its frames may tick a thing to try.
     if (maker == Maker::program && !sameScript(script, m_run.step().script()))
         m_run.addGiven(script);
     m_playback.goToPaused({});

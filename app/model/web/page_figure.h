@@ -52,7 +52,7 @@ private:
         QByteArray viewText; ///< of writeView()
         std::vector<Column> x, y;
         std::vector<Column> angle; ///< only of a tree
-        /// px/frame: the velocities, without those that the positions tell. Empty if the page shows none.
+        /// px/frame: each velocity minus the distance covered in the frame. Empty if the page shows no velocities.
         std::vector<Column> restX, restY;
         std::vector<Drawings> drawings;
     };

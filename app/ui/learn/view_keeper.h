@@ -9,7 +9,8 @@ class QWidget;
 
 namespace app {
 
-/// Keeps a widget of a scroll area in view while heights change, until somebody scrolls or the focus moves elsewhere.
+/// Scrolls a scroll area so that one of its widgets stays in view when heights change. Stops when the user scrolls or
+/// moves the focus to another widget.
 class ViewKeeper : public QObject
 {
     Q_OBJECT
@@ -22,7 +23,7 @@ public:
     void keep(QWidget &widget);
     /// Leaves the view where it is from now on.
     void forget();
-    /// Returns the widget that should have room: the last that was kept, also after somebody has scrolled, until release().
+    /// Returns the last widget that was kept in view, also after the user has scrolled; null after release().
     const QWidget *wanted() const { return m_wanted; }
     void release() { m_wanted.clear(); }
 

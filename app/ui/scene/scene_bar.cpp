@@ -230,7 +230,7 @@ void SceneBar::arrange()
 {
     const int middle = m_middle ? m_middle->sizeHint().width() : 0;
     const int room = width() - middle;
-    // The caption of the step stays longer: hints name it, and a step alone ("1 frame") does not say what it is.
+    // In a narrow bar the word "Method" goes first: hints name the control "Step", and "1 frame" alone does not say what it is.
     m_method->setShort(widthWith(m_method->fullWidth(), m_step->fullWidth()) > room);
     m_step->setShort(widthWith(m_method->sizeHint().width(), m_step->fullWidth()) > room);
 }

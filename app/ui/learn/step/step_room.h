@@ -21,7 +21,8 @@ public:
     const QWidget *viewport() const { return m_area->viewport(); }
     QScrollBar &bar() const { return *m_area->verticalScrollBar(); }
     void addText(QVBoxLayout *text);
-    /// Adds what is below the text. The heading stays while the things to try scroll. Call it once, after addText().
+    /// Adds the things to try and the buttons below the text. Only the things to try scroll, not their heading. Call it once,
+    /// after addText().
     void addBelow(QWidget *heading, QWidget *tries, QWidget *buttons);
 
     /// Gives the text and the things to try the heights that they need. The things to try get less, and scroll, if less
@@ -41,7 +42,7 @@ public:
 
 private:
     int triesHeight() const;
-    /// Returns the height of what is below the text apart from the things to try.
+    /// Returns the height of the separating line, the heading and the buttons together, in px.
     int aroundTries() const;
 
     QWidget &m_panel;

@@ -72,7 +72,7 @@ struct Hud::Entry
     bool isNews = false; ///< has just changed
 };
 
-/// The boxes of what is placed beside bodies. Empty ones are not shown.
+/// Where the texts beside bodies are drawn. A text with an empty box is not drawn.
 struct Hud::Labels
 {
     QRectF card; ///< of the forces
