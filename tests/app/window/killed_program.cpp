@@ -2,12 +2,13 @@
 //   killed_program FOLDER SEED
 // Autosaves to FOLDER/scenes and writes a line to FOLDER/log for every state of the open run:
 //   milliseconds lesson.step digest-of-the-experiment     ("-" in place of the digest: nothing to save)
+// The milliseconds are those that the user waited between actions: how long the window takes to answer is no input, and
+// depends on the machine.
 
 #include "tests/app/support/window_fixture.h"
 
 #include <QApplication>
 #include <QCryptographicHash>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QRandomGenerator>
 #include <QSettings>
@@ -26,14 +27,18 @@ public:
         m_fixture.window.autosaveIn(folder + "/scenes");
         if (!m_log.open(QFile::WriteOnly | QFile::Unbuffered)) // so that every line survives the kill
             qFatal("no log");
-        m_clock.start();
         QObject::connect(&m_timer, &QTimer::timeout, &m_fixture.window, [this] { act(); });
         note();
         next();
     }
 
 private:
-    void next() { m_timer.start(m_random.bounded(1, 90)); }
+    void next()
+    {
+        const int pause = m_random.bounded(1, 90);
+        m_waited += pause;
+        m_timer.start(pause);
+    }
 
     void act()
     {
@@ -43,7 +48,7 @@ private:
         switch (m_random.bounded(12)) {
         case 0:
         case 1:
-            QTest::mousePress(picture, Qt::LeftButton, {}, onAnyBody());
+            QTest::mousePress(picture, Qt::LeftButton, {}, onAnyBody(there));
             break;
         case 2:
         case 3:
@@ -80,11 +85,13 @@ private:
         QTest::keyClick(&m_fixture.view, Qt::Key(key), modifiers);
     }
 
-    QPoint onAnyBody()
+    /// Returns the place of a body, or that of the pointer if the body has flown out of the picture.
+    QPoint onAnyBody(QPoint pointer)
     {
         const Picture picture = m_fixture.session.presentation().picture();
         const sim::Vec2 at = picture.state.positionOf(m_random.bounded(picture.state.pointCount()));
-        return m_fixture.view.mapFromScene(at.x, at.y);
+        const QPoint body = m_fixture.view.mapFromScene(at.x, at.y);
+        return m_fixture.view.viewport()->rect().contains(body) ? body : pointer;
     }
 
     void changeParameter()
@@ -114,7 +121,7 @@ private:
         const QByteArray state =
             (experiment.lesson + '.' + experiment.step).toUtf8() + ' ' + digestOf(experiment);
         if (state != m_noted)
-            m_log.write(QByteArray::number(m_clock.elapsed()) + ' ' + state + '\n');
+            m_log.write(QByteArray::number(m_waited) + ' ' + state + '\n');
         m_noted = state;
     }
 
@@ -131,8 +138,8 @@ private:
     WindowFixture m_fixture{{"multi_foot", "any_number"}};
     QFile m_log;
     QRandomGenerator m_random;
-    QElapsedTimer m_clock;
     QTimer m_timer;
+    int m_waited = 0; ///< ms, with the pause that has begun
     QByteArray m_noted;
     std::optional<Experiment> m_open; ///< the run as it was last noted
 };

@@ -30,7 +30,7 @@ quint32 setting(const char *name, quint32 preset)
 /// A state of a run, and when it was reached.
 struct Noted
 {
-    int at = 0; ///< ms
+    int at = 0; ///< ms that the user had waited
     QByteArray digest;
 };
 
