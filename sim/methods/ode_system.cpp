@@ -1,5 +1,6 @@
 #include "sim/methods/ode_system.h"
 
+#include "sim/methods/zero_accelerations.h"
 #include "sim/simd/point_kernels.h"
 
 #include <algorithm>
@@ -292,8 +293,7 @@ void OdeSystem::runDependentDrivers(State &state) const
 
 void OdeSystem::prepare(State &state) const
 {
-    state.acceleration.setZero(state.pointCount(), 2);
-    state.angularAcceleration.setZero(state.spin.rows());
+    zeroAccelerations(state);
 }
 
 }

@@ -1,5 +1,7 @@
 #include "sim/analysis/energy/power_integrals.h"
 
+#include "sim/methods/zero_accelerations.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -78,8 +80,7 @@ PowerIntegrals::Island PowerIntegrals::islandOf(const OdeSystem &system, const S
 PowerIntegrals::PhaseStart::PhaseStart(const State &state) : m_start(state)
 {
     m_start.stages.resize(0, 0); // not needed, and large
-    m_start.acceleration.setZero(state.pointCount(), 2);
-    m_start.angularAcceleration.setZero(state.spin.rows());
+    zeroAccelerations(m_start);
     m_scratch = m_start;
 }
 

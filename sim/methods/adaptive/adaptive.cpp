@@ -2,6 +2,7 @@
 
 #include "sim/base/error.h"
 #include "sim/methods/adaptive/island_integrators.h"
+#include "sim/methods/zero_accelerations.h"
 
 namespace sim {
 
@@ -52,8 +53,7 @@ std::vector<std::string> Adaptive::requirements() const
 
 void Adaptive::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.pointCount(), 2);
-    state.angularAcceleration.setZero(state.spin.rows());
+    zeroAccelerations(state);
     state.stages.setZero(2 * state.pointCount() + state.spin.rows(), IslandIntegrator::columns(m_rule));
     state.restingContacts.setZero(state.pointCount());
     state.adaptiveSteps.clear();

@@ -1,13 +1,13 @@
 #include "sim/methods/fixed/position_verlet.h"
 
+#include "sim/methods/zero_accelerations.h"
 #include "sim/pipeline/phase_builder.h"
 
 namespace sim {
 
 void PositionVerlet::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.pointCount(), 2);
-    state.angularAcceleration.setZero(state.spin.rows());
+    zeroAccelerations(state);
 }
 
 std::vector<Phase> PositionVerlet::phases(const Scene &scene, StepSize size) const

@@ -1,6 +1,7 @@
 #include "sim/methods/fixed/runge_kutta.h"
 
 #include "sim/methods/ode_system.h"
+#include "sim/methods/zero_accelerations.h"
 #include "sim/pipeline/phase_builder.h"
 
 namespace sim {
@@ -197,8 +198,7 @@ RungeKutta4::RungeKutta4() : RungeKutta(classical(), 4, "rk4_tableau") {}
 
 void RungeKutta::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.pointCount(), 2);
-    state.angularAcceleration.setZero(state.spin.rows());
+    zeroAccelerations(state);
     state.stages.setZero(2 * state.pointCount() + state.spin.rows(), Columns{m_tableau.stages}.count());
 }
 

@@ -1,13 +1,13 @@
 #include "sim/methods/fixed/semi_implicit_euler.h"
 
+#include "sim/methods/zero_accelerations.h"
 #include "sim/pipeline/phase_builder.h"
 
 namespace sim {
 
 void SemiImplicitEuler::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.pointCount(), 2);
-    state.angularAcceleration.setZero(state.spin.rows());
+    zeroAccelerations(state);
 }
 
 std::vector<Phase> SemiImplicitEuler::phases(const Scene &scene, StepSize size) const

@@ -1,6 +1,7 @@
 #include "sim/methods/implicit/implicit.h"
 
 #include "sim/base/error.h"
+#include "sim/methods/zero_accelerations.h"
 
 #include <algorithm>
 
@@ -87,8 +88,7 @@ std::vector<LiveValue> explainSolved(const State &before, const State &after, in
 
 void ImplicitMethod::prepareState(State &state) const
 {
-    state.acceleration.setZero(state.pointCount(), 2);
-    state.angularAcceleration.setZero(state.spin.rows());
+    zeroAccelerations(state);
 }
 
 void ImplicitMethod::checkFit(const Scene &scene) const
