@@ -1,6 +1,7 @@
 #include "app/cli/terminal.h"
 #include "app/cli/verbs.h"
 #include "app/model/lesson_folders/lesson_check.h"
+#include "app/model/lesson_folders/lesson_languages.h"
 #include "app/model/text/json_writer.h"
 #include "app/model/text/quoting.h"
 

@@ -1,6 +1,7 @@
 // Documents with a mistake: each gets a sentence with the file, the line and the remedy.
 
 #include "lessons/api/step.h"
+#include "tests/lessons/support/mistakes.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -186,25 +187,10 @@ lessons::Step goodStep()
 /// Returns what() of the mistake in a document of goodStep(). Empty if it has none.
 QString mistakeIn(const QByteArray &source)
 {
-    try {
-        goodStep().setTexts(lessons::parseDocument(source, documentName));
-    } catch (const lessons::DocumentError &error) {
-        return QString::fromStdString(error.what());
-    }
-    return {};
+    return support::mistakeOf([&] { goodStep().setTexts(lessons::parseDocument(source, documentName)); });
 }
 
-/// A mistake: `from` in `goodDocument` is replaced by `to`.
-struct Mistake
-{
-    const char *name;
-    QByteArray from;
-    QByteArray to;
-    QByteArray at;    ///< a text of the broken document that begins on the line with the mistake
-    const char *says; ///< a part of the sentence
-};
-
-const Mistake mistakes[] = {
+const support::Mistake mistakes[] = {
     {"no title", "# A foot\n", "", "A foot on", "the title is missing. Begin the file with “# ”"},
     {"a second title", "## Learnt", "# Learnt", "# Learnt", "this is a second title. Write “## ” instead."},
     {"no story", "A foot on a **spring**.\n\n### A subheading\n\nIt swings.\n", "", "# A foot",
@@ -340,12 +326,6 @@ const Mistake mistakes[] = {
      "the listing has no gap “gravity”."},
 };
 
-/// Returns the line at which `text` begins in a document, from 1.
-int lineOf(const QByteArray &source, const QByteArray &text)
-{
-    return static_cast<int>(source.left(source.indexOf(text)).count('\n')) + 1;
-}
-
 }
 
 class BrokenDocumentsTest : public QObject
@@ -435,29 +415,12 @@ void BrokenDocumentsTest::lineEndsAndAByteOrderMarkMakeNoDifference()
 
 void BrokenDocumentsTest::aMistakeIsNamedWithItsRemedy_data()
 {
-    QTest::addColumn<QByteArray>("from");
-    QTest::addColumn<QByteArray>("to");
-    QTest::addColumn<QByteArray>("at");
-    QTest::addColumn<QString>("says");
-    for (const Mistake &one : mistakes)
-        QTest::newRow(one.name) << one.from << one.to << one.at << QString::fromUtf8(one.says);
+    support::addMistakeRows(mistakes);
 }
 
 void BrokenDocumentsTest::aMistakeIsNamedWithItsRemedy()
 {
-    QFETCH(QByteArray, from);
-    QFETCH(QByteArray, to);
-    QFETCH(QByteArray, at);
-    QFETCH(QString, says);
-    QByteArray broken = goodDocument;
-    const qsizetype place = broken.indexOf(from);
-    QVERIFY(place >= 0);
-    broken.replace(place, from.size(), to);
-    const QString begin = QStringLiteral("one/step.md, line %1: ").arg(lineOf(broken, at));
-    const QString mistake = mistakeIn(broken);
-    QVERIFY2(mistake.startsWith(begin), qPrintable(begin + "\n" + mistake));
-    QVERIFY2(mistake.contains(says), qPrintable(mistake));
-    QVERIFY2(mistake.endsWith('.'), qPrintable(mistake));
+    support::checkMistake(goodDocument, documentName, mistakeIn);
 }
 
 void BrokenDocumentsTest::aMistakeLeavesTheStepAsItWas()

@@ -2,6 +2,7 @@
 
 #include "lessons/api/text/document.h"
 #include "lessons/api/text/recall.h"
+#include "tests/lessons/support/mistakes.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -73,25 +74,10 @@ const QString recallName = QStringLiteral("one/recall.md");
 /// Returns what() of the mistake in a file with questions. Empty if it has none.
 QString recallMistake(const QByteArray &source)
 {
-    try {
-        lessons::parseRecall(source, recallName);
-    } catch (const lessons::DocumentError &error) {
-        return QString::fromStdString(error.what());
-    }
-    return {};
+    return support::mistakeOf([&] { lessons::parseRecall(source, recallName); });
 }
 
-/// A mistake: `from` in `goodRecall` is replaced by `to`.
-struct RecallMistake
-{
-    const char *name;
-    QByteArray from;
-    QByteArray to;
-    QByteArray at;    ///< a text of the broken file that begins on the line with the mistake
-    const char *says; ///< a part of the sentence
-};
-
-const RecallMistake recallMistakes[] = {
+const support::Mistake recallMistakes[] = {
     {"no title", "# What do you remember?\n", "", "About a foot", "the title is missing."},
     {"no text", "About a foot\non a spring.\n", "", "# What", "there is no text below the title."},
     {"another heading", "## Question {#share}", "## Try {#share}", "## Try",
@@ -137,11 +123,6 @@ const RecallMistake recallMistakes[] = {
     {"Latin-1", "It jumps.", "Er h\xFCpft.", "Er h", "this is not UTF-8."},
 };
 
-int recallLineOf(const QByteArray &source, const QByteArray &text)
-{
-    return static_cast<int>(source.left(source.indexOf(text)).count('\n')) + 1;
-}
-
 }
 
 class BrokenRecallTest : public QObject
@@ -183,30 +164,12 @@ void BrokenRecallTest::questionsAreReadAsWritten()
 
 void BrokenRecallTest::aMistakeIsNamedWithItsRemedy_data()
 {
-    QTest::addColumn<QByteArray>("from");
-    QTest::addColumn<QByteArray>("to");
-    QTest::addColumn<QByteArray>("at");
-    QTest::addColumn<QString>("says");
-    for (const RecallMistake &one : recallMistakes)
-        QTest::newRow(one.name) << one.from << one.to << one.at << QString::fromUtf8(one.says);
+    support::addMistakeRows(recallMistakes);
 }
 
 void BrokenRecallTest::aMistakeIsNamedWithItsRemedy()
 {
-    QFETCH(QByteArray, from);
-    QFETCH(QByteArray, to);
-    QFETCH(QByteArray, at);
-    QFETCH(QString, says);
-    QByteArray broken = goodRecall;
-    const qsizetype place = broken.indexOf(from);
-    QVERIFY(place >= 0);
-    broken.replace(place, from.size(), to);
-    QVERIFY(broken.contains(at));
-    const QString begin = QStringLiteral("one/recall.md, line %1: ").arg(recallLineOf(broken, at));
-    const QString mistake = recallMistake(broken);
-    QVERIFY2(mistake.startsWith(begin), qPrintable(begin + "\n" + mistake));
-    QVERIFY2(mistake.contains(says), qPrintable(mistake));
-    QVERIFY2(mistake.endsWith('.'), qPrintable(mistake));
+    support::checkMistake(goodRecall, recallName, recallMistake);
 }
 
 void BrokenRecallTest::withoutQuestionsItIsAMistake()

@@ -3,6 +3,7 @@
 #include "lessons/api/text/document.h"
 #include "lessons/api/text/recall.h"
 #include "tests/lessons/support/documents.h"
+#include "tests/lessons/support/translated_text.h"
 #include "tests/suite.h"
 
 #include <QDirIterator>
@@ -103,34 +104,6 @@ QStringList headingsOf(const Document &document)
         all << "concept " + one.id + " rests on " + one.restsOn.join(' ');
     all << QStringLiteral("%1 whys").arg(document.explanation.whys.size());
     all << (document.explanation.learnt.isEmpty() ? "nothing learnt" : "learnt");
-    return all;
-}
-
-/// Returns all that `pattern` finds in a text, sorted.
-QStringList foundIn(const QString &text, const QString &pattern)
-{
-    QStringList all;
-    for (auto at = QRegularExpression(pattern).globalMatch(text); at.hasNext();)
-        all << at.next().captured();
-    std::sort(all.begin(), all.end());
-    return all;
-}
-
-/// Returns whether code consists of numbers and units, without a name of the listing.
-bool hasOnlyNumbers(QString code)
-{
-    return !code.remove(QRegularExpression("\\b(rad|px)\\b")).contains(QRegularExpression("[A-Za-z_]"));
-}
-
-/// Returns the code in a text. Numbers have the decimal point of English.
-QStringList codeIn(const QString &text)
-{
-    QStringList all = foundIn(text, "`[^`]*`");
-    for (QString &code : all) {
-        if (hasOnlyNumbers(code))
-            code.replace(QRegularExpression("(?<=\\d),(?=\\d)"), ".");
-    }
-    all.sort();
     return all;
 }
 
@@ -279,14 +252,7 @@ void DocumentsTest::numbersHaveACommaInTranslations()
     if (language == "en")
         return;
     for (const DocumentPlace &place : placesIn(documentOf(lesson, id, language))) {
-        QString prose = place.text;
-        for (const QString &code : foundIn(place.text, "`[^`]*`")) {
-            if (!hasOnlyNumbers(code)) // code keeps the point
-                prose.remove(code);
-        }
-        QVERIFY2(foundIn(prose, "(?<![\\d.])\\d+\\.\\d+(?![\\d.])") ==
-                     foundIn(prose, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])"),
-                 qPrintable(place.where + ": " + place.text));
+        QVERIFY2(hasDecimalCommas(place.text), qPrintable(place.where + ": " + place.text));
     }
 }
 

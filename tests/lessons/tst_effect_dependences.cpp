@@ -250,20 +250,10 @@ class EffectDependences : public QObject
     }
 
 private slots:
-    void effectsDependOnlyOnWhatTheyDeclare_data()
-    {
-        QTest::addColumn<QString>("lesson");
-        QTest::addColumn<QString>("id");
-        for (const QString &lesson : lessonIds()) {
-            for (const lessons::Step &step : loadLesson(lesson).steps)
-                QTest::addRow("%s/%s", qPrintable(lesson), qPrintable(step.id)) << lesson << step.id;
-        }
-    }
+    void effectsDependOnlyOnWhatTheyDeclare_data() { addStepRows(); }
     void effectsDependOnlyOnWhatTheyDeclare()
     {
-        QFETCH(QString, lesson);
-        QFETCH(QString, id);
-        const sim::Script script = loadLesson(lesson).step(id).script();
+        const sim::Script script = stepOfRow().script();
         const sim::Scene scene = sim::sceneOf(script, script.values);
         for (const sim::State &state : statesOf(script)) {
             for (const sim::EffectPtr &effect : scene.effects) {

@@ -2,6 +2,7 @@
 
 #include "lessons/api/text/document.h"
 #include "lessons/api/text/project.h"
+#include "tests/lessons/support/mistakes.h"
 #include "tests/lessons/support/support.h"
 #include "tests/suite.h"
 
@@ -77,25 +78,10 @@ const QString projectName = QStringLiteral("one/project.md");
 
 QString mistakeInProject(const QByteArray &source)
 {
-    try {
-        lessons::parseProject(source, projectName);
-    } catch (const lessons::DocumentError &error) {
-        return QString::fromStdString(error.what());
-    }
-    return {};
+    return mistakeOf([&] { lessons::parseProject(source, projectName); });
 }
 
-/// A mistake: `from` in `goodProject` is replaced by `to`.
-struct ProjectMistake
-{
-    const char *name;
-    QByteArray from;
-    QByteArray to;
-    QByteArray at;    ///< a text of the broken document that begins on the line with the mistake
-    const char *says; ///< a part of the sentence
-};
-
-const ProjectMistake projectMistakes[] = {
+const Mistake projectMistakes[] = {
     {"no brief", "Build it.\n", "", "# A bridge", "the brief is missing. Write it below the title."},
     {"two levels",
      "## Level: Third {#third}\n\nOnce more.\n\n### Run\n\n- frames: 10\n\n### Holds\n\n- always `stone.y < "
@@ -212,22 +198,12 @@ void ProjectDocumentsTest::everythingIsRead()
 
 void ProjectDocumentsTest::eachMistakeIsNamed_data()
 {
-    QTest::addColumn<int>("number");
-    for (int i = 0; i < static_cast<int>(std::size(projectMistakes)); ++i)
-        QTest::addRow("%s", projectMistakes[i].name) << i;
+    support::addMistakeRows(projectMistakes);
 }
 
 void ProjectDocumentsTest::eachMistakeIsNamed()
 {
-    QFETCH(int, number);
-    const ProjectMistake &mistake = projectMistakes[number];
-    QVERIFY(goodProject.contains(mistake.from));
-    QByteArray broken = goodProject;
-    broken.replace(broken.indexOf(mistake.from), mistake.from.size(), mistake.to);
-    const QString says = mistakeInProject(broken);
-    QVERIFY2(says.contains(mistake.says), qPrintable(says));
-    const auto line = broken.left(broken.indexOf(mistake.at)).count('\n') + 1;
-    QVERIFY2(says.startsWith(QStringLiteral("one/project.md, line %1: ").arg(line)), qPrintable(says));
+    support::checkMistake(goodProject, projectName, mistakeInProject);
 }
 
 void ProjectDocumentsTest::everyLessonHasAProjectInEveryLanguage()

@@ -5,6 +5,7 @@
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/run/track.h"
+#include "tests/hash.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -13,26 +14,14 @@ namespace {
 
 constexpr int maxPointsOfLongRuns = 500; ///< larger scenes run for fewer frames
 
-/// Updates a 64-bit FNV-1a hash with all bits of a state.
-/// Source: RFC 9923 (draft-eastlake-fnv).
-std::uint64_t updatedHash(const sim::State &state, std::uint64_t hash)
-{
-    sim::visitBytes(state, [&](const void *data, std::size_t bytes) {
-        const auto *byte = static_cast<const unsigned char *>(data);
-        for (std::size_t i = 0; i < bytes; ++i)
-            hash = (hash ^ byte[i]) * 0x100000001b3u;
-    });
-    return hash;
-}
-
 /// Returns a hash of all output steps of a run. Sets `slept` if the run slept at any of them.
 std::uint64_t hashOf(const sim::Script &script, std::int64_t length, sim::Sleeping sleeping, bool &slept)
 {
     sim::Track track(script, 0, sleeping);
-    std::uint64_t hash = 0xcbf29ce484222325u;
+    std::uint64_t hash = tests::emptyHash;
     for (std::int64_t frame = 0; frame <= length; frame += track.framesPerOutput()) {
         track.seek({frame, 0});
-        hash = updatedHash(track.state(), hash);
+        hash = tests::updatedHash(hash, track.state());
         slept = slept || track.sleep();
     }
     return hash;

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 using namespace listing_support;
 using listing::RunError;
@@ -59,7 +58,6 @@ private slots:
     void globalsBeginWithTheParametersOfTheFirstFrame();
     void localsStartAnewInEveryFrame();
     void handleAndBodyHaveTheirMassAndRadius();
-    void threadsShareAProgram();
 };
 
 void ListingRun::freeFallFollowsItsClosedForm()
@@ -544,29 +542,6 @@ void ListingRun::handleAndBodyHaveTheirMassAndRadius()
     QVERIFY(!bench.run());
     QVERIFY(bench.state.positionOf(0) == Vec2(4, 15));
     QVERIFY(bench.state.positionOf(1) == Vec2(0, 5));
-}
-
-void ListingRun::threadsShareAProgram()
-{
-    Bench bench("double clock = 0;\n" + frameOf("clock += random(1); body.position += Vec2(clock, k);"));
-    sim::State expected = bench.state;
-    const auto compute = [&](sim::State &state) {
-        for (int i = 0; i < 500; ++i) {
-            ++state.frame;
-            if (bench.program->run(state, bench.binding))
-                return;
-        }
-    };
-    std::vector<sim::State> states(4, bench.state);
-    std::vector<std::thread> threads;
-    for (sim::State &state : states)
-        threads.emplace_back([&compute, &state] { compute(state); });
-    for (std::thread &thread : threads)
-        thread.join();
-    compute(expected);
-    QCOMPARE(expected.frame, std::int64_t{500});
-    for (const sim::State &state : states)
-        QVERIFY(sim::sameBits(state, expected));
 }
 
 SUITE(tst_listing_run, ListingRun)

@@ -26,13 +26,4 @@ Experiment beginningOf(const LessonFiles &lesson, const QString &step, const sim
 std::vector<lessons::ParameterText> parameterTexts(const LessonFiles &lesson, const QString &step,
                                                    const QString &language);
 
-/// Returns the languages that have documents of their own, in the order of their codes: "de". The documents without a
-/// language are shown in all others.
-QStringList languagesOf(const LessonFiles &files);
-
-/// Checks that the documents of a lesson in one language ask the same as those in another: things to try, predictions and
-/// questions have the same ids, runs and conditions.
-/// @throws UserError if not
-void checkSameQuestions(const LessonEntry &one, const LessonEntry &other);
-
 }

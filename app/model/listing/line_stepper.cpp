@@ -115,8 +115,10 @@ void LineStepper::set(int index)
     m_run.changes().announce(ChangeKind::cursor);
 }
 
-bool LineStepper::leavePhases()
+bool LineStepper::pauseOutsidePhases()
 {
+    m_playback.pause();
+    m_playback.clearBreakHit();
     const sim::Cursor at = m_run.timeline().cursor();
     if (at.phase == 0)
         return false;
@@ -127,9 +129,7 @@ bool LineStepper::leavePhases()
 void LineStepper::goTo(int index)
 {
     const ChangeNotifier::Batch batch(m_run.changes());
-    m_playback.pause();
-    m_playback.clearBreakHit();
-    leavePhases();
+    pauseOutsidePhases();
     const std::shared_ptr<const ListingFrame> frame = nextFrame();
     if (!frame)
         return;
@@ -152,9 +152,7 @@ void LineStepper::forward()
 void LineStepper::back()
 {
     const ChangeNotifier::Batch batch(m_run.changes());
-    m_playback.pause();
-    m_playback.clearBreakHit();
-    if (leavePhases() || !isAvailable())
+    if (pauseOutsidePhases() || !isAvailable())
         return;
     if (m_index > 0) {
         set(m_index - 1);
@@ -194,9 +192,7 @@ void LineStepper::stepOut()
 bool LineStepper::runTo(int line)
 {
     const ChangeNotifier::Batch batch(m_run.changes());
-    m_playback.pause();
-    m_playback.clearBreakHit();
-    leavePhases();
+    pauseOutsidePhases();
     const std::shared_ptr<const ListingFrame> frame = nextFrame();
     if (!frame)
         return false;

@@ -83,8 +83,8 @@ private:
         std::shared_ptr<const ListingFrame> frame;
     };
 
-    /// Goes to the start of the frame if the cursor is between two phases. Returns whether it was.
-    bool leavePhases();
+    /// Stops playing, and goes to the start of the frame if the cursor is between two phases. Returns whether it was.
+    bool pauseOutsidePhases();
     void set(int index);
     /// Goes to the last line of the frame that back() has gone back to, as soon as the run is there.
     void arrive();

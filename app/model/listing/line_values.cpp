@@ -19,43 +19,29 @@ struct LineValuesText
     Q_DECLARE_TR_FUNCTIONS(LineValuesText)
 };
 
-/// The numbers of the calls around a line, the outermost first.
+/// Returns where the calls around a line are, the outermost first: the line itself comes last.
 std::vector<int> callsAround(const ListingFrame &frame, int index)
 {
-    std::vector<int> calls;
+    std::vector<int> lines;
     int depth = frame.line(index).depth + 1;
     for (int i = index; i >= 0 && depth > 0; --i) {
         if (frame.line(i).depth >= depth)
             continue;
         depth = frame.line(i).depth;
-        calls.push_back(frame.callOf(i));
+        lines.push_back(i);
     }
-    std::reverse(calls.begin(), calls.end());
-    return calls;
-}
-
-QStringList functionsAround(const ListingFrame &frame, int index)
-{
-    QStringList functions;
-    int depth = frame.line(index).depth + 1;
-    for (int i = index; i >= 0 && depth > 0; --i) {
-        if (frame.line(i).depth >= depth)
-            continue;
-        depth = frame.line(i).depth;
-        functions.prepend(QString::fromStdString(frame.line(i).function));
-    }
-    return functions;
+    std::reverse(lines.begin(), lines.end());
+    return lines;
 }
 
 /// Returns for each line of the text the line of the frame that ran it last, among the first `index` ones. Those of the
 /// calls that are still running come first.
 std::map<int, int> lastRuns(const ListingFrame &frame, int index)
 {
-    const std::vector<int> running = index < frame.count()
-                                         ? callsAround(frame, index)
-                                         : std::vector<int>(1, frame.count() ? frame.callOf(0) : 0);
+    const std::vector<int> running = index < frame.count() ? callsAround(frame, index) : std::vector<int>{0};
     const auto isRunning = [&](int i) {
-        return std::find(running.begin(), running.end(), frame.callOf(i)) != running.end();
+        return std::any_of(running.begin(), running.end(),
+                           [&](int line) { return frame.callOf(line) == frame.callOf(i); });
     };
     std::map<int, int> runs;
     for (int i = 0; i < index; ++i) {
@@ -156,7 +142,8 @@ LineValues valuesAfter(const ListingFrame &frame, int index)
     }
     if (isInside) {
         values.loops = loopNotes(frame, index, tokens);
-        values.calls = functionsAround(frame, index);
+        for (const int line : callsAround(frame, index))
+            values.calls << QString::fromStdString(frame.line(line).function);
     } else {
         values.calls = {QStringLiteral("frame")};
     }

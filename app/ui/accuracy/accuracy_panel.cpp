@@ -8,6 +8,7 @@
 #include "app/ui/dock/progress_line.h"
 #include "app/ui/plots/plot_export.h"
 
+#include <QAbstractButton>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -16,7 +17,6 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QTextDocumentFragment>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -103,22 +103,11 @@ void AccuracyPanel::makeRemarks()
 QWidget *AccuracyPanel::tabs()
 {
     auto *row = new QWidget(this);
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    auto *group = new QButtonGroup(row);
-    const std::pair<QString, QString> all[] = {
-        {tr("Error against time"), tr("The error of each method, and its cost")},
-        {tr("Over the run"), tr("How the error grows, at about the cost of your method")},
-        {tr("Order"), tr("How fast the error shrinks when the step does")}};
-    for (const auto &[text, tip] : all) {
-        QToolButton *button = makeTab(text, tip, row);
-        button->setChecked(m_tabs.empty());
-        group->addButton(button, static_cast<int>(m_tabs.size()));
-        layout->addWidget(button);
-        m_tabs.push_back(button);
-    }
-    connect(group, &QButtonGroup::idClicked, m_views, &QStackedWidget::setCurrentIndex);
+    m_tabs = makeTabs({{tr("Error against time"), tr("The error of each method, and its cost")},
+                       {tr("Over the run"), tr("How the error grows, at about the cost of your method")},
+                       {tr("Order"), tr("How fast the error shrinks when the step does")}},
+                      row);
+    connect(m_tabs, &QButtonGroup::idClicked, m_views, &QStackedWidget::setCurrentIndex);
     return row;
 }
 
@@ -196,7 +185,7 @@ void AccuracyPanel::applyTheme()
 
 void AccuracyPanel::setView(View view)
 {
-    m_tabs[view]->setChecked(true);
+    m_tabs->button(view)->setChecked(true);
     m_views->setCurrentIndex(view);
 }
 

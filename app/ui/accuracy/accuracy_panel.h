@@ -5,11 +5,11 @@
 
 #include <QWidget>
 
+class QButtonGroup;
 class QLabel;
 class QPushButton;
 class QScrollArea;
 class QStackedWidget;
-class QToolButton;
 
 namespace app {
 
@@ -82,7 +82,7 @@ private:
     QStackedWidget *m_views;
     WorkPrecisionPlot *m_workPrecision;
     RunPlot *m_overTheRun;
-    std::vector<QToolButton *> m_tabs;
+    QButtonGroup *m_tabs = nullptr;
     QLabel *m_state;
     bool m_showsAll = false;
     QWidget *m_tabRow;

@@ -36,7 +36,6 @@ BranchesPanel::BranchesPanel(const OpenRun &run, RunEditor &editor, Playback &pl
     column->addWidget(m_title);
     column->addWidget(m_plot, 1);
     column->addWidget(foot());
-    connect(m_plot, &DifferencePlot::pointedAt, this, &BranchesPanel::pointedAt);
     connect(m_plot, &DifferencePlot::pointedAt, m_plot, &DifferencePlot::setHovered);
     connect(&m_series, &DifferenceSeries::changed, this, &BranchesPanel::refresh);
     run.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this, &BranchesPanel::refresh);
@@ -139,11 +138,6 @@ void BranchesPanel::showContents()
     const Difference *largest = m_series.largest();
     m_go->setVisible(largest && largest->distance > 0.0);
     m_plot->refresh();
-}
-
-void BranchesPanel::setHovered(std::optional<std::int64_t> frame)
-{
-    m_plot->setHovered(frame);
 }
 
 }

@@ -35,15 +35,8 @@ public:
     /// Sets of which body the distance is.
     void setOf(DifferenceSeries::Of of);
 
-    /// Moves the second cursor of the plot to where the pointer is in another plot.
-    void setHovered(std::optional<std::int64_t> frame);
-
     QSize sizeHint() const override { return {660, 290}; }
     QSize minimumSizeHint() const override { return {420, 190}; }
-
-signals:
-    /// Emitted when the pointer is at a frame of the plot, or has left.
-    void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
     void setActive(bool isActive) override;

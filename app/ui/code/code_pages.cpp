@@ -12,13 +12,13 @@
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/scene/scene_view.h"
 
+#include <QAbstractButton>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSettings>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <utility>
@@ -34,7 +34,7 @@ CodePages::CodePages(Session &session, const Theme &theme, QWidget *parent)
 {
     if (QSettings().value(pageKey).toString() == QLatin1String("engine"))
         m_wantsEngine = true;
-    m_pages->addWidget(m_listing);
+    m_pages->addWidget(m_listing); // in the order of Page
     m_pages->addWidget(m_rule);
     m_pages->addWidget(m_engine);
     makeOffer();
@@ -76,21 +76,14 @@ void CodePages::makeOffer()
 
 void CodePages::makeTitle()
 {
-    auto *row = new QHBoxLayout(m_tabs);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2);
-    m_listingTab =
-        makeTab(tr("Listing"), tr("The program of a frame, to read, to step through and to change"), m_tabs);
-    m_ruleTab = makeTab(tr("My rule"), tr("A force that you write, for this scene"), m_tabs);
-    m_engineTab = makeTab(tr("Engine"), tr("The code of Springstep that computes the run"), m_tabs);
-    auto *group = new QButtonGroup(this);
-    for (const auto &[tab, page] : {std::pair(m_listingTab, Page::listing), std::pair(m_ruleTab, Page::rule),
-                                    std::pair(m_engineTab, Page::engine)}) {
-        tab->setAccessibleName(tab->text());
-        row->addWidget(tab);
-        group->addButton(tab);
-        connect(tab, &QToolButton::clicked, this, [this, page = page] { choose(page); });
-    }
+    m_tabGroup =
+        makeTabs({{tr("Listing"), tr("The program of a frame, to read, to step through and to change")},
+                  {tr("My rule"), tr("A force that you write, for this scene")},
+                  {tr("Engine"), tr("The code of Springstep that computes the run")}},
+                 m_tabs);
+    for (QAbstractButton *button : m_tabGroup->buttons())
+        button->setAccessibleName(button->text());
+    connect(m_tabGroup, &QButtonGroup::idClicked, this, [this](int id) { choose(static_cast<Page>(id)); });
     auto *actions = new QHBoxLayout(m_actions);
     actions->setContentsMargins(0, 0, 0, 0);
     actions->addWidget(m_listing->titleActions());
@@ -98,11 +91,14 @@ void CodePages::makeTitle()
     actions->addWidget(m_engine->titleActions());
 }
 
+QAbstractButton &CodePages::tab(Page page) const
+{
+    return *m_tabGroup->button(static_cast<int>(page));
+}
+
 CodePages::Page CodePages::page() const
 {
-    return m_pages->currentWidget() == m_listing ? Page::listing
-           : m_pages->currentWidget() == m_rule  ? Page::rule
-                                                 : Page::engine;
+    return static_cast<Page>(m_pages->currentIndex());
 }
 
 void CodePages::choose(Page page)
@@ -163,8 +159,8 @@ void CodePages::follow()
     const bool changed = std::exchange(m_wasInUse, isInUse) != isInUse;
     const RuleCode &rule = m_session.rule();
     m_tabs->setVisible(code.isOffered() || rule.isOffered());
-    m_listingTab->setVisible(code.isOffered());
-    m_ruleTab->setVisible(rule.isOffered());
+    tab(Page::listing).setVisible(code.isOffered());
+    tab(Page::rule).setVisible(rule.isOffered());
     m_offer->setVisible(code.isOffered() && !isInUse);
     const QString method = phrase(m_session.timeline().script().method->title());
     m_offerText->setText(tr("%1 computes this run, not the listing.").arg(method));
@@ -196,16 +192,12 @@ CodePages::Page CodePages::wantedPage() const
 
 void CodePages::show(Page page)
 {
-    m_pages->setCurrentWidget(page == Page::listing ? static_cast<QWidget *>(m_listing)
-                              : page == Page::rule  ? static_cast<QWidget *>(m_rule)
-                                                    : m_engine);
+    m_pages->setCurrentIndex(static_cast<int>(page));
     m_listing->titleActions()->setVisible(page == Page::listing);
     m_rule->titleActions()->setVisible(page == Page::rule);
     m_engine->titleActions()->setVisible(page == Page::engine);
     m_actions->layout()->activate(); // otherwise the title has room for the actions of both pages for a while
-    m_listingTab->setChecked(page == Page::listing);
-    m_ruleTab->setChecked(page == Page::rule);
-    m_engineTab->setChecked(page == Page::engine);
+    tab(page).setChecked(true);
     emit captionChanged(caption());
     emit stepByChanged();
 }

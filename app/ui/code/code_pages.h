@@ -4,10 +4,11 @@
 
 #include <QWidget>
 
+class QAbstractButton;
+class QButtonGroup;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QToolButton;
 
 namespace lessons {
 struct Step;
@@ -68,6 +69,7 @@ protected:
 private:
     void makeTitle();
     void makeOffer();
+    QAbstractButton &tab(Page page) const;
     void follow();
     void show(Page page);
     bool isOffered(Page page) const;
@@ -86,9 +88,7 @@ private:
     QPushButton *m_use;
     QWidget *m_tabs;
     QWidget *m_actions;
-    QToolButton *m_listingTab = nullptr;
-    QToolButton *m_ruleTab = nullptr;
-    QToolButton *m_engineTab = nullptr;
+    QButtonGroup *m_tabGroup = nullptr;
     bool m_wantsEngine = false; ///< whether the learner wants the engine's page rather than the one to write
     bool m_wasInUse = true;
     bool m_hadRule = false;

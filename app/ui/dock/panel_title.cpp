@@ -1,5 +1,6 @@
 #include "app/ui/dock/panel_title.h"
 
+#include <QButtonGroup>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -127,6 +128,21 @@ QToolButton *makeTab(const QString &text, const QString &tip, QWidget *parent)
     tab->setCheckable(true);
     tab->setFocusPolicy(Qt::TabFocus);
     return tab;
+}
+
+QButtonGroup *makeTabs(std::initializer_list<Tab> tabs, QWidget *row)
+{
+    auto *layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    auto *group = new QButtonGroup(row);
+    for (const Tab &tab : tabs) {
+        QToolButton *button = makeTab(tab.text, tab.tip, row);
+        button->setChecked(group->buttons().isEmpty());
+        group->addButton(button, layout->count());
+        layout->addWidget(button);
+    }
+    return group;
 }
 
 }

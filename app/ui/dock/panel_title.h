@@ -4,6 +4,9 @@
 
 #include <QWidget>
 
+#include <initializer_list>
+
+class QButtonGroup;
 class QHBoxLayout;
 class QLabel;
 class QToolButton;
@@ -53,5 +56,16 @@ private:
 
 /// Returns a checkable button that looks like a tab, for the title row of a panel.
 QToolButton *makeTab(const QString &text, const QString &tip, QWidget *parent);
+
+/// The text and the tooltip of a tab.
+struct Tab
+{
+    QString text;
+    QString tip;
+};
+
+/// Puts tabs into `row`, a widget that is still empty. Returns their group, which belongs to `row`. One tab at a time is
+/// checked, the first one at first. Their ids count from 0.
+QButtonGroup *makeTabs(std::initializer_list<Tab> tabs, QWidget *row);
 
 }

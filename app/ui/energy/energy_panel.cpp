@@ -6,11 +6,11 @@
 #include "app/ui/energy/energy_plot.h"
 #include "app/ui/plots/plot_export.h"
 
+#include <QAbstractButton>
 #include <QButtonGroup>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStackedWidget>
-#include <QToolButton>
 
 #include <algorithm>
 
@@ -52,7 +52,6 @@ EnergyPanel::EnergyPanel(const OpenRun &run, Playback &playback, const Preview &
     column->setSpacing(0);
     column->addWidget(m_title);
     column->addWidget(m_pages, 1);
-    connect(m_plot, &EnergyPlot::pointedAt, this, &EnergyPanel::pointedAt);
     connect(m_plot, &EnergyPlot::pointedAt, m_plot, &EnergyPlot::setHovered);
     connect(&m_series, &EnergySeries::changed, this, [this] {
         m_lines.reset();
@@ -107,28 +106,17 @@ void EnergyPanel::resizeEvent(QResizeEvent *event)
 QWidget *EnergyPanel::tabs()
 {
     auto *row = new QWidget(this);
-    auto *layout = new QHBoxLayout(row);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(2);
-    auto *group = new QButtonGroup(row);
-    const std::pair<QString, QString> all[] = {
-        {tr("Energy"), tr("Where energy is, and where it went")},
-        {tr("Momentum"), tr("Mass × velocity of everything together, and what changed it")}};
-    for (const auto &[text, tip] : all) {
-        QToolButton *button = makeTab(text, tip, row);
-        button->setChecked(m_tabs.empty());
-        group->addButton(button, static_cast<int>(m_tabs.size()));
-        layout->addWidget(button);
-        m_tabs.push_back(button);
-    }
-    connect(group, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<View>(id)); });
+    m_tabs = makeTabs({{tr("Energy"), tr("Where energy is, and where it went")},
+                       {tr("Momentum"), tr("Mass × velocity of everything together, and what changed it")}},
+                      row);
+    connect(m_tabs, &QButtonGroup::idClicked, this, [this](int id) { setView(static_cast<View>(id)); });
     return row;
 }
 
 void EnergyPanel::setView(View view)
 {
     m_view = view;
-    m_tabs[view]->setChecked(true);
+    m_tabs->button(view)->setChecked(true);
     m_plot->setShows(view == energy ? EnergyPlot::Shows::energy : EnergyPlot::Shows::momentum);
     refreshNow();
 }
@@ -199,11 +187,6 @@ void EnergyPanel::showLedger()
     m_unit->setText(unit());
     m_list->setLines(m_view == energy ? counted().energyAt(frame) : counted().momentumAt(frame), unit());
     placeList();
-}
-
-void EnergyPanel::setHovered(std::optional<std::int64_t> frame)
-{
-    m_plot->setHovered(frame);
 }
 
 }

@@ -5,9 +5,9 @@
 #include "app/ui/theme/theme.h"
 
 class QBoxLayout;
+class QButtonGroup;
 class QLabel;
 class QStackedWidget;
-class QToolButton;
 
 namespace app {
 
@@ -35,15 +35,8 @@ public:
     EnergyPlot &plot() const { return *m_plot; }
     PlotExport &exports() const { return *m_export; }
 
-    /// Moves the second cursor of the plot to where the pointer is in another plot.
-    void setHovered(std::optional<std::int64_t> frame);
-
     QSize sizeHint() const override { return {660, 290}; }
     QSize minimumSizeHint() const override { return {420, 190}; }
-
-signals:
-    /// Emitted when the pointer is at a frame of the plot, or has left.
-    void pointedAt(std::optional<std::int64_t> frame);
 
 protected:
     void setActive(bool isActive) override;
@@ -76,7 +69,7 @@ private:
     PlotExport *m_export = nullptr;
     EnergyList *m_list = nullptr;
     QLabel *m_unit = nullptr;
-    std::vector<QToolButton *> m_tabs;
+    QButtonGroup *m_tabs = nullptr;
     bool m_showsPreview = false; ///< whether the ledger is of the preview's moment
 };
 

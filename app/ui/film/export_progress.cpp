@@ -1,5 +1,7 @@
 #include "app/ui/film/export_progress.h"
 
+#include "app/ui/dialogs/caption.h"
+
 #include <QLabel>
 #include <QProgressBar>
 #include <QVBoxLayout>
@@ -7,15 +9,6 @@
 #include <algorithm>
 
 namespace app {
-
-QLabel *makeCaption(const QString &text, QWidget *parent)
-{
-    auto *label = new QLabel(text, parent);
-    label->setObjectName("caption");
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
-}
 
 ExportProgress::ExportProgress(const QString &name, QWidget *parent)
     : QWidget(parent), m_bar(new QProgressBar(this)), m_message(makeCaption({}, this))

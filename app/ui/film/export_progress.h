@@ -7,9 +7,6 @@ class QProgressBar;
 
 namespace app {
 
-/// Returns a text in small letters that wraps.
-QLabel *makeCaption(const QString &text, QWidget *parent);
-
 /// The lower part of a dialog that exports something: a bar with the progress, and a message.
 class ExportProgress : public QWidget
 {

@@ -3,6 +3,7 @@
 #include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
+#include "app/ui/dialogs/caption.h"
 #include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/film/export_progress.h"
 #include "app/ui/film/film_name.h"

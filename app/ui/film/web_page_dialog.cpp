@@ -4,6 +4,7 @@
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
 #include "app/ui/dialogs/ask_file.h"
+#include "app/ui/dialogs/caption.h"
 #include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/film/export_progress.h"
 #include "app/ui/film/frame_range.h"

@@ -5,6 +5,7 @@
 #include "app/model/notebook/notebook_file.h"
 #include "app/model/text/quoting.h"
 #include "app/ui/dialogs/ask_file.h"
+#include "app/ui/dialogs/caption.h"
 #include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/notebook/entry_picture.h"
 
@@ -39,15 +40,6 @@ QString documentsFolder()
 {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
     return QDir(documents).exists() ? documents : QDir::homePath();
-}
-
-QLabel *captionLabel(const QString &text, QWidget *parent)
-{
-    auto *label = new QLabel(text, parent);
-    label->setObjectName("caption");
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-    return label;
 }
 
 QString nameOfFile(const QString &path)
@@ -157,7 +149,7 @@ void HandInDialog::addFiles(QVBoxLayout &column)
 
 void HandInDialog::addButtons(QVBoxLayout &column)
 {
-    m_message = captionLabel({}, this);
+    m_message = makeCaption({}, this);
     m_message->setMinimumHeight(2 * m_message->fontMetrics().lineSpacing());
     m_message->setAlignment(Qt::AlignTop);
     column.addWidget(m_message);

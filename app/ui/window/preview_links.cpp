@@ -3,7 +3,9 @@
 #include "app/model/session/preview.h"
 #include "app/ui/accuracy/accuracy_panel.h"
 #include "app/ui/branches/branches_panel.h"
+#include "app/ui/branches/difference_plot.h"
 #include "app/ui/energy/energy_panel.h"
+#include "app/ui/energy/energy_plot.h"
 #include "app/ui/plots/plots_panel.h"
 #include "app/ui/scene/scene_view.h"
 #include "app/ui/time/timeline_strip.h"
@@ -17,8 +19,8 @@ void connectPreviews(const OpenRun &run, Preview &preview, const PreviewParts &p
         frame ? preview.show({*frame, 0}) : preview.end();
     };
     QObject::connect(&parts.plots, &PlotsPanel::pointedAt, &parts.centre, show);
-    QObject::connect(&parts.energy, &EnergyPanel::pointedAt, &parts.centre, show);
-    QObject::connect(&parts.branches, &BranchesPanel::pointedAt, &parts.centre, show);
+    QObject::connect(&parts.energy.plot(), &EnergyPlot::pointedAt, &parts.centre, show);
+    QObject::connect(&parts.branches.plot(), &DifferencePlot::pointedAt, &parts.centre, show);
     QObject::connect(&parts.accuracy, &AccuracyPanel::pointedAt, &parts.centre, show);
     QObject::connect(&parts.centre.timeline(), &TimelineStrip::pointedAt, &parts.centre, show);
     QObject::connect(&parts.centre.scene(), &SceneView::bodyPointedAt, &parts.plots,
@@ -29,8 +31,8 @@ void connectPreviews(const OpenRun &run, Preview &preview, const PreviewParts &p
         const bool isFrame = moment && moment->phase == 0;
         const auto frame = isFrame ? std::optional(moment->frame) : std::nullopt;
         parts.plots.setHovered(frame);
-        parts.energy.setHovered(frame);
-        parts.branches.setHovered(frame);
+        parts.energy.plot().setHovered(frame);
+        parts.branches.plot().setHovered(frame);
     });
 }
 

@@ -4,6 +4,7 @@
 #include <QJsonDocument>
 #include <QTest>
 
+#include <cmath>
 #include <csignal>
 
 namespace program {
@@ -60,6 +61,21 @@ bool handles(qint64 process, int signal)
     return false;
 }
 
+}
+
+void compareTrajectories(const QString &trace, const QString &expected)
+{
+    const QStringList rows = trace.split('\n'), wantedRows = expected.split('\n');
+    QCOMPARE(rows.size(), wantedRows.size());
+    QCOMPARE(rows.first(), wantedRows.first().trimmed());
+    for (qsizetype i = 1; i < rows.size() - 1; ++i) {
+        const QStringList row = rows[i].split(','), wanted = wantedRows[i].trimmed().split(',');
+        QCOMPARE(row.mid(0, 2), wanted.mid(0, 2));
+        QCOMPARE(row.size(), wanted.size());
+        for (qsizetype field = 2; field < row.size(); ++field)
+            QVERIFY2(std::abs(row[field].toDouble() - wanted[field].toDouble()) <= 1e-9,
+                     qPrintable(rows[i] + " | " + wantedRows[i]));
+    }
 }
 
 bool interrupt(QProcess &process)

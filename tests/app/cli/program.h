@@ -26,6 +26,8 @@ QJsonObject json(const Answer &answer);
 Answer shell(const QString &command);
 /// Writes an experiment of the step with any number of feet into `folder`; `fields` begin on line 5.
 QString fileWith(const QString &folder, const QString &fields);
+/// Fails unless two traces, as CSV, have the same rows, with numbers that differ by at most 1e-9 (px, px/frame).
+void compareTrajectories(const QString &trace, const QString &expected);
 /// Waits until the process handles SIGINT, and sends it. Returns whether the process then ended normally.
 bool interrupt(QProcess &process);
 /// Whether `text` is one sentence.

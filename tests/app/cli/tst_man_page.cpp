@@ -3,9 +3,9 @@
 #include "app/cli/verbs.h"
 #include "app/model/text/language.h"
 #include "tests/app/cli/program.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
-#include <QFile>
 #include <QMap>
 #include <QRegularExpression>
 #include <QTest>
@@ -17,8 +17,7 @@ namespace {
 /// Returns the source of a manual page: "springstep.1". Empty if there is none.
 QString sourceOf(const QString &name)
 {
-    QFile file(SOURCE_DIR "/app/man/" + name);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    return QString::fromUtf8(tests::contentsOf(SOURCE_DIR "/app/man/" + name));
 }
 
 /// Returns the lines of a manual page that are the same in every language: its synopsis, the headings of its verbs, the

@@ -1,4 +1,5 @@
 #include "tests/app/cli/program.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -8,21 +9,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include <cmath>
 #include <csignal>
 #include <sys/types.h>
 
 using namespace program;
-
-namespace {
-
-QString readText(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-}
 
 /// `springstep trace`: every row of every run, and every way in which a run ends.
 class TestTrace : public QObject
@@ -43,19 +33,7 @@ private slots:
         const Answer answer = springstep({"trace", path});
         QCOMPARE(answer.code, 0);
         QCOMPARE(answer.err, QString());
-        const QStringList rows = answer.out.split('\n');
-        const QStringList expected = readText(path.chopped(5) + ".csv").split('\n');
-        QCOMPARE(rows.size(), expected.size());
-        QCOMPARE(rows.first(), expected.first().trimmed());
-        for (qsizetype i = 1; i < rows.size() - 1; ++i) {
-            const QStringList row = rows[i].split(',');
-            const QStringList wanted = expected[i].trimmed().split(',');
-            QCOMPARE(row.mid(0, 2), wanted.mid(0, 2));
-            QCOMPARE(row.size(), wanted.size());
-            for (qsizetype field = 2; field < row.size(); ++field)
-                QVERIFY2(std::abs(row[field].toDouble() - wanted[field].toDouble()) <= 1e-9,
-                         qPrintable(rows[i] + " | " + expected[i]));
-        }
+        compareTrajectories(answer.out, tests::contentsOf(path.chopped(5) + ".csv"));
     }
 
     void aBuiltSceneIsTraced()

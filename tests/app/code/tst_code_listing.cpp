@@ -1,9 +1,8 @@
 #include "sim/run/script/composed_interval.h"
 #include "sim/run/script/script.h"
 #include "tests/app/code/listing_support.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
-
-#include <QFile>
 
 #include <algorithm>
 
@@ -13,8 +12,7 @@ namespace {
 
 QStringList linesOf(const QString &file)
 {
-    QFile source(QStringLiteral(SOURCE_DIR "/") + file);
-    return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()).split('\n') : QStringList();
+    return QString::fromUtf8(tests::contentsOf(QStringLiteral(SOURCE_DIR "/") + file)).split('\n');
 }
 
 QStringList texts(const CodeListing &listing, bool onlyNew = false)

@@ -3,8 +3,8 @@
 #include "app/model/experiment/experiment.h"
 #include "sim/pipeline/method.h"
 #include "sim/scene/scene.h"
+#include "tests/app/support/files.h"
 
-#include <QFile>
 #include <QTest>
 
 #include <limits>
@@ -13,18 +13,12 @@
 namespace experiment_support {
 
 using namespace app;
+using tests::contentsOf;
 
 inline const LessonLibrary &library()
 {
     static const LessonLibrary loaded = LessonLibrary::load({LESSON_DIR});
     return loaded;
-}
-
-/// Returns the bytes of a file; none if it cannot be read.
-inline QByteArray contentsOf(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 /// Fails unless the two run alike.

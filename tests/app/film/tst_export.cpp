@@ -1,6 +1,7 @@
 // File > Export, in the real window: films by the dialog, and pictures.
 
 #include "tests/app/film/film_support.h"
+#include "tests/app/support/files.h"
 #include "tests/app/support/window_fixture.h"
 
 #include "app/ui/film/film_dialog.h"
@@ -37,19 +38,6 @@ QLineEdit &fileOf(const FilmDialog &dialog)
     const auto all = dialog.findChildren<QLineEdit *>();
     return **std::find_if(all.begin(), all.end(),
                           [](const QLineEdit *one) { return one->accessibleName() == "File"; });
-}
-
-void write(const QString &path, const QByteArray &text)
-{
-    QFile file(path);
-    QVERIFY(file.open(QFile::WriteOnly));
-    file.write(text);
-}
-
-QByteArray contents(const QString &path)
-{
-    QFile file(path);
-    return file.open(QFile::ReadOnly) ? file.readAll() : QByteArray();
 }
 
 QPushButton *defaultButton(const FilmDialog &dialog)
@@ -207,7 +195,7 @@ void ExportTest::aFilmThatIsThereIsWrittenOverWhenThatIsWanted()
     FilmDialog &dialog = openDialog(fixture);
     boxOf(dialog, "Last frame").setValue(3);
     const QString path = m_folder.filePath("there.gif");
-    write(path, "precious");
+    writeFile(path, "precious");
     QLineEdit &file = fileOf(dialog);
     file.setFocus();
     file.selectAll();
@@ -224,7 +212,7 @@ void ExportTest::aFilmThatIsThereIsWrittenOverWhenThatIsWanted()
     QTest::keyClicks(&file, "f");
     QTest::mouseClick(&make, Qt::LeftButton);
     QVERIFY(!dialog.isMaking());
-    QCOMPARE(contents(path), QByteArray("precious"));
+    QCOMPARE(contentsOf(path), QByteArray("precious"));
     QTest::mouseClick(&make, Qt::LeftButton);
     QVERIFY(dialog.isMaking());
     QTRY_VERIFY(!dialog.isMaking());
@@ -238,7 +226,7 @@ void ExportTest::picturesThatAreThereAreAskedAboutToo()
     WindowFixture fixture;
     FilmDialog &dialog = openDialog(fixture);
     boxOf(dialog, "Last frame").setValue(3);
-    write(m_folder.filePath("walk_0003.png"), "precious");
+    writeFile(m_folder.filePath("walk_0003.png"), "precious");
     fileOf(dialog).setText(m_folder.filePath("walk_%04d.png"));
     QPushButton &make = *defaultButton(dialog);
     QTest::mouseClick(&make, Qt::LeftButton);
@@ -249,7 +237,7 @@ void ExportTest::picturesThatAreThereAreAskedAboutToo()
     QVERIFY(dialog.isMaking());
     QTRY_VERIFY(!dialog.isMaking());
     QVERIFY(QFile::exists(m_folder.filePath("walk_0002.png")));
-    QCOMPARE(contents(m_folder.filePath("walk_0003.png")), QByteArray("precious"));
+    QCOMPARE(contentsOf(m_folder.filePath("walk_0003.png")), QByteArray("precious"));
 }
 
 void ExportTest::aFolderThatIsNotThereIsSaid()

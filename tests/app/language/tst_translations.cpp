@@ -1,13 +1,15 @@
 // The files of translations: complete, and true to the form of what they translate.
 
+#include "tests/lessons/support/translated_text.h"
 #include "tests/suite.h"
 
 #include <QDirIterator>
-#include <QRegularExpression>
 #include <QXmlStreamReader>
 #include <QtTest>
 
-#include <algorithm>
+using support::codeIn;
+using support::foundIn;
+using support::hasDecimalCommas;
 
 namespace {
 
@@ -60,38 +62,10 @@ std::vector<Entry> entriesOf(const QString &path)
     return entries;
 }
 
-/// All that `pattern` finds in a text, in order of the alphabet.
-QStringList found(const QString &text, const QString &pattern)
-{
-    QStringList all;
-    for (auto at = QRegularExpression(pattern).globalMatch(text); at.hasNext();)
-        all << at.next().captured();
-    std::sort(all.begin(), all.end());
-    return all;
-}
-
 QStringList withoutRepeats(QStringList list)
 {
     list.removeDuplicates();
     return list;
-}
-
-/// Whether a text in backticks is worked out in plain numbers and units, without a name of the code.
-bool isPlainNumbers(QString code)
-{
-    return !code.remove(QRegularExpression("\\b(rad|px)\\b")).contains(QRegularExpression("[A-Za-z_]"));
-}
-
-/// Returns the code in a translation, sorted. Plain numbers in it have the decimal point of English.
-QStringList codeOf(const QString &form)
-{
-    QStringList codes = found(form, "`[^`]*`");
-    for (QString &code : codes) {
-        if (isPlainNumbers(code))
-            code.replace(QRegularExpression("(?<=\\d),(?=\\d)"), ".");
-    }
-    codes.sort();
-    return codes;
 }
 
 }
@@ -112,7 +86,7 @@ private slots:
     {
         eachForm([](const Entry &entry, const QString &form) {
             const QString places = "%(L?\\d+|n)";
-            return withoutRepeats(found(entry.source, places)) == withoutRepeats(found(form, places));
+            return withoutRepeats(foundIn(entry.source, places)) == withoutRepeats(foundIn(form, places));
         });
     }
 
@@ -121,7 +95,7 @@ private slots:
     {
         eachForm([](const Entry &entry, const QString &form) {
             const auto same = [&](const QString &pattern) {
-                return found(entry.source, pattern).size() == found(form, pattern).size();
+                return foundIn(entry.source, pattern).size() == foundIn(form, pattern).size();
             };
             return same("\\*\\*") && same("(?m)^#+ ") && same("(?m)^[-*] ") && same("\n\n") &&
                    same("<[a-z/]+>");
@@ -132,7 +106,7 @@ private slots:
     void codeIsNotTranslated()
     {
         eachForm([](const Entry &entry, const QString &form) {
-            return found(entry.source, "`[^`]*`") == codeOf(form);
+            return foundIn(entry.source, "`[^`]*`") == codeIn(form);
         });
     }
 
@@ -140,7 +114,7 @@ private slots:
     void whatHasALetterToPressKeepsOne()
     {
         eachForm([](const Entry &entry, const QString &form) {
-            return found(entry.source, "&\\w").size() == found(form, "&\\w").size();
+            return foundIn(entry.source, "&\\w").size() == foundIn(form, "&\\w").size();
         });
     }
 
@@ -151,14 +125,7 @@ private slots:
         static const QStringList ofFiles = {"CommandLine", "ConditionTokensText", "ExperimentMethodText",
                                             "JsonDocumentText", "SentencesText"};
         eachForm([](const Entry &entry, const QString &form) {
-            QString prose = form;
-            for (const QString &code : found(form, "`[^`]*`")) {
-                if (!isPlainNumbers(code)) // formulas of the code keep the point, as the code does
-                    prose.remove(code);
-            }
-            return ofFiles.contains(entry.context) ||
-                   found(prose, "(?<![\\d.])\\d+\\.\\d+(?![\\d.])") ==
-                       found(prose, "(?<![\\d.])\\d{1,3}\\.\\d{3}(?![\\d.])");
+            return ofFiles.contains(entry.context) || hasDecimalCommas(form);
         });
     }
 

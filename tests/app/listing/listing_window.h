@@ -12,6 +12,8 @@
 #include <QPushButton>
 #include <QToolButton>
 
+#include <cmath>
+
 /// Shared by the suites of the listing's panel.
 namespace listing_window {
 
@@ -83,6 +85,11 @@ struct ListingFixture : tests::WindowFixture
     ListingEditor &editor = panel.editor();
     TimelineStrip &timeline = part<TimelineStrip>("timeline");
 };
+
+inline bool isNear(sim::Vec2 a, sim::Vec2 b)
+{
+    return std::hypot(a.x - b.x, a.y - b.y) < 1e-9;
+}
 
 /// The foot of single_spring/fixed_centre after some frames, from the tutorial's three lines.
 inline sim::Vec2 footOnSpring(sim::Vec2 foot, sim::Vec2 centre, double k, double damp, int frames)

@@ -10,27 +10,19 @@
 #include "tests/app/experiment/experiment_support.h"
 #include "tests/app/experiment/user_errors.h"
 #include "tests/app/listing/code_session.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
 #include <QDir>
-#include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
-
-#include <cmath>
 
 using namespace app;
 using code_session::Opened;
 using experiment_support::library;
 
 namespace {
-
-QByteArray readAll(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// A text with everything that JSON has to escape.
 QString strangeText(const Opened &opened)
@@ -208,7 +200,8 @@ private slots:
     {
         QTest::addColumn<QString>("path");
         for (const QFileInfo &info : QDir(TEST_DATA "/published").entryInfoList({"*.json"})) {
-            const QJsonObject object = QJsonDocument::fromJson(readAll(info.absoluteFilePath())).object();
+            const QJsonObject object =
+                QJsonDocument::fromJson(tests::contentsOf(info.absoluteFilePath())).object();
             const LessonEntry *lesson = library().lesson(object["lesson"].toString());
             const lessons::Step *step = lesson ? lesson->step(object["step"].toString()) : nullptr;
             const bool isPlain = step && !step->listing.isEmpty() && step->method == "published" &&
@@ -221,30 +214,18 @@ private slots:
     void codeTracesThePublishedTrajectory()
     {
         QFETCH(QString, path);
-        QJsonObject object = QJsonDocument::fromJson(readAll(path)).object();
+        QJsonObject object = QJsonDocument::fromJson(tests::contentsOf(path)).object();
         const lessons::Step &step =
             *library().lesson(object["lesson"].toString())->step(object["step"].toString());
         object["method"] = "listing";
         object["code"] = step.listing.text;
         QTemporaryDir folder;
-        QFile file(folder.filePath("code.json"));
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(QJsonDocument(object).toJson());
-        file.close();
-        const program::Answer answer = program::springstep({"trace", file.fileName()});
+        const QString file = folder.filePath("code.json");
+        tests::writeFile(file, QJsonDocument(object).toJson());
+        const program::Answer answer = program::springstep({"trace", file});
         QCOMPARE(answer.err, QString());
         QCOMPARE(answer.code, 0);
-        const QStringList rows = answer.out.split('\n');
-        const QStringList expected = QString::fromUtf8(readAll(path.chopped(5) + ".csv")).split('\n');
-        QCOMPARE(rows.size(), expected.size());
-        for (qsizetype i = 1; i < rows.size() - 1; ++i) {
-            const QStringList row = rows[i].split(','), wanted = expected[i].trimmed().split(',');
-            QCOMPARE(row.mid(0, 2), wanted.mid(0, 2));
-            QCOMPARE(row.size(), wanted.size());
-            for (qsizetype field = 2; field < row.size(); ++field)
-                QVERIFY2(std::abs(row[field].toDouble() - wanted[field].toDouble()) <= 1e-9,
-                         qPrintable(rows[i] + " | " + expected[i]));
-        }
+        program::compareTrajectories(answer.out, tests::contentsOf(path.chopped(5) + ".csv"));
     }
 
     void traceSaysWhichLineStoppedIt()

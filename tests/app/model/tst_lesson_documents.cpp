@@ -3,6 +3,7 @@
 #include "app/model/catalog/lesson_documents.h"
 #include "app/model/session/session.h"
 #include "app/model/text/language.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -29,8 +30,7 @@ struct DocumentFolder
     /// Returns the text of an embedded document of the lesson two_body.
     static QByteArray embedded(const QString &name)
     {
-        QFile file(":/documents/two_body/" + name);
-        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        return tests::contentsOf(":/documents/two_body/" + name);
     }
 
     /// Saves a document as an editor does: in another file first.

@@ -1,49 +1,29 @@
 // Lessons without C++: the installed examples, mistakes in folders, zips from strangers, new lessons.
 
 #include "app/model/lesson_folders/lesson_check.h"
+#include "app/model/lesson_folders/lesson_languages.h"
 #include "app/model/lesson_folders/lesson_writer.h"
 #include "app/model/lesson_folders/zip_reader.h"
 #include "sim/run/timeline.h"
-#include "tests/app/experiment/experiment_support.h"
+#include "tests/app/model/lesson_examples.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
 #include <QDir>
 #include <QTemporaryDir>
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <set>
 
 using namespace app;
+using namespace lesson_examples;
 
 namespace {
-
-const QString lessonExamples = QStringLiteral(SOURCE_DIR "/lessons/examples/");
-const QString pendulum = QStringLiteral("pendulum_clock");
-const QString caterpillar = QStringLiteral("caterpillar");
 
 const LessonLibrary &builtIn()
 {
     return experiment_support::library();
-}
-
-const LessonFiles &filesOf(const QString &example)
-{
-    static std::map<QString, LessonFiles> all;
-    const auto known = all.find(example);
-    return known == all.end() ? all.emplace(example, readLessonFiles(lessonExamples + example)).first->second
-                              : known->second;
-}
-
-QString mistakeOf(const std::function<void()> &action)
-{
-    try {
-        action();
-    } catch (const UserError &error) {
-        return error.sentence();
-    }
-    return {};
 }
 
 /// Returns the positions of a body in frames 0 to `frames` of a run.
@@ -80,14 +60,6 @@ sim::Script swungAside(const lessons::Step &step, const std::string &body, sim::
     return script;
 }
 
-LessonFiles lessonWith(const QString &file, const QByteArray &from, const QByteArray &to)
-{
-    LessonFiles files = filesOf(pendulum);
-    QByteArray &content = files.all.at(file);
-    const qsizetype at = content.indexOf(from);
-    return at < 0 ? LessonFiles() : (content.replace(at, from.size(), to), files);
-}
-
 QByteArray patched(QByteArray bytes, qsizetype at, const QByteArray &by)
 {
     return bytes.replace(at, by.size(), by);
@@ -97,33 +69,6 @@ QByteArray patched(QByteArray bytes, qsizetype at, const QByteArray &by)
 QByteArray zipWith(const QString &name)
 {
     return zipOf({{name, "a"}, {"zz.md", "b"}});
-}
-
-void mistakeColumns()
-{
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QByteArray>("from");
-    QTest::addColumn<QByteArray>("to");
-    QTest::addColumn<QString>("said");
-}
-
-/// Adds a row: `file` of the pendulum clock has `to` in place of `from`, and a sentence has `said` then.
-void mistakeRow(const char *name, const char *file, const char *from, const char *to, const char *said)
-{
-    QTest::newRow(name) << QString(file) << QByteArray(from) << QByteArray(to) << QString::fromUtf8(said);
-}
-
-/// Checks that the lesson of a row is refused with its sentence.
-void checkMistake()
-{
-    QFETCH(QString, file);
-    QFETCH(QByteArray, from);
-    QFETCH(QByteArray, to);
-    QFETCH(QString, said);
-    const LessonFiles files = lessonWith(file, from, to);
-    QVERIFY(!files.all.empty());
-    const QString mistake = mistakeOf([&] { lessonOf(files, "en", builtIn()); });
-    QVERIFY2(mistake.contains(said), qPrintable(mistake));
 }
 
 }
@@ -221,36 +166,36 @@ private slots:
 
     void aMistakeInADocumentIsNamedWithItsPlace_data()
     {
-        mistakeColumns();
-        mistakeRow("not UTF-8", "swing.md", "bob",
+        addMistakeColumns();
+        addMistake("not UTF-8", "swing.md", "bob",
                    "b\xf6"
                    "b",
                    "pendulum_clock/swing.md, line 3: this is not UTF-8.");
-        mistakeRow("a picture", "swing.md", "Pull it far,", "![x](/etc/passwd)",
+        addMistake("a picture", "swing.md", "Pull it far,", "![x](/etc/passwd)",
                    "swing.md, line 12: a text cannot show pictures.");
-        mistakeRow("an unknown heading", "swing.md", "### Done when", "### Done if",
+        addMistake("an unknown heading", "swing.md", "### Done when", "### Done if",
                    "swing.md, line 23: “### Done if”");
-        mistakeRow("a body that is not there", "swing.md", "released(bob)", "released(bop)",
+        addMistake("a body that is not there", "swing.md", "released(bob)", "released(bop)",
                    "swing.md, line 25: Character 23: there is no body \"bop\" here; there are bob, nail.");
-        mistakeRow("a number alone", "swing.md", "speed(bob) > 2", "speed(bob)",
+        addMistake("a number alone", "swing.md", "speed(bob) > 2", "speed(bob)",
                    "swing.md, line 28: Character 1: a number is neither true nor false");
-        mistakeRow("no condition", "swing.md",
+        addMistake("no condition", "swing.md",
                    "### Done when\n\n- begun: held(bob) or released(bob)\n- let_go: released(bob)\n"
                    "- middle: abs(bob.x - nail.x) < 15\n- fast: speed(bob) > 2\n",
                    "", "swing.md, line 15: nothing says when the thing to try “let_go” is done.");
-        mistakeRow("a sentence without a condition", "swing.md", "- middle: abs", "- centre: abs",
+        addMistake("a sentence without a condition", "swing.md", "- middle: abs", "- centre: abs",
                    "the thing to try “let_go” has no condition “middle”");
-        mistakeRow("a number that nothing measures", "swing.md", "abs(bob.x - nail.x) < 15",
+        addMistake("a number that nothing measures", "swing.md", "abs(bob.x - nail.x) < 15",
                    "bob.x > 255 and bob.x < 285", "swing.md, line 27: %1 stands for a number");
-        mistakeRow("a solution with a wrong body", "swing.md", "- drag bob: 350", "- drag bop: 350",
+        addMistake("a solution with a wrong body", "swing.md", "- drag bob: 350", "- drag bop: 350",
                    "swing.md, line 36: There is no body \"bop\" here");
-        mistakeRow("a solution without an end", "swing.md", "- frames: 120", "- k: 3",
+        addMistake("a solution without an end", "swing.md", "- frames: 120", "- k: 3",
                    "this run needs “- frames: ”");
-        mistakeRow("a parameter that is not there", "swing.md", "- gravity: 1.2\n", "- gravitation: 1.2\n",
+        addMistake("a parameter that is not there", "swing.md", "- gravity: 1.2\n", "- gravitation: 1.2\n",
                    "There is no parameter \"gravitation\" here");
-        mistakeRow("a task without a gap", "swing.md", "{#fall}", "{#falls}",
+        addMistake("a task without a gap", "swing.md", "{#fall}", "{#falls}",
                    "the listing has no gap “falls”");
-        mistakeRow("a near miss that does not compile", "swing.md", "bob.velocity.y -= gravity;",
+        addMistake("a near miss that does not compile", "swing.md", "bob.velocity.y -= gravity;",
                    "bob.velocity.y -= gravty;", "a near miss of the task \"fall\" does not compile");
     }
 
@@ -258,33 +203,33 @@ private slots:
 
     void aMistakeInAnotherFileIsNamed_data()
     {
-        mistakeColumns();
-        mistakeRow("not JSON", "lesson.json", "\"id\":", "\"id\"",
+        addMistakeColumns();
+        addMistake("not JSON", "lesson.json", "\"id\":", "\"id\"",
                    "lesson.json: line 3: a colon is expected");
-        mistakeRow("another format", "lesson.json", "springstep-lesson/1", "springstep-lesson/7",
+        addMistake("another format", "lesson.json", "springstep-lesson/1", "springstep-lesson/7",
                    "lesson.json: line 2: \"format\" is \"springstep-lesson/7\"; this program reads "
                    "\"springstep-lesson/1\".");
-        mistakeRow("an id of a built-in lesson", "lesson.json", "\"pendulum_clock\"", "\"two_body\"",
+        addMistake("an id of a built-in lesson", "lesson.json", "\"pendulum_clock\"", "\"two_body\"",
                    "lesson.json: line 3: there is another lesson with the id \"two_body\"");
-        mistakeRow("an id with a space", "lesson.json", "\"pendulum_clock\"", "\"my clock\"",
+        addMistake("an id with a space", "lesson.json", "\"pendulum_clock\"", "\"my clock\"",
                    "cannot have the id \"my clock\"");
-        mistakeRow("a step twice", "lesson.json", "\"two\"", "\"swing\"",
+        addMistake("a step twice", "lesson.json", "\"two\"", "\"swing\"",
                    "a step cannot have the id \"swing\"");
-        mistakeRow("a step without files", "lesson.json", "\"two\"", "\"three\"",
+        addMistake("a step without files", "lesson.json", "\"two\"", "\"three\"",
                    "pendulum_clock/three.json: the file is missing.");
-        mistakeRow("a step that is not listed", "lesson.json", ", \"clock\"", "",
+        addMistake("a step that is not listed", "lesson.json", ", \"clock\"", "",
                    "there is no step \"clock\" in \"steps\" of lesson.json");
-        mistakeRow("an unknown field", "lesson.json", "\"summary\"", "\"sumary\"", "\"sumary\"");
-        mistakeRow("a listing that does not compile", "swing.code", "length(from) - sticks",
+        addMistake("an unknown field", "lesson.json", "\"summary\"", "\"sumary\"", "\"sumary\"");
+        addMistake("a listing that does not compile", "swing.code", "length(from) - sticks",
                    "size(from) - sticks", "pendulum_clock/swing.code, line 25:");
-        mistakeRow("a gap without an end", "swing.code", "        //<\n", "", "swing.code");
-        mistakeRow("a listing with small steps", "swing.json", "\"step\": \"build\",",
+        addMistake("a gap without an end", "swing.code", "        //<\n", "", "swing.code");
+        addMistake("a listing with small steps", "swing.json", "\"step\": \"build\",",
                    "\"step\": \"build\", \"h\": 0.5,", "Set \"h\" to 1 in swing.json.");
-        mistakeRow("a scene without a body", "swing.json", "\"b\": \"bob\"", "\"b\": \"pop\"",
+        addMistake("a scene without a body", "swing.json", "\"b\": \"bob\"", "\"b\": \"pop\"",
                    "swing.json: line 11: there is no body \"pop\" in this scene");
-        mistakeRow("a rule that does not compile", "clock.json", "velocity.x > 0", "velocity.x >> 0",
+        addMistake("a rule that does not compile", "clock.json", "velocity.x > 0", "velocity.x >> 0",
                    "\"rule\" does not compile. Line 8");
-        mistakeRow("a question about no step", "recall.md", "pendulum_clock/swing", "pendulum_clock/swim",
+        addMistake("a question about no step", "recall.md", "pendulum_clock/swing", "pendulum_clock/swim",
                    "recall.md, line 63: there is no step \"pendulum_clock/swim\".");
     }
 
@@ -292,21 +237,21 @@ private slots:
 
     void aLessonThatAsksTooMuchFailsItsCheck_data()
     {
-        mistakeColumns();
-        mistakeRow("a solution that is too short", "swing.md", "- frames: 120", "- frames: 12",
+        addMistakeColumns();
+        addMistake("a solution that is too short", "swing.md", "- frames: 120", "- frames: 12",
                    "its solution does not do it in 12 frames");
-        mistakeRow("a try that does itself", "two.md",
+        addMistake("a try that does itself", "two.md",
                    "- begun: gravity != 0.3\n- moon: abs(gravity - 0.05) < 0.005\n",
                    "- begun: frame > 5\n- moon: frame > 7\n", "it is done in frame 100 without the learner");
-        mistakeRow("a prediction without an end", "swing.md", "- until: bob.vx < 0",
+        addMistake("a prediction without an end", "swing.md", "- until: bob.vx < 0",
                    "- until: bob.vx < -1000", "its condition does not hold up to frame 300");
-        mistakeRow("curves that look the same", "two.md", "- gravity: 1.2\n", "- iterations: 9\n",
+        addMistake("curves that look the same", "two.md", "- gravity: 1.2\n", "- iterations: 9\n",
                    "two of its curves look the same");
-        mistakeRow("a nail that cannot be held", "swing.code",
+        addMistake("a nail that cannot be held", "swing.code",
                    "    if (nail.held)\n        nail.position = hand;\n", "",
                    "in which the hand holds it. Every body can be held: write “if (nail.held) nail.position "
                    "= hand;”");
-        mistakeRow("another motion", "swing.code", "bob.velocity *= damp;", "bob.velocity *= damp * damp;",
+        addMistake("another motion", "swing.code", "bob.velocity *= damp;", "bob.velocity *= damp * damp;",
                    "the listing moves \"bob\" otherwise than the method semi_implicit_euler");
     }
 
@@ -316,7 +261,7 @@ private slots:
         QFETCH(QByteArray, from);
         QFETCH(QByteArray, to);
         QFETCH(QString, said);
-        const LessonFiles files = lessonWith(file, from, to);
+        const LessonFiles files = pendulumWith(file, from, to);
         QVERIFY(!files.all.empty());
         LessonEntry lesson = lessonOf(files, "en", builtIn());
         std::erase_if(lesson.steps,
@@ -335,10 +280,10 @@ private slots:
         const QTemporaryDir dir;
         const QString file = dir.filePath("clock" + lessonEnding),
                       again = dir.filePath("again" + lessonEnding);
-        packLesson(lessonExamples + pendulum, file);
-        packLesson(lessonExamples + pendulum, again);
-        QCOMPARE(experiment_support::contentsOf(file), experiment_support::contentsOf(again));
-        QVERIFY(isLessonPath(file) && isLessonPath(lessonExamples + pendulum) && !isLessonPath(dir.path()));
+        packLesson(examplesFolder + pendulum, file);
+        packLesson(examplesFolder + pendulum, again);
+        QCOMPARE(tests::contentsOf(file), tests::contentsOf(again));
+        QVERIFY(isLessonPath(file) && isLessonPath(examplesFolder + pendulum) && !isLessonPath(dir.path()));
         QVERIFY(readLessonFiles(file).all == filesOf(pendulum).all);
         QCOMPARE(readLesson(file, builtIn()).steps.size(), std::size_t(3));
     }
@@ -413,7 +358,7 @@ private slots:
     void aLinkInAFolderIsRefused()
     {
         const QTemporaryDir dir;
-        QVERIFY(QFile::copy(lessonExamples + pendulum + "/lesson.json", dir.filePath("lesson.json")));
+        QVERIFY(QFile::copy(examplesFolder + pendulum + "/lesson.json", dir.filePath("lesson.json")));
         QVERIFY(QFile::link("/etc/passwd", dir.filePath("swing.md")));
         const QString mistake = mistakeOf([&] { readLessonFiles(dir.path()); });
         QVERIFY2(mistake.contains("swing.md is a link"), qPrintable(mistake));
@@ -455,11 +400,11 @@ private slots:
 
     void yourLessonsComeAfterTheOthers()
     {
-        const LessonLibrary with = LessonLibrary::load({LESSON_DIR, lessonExamples});
+        const LessonLibrary with = LessonLibrary::load({LESSON_DIR, examplesFolder});
         QVERIFY(with.problems.empty());
         QCOMPARE(with.yours.size(), std::size_t(2));
         QCOMPARE(&with.entry(with.entries() - 1), &with.yours.back());
-        QCOMPARE(with.lesson(pendulum)->source, QFileInfo(lessonExamples + pendulum).canonicalFilePath());
+        QCOMPARE(with.lesson(pendulum)->source, QFileInfo(examplesFolder + pendulum).canonicalFilePath());
         QVERIFY(with.lesson(pendulum)->step("two")->points == lessons::PointSource::step);
         // An experiment in such a lesson is saved and read as in any other.
         Experiment experiment = newExperiment(pendulum, "two", with);

@@ -1,4 +1,5 @@
 #include "app/model/catalog/lesson_library.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -7,23 +8,6 @@
 #include <QTest>
 
 using namespace app;
-
-namespace {
-
-void write(const QString &path, const QByteArray &content)
-{
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(content);
-}
-
-QByteArray read(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-}
 
 class TestLessonLibrary : public QObject
 {
@@ -101,7 +85,7 @@ private slots:
     void aFileThatIsNoPluginIsNamed_data()
     {
         const QString plugin = QDir(LESSON_DIR).filePath("liblesson_single_spring.so");
-        const QByteArray whole = read(plugin);
+        const QByteArray whole = tests::contentsOf(plugin);
         QVERIFY(whole.size() > 1000);
         QTest::addColumn<QByteArray>("content");
         QTest::newRow("text") << QByteArray("not a library");
@@ -109,13 +93,14 @@ private slots:
         QTest::newRow("the first bytes of a plugin") << whole.left(64);
         for (const int bytes : {500, 1000, 5000, 20000, 60000}) // what is loaded is longer; symbols follow it
             QTest::addRow("the first %d bytes of a plugin", bytes) << whole.left(bytes);
-        QTest::newRow("a library without a plugin") << read(QString(LESSON_DIR) + "/../libsim.so");
+        QTest::newRow("a library without a plugin")
+            << tests::contentsOf(QString(LESSON_DIR) + "/../libsim.so");
     }
     void aFileThatIsNoPluginIsNamed()
     {
         QFETCH(QByteArray, content);
         const QTemporaryDir folder;
-        write(folder.filePath("libhalf.so"), content);
+        tests::writeFile(folder.filePath("libhalf.so"), content);
         const LessonLibrary library = LessonLibrary::load({folder.path()});
         QVERIFY(library.lessons.empty());
         QCOMPARE(library.problems.size(), std::size_t(1));
@@ -127,7 +112,7 @@ private slots:
     void otherFilesAndFoldersAreNoProblem()
     {
         const QTemporaryDir folder;
-        write(folder.filePath("README.txt"), "read me");
+        tests::writeFile(folder.filePath("README.txt"), "read me");
         QVERIFY(QDir(folder.path()).mkdir("folder.so"));
         const LessonLibrary library = LessonLibrary::load({folder.path(), folder.filePath("nowhere"), ""});
         QVERIFY(library.lessons.empty() && library.problems.empty());

@@ -4,7 +4,7 @@
 #include "app/model/lesson_folders/lesson_check.h"
 #include "app/model/lesson_folders/lesson_writer.h"
 #include "sim/run/timeline.h"
-#include "tests/app/experiment/experiment_support.h"
+#include "tests/app/model/lesson_examples.h"
 #include "tests/suite.h"
 
 #include <QTemporaryDir>
@@ -12,40 +12,19 @@
 #include <cmath>
 
 using namespace app;
+using namespace lesson_examples;
 
 namespace {
-
-const QString clockExample = QStringLiteral("pendulum_clock"), wormExample = QStringLiteral("caterpillar");
 
 const LessonLibrary &plainLibrary()
 {
     return experiment_support::library();
 }
 
-LessonFiles exampleFiles(const QString &example)
-{
-    return readLessonFiles(QStringLiteral(SOURCE_DIR "/lessons/examples/") + example);
-}
-
-/// Returns the files of an example in which one has `to` in place of `from`.
-LessonFiles filesWith(const QString &example, const QString &file, const QByteArray &from,
-                      const QByteArray &to)
-{
-    LessonFiles files = exampleFiles(example);
-    QByteArray &content = files.all.at(file);
-    const qsizetype at = content.indexOf(from);
-    return at < 0 ? LessonFiles() : (content.replace(at, from.size(), to), files);
-}
-
 /// Returns the sentence with which a lesson is refused; empty if it is read.
 QString refusalOf(const LessonFiles &files, const QString &language = "en")
 {
-    try {
-        lessonOf(files, language, plainLibrary());
-    } catch (const UserError &error) {
-        return error.sentence();
-    }
-    return {};
+    return mistakeOf([&] { lessonOf(files, language, plainLibrary()); });
 }
 
 /// Returns how far the bob is from the middle at most in the last 200 of 2000 frames.
@@ -92,7 +71,7 @@ private slots:
 
 void TestLessonParameters::aRuleReadsAParameter()
 {
-    const LessonEntry lesson = lessonOf(exampleFiles(clockExample), "en", plainLibrary());
+    const LessonEntry lesson = lessonOf(filesOf(pendulum), "en", plainLibrary());
     const lessons::Step &step = *lesson.step("clock");
     const lessons::Parameter &push = step.parameters.front(); // before those of the program
     QCOMPARE(push.id, QString("wheel"));
@@ -114,7 +93,7 @@ void TestLessonParameters::aRuleReadsAParameter()
 
 void TestLessonParameters::aParameterSetsASpringOfTheScene()
 {
-    const LessonEntry lesson = lessonOf(exampleFiles(wormExample), "en", plainLibrary());
+    const LessonEntry lesson = lessonOf(filesOf(caterpillar), "en", plainLibrary());
     const lessons::Step &step = *lesson.step("pair");
     QCOMPARE(step.parameter("k")->defaultValue, 0.05); // that of the scene
     sim::Script script = step.script();
@@ -141,24 +120,23 @@ void TestLessonParameters::aParameterSetsASpringOfTheScene()
 
 void TestLessonParameters::aTranslationHasItsOwnTexts()
 {
-    const LessonEntry lesson = lessonOf(exampleFiles(clockExample), "de", plainLibrary());
+    const LessonEntry lesson = lessonOf(filesOf(pendulum), "de", plainLibrary());
     const lessons::Parameter &push = *lesson.step("clock")->parameter("wheel");
     QCOMPARE(push.name, QString("Stoß"));
     QCOMPARE(push.unit, QString("px/Bild²"));
     QCOMPARE(push.defaultValue, 0.1);
-    LessonFiles files = exampleFiles(clockExample);
+    LessonFiles files = filesOf(pendulum);
     files.all.erase("clock.de.md");
     QCOMPARE(lessonOf(files, "de", plainLibrary()).step("clock")->parameter("wheel")->name, QString("Push"));
     // It may repeat the numbers.
-    files = filesWith(clockExample, "clock.de.md", "- unit: px/Bild²",
-                      "- value: 0.1\n- step: 0.001\n- unit: px/Bild²");
+    files = pendulumWith("clock.de.md", "- unit: px/Bild²", "- value: 0.1\n- step: 0.001\n- unit: px/Bild²");
     QCOMPARE(refusalOf(files, "de"), QString());
 }
 
 void TestLessonParameters::predictionsAndSolutionsSetIt()
 {
-    LessonFiles files = filesWith(clockExample, "clock.md", "- damp: 0.9\n\n### Other curve",
-                                  "- wheel: 0\n\n### Other curve");
+    LessonFiles files =
+        pendulumWith("clock.md", "- damp: 0.9\n\n### Other curve", "- wheel: 0\n\n### Other curve");
     LessonEntry lesson = lessonOf(files, "en", plainLibrary());
     std::erase_if(lesson.steps, [](const lessons::Step &step) { return step.id != u"clock"; });
     lesson.recall = {};
@@ -168,7 +146,7 @@ void TestLessonParameters::predictionsAndSolutionsSetIt()
         things += one.id == u"quarter" || one.id == u"wide" ? 1 : 0;
     }
     QCOMPARE(things, 2);
-    files = filesWith(clockExample, "clock.md", "- wheel: 0.025", "- wheel: 0.3");
+    files = pendulumWith("clock.md", "- wheel: 0.025", "- wheel: 0.3");
     QVERIFY2(refusalOf(files).contains("wheel cannot be \"0.3\". It can be a number from 0 to 0.2."),
              qPrintable(refusalOf(files)));
 }
@@ -176,8 +154,8 @@ void TestLessonParameters::predictionsAndSolutionsSetIt()
 void TestLessonParameters::filesKeepIt()
 {
     LessonLibrary library = plainLibrary();
-    library.yours.push_back(lessonOf(exampleFiles(clockExample), "en", library));
-    Experiment experiment = newExperiment(clockExample, "clock", library);
+    library.yours.push_back(lessonOf(filesOf(pendulum), "en", library));
+    Experiment experiment = newExperiment(pendulum, "clock", library);
     experiment.script.values.set("wheel", 0.15);
     experiment.script.input = {{10, sim::Set{"wheel", 0.05}}};
     const QByteArray text = experimentText(experiment, library);
@@ -196,8 +174,8 @@ void TestLessonParameters::filesKeepIt()
 void TestLessonParameters::aNewLessonTakesItAlong()
 {
     LessonLibrary library = plainLibrary();
-    library.yours.push_back(lessonOf(exampleFiles(clockExample), "en", library));
-    library.yours.push_back(lessonOf(exampleFiles(wormExample), "en", library));
+    library.yours.push_back(lessonOf(filesOf(pendulum), "en", library));
+    library.yours.push_back(lessonOf(filesOf(caterpillar), "en", library));
     const QTemporaryDir dir;
     QString mistakes;
     const auto begun = [&](const QString &lesson, const QString &step, const std::string &id, double value) {
@@ -212,10 +190,10 @@ void TestLessonParameters::aNewLessonTakesItAlong()
             mistakes += one.isGood ? QString() : one.id + ": " + one.sentence;
         return written.steps.front();
     };
-    const lessons::Step clock = begun(clockExample, "clock", "wheel", 0.15);
+    const lessons::Step clock = begun(pendulum, "clock", "wheel", 0.15);
     QCOMPARE(clock.parameter("wheel")->defaultValue, 0.15);
     QCOMPARE(clock.parameter("wheel")->max, 0.2);
-    const lessons::Step worm = begun(wormExample, "pair", "k", 0.11);
+    const lessons::Step worm = begun(caterpillar, "pair", "k", 0.11);
     QCOMPARE(worm.parameter("k")->defaultValue, 0.11);
     QCOMPARE(worm.parameter("k")->name, QString("Stiffness"));
     QVERIFY(worm.script().input.empty());
@@ -239,14 +217,8 @@ void TestLessonParameters::aRuleWithNumbersDoesTheSame()
 
 void TestLessonParameters::aMistakeIsNamedWithItsPlace_data()
 {
-    QTest::addColumn<QString>("file");
-    QTest::addColumn<QByteArray>("from");
-    QTest::addColumn<QByteArray>("to");
-    QTest::addColumn<QString>("said");
-    const auto row = [](const char *name, const char *file, const char *from, const QByteArray &to,
-                        const char *said) {
-        QTest::newRow(name) << QString(file) << QByteArray(from) << to << QString::fromUtf8(said);
-    };
+    addMistakeColumns();
+    const auto row = addMistake;
     const char *const text = "How hard the wheel pushes the bob while it passes the middle.\n";
     row("no sentence", "clock.md", text, "",
         "pendulum_clock/clock.md, line 14: nothing says what the parameter “wheel” does.");
@@ -311,15 +283,7 @@ void TestLessonParameters::aMistakeIsNamedWithItsPlace_data()
 
 void TestLessonParameters::aMistakeIsNamedWithItsPlace()
 {
-    QFETCH(QString, file);
-    QFETCH(QByteArray, from);
-    QFETCH(QByteArray, to);
-    QFETCH(QString, said);
-    const LessonFiles files = filesWith(clockExample, file, from, to);
-    QVERIFY(!files.all.empty());
-    const QString refusal = refusalOf(files);
-    QVERIFY2(refusal.contains(said), qPrintable(refusal));
-    QVERIFY(refusal.startsWith(clockExample + '/'));
+    checkMistake();
 }
 
 void TestLessonParameters::aTranslationThatDiffersIsRefused_data()
@@ -343,7 +307,7 @@ void TestLessonParameters::aTranslationThatDiffersIsRefused()
     QFETCH(QByteArray, from);
     QFETCH(QByteArray, to);
     QFETCH(QString, said);
-    const LessonFiles files = filesWith(clockExample, "clock.de.md", from, to);
+    const LessonFiles files = pendulumWith("clock.de.md", from, to);
     QVERIFY(!files.all.empty());
     QVERIFY2(refusalOf(files, "de").contains(said), qPrintable(refusalOf(files, "de")));
     QCOMPARE(refusalOf(files), QString()); // English is shown without it

@@ -4,6 +4,7 @@
 #include "app/model/series/number_table.h"
 #include "app/model/text/quantity_text.h"
 #include "tests/app/model/plots_support.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -45,12 +46,6 @@ sim::Script scriptOf(const char *step)
 Quantity of(QuantityKind what, const QString &body = "foot")
 {
     return {what, aboutOf(what) == About::run ? QString() : body};
-}
-
-QString contents(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
 NumberSheet sheetOf(const char *step, std::int64_t frames)
@@ -143,7 +138,8 @@ private slots:
         QFETCH(QString, path);
         static const LessonLibrary lessons = LessonLibrary::load(LessonLibrary::folders());
         const Experiment experiment = readExperiment(path, lessons);
-        const QStringList lines = contents(path.chopped(5) + ".csv").trimmed().split('\n');
+        const QStringList lines =
+            QString::fromUtf8(tests::contentsOf(path.chopped(5) + ".csv")).trimmed().split('\n');
         const QStringList titles = lines.first().trimmed().split(',');
         const std::map<QString, QuantityKind> columns = {{"x", QuantityKind::placeX},
                                                          {"y", QuantityKind::placeY},
@@ -252,7 +248,7 @@ private slots:
         NumberTable table(sheetOf("fall", 20'000), path);
         QSignalSpy written(&table, &NumberTable::written);
         QVERIFY(written.wait());
-        const QStringList lines = contents(path).split('\n');
+        const QStringList lines = QString::fromUtf8(tests::contentsOf(path)).split('\n');
         QCOMPARE(lines.size(), 20'003);
         QCOMPARE(lines[0], QString("\"frame\",\"y [px]\",\"a, \"\"down\"\"\""));
         QCOMPARE(lines[1], QString("0,10,"));
@@ -275,7 +271,7 @@ private slots:
         NumberTable table(sheet, path);
         QSignalSpy written(&table, &NumberTable::written);
         QVERIFY(written.wait());
-        const QStringList lines = contents(path).split('\n');
+        const QStringList lines = QString::fromUtf8(tests::contentsOf(path)).split('\n');
         QVERIFY(lines[0].endsWith("\"a, \"\"down\"\", before: k 0.2\""));
         const sim::Track old(*sheet.comparison, 0);
         const QStringList fifth = lines[6].split(','), sixth = lines[7].split(',');
@@ -301,7 +297,7 @@ private slots:
         QVERIFY(progressed.wait());
         QVERIFY(table.done() > 0.0 && table.done() < 1.0);
         table.cancel();
-        QCOMPARE(contents(path), QString("mine"));
+        QCOMPARE(tests::contentsOf(path), QByteArray("mine"));
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     }
 };

@@ -3,6 +3,7 @@
 #include "tests/app/by_hand/learner.h"
 #include "tests/app/cli/program.h"
 #include "tests/app/notebook/notebook_maker.h"
+#include "tests/app/support/files.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/lessons/attempts/attempts.h"
 
@@ -23,12 +24,6 @@ using namespace app;
 using namespace tests;
 
 namespace {
-
-QByteArray contentAt(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
 
 /// The window of a learner who has done nothing yet.
 struct HandInFixture : WindowFixture
@@ -95,11 +90,11 @@ struct HandInFixture : WindowFixture
         QCOMPARE(dialog().message(), QString("This writes page.html, page.pdf."));
         clickWrite();
         QCOMPARE(files(), QStringList({"ada.springstep-notebook", "page.html", "page.pdf"}));
-        const QString page = contentAt(path("page.html"));
+        const QString page = contentsOf(path("page.html"));
         QVERIFY(page.contains("<h1>Notebook</h1>"));
         QVERIFY(page.contains("✓ "));
         QVERIFY(page.contains("data:image/png"));
-        QVERIFY(contentAt(path("page.pdf")).startsWith("%PDF-"));
+        QVERIFY(contentsOf(path("page.pdf")).startsWith("%PDF-"));
     }
     QString path(const char *name) const { return folder.filePath(name); }
     QStringList files() const { return QDir(folder.path()).entryList(QDir::Files); }
@@ -175,7 +170,7 @@ void HandInTest::itAsksBeforeItReplaces()
     fixture.open();
     fixture.type("handInFile", fixture.path("ada"));
     fixture.clickWrite();
-    const QByteArray first = contentAt(fixture.path("ada.springstep-notebook"));
+    const QByteArray first = contentsOf(fixture.path("ada.springstep-notebook"));
     QVERIFY(!first.isEmpty());
     fixture.clickWrite();
     QVERIFY(fixture.dialog().message().contains("already exists"));
@@ -183,7 +178,7 @@ void HandInTest::itAsksBeforeItReplaces()
     fixture.type("handInName", "Eve");
     QCOMPARE(fixture.write().text(), QString("&Replace"));
     fixture.clickWrite();
-    QVERIFY(contentAt(fixture.path("ada.springstep-notebook")).contains("\"name\": \"Eve\""));
+    QVERIFY(contentsOf(fixture.path("ada.springstep-notebook")).contains("\"name\": \"Eve\""));
     fixture.type("handInFile", "/nowhere/at/all");
     fixture.clickWrite();
     QVERIFY2(fixture.dialog().message().startsWith("Could not write: "),
@@ -260,7 +255,7 @@ void HandInTest::thePageVerbWritesAPage()
     const QString book = folder.filePath("a.springstep-notebook"), page = folder.filePath("a.html");
     writeWholeFile(book, notebookText({.name = "Ada", .when = QDateTime::currentDateTimeUtc()}));
     QCOMPARE(program::springstep({"notebook", "page", book, page}).code, 0);
-    QVERIFY(contentAt(page).contains("<h1>Notebook of Ada</h1>"));
+    QVERIFY(contentsOf(page).contains("<h1>Notebook of Ada</h1>"));
 }
 
 SUITE(tst_hand_in, HandInTest)

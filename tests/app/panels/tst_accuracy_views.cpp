@@ -8,6 +8,7 @@
 #include "app/ui/plots/plot_export.h"
 #include "sim/methods/methods.h"
 #include "tests/app/panels/accuracy_support.h"
+#include "tests/app/support/files.h"
 #include "tests/suite.h"
 
 #include <QTemporaryDir>
@@ -157,9 +158,7 @@ void AccuracyViewsTest::numbersOfTheViewThatIsSeenAreSaved()
     const auto saved = [&](AccuracyPanel::View view) {
         fixture.panel.setView(view);
         fixture.panel.exports().saveNumbers(folder.filePath("a.csv"));
-        QFile file(folder.filePath("a.csv"));
-        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()).trimmed().split('\n')
-                                              : QStringList();
+        return QString::fromUtf8(tests::contentsOf(folder.filePath("a.csv"))).trimmed().split('\n');
     };
     for (const AccuracyPanel::View view : {AccuracyPanel::errorAgainstTime, AccuracyPanel::order}) {
         const QStringList lines = saved(view);

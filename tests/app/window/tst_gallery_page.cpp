@@ -1,5 +1,6 @@
 // The gallery: what it keeps on the disk, and how a learner uses it with mouse and keys.
 
+#include "tests/app/support/files.h"
 #include "tests/app/support/window_fixture.h"
 
 #include "app/model/files/gallery.h"
@@ -60,19 +61,6 @@ struct GalleryFixture : WindowFixture
 
     QTemporaryDir folder;
 };
-
-QByteArray contentOfFile(const QString &path)
-{
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-void writeFileIn(const QString &folder, const QString &name, const QByteArray &content)
-{
-    QFile file(QDir(folder).filePath(name));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(content);
-}
 
 }
 
@@ -218,7 +206,7 @@ void GalleryTest::removesAndTakesBack()
 {
     GalleryFixture window;
     window.keep();
-    const QByteArray before = contentOfFile(window.folder.filePath(window.files().front()));
+    const QByteArray before = contentsOf(window.folder.filePath(window.files().front()));
     window.open();
     window.press(Qt::Key_Delete);
     QVERIFY(window.files().isEmpty());
@@ -228,7 +216,7 @@ void GalleryTest::removesAndTakesBack()
     QVERIFY(undo.toolTip().contains("remove \"A fixed centre\""));
     window.press(Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(window.titles(), QStringList{"A fixed centre"});
-    QCOMPARE(contentOfFile(window.folder.filePath(window.files().front())), before);
+    QCOMPARE(contentsOf(window.folder.filePath(window.files().front())), before);
 }
 
 void GalleryTest::everyChangeCanBeTakenBack()
@@ -267,20 +255,20 @@ void GalleryTest::damagedFilesAreNamedAndLeftAlone()
     QFETCH(QByteArray, content);
     GalleryFixture window;
     window.keep();
-    writeFileIn(window.folder.path(), "broken.json", content);
+    writeFile(window.folder.filePath("broken.json"), content);
     window.open();
     QCOMPARE(window.titles(), QStringList{"A fixed centre"});
     const QString said = window.part<QLabel>("galleryMistakes").text();
     QVERIFY2(said.contains("broken.json") && said.contains("left alone") && !said.contains('\n'),
              qPrintable(said));
-    QCOMPARE(contentOfFile(window.folder.filePath("broken.json")), content);
+    QCOMPARE(contentsOf(window.folder.filePath("broken.json")), content);
 }
 
 void GalleryTest::anExperimentThatCannotBeReadIsNamed()
 {
     GalleryFixture window;
-    writeFileIn(
-        window.folder.path(), "other.json",
+    writeFile(
+        window.folder.filePath("other.json"),
         "{\"format\": \"springstep-gallery/1\", \"title\": \"Old\", \"kept\": \"2026-01-02T03:04:05.000\", "
         "\"picture\": \"\", \"experiment\": \"{}\"}");
     window.open();
@@ -293,7 +281,7 @@ void GalleryTest::anExperimentThatCannotBeReadIsNamed()
 void GalleryTest::aFolderThatCannotBeWrittenIsNamed()
 {
     GalleryFixture window;
-    writeFileIn(window.folder.path(), "file", "x");
+    writeFile(window.folder.filePath("file"), "x");
     window.window.keepGalleryIn(window.folder.filePath("file/gallery"));
     window.keep();
     QVERIFY(window.notice.sentence().contains("Could not keep the experiment"));

@@ -39,6 +39,19 @@ using namespace tests;
 
 namespace {
 
+/// A window in a mode, with the panels that are hidden at first, and with the focus in the scene.
+struct WindowOfPanels : LargeWindow
+{
+    explicit WindowOfPanels(MainWindow::Mode mode)
+    {
+        window.setMode(mode);
+        window.docks().show(Panel::energy, true);
+        window.docks().show(Panel::effects, true);
+        QCoreApplication::processEvents();
+        view.setFocus();
+    }
+};
+
 /// Something that answers to a learner: a control, or a widget of ours that takes the focus.
 bool isInteractive(const QWidget &widget)
 {
@@ -125,13 +138,7 @@ void KeyboardTest::tabReachesEverythingAndComesRound_data()
 void KeyboardTest::tabReachesEverythingAndComesRound()
 {
     QFETCH(const MainWindow::Mode, mode);
-    LargeWindow fixture;
-    fixture.window.setMode(mode);
-    fixture.window.docks().show(Panel::energy, true);
-    fixture.window.docks().show(Panel::effects, true);
-    QCoreApplication::processEvents();
-    auto *view = fixture.window.findChild<SceneView *>();
-    view->setFocus();
+    WindowOfPanels fixture(mode);
     const std::set<QWidget *> walked = walkedByTab(fixture.window);
     QTRY_VERIFY(QApplication::focusWidget());
     QStringList missed;
@@ -159,12 +166,7 @@ void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen_data
 void KeyboardTest::everythingThatTakesTheFocusHasANameForReadersOfTheScreen()
 {
     QFETCH(const MainWindow::Mode, mode);
-    LargeWindow fixture;
-    fixture.window.setMode(mode);
-    fixture.window.docks().show(Panel::energy, true);
-    fixture.window.docks().show(Panel::effects, true);
-    QCoreApplication::processEvents();
-    fixture.window.findChild<SceneView *>()->setFocus();
+    WindowOfPanels fixture(mode);
     QStringList nameless;
     for (QWidget *widget : walkedByTab(fixture.window)) {
         QAccessibleInterface *reader = QAccessible::queryAccessibleInterface(widget);

@@ -1,5 +1,6 @@
 // Lessons without C++ in the real window: opened, followed while they are written, begun with a scene.
 
+#include "tests/app/support/files.h"
 #include "tests/app/support/window_fixture.h"
 
 #include "app/model/files/recent_files.h"
@@ -107,17 +108,8 @@ struct LessonCopy
             QFile::setPermissions(at(file), QFile::ReadOwner | QFile::WriteOwner);
     }
     QString at(const QString &file) const { return path + '/' + file; }
-    QByteArray read(const QString &file) const
-    {
-        QFile from(at(file));
-        return from.open(QIODevice::ReadOnly) ? from.readAll() : QByteArray();
-    }
-    void write(const QString &file, const QByteArray &text) const
-    {
-        QFile to(at(file));
-        QVERIFY(to.open(QIODevice::WriteOnly));
-        to.write(text);
-    }
+    QByteArray read(const QString &file) const { return contentsOf(at(file)); }
+    void write(const QString &file, const QByteArray &text) const { writeFile(at(file), text); }
 
     QTemporaryDir folder;
     QString path = QFileInfo(folder.path()).canonicalFilePath() + '/' + clockLesson;

@@ -6,6 +6,7 @@
 
 #include "sim/run/finite.h"
 #include "sim/run/script/composed_interval.h"
+#include "tests/hash.h"
 #include "tests/lessons/support/support.h"
 #include "tests/sizes.h"
 
@@ -23,28 +24,16 @@
 
 namespace {
 
-/// Updates a 64-bit FNV-1a hash with all bits of `state`. Source: Fowler, Noll and Vo.
-std::uint64_t updatedHash(std::uint64_t hash, const sim::State &state)
-{
-    sim::visitBytes(state, [&](const void *data, std::size_t bytes) {
-        const auto *byte = static_cast<const unsigned char *>(data);
-        for (std::size_t i = 0; i < bytes; ++i)
-            hash = (hash ^ byte[i]) * 0x100000001b3u;
-    });
-    return hash;
-}
-
-constexpr std::uint64_t offsetBasis = 0xcbf29ce484222325u;
 constexpr int frames = tests::sized(1000, 300);
 constexpr int hashInterval = 10; ///< frames from one hashed state to the next
 
 std::uint64_t hashOfRun(const sim::Script &script)
 {
     sim::Track run(script, 0);
-    std::uint64_t hash = offsetBasis;
+    std::uint64_t hash = tests::emptyHash;
     for (int frame = hashInterval; frame <= frames; frame += hashInterval) {
         run.seek({frame, 0});
-        hash = updatedHash(hash, run.state());
+        hash = tests::updatedHash(hash, run.state());
     }
     return hash;
 }
@@ -60,7 +49,7 @@ std::uint64_t hashWithBlocks(const sim::Script &script, int threads)
     sim::Pipeline pipeline = interval->pipeline;
     pipeline.blocks = sim::cacheBlocksOf(interval->scene, pipeline.phases, {1, 1});
     sim::State state = interval->scene.start;
-    std::uint64_t hash = offsetBasis;
+    std::uint64_t hash = tests::emptyHash;
     bool isRunning = true;
     const int framesPerOutput = script.step.framesPerOutput;
     for (int frame = hashInterval; frame <= frames; frame += hashInterval) {
@@ -73,7 +62,7 @@ std::uint64_t hashWithBlocks(const sim::Script &script, int threads)
             if (isRunning)
                 state = std::move(next);
         }
-        hash = updatedHash(hash, state);
+        hash = tests::updatedHash(hash, state);
     }
     return hash;
 }

@@ -4,32 +4,16 @@
 
 namespace support {
 
-void Tutorial::enterFrame()
+void DraggedClips::takeInput()
 {
     ++m_frame;
     for (const sim::Event &event : input) {
         if (event.frame == m_frame)
             handle(event);
     }
-    if (m_held)
-        drag(*m_held, m_held != &body || kind == Kind::mutual);
-    for (Clip &foot : feet) {
-        if (&foot != m_held)
-            footSpring(foot);
-    }
-    if (kind == Kind::mutual && m_held != &body)
-        bodySpring();
 }
 
-std::vector<Clip> Tutorial::clips() const
-{
-    std::vector<Clip> all = feet;
-    if (kind != Kind::fixedCentre)
-        all.push_back(body);
-    return all;
-}
-
-void Tutorial::handle(const sim::Event &event)
+void DraggedClips::handle(const sim::Event &event)
 {
     if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
         m_held = findClip(grab->body);
@@ -45,22 +29,43 @@ void Tutorial::handle(const sim::Event &event)
     }
 }
 
+void DraggedClips::moveHeld(bool keepsVelocity)
+{
+    if (keepsVelocity) {
+        m_held->vx = m_dragX - m_held->x;
+        m_held->vy = m_dragY - m_held->y;
+    }
+    m_held->x = m_dragX;
+    m_held->y = m_dragY;
+}
+
+void Tutorial::enterFrame()
+{
+    takeInput();
+    if (held())
+        moveHeld(held() != &body || kind == Kind::mutual);
+    for (Clip &foot : feet) {
+        if (&foot != held())
+            footSpring(foot);
+    }
+    if (kind == Kind::mutual && held() != &body)
+        bodySpring();
+}
+
+std::vector<Clip> Tutorial::clips() const
+{
+    std::vector<Clip> all = feet;
+    if (kind != Kind::fixedCentre)
+        all.push_back(body);
+    return all;
+}
+
 Clip *Tutorial::findClip(const std::string &name)
 {
     if (name == "body")
         return &body;
     const std::string number = name.substr(std::string("foot").size());
     return &feet.at(number.empty() ? 0 : std::stoul(number));
-}
-
-void Tutorial::drag(Clip &clip, bool keepsVelocity)
-{
-    if (keepsVelocity) {
-        clip.vx = m_dragX - clip.x;
-        clip.vy = m_dragY - clip.y;
-    }
-    clip.x = m_dragX;
-    clip.y = m_dragY;
 }
 
 void Tutorial::footSpring(Clip &foot)

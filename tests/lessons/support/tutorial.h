@@ -16,10 +16,38 @@ struct Clip
     double width = 10.0;       ///< px
 };
 
+/// The dragging of both tutorials, by the rule of experiment files. A dragged clip stays where the pointer is.
+class DraggedClips
+{
+public:
+    std::vector<sim::Event> input; ///< grab, move and release, by frame
+
+protected:
+    DraggedClips() = default;
+    DraggedClips(const DraggedClips &) = default;
+    DraggedClips &operator=(const DraggedClips &) = default;
+    virtual ~DraggedClips() = default;
+
+    /// Returns the clip of a body: "body", "foot", "foot2".
+    virtual Clip *findClip(const std::string &name) = 0;
+    /// Begins a frame: takes its input.
+    void takeInput();
+    /// Moves the held clip to the pointer. Its velocity is the way there, if it keeps one.
+    void moveHeld(bool keepsVelocity);
+    const Clip *held() const { return m_held; }
+
+private:
+    void handle(const sim::Event &event);
+
+    int m_frame = 0;
+    Clip *m_held = nullptr;
+    double m_dragX = 0.0, m_dragY = 0.0;
+};
+
 /// Creatures I, transcribed from the printed code without any code of sim. It moves the feet in order, then
 /// the body, and serves as the reference for the lessons. Two things differ from print: bodies are dragged by
 /// the rule of experiment files, and `left` is the x of the left wall.
-class Tutorial
+class Tutorial : public DraggedClips
 {
 public:
     enum class Kind {
@@ -36,7 +64,6 @@ public:
     bool hasWalls = false;
     std::vector<Clip> feet;
     Clip body;
-    std::vector<sim::Event> input; ///< grab, move and release, by frame
 
     /// Computes one frame.
     void enterFrame();
@@ -44,18 +71,12 @@ public:
     std::vector<Clip> clips() const;
 
 private:
-    void handle(const sim::Event &event);
-    Clip *findClip(const std::string &name);
-    void drag(Clip &clip, bool keepsVelocity);
+    Clip *findClip(const std::string &name) override;
     void footSpring(Clip &foot);
     void bodySpring();
     void springTo(Clip &clip, double targetX, double targetY) const;
     void springAround(Clip &clip, const Clip &other) const;
     void dampAndMove(Clip &clip) const;
-
-    int m_frame = 0;
-    Clip *m_held = nullptr;
-    double m_dragX = 0.0, m_dragY = 0.0;
 };
 
 }

@@ -12,13 +12,9 @@ namespace support {
 
 void WalkingTutorial::enterFrame()
 {
-    ++m_frame;
-    for (const sim::Event &event : input) {
-        if (event.frame == m_frame)
-            handle(event);
-    }
-    if (m_held)
-        drag();
+    takeInput();
+    if (held())
+        moveHeld(held() != &body || kind >= Kind::bodyPulled);
     for (Foot &foot : feet)
         moveFoot(foot);
     moveBody();
@@ -31,37 +27,11 @@ std::vector<Clip> WalkingTutorial::clips() const
     return all;
 }
 
-void WalkingTutorial::handle(const sim::Event &event)
-{
-    if (const auto *grab = std::get_if<sim::Grab>(&event.what)) {
-        m_held = findClip(grab->body);
-        m_dragX = m_held->x;
-        m_dragY = m_held->y;
-    } else if (const auto *move = std::get_if<sim::Move>(&event.what)) {
-        m_dragX = move->to.x;
-        m_dragY = move->to.y;
-    } else if (m_held) {
-        m_held->x = m_dragX;
-        m_held->y = m_dragY;
-        m_held = nullptr;
-    }
-}
-
 Clip *WalkingTutorial::findClip(const std::string &name)
 {
     if (name == "body")
         return &body;
     return &feet.at(std::stoul(name.substr(std::string("foot").size())));
-}
-
-void WalkingTutorial::drag()
-{
-    if (m_held != &body || kind >= Kind::bodyPulled) {
-        m_held->vx = m_dragX - m_held->x;
-        m_held->vy = m_dragY - m_held->y;
-    }
-    m_held->x = m_dragX;
-    m_held->y = m_dragY;
 }
 
 void WalkingTutorial::moveFoot(Foot &foot)

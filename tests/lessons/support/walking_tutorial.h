@@ -14,7 +14,7 @@ namespace support {
 /// Creatures II, transcribed from the printed code without any code of sim. It moves the feet in order, then
 /// the body, and advances the gait angle last. Two things differ from print: bodies are dragged by the rule
 /// of experiment files, and the additions of the lesson are there (`bounce`, ice, any number of feet).
-class WalkingTutorial
+class WalkingTutorial : public DraggedClips
 {
 public:
     /// The tutorial steps whose code runs.
@@ -36,7 +36,6 @@ public:
     bool ice = false;
     std::vector<Foot> feet;
     Clip body;
-    std::vector<sim::Event> input; ///< grab, move and release, by frame
 
     /// Computes one frame.
     void enterFrame();
@@ -44,17 +43,12 @@ public:
     std::vector<Clip> clips() const;
 
 private:
-    void handle(const sim::Event &event);
-    Clip *findClip(const std::string &name);
-    void drag();
+    Clip *findClip(const std::string &name) override;
     void moveFoot(Foot &foot);
     void moveBody();
-    bool isHeld(const Clip &clip) const { return &clip == m_held; }
+    bool isHeld(const Clip &clip) const { return &clip == held(); }
 
-    int m_frame = 0;
     double m_bodyAngle = 0.0;
-    Clip *m_held = nullptr;
-    double m_dragX = 0.0, m_dragY = 0.0;
 };
 
 /// Returns a walking tutorial with random parameters, `feet` feet and a body. They start with random

@@ -1,6 +1,7 @@
 // The methods against closed forms and against each other.
 
 #include "sim/pipeline/pipeline.h"
+#include "tests/sim/support/method_rows.h"
 #include "tests/sim/support/support.h"
 
 #include "sim/effects/constraints/sticks.h"
@@ -51,14 +52,6 @@ class TestMethods : public QObject
 {
     Q_OBJECT
 
-private:
-    static void addMethodRows()
-    {
-        QTest::addColumn<QString>("method");
-        for (const MethodPtr &method : support::fixedMethods())
-            QTest::newRow(method->title().c_str()) << QString::fromStdString(method->id());
-    }
-
 private slots:
     void publishedAndSemiImplicitConvergeWithOrderOne()
     {
@@ -107,7 +100,7 @@ private slots:
                  qPrintable(QString::number(measuredOrder(errors))));
     }
 
-    void dampingWithoutForceIsExactAtAnyStep_data() { addMethodRows(); }
+    void dampingWithoutForceIsExactAtAnyStep_data() { support::addFixedMethodRows(); }
     void dampingWithoutForceIsExactAtAnyStep()
     {
         QFETCH(QString, method);
@@ -244,7 +237,7 @@ private slots:
         }
     }
 
-    void middleOfAStickFallsFreely_data() { addMethodRows(); }
+    void middleOfAStickFallsFreely_data() { support::addFixedMethodRows(); }
     void middleOfAStickFallsFreely()
     {
         // The stick turns as it falls. The constraint must not change the fall of its middle.

@@ -4,6 +4,7 @@
 #include "tests/sim/support/support.h"
 
 #include "sim/pipeline/phase_builder.h"
+#include "tests/hash.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -24,11 +25,9 @@ double opaque(double value)
 /// Returns the FNV-1a hash of positions, velocities, accelerations, masses and the drag.
 std::uint64_t hashOf(const State &state)
 {
-    std::uint64_t hash = 0xcbf29ce484222325u;
+    std::uint64_t hash = tests::emptyHash;
     const auto add = [&](const void *data, std::size_t bytes) {
-        const auto *byte = static_cast<const unsigned char *>(data);
-        for (std::size_t i = 0; i < bytes; ++i)
-            hash = (hash ^ byte[i]) * 0x100000001b3u;
+        hash = tests::updatedHash(hash, data, bytes);
     };
     const auto addArray = [&](const auto &values) {
         const auto rows = static_cast<std::int64_t>(values.rows());

@@ -128,6 +128,13 @@ class TestCacheBlocks : public QObject
     static constexpr auto methods = {"published", "semi_implicit_euler", "explicit_euler", "position_verlet",
                                      "velocity_verlet"};
 
+    static void addBlockMethodRows()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : methods)
+            QTest::newRow(method) << QString(method);
+    }
+
     static void addRows()
     {
         QTest::addColumn<QString>("scene");
@@ -224,12 +231,7 @@ private slots:
         QCOMPARE(count(triangles(30), "semi_implicit_euler", {30, 1}), std::size_t{0});
     }
 
-    void sticksCanBeEnforcedIslandByIsland_data()
-    {
-        QTest::addColumn<QString>("method");
-        for (const char *method : methods)
-            QTest::newRow(method) << QString(method);
-    }
+    void sticksCanBeEnforcedIslandByIsland_data() { addBlockMethodRows(); }
     void sticksCanBeEnforcedIslandByIsland()
     {
         QFETCH(QString, method);
@@ -252,12 +254,7 @@ private slots:
         QVERIFY(sim::sameBits(state, plain));
     }
 
-    void trackRunsInBlocksAndStopsAtAnyPhase_data()
-    {
-        QTest::addColumn<QString>("method");
-        for (const char *method : methods)
-            QTest::newRow(method) << QString(method);
-    }
+    void trackRunsInBlocksAndStopsAtAnyPhase_data() { addBlockMethodRows(); }
     void trackRunsInBlocksAndStopsAtAnyPhase()
     {
         QFETCH(QString, method);

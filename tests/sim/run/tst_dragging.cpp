@@ -1,6 +1,7 @@
 // The rules for a dragged body. From the grab on it is at the position of the last move, and its velocity is
 // its movement since the frame before. On release it is free in the same frame, and keeps that velocity.
 
+#include "tests/sim/support/method_rows.h"
 #include "tests/sim/support/support.h"
 
 #include "sim/effects/contacts/walls.h"
@@ -38,13 +39,6 @@ class TestDragging : public QObject
     Q_OBJECT
 
 private:
-    static void addMethodRows()
-    {
-        QTest::addColumn<QString>("method");
-        for (const MethodPtr &method : support::fixedMethods())
-            QTest::newRow(method->title().c_str()) << QString::fromStdString(method->id());
-    }
-
     static void compare(const Track &track, Vec2 x, Vec2 v, int point = 0)
     {
         QCOMPARE(track.state().positionOf(point).x, x.x);
@@ -54,7 +48,7 @@ private:
     }
 
 private slots:
-    void bodyIsDraggedAndThrown_data() { addMethodRows(); }
+    void bodyIsDraggedAndThrown_data() { support::addFixedMethodRows(); }
     void bodyIsDraggedAndThrown()
     {
         QFETCH(QString, method);
@@ -95,7 +89,7 @@ private slots:
         compare(track, {204, 50}, {4, 0}); // keeps its velocity
     }
 
-    void grabAndReleaseInOneFrameChangeNothing_data() { addMethodRows(); }
+    void grabAndReleaseInOneFrameChangeNothing_data() { support::addFixedMethodRows(); }
     void grabAndReleaseInOneFrameChangeNothing()
     {
         QFETCH(QString, method);
@@ -108,7 +102,7 @@ private slots:
         }
     }
 
-    void aHandleHasNoVelocity_data() { addMethodRows(); }
+    void aHandleHasNoVelocity_data() { support::addFixedMethodRows(); }
     void aHandleHasNoVelocity()
     {
         QFETCH(QString, method);

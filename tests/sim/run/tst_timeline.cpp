@@ -1,6 +1,7 @@
 // Seeking to any cursor gives the bits of a straight run.
 
 #include "sim/run/script/composed_interval.h"
+#include "tests/sim/support/method_rows.h"
 #include "tests/sim/support/support.h"
 #include "tests/sizes.h"
 
@@ -153,12 +154,7 @@ private slots:
         QCOMPARE(support::difference(track.state(), expected), std::string());
     }
 
-    void effectWithMemoryIsDetected_data()
-    {
-        QTest::addColumn<QString>("method");
-        for (const MethodPtr &method : support::fixedMethods())
-            QTest::newRow(method->title().c_str()) << QString::fromStdString(method->id());
-    }
+    void effectWithMemoryIsDetected_data() { support::addFixedMethodRows(); }
     void effectWithMemoryIsDetected()
     {
         QFETCH(QString, method);

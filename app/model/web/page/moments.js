@@ -21,20 +21,18 @@ function limbPath(from, to, width) {
 
 /** Draws the sides of thick branches, and thin ones as lines. */
 function strokeBranches(scene) {
-    const { part, i, camera, pen } = scene;
+    const { part, camera, pen } = scene;
     part.plan ??= planTree(part.view.tree);
     part.view.tree.width.forEach((width, branch) => {
-        const from = at(scene, branch);
-        const length = part.view.tree.length[branch] * camera.zoom;
-        if (!isSeen(scene, from, length + 4))
+        const limb = limbOf(scene, branch);
+        if (!limb)
             return;
-        const angle = part.angle[branch][i] * Math.PI / 180;
-        const along = { x: Math.cos(angle), y: Math.sin(angle) };
+        const { from, to, along } = limb;
         const half = width * camera.zoom / 2;
         for (const side of half < 2.5 ? [0] : [-half, half]) {
             const far = side * part.plan.narrow[branch] / width;
             line(pen, { x: from.x - side * along.y, y: from.y + side * along.x },
-                 { x: from.x + length * along.x - far * along.y, y: from.y + length * along.y + far * along.x });
+                 { x: to.x - far * along.y, y: to.y + far * along.x });
         }
     });
 }

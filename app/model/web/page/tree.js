@@ -24,8 +24,20 @@ function chance(branch, what) {
     return value - Math.floor(value);
 }
 
+/** Where a branch is, in px of the picture, and its direction; null if it is not seen. */
+function limbOf(scene, branch) {
+    const { part, i, camera } = scene;
+    const from = at(scene, branch);
+    const length = part.view.tree.length[branch] * camera.zoom;
+    if (!isSeen(scene, from, length + 4))
+        return null;
+    const angle = part.angle[branch][i] * Math.PI / 180;
+    const along = { x: Math.cos(angle), y: Math.sin(angle) };
+    return { from, to: { x: from.x + length * along.x, y: from.y + length * along.y }, angle, along };
+}
+
 function drawTree(scene) {
-    const { part, i, pen, camera, colors } = scene;
+    const { part, pen, camera, colors } = scene;
     const tree = part.view.tree;
     if (!tree)
         return;
@@ -35,13 +47,10 @@ function drawTree(scene) {
     const tips = [];
     pen.fillStyle = isOpen ? colors.bark : colors.body;
     tree.width.forEach((wide, branch) => {
-        const from = at(scene, branch);
-        const length = tree.length[branch] * camera.zoom;
-        if (!isSeen(scene, from, length + 4))
+        const limb = limbOf(scene, branch);
+        if (!limb)
             return;
-        const angle = part.angle[branch][i] * Math.PI / 180;
-        const along = { x: Math.cos(angle), y: Math.sin(angle) };
-        const to = { x: from.x + length * along.x, y: from.y + length * along.y };
+        const { from, to, angle } = limb;
         const start = wide * camera.zoom;
         const end = part.plan.narrow[branch] * camera.zoom;
         if (part.plan.isTip[branch] && start <= 5)

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/model/catalog/lesson_library.h"
+#include "app/model/lesson_folders/lesson_package.h"
+
+namespace app {
+
+/// Returns the languages that have documents of their own, in the order of their codes: "de". The documents without a
+/// language are shown in all others.
+QStringList languagesOf(const LessonFiles &files);
+
+/// Checks that the documents of a lesson in one language ask the same as those in another: things to try, predictions and
+/// questions have the same ids, runs and conditions.
+/// @throws UserError if not
+void checkSameQuestions(const LessonEntry &one, const LessonEntry &other);
+
+}
