@@ -218,9 +218,10 @@ private:
             const std::optional<double> number = name.contains('.')
                                                      ? numberOfBody(name, scene, state)
                                                      : numbers.at(name.toStdString(), scene, state, frame);
-            if (number)
-                all << ProjectJudgeText::tr("%1 is %2")
-                           .arg(name, fixedNumber(*number, std::abs(*number) < roughly ? 3 : 1));
+            if (!number)
+                continue;
+            const int decimals = *number == std::round(*number) ? 0 : std::abs(*number) < roughly ? 3 : 1;
+            all << ProjectJudgeText::tr("%1 is %2").arg(name, fixedNumber(*number, decimals));
         }
         return all.join(QStringLiteral(", "));
     }

@@ -96,7 +96,8 @@ std::vector<HardCase> stiffSprings()
                               SIM_TEXT("A spring of stiffness a million swings 159 times in a frame."), 1e6,
                               0.9)),
         comesToRest(oneSpring("stiffness_1e9", SIM_TEXT("nearly rigid"),
-                              SIM_TEXT("A spring of stiffness 1e9 behaves almost like a stick."), 1e9, 0.9)),
+                              SIM_TEXT("A spring of stiffness one billion behaves almost like a stick."), 1e9,
+                              0.9)),
         oneSpring(
             "stiffness_1e9_undamped", SIM_TEXT("nearly rigid, without damping"),
             SIM_TEXT("The same without damping: it may swing for ever, but no farther than at the start."),
