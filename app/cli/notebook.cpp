@@ -7,6 +7,7 @@
 #include "app/model/files/whole_file.h"
 #include "app/model/learning/notes.h"
 #include "app/model/learning/proofs.h"
+#include "app/model/lesson_folders/lesson_folder.h"
 #include "app/model/notebook/notebook_check.h"
 #include "app/model/notebook/notebook_file.h"
 #include "app/model/notebook/notebook_page.h"
@@ -25,6 +26,25 @@ struct NotebookText
 {
     Q_DECLARE_TR_FUNCTIONS(NotebookText)
 };
+
+/// What a command names after its action.
+struct Named
+{
+    LessonLibrary library; ///< the lessons of the program, and the named lessons without C++
+    QStringList files;     ///< the other names
+};
+
+Named namedIn(const Arguments &arguments)
+{
+    Named named{LessonLibrary::load(LessonLibrary::folders()), {}};
+    for (const QString &name : arguments.names.mid(1)) {
+        if (isLessonPath(name))
+            named.library.yours.push_back(readLesson(name, named.library));
+        else
+            named.files << name;
+    }
+    return named;
+}
 
 /// Checks the entries of a notebook. Returns whether it came to the end.
 bool checkEntries(CheckedNotebook &checked, const LessonLibrary &library, TerminalLine &status)
@@ -66,12 +86,14 @@ int reportNotebooks(const std::vector<CheckedNotebook> &all, const Arguments &ar
 
 int checkNotebooks(const Arguments &arguments)
 {
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
+    const auto [library, files] = namedIn(arguments);
+    if (files.isEmpty())
+        throw UsageError(NotebookText::tr("notebook check takes FILE...; see springstep notebook --help."));
     listenForInterrupt();
     std::vector<CheckedNotebook> all;
     {
         TerminalLine status;
-        for (const QString &file : arguments.names.mid(1)) {
+        for (const QString &file : files) {
             CheckedNotebook checked{.file = file};
             try {
                 checked.notebook = readNotebook(file, library);
@@ -91,15 +113,15 @@ int checkNotebooks(const Arguments &arguments)
 
 int writePage(const Arguments &arguments)
 {
-    if (arguments.names.size() != 3)
+    const auto [library, files] = namedIn(arguments);
+    if (files.size() != 2)
         throw UsageError(NotebookText::tr("notebook page takes FILE OUT; see springstep notebook --help."));
-    const QString out = arguments.names[2];
+    const QString &out = files[1];
     const bool isPdf = out.endsWith(".pdf", Qt::CaseInsensitive);
     if (!isPdf && !out.endsWith(".html", Qt::CaseInsensitive))
         throw UsageError(
             NotebookText::tr("%1 is not the name of a page; it can end in .html or .pdf.").arg(quoted(out)));
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
-    const Notebook notebook = readNotebook(arguments.names[1], library);
+    const Notebook notebook = readNotebook(files[0], library);
     const EntryPicture picture = entryPicture(library);
     writeWholeFile(out, isPdf ? notebookPdf(notebook, library, picture)
                               : notebookHtml(notebook, library, picture));
@@ -125,13 +147,13 @@ QStringList lessonsFor(const Arguments &arguments, const LessonLibrary &library)
 
 int writeOwn(const Arguments &arguments)
 {
-    if (arguments.names.size() != 2)
+    const auto [library, files] = namedIn(arguments);
+    if (files.size() != 1)
         throw UsageError(NotebookText::tr("notebook write takes FILE; see springstep notebook --help."));
-    const QString out = arguments.names[1];
+    const QString &out = files[0];
     if (!out.endsWith(notebookEnding))
         throw UsageError(NotebookText::tr("%1 is not the name of a notebook; it ends in %2.")
                              .arg(quoted(out), notebookEnding));
-    const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders());
     const NotebookPlan plan{.name = arguments.value("name"),
                             .lessons = lessonsFor(arguments, library),
                             .gallery = galleryFolder()};

@@ -139,7 +139,9 @@ const std::vector<Verb> &verbs()
          {{"ACTION",
            VerbsText::tr(
                "check FILE..., page FILE OUT.html, page FILE OUT.pdf, or write OUT.springstep-notebook.")},
-          {"FILE...", VerbsText::tr("The notebooks, or the notebook and the page to write.")}},
+          {"FILE...",
+           VerbsText::tr("The notebooks, or the notebook and the page to write; and the lessons without "
+                         "C++ that they are about, as folders or zips.")}},
          {jsonOption(),
           {"csv", VerbsText::tr("Prints the result as CSV.")},
           {"name", VerbsText::tr("The name to write into the notebook."), "NAME"},

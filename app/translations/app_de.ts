@@ -353,6 +353,17 @@
     </message>
 </context>
 <context>
+    <name>BodyNamesText</name>
+    <message>
+        <source>A name is a letter from a to z, then up to %1 letters, digits or _. Write it without spaces and accents.</source>
+        <translation>Ein Name ist ein Buchstabe von a bis z, dann bis zu %1 Buchstaben, Ziffern oder _. Schreib ihn ohne Leerzeichen und Umlaute.</translation>
+    </message>
+    <message>
+        <source>“%1” is a word of the code. Choose another name, such as “%1_1”.</source>
+        <translation>„%1“ ist ein Wort des Codes. Wähle einen anderen Namen, zum Beispiel „%1_1“.</translation>
+    </message>
+</context>
+<context>
     <name>BodyText</name>
     <message>
         <source>%1 at (%2, %3)</source>
@@ -2855,22 +2866,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>die Szene, mit der das Projekt beginnt</translation>
     </message>
     <message>
-        <source>%1, step %2: the languages differ in %3. Make them the same.</source>
-        <translation>%1, Schritt %2: Die Sprachen unterscheiden sich in %3. Gleiche sie an.</translation>
-    </message>
-    <message>
-        <source>their predictions</source>
-        <translation>ihren Vorhersagen</translation>
-    </message>
-    <message>
-        <source>their tasks</source>
-        <translation>ihren Aufgaben</translation>
-    </message>
-    <message>
-        <source>their questions</source>
-        <translation>ihren Fragen</translation>
-    </message>
-    <message>
         <source>a text cannot show pictures. The scene is the picture; remove “![”.</source>
         <translation>Ein Text kann keine Bilder zeigen. Die Szene ist das Bild; entferne „![“.</translation>
     </message>
@@ -2897,6 +2892,25 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1: the scene is one of the lesson %2, which is not built in. Open that lesson, choose File &gt; New lesson from this scene, and take the scene that this writes.</source>
         <translation>%1: Die Szene gehört zur Lektion %2, die nicht eingebaut ist. Öffne diese Lektion, wähle Datei &gt; Neue Lektion aus dieser Szene, und nimm die Szene, die dabei entsteht.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonLanguagesText</name>
+    <message>
+        <source>%1, step %2: the languages differ in %3. Make them the same.</source>
+        <translation>%1, Schritt %2: Die Sprachen unterscheiden sich in %3. Gleiche sie an.</translation>
+    </message>
+    <message>
+        <source>their predictions</source>
+        <translation>ihren Vorhersagen</translation>
+    </message>
+    <message>
+        <source>their tasks</source>
+        <translation>ihren Aufgaben</translation>
+    </message>
+    <message>
+        <source>their questions</source>
+        <translation>ihren Fragen</translation>
     </message>
 </context>
 <context>
@@ -4113,6 +4127,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>The notebook would be too large. Choose fewer lessons, or leave out the gallery.</source>
         <translation>Das Heft würde zu groß. Wähle weniger Lektionen oder lass die Galerie weg.</translation>
     </message>
+    <message>
+        <source>If it is a lesson without C++, name its folder or its zip beside the notebook.</source>
+        <translation>Ist es eine Lektion ohne C++, dann nenne ihren Ordner oder ihr Zip neben dem Heft.</translation>
+    </message>
 </context>
 <context>
     <name>NotebookPageText</name>
@@ -4201,6 +4219,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>notebook cannot %1; it can &quot;check&quot;, &quot;page&quot; or &quot;write&quot;.</source>
         <translation>notebook kann nicht %1; es kann &quot;check&quot;, &quot;page&quot; oder &quot;write&quot;.</translation>
+    </message>
+    <message>
+        <source>notebook check takes FILE...; see springstep notebook --help.</source>
+        <translation>notebook check nimmt FILE...; siehe springstep notebook --help.</translation>
     </message>
 </context>
 <context>
@@ -5601,10 +5623,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>check FILE..., page FILE OUT.html, page FILE OUT.pdf oder write OUT.springstep-notebook.</translation>
     </message>
     <message>
-        <source>The notebooks, or the notebook and the page to write.</source>
-        <translation>Die Hefte, oder das Heft und die Seite, die geschrieben wird.</translation>
-    </message>
-    <message>
         <source>Prints the result as CSV.</source>
         <translation>Gibt das Ergebnis als CSV aus.</translation>
     </message>
@@ -5647,6 +5665,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>The run in FILE that a web page shows as the ghost.</source>
         <translation>Der Lauf in FILE, den eine Webseite als Geist zeigt.</translation>
+    </message>
+    <message>
+        <source>The notebooks, or the notebook and the page to write; and the lessons without C++ that they are about, as folders or zips.</source>
+        <translation>Die Hefte, oder das Heft und die Seite, die geschrieben wird; und die Lektionen ohne C++, von denen sie handeln, als Ordner oder Zip.</translation>
     </message>
 </context>
 <context>
@@ -6384,6 +6406,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>your code computes this run, and it has no phases. Press **Reset listing** on the page **Listing**. Undo brings your code back.</source>
         <translation>diesen Lauf berechnet dein Code, und der hat keine Phasen. Drück auf der Seite **Listing** auf **Listing zurücksetzen**. Rückgängig bringt deinen Code zurück.</translation>
     </message>
+    <message>
+        <source>your code computes this run, in steps of 1 frame. Press **Reset listing** on the page **Listing**, then choose the step. Undo brings your code back.</source>
+        <translation>diesen Lauf berechnet dein Code, mit Zeitschritten von 1 Bild. Drück auf der Seite **Listing** auf **Listing zurücksetzen** und wähle dann den Zeitschritt. Rückgängig bringt deinen Code zurück.</translation>
+    </message>
 </context>
 <context>
     <name>app::Autosave</name>
@@ -6675,7 +6701,7 @@ Drück Eingabe, um es hinzuzufügen.</translation>
     </message>
     <message>
         <source>On the ground, Swing makes it walk. Opposite feet need opposite angles: 0° and 180°.</source>
-        <translation>Auf dem Boden lässt Schwung es gehen. Gegenüberliegende Füße brauchen gegenüberliegende Winkel: 0° und 180°.</translation>
+        <translation>Auf dem Boden bringt Schwung die Figur zum Gehen. Gegenüberliegende Füße brauchen gegenüberliegende Winkel: 0° und 180°.</translation>
     </message>
     <message>
         <source>Drag from point to point to make one rule link, along which pull of your rule acts. With clicks, each link starts where the last one ends.</source>
@@ -8091,6 +8117,13 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::Introduction</name>
+    <message>
+        <source>These lessons have no concepts</source>
+        <translation>Diese Lektionen haben keine Begriffe</translation>
+    </message>
+</context>
+<context>
     <name>app::KeyCaps</name>
     <message>
         <source>or</source>
@@ -8508,10 +8541,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>There is no folder for the gallery</source>
         <translation>Es gibt keinen Ordner für die Galerie</translation>
     </message>
-    <message>
-        <source>These lessons have no concepts</source>
-        <translation>Diese Lektionen haben keine Begriffe</translation>
-    </message>
 </context>
 <context>
     <name>app::MapPage</name>
@@ -8642,6 +8671,17 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Press Return to apply, Esc to cancel</source>
         <translation>Eingabe übernimmt, Esc bricht ab</translation>
+    </message>
+</context>
+<context>
+    <name>app::NameRow</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>The name of the point in files, in “Stop when…”, and in lessons and their listings. Press Enter to apply.</source>
+        <translation>Der Name des Punkts in Dateien, in „Anhalten, wenn …“ und in Lektionen und ihren Listings. Drück Eingabe zum Übernehmen.</translation>
     </message>
 </context>
 <context>
@@ -10195,6 +10235,22 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>All of these points have rule links already.</source>
         <translation>Alle diese Punkte haben schon Regelverbindungen.</translation>
     </message>
+    <message>
+        <source>“%1” is a parameter. Choose another name, such as “%1_1”.</source>
+        <translation>„%1“ ist ein Parameter. Wähle einen anderen Namen, zum Beispiel „%1_1“.</translation>
+    </message>
+    <message>
+        <source>Another point is called “%1”. Choose another name.</source>
+        <translation>Ein anderer Punkt heißt schon „%1“. Wähle einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Your code computes this run, and it names the points. Choose another method first.</source>
+        <translation>Diesen Lauf berechnet dein Code, und der nennt die Punkte beim Namen. Wähle zuerst ein anderes Verfahren.</translation>
+    </message>
+    <message>
+        <source>Rename %1 to %2</source>
+        <translation>%1 in %2 umbenennen</translation>
+    </message>
 </context>
 <context>
     <name>app::SceneBar</name>
@@ -11604,8 +11660,8 @@ auf dem Schirm (30 pro Sekunde)</translation>
         <translation>fast starr</translation>
     </message>
     <message>
-        <source>A spring of stiffness 1e9 behaves almost like a stick.</source>
-        <translation>Eine Feder der Steifigkeit 1e9 verhält sich fast wie ein Stab.</translation>
+        <source>A spring of stiffness one billion behaves almost like a stick.</source>
+        <translation>Eine Feder der Steifigkeit eine Milliarde verhält sich fast wie ein Stab.</translation>
     </message>
     <message>
         <source>nearly rigid, without damping</source>

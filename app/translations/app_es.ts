@@ -353,6 +353,17 @@
     </message>
 </context>
 <context>
+    <name>BodyNamesText</name>
+    <message>
+        <source>A name is a letter from a to z, then up to %1 letters, digits or _. Write it without spaces and accents.</source>
+        <translation>Un nombre es una letra de la a a la z, seguida de hasta %1 letras, cifras o _. Escríbelo sin espacios ni tildes.</translation>
+    </message>
+    <message>
+        <source>“%1” is a word of the code. Choose another name, such as “%1_1”.</source>
+        <translation>«%1» es una palabra del código. Elige otro nombre, por ejemplo «%1_1».</translation>
+    </message>
+</context>
+<context>
     <name>BodyText</name>
     <message>
         <source>%1 at (%2, %3)</source>
@@ -2855,22 +2866,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>la escena con la que empieza el proyecto</translation>
     </message>
     <message>
-        <source>%1, step %2: the languages differ in %3. Make them the same.</source>
-        <translation>%1, paso %2: los idiomas difieren en %3. Haz que coincidan.</translation>
-    </message>
-    <message>
-        <source>their predictions</source>
-        <translation>sus predicciones</translation>
-    </message>
-    <message>
-        <source>their tasks</source>
-        <translation>sus tareas</translation>
-    </message>
-    <message>
-        <source>their questions</source>
-        <translation>sus preguntas</translation>
-    </message>
-    <message>
         <source>a text cannot show pictures. The scene is the picture; remove “![”.</source>
         <translation>un texto no puede mostrar imágenes. La escena es la imagen; quita «![».</translation>
     </message>
@@ -2897,6 +2892,25 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>%1: the scene is one of the lesson %2, which is not built in. Open that lesson, choose File &gt; New lesson from this scene, and take the scene that this writes.</source>
         <translation>%1: la escena es de la lección %2, que no viene incluida. Abre esa lección, elige Archivo &gt; Nueva lección de esta escena, y usa la escena que se escribe así.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonLanguagesText</name>
+    <message>
+        <source>%1, step %2: the languages differ in %3. Make them the same.</source>
+        <translation>%1, paso %2: los idiomas difieren en %3. Haz que coincidan.</translation>
+    </message>
+    <message>
+        <source>their predictions</source>
+        <translation>sus predicciones</translation>
+    </message>
+    <message>
+        <source>their tasks</source>
+        <translation>sus tareas</translation>
+    </message>
+    <message>
+        <source>their questions</source>
+        <translation>sus preguntas</translation>
     </message>
 </context>
 <context>
@@ -4113,6 +4127,10 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>The notebook would be too large. Choose fewer lessons, or leave out the gallery.</source>
         <translation>El cuaderno sería demasiado grande. Elige menos lecciones u omite la galería.</translation>
     </message>
+    <message>
+        <source>If it is a lesson without C++, name its folder or its zip beside the notebook.</source>
+        <translation>Si es una lección sin C++, nombra su carpeta o su zip junto al cuaderno.</translation>
+    </message>
 </context>
 <context>
     <name>NotebookPageText</name>
@@ -4201,6 +4219,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>notebook cannot %1; it can &quot;check&quot;, &quot;page&quot; or &quot;write&quot;.</source>
         <translation>notebook no puede hacer %1; puede hacer &quot;check&quot;, &quot;page&quot; o &quot;write&quot;.</translation>
+    </message>
+    <message>
+        <source>notebook check takes FILE...; see springstep notebook --help.</source>
+        <translation>notebook check acepta FILE...; consulta springstep notebook --help.</translation>
     </message>
 </context>
 <context>
@@ -5601,10 +5623,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>check FILE..., page FILE OUT.html, page FILE OUT.pdf o write OUT.springstep-notebook.</translation>
     </message>
     <message>
-        <source>The notebooks, or the notebook and the page to write.</source>
-        <translation>Los cuadernos, o el cuaderno y la página que se escribe.</translation>
-    </message>
-    <message>
         <source>Prints the result as CSV.</source>
         <translation>Muestra el resultado como CSV.</translation>
     </message>
@@ -5647,6 +5665,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>The run in FILE that a web page shows as the ghost.</source>
         <translation>La ejecución de FILE que una página web muestra como fantasma.</translation>
+    </message>
+    <message>
+        <source>The notebooks, or the notebook and the page to write; and the lessons without C++ that they are about, as folders or zips.</source>
+        <translation>Los cuadernos, o el cuaderno y la página que se escribe; y las lecciones sin C++ de las que tratan, como carpetas o zips.</translation>
     </message>
 </context>
 <context>
@@ -6383,6 +6405,10 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>your code computes this run, and it has no phases. Press **Reset listing** on the page **Listing**. Undo brings your code back.</source>
         <translation>esta ejecución la calcula tu código, y no tiene fases. En la página **Listado**, pulsa **Restablecer el listado**. Deshacer recupera tu código.</translation>
+    </message>
+    <message>
+        <source>your code computes this run, in steps of 1 frame. Press **Reset listing** on the page **Listing**, then choose the step. Undo brings your code back.</source>
+        <translation>esta ejecución la calcula tu código, con pasos de 1 fotograma. En la página **Listado**, pulsa **Restablecer el listado** y elige después el paso. Deshacer recupera tu código.</translation>
     </message>
 </context>
 <context>
@@ -8091,6 +8117,13 @@ Haz clic para plegar o desplegar (Intro)</translation>
     </message>
 </context>
 <context>
+    <name>app::Introduction</name>
+    <message>
+        <source>These lessons have no concepts</source>
+        <translation>Estas lecciones no tienen conceptos</translation>
+    </message>
+</context>
+<context>
     <name>app::KeyCaps</name>
     <message>
         <source>or</source>
@@ -8508,10 +8541,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <source>There is no folder for the gallery</source>
         <translation>No hay carpeta para la galería</translation>
     </message>
-    <message>
-        <source>These lessons have no concepts</source>
-        <translation>Estas lecciones no tienen conceptos</translation>
-    </message>
 </context>
 <context>
     <name>app::MapPage</name>
@@ -8642,6 +8671,17 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>Press Return to apply, Esc to cancel</source>
         <translation>Pulsa Intro para aplicar, Esc para cancelar</translation>
+    </message>
+</context>
+<context>
+    <name>app::NameRow</name>
+    <message>
+        <source>Name</source>
+        <translation>Nombre</translation>
+    </message>
+    <message>
+        <source>The name of the point in files, in “Stop when…”, and in lessons and their listings. Press Enter to apply.</source>
+        <translation>El nombre del punto en los archivos, en «Parar cuando…» y en las lecciones y sus listados. Pulsa Intro para aplicar.</translation>
     </message>
 </context>
 <context>
@@ -10195,6 +10235,22 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <source>All of these points have rule links already.</source>
         <translation>Todos estos puntos ya tienen uniones de la regla.</translation>
     </message>
+    <message>
+        <source>“%1” is a parameter. Choose another name, such as “%1_1”.</source>
+        <translation>«%1» es un parámetro. Elige otro nombre, por ejemplo «%1_1».</translation>
+    </message>
+    <message>
+        <source>Another point is called “%1”. Choose another name.</source>
+        <translation>Otro punto ya se llama «%1». Elige otro nombre.</translation>
+    </message>
+    <message>
+        <source>Your code computes this run, and it names the points. Choose another method first.</source>
+        <translation>Esta ejecución la calcula tu código, y nombra los puntos. Elige antes otro método.</translation>
+    </message>
+    <message>
+        <source>Rename %1 to %2</source>
+        <translation>Cambiar el nombre de %1 a %2</translation>
+    </message>
 </context>
 <context>
     <name>app::SceneBar</name>
@@ -11604,8 +11660,8 @@ for %1&#x2009;µs (30 a second)</source>
         <translation>casi indeformable</translation>
     </message>
     <message>
-        <source>A spring of stiffness 1e9 behaves almost like a stick.</source>
-        <translation>Un muelle de rigidez 1e9 se comporta casi como una barra.</translation>
+        <source>A spring of stiffness one billion behaves almost like a stick.</source>
+        <translation>Un muelle de rigidez mil millones se comporta casi como una barra.</translation>
     </message>
     <message>
         <source>nearly rigid, without damping</source>

@@ -353,6 +353,17 @@
     </message>
 </context>
 <context>
+    <name>BodyNamesText</name>
+    <message>
+        <source>A name is a letter from a to z, then up to %1 letters, digits or _. Write it without spaces and accents.</source>
+        <translation>Un nom est une lettre de a à z, puis jusqu’à %1 lettres, chiffres ou _. Écris-le sans espaces ni accents.</translation>
+    </message>
+    <message>
+        <source>“%1” is a word of the code. Choose another name, such as “%1_1”.</source>
+        <translation>«&#x202f;%1&#x202f;» est un mot du code. Choisis un autre nom, par exemple «&#x202f;%1_1&#x202f;».</translation>
+    </message>
+</context>
+<context>
     <name>BodyText</name>
     <message>
         <source>%1 at (%2, %3)</source>
@@ -2855,22 +2866,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>la scène par laquelle le projet commence</translation>
     </message>
     <message>
-        <source>%1, step %2: the languages differ in %3. Make them the same.</source>
-        <translation>%1, étape %2&#xa0;: les langues diffèrent par %3. Rends-les identiques.</translation>
-    </message>
-    <message>
-        <source>their predictions</source>
-        <translation>leurs prédictions</translation>
-    </message>
-    <message>
-        <source>their tasks</source>
-        <translation>leurs exercices</translation>
-    </message>
-    <message>
-        <source>their questions</source>
-        <translation>leurs questions</translation>
-    </message>
-    <message>
         <source>a text cannot show pictures. The scene is the picture; remove “![”.</source>
         <translation>un texte ne peut pas montrer d’images. La scène est l’image&#x202f;; retire «&#x202f;![&#x202f;».</translation>
     </message>
@@ -2897,6 +2892,25 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>%1: the scene is one of the lesson %2, which is not built in. Open that lesson, choose File &gt; New lesson from this scene, and take the scene that this writes.</source>
         <translation>%1&#xa0;: la scène est de la leçon %2, qui n’est pas intégrée. Ouvre cette leçon, choisis Fichier &gt; Nouvelle leçon à partir de cette scène, et prends la scène ainsi écrite.</translation>
+    </message>
+</context>
+<context>
+    <name>LessonLanguagesText</name>
+    <message>
+        <source>%1, step %2: the languages differ in %3. Make them the same.</source>
+        <translation>%1, étape %2&#xa0;: les langues diffèrent par %3. Rends-les identiques.</translation>
+    </message>
+    <message>
+        <source>their predictions</source>
+        <translation>leurs prédictions</translation>
+    </message>
+    <message>
+        <source>their tasks</source>
+        <translation>leurs exercices</translation>
+    </message>
+    <message>
+        <source>their questions</source>
+        <translation>leurs questions</translation>
     </message>
 </context>
 <context>
@@ -4113,6 +4127,10 @@ Un mot que le texte utilise, en une phrase.
         <source>The notebook would be too large. Choose fewer lessons, or leave out the gallery.</source>
         <translation>Le cahier serait trop grand. Choisis moins de leçons, ou laisse de côté la galerie.</translation>
     </message>
+    <message>
+        <source>If it is a lesson without C++, name its folder or its zip beside the notebook.</source>
+        <translation>Si c’est une leçon sans C++, nomme son dossier ou son zip à côté du cahier.</translation>
+    </message>
 </context>
 <context>
     <name>NotebookPageText</name>
@@ -4201,6 +4219,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>notebook cannot %1; it can &quot;check&quot;, &quot;page&quot; or &quot;write&quot;.</source>
         <translation>notebook ne connaît pas %1&#x202f;; il connaît &quot;check&quot;, &quot;page&quot; ou &quot;write&quot;.</translation>
+    </message>
+    <message>
+        <source>notebook check takes FILE...; see springstep notebook --help.</source>
+        <translation>notebook check attend FILE...&#x202f;; voir springstep notebook --help.</translation>
     </message>
 </context>
 <context>
@@ -5601,10 +5623,6 @@ Un mot que le texte utilise, en une phrase.
         <translation>check FILE..., page FILE OUT.html, page FILE OUT.pdf ou write OUT.springstep-notebook.</translation>
     </message>
     <message>
-        <source>The notebooks, or the notebook and the page to write.</source>
-        <translation>Les cahiers, ou le cahier et la page à écrire.</translation>
-    </message>
-    <message>
         <source>Prints the result as CSV.</source>
         <translation>Affiche le résultat en CSV.</translation>
     </message>
@@ -5647,6 +5665,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>The run in FILE that a web page shows as the ghost.</source>
         <translation>La simulation de FILE qu’une page web montre comme fantôme.</translation>
+    </message>
+    <message>
+        <source>The notebooks, or the notebook and the page to write; and the lessons without C++ that they are about, as folders or zips.</source>
+        <translation>Les cahiers, ou le cahier et la page à écrire&#x202f;; et les leçons sans C++ dont ils parlent, comme dossiers ou zips.</translation>
     </message>
 </context>
 <context>
@@ -6383,6 +6405,10 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>your code computes this run, and it has no phases. Press **Reset listing** on the page **Listing**. Undo brings your code back.</source>
         <translation>ton code calcule cette simulation, et il n’a pas de phases. Sur la page **Listing**, appuie sur **Rétablir le listing**. Annuler ramène ton code.</translation>
+    </message>
+    <message>
+        <source>your code computes this run, in steps of 1 frame. Press **Reset listing** on the page **Listing**, then choose the step. Undo brings your code back.</source>
+        <translation>ton code calcule cette simulation, avec des pas de 1 image. Sur la page **Listing**, appuie sur **Rétablir le listing**, puis choisis le pas. Annuler ramène ton code.</translation>
     </message>
 </context>
 <context>
@@ -8091,6 +8117,13 @@ Clique pour replier ou déplier (Entrée)</translation>
     </message>
 </context>
 <context>
+    <name>app::Introduction</name>
+    <message>
+        <source>These lessons have no concepts</source>
+        <translation>Ces leçons n’ont pas de notions</translation>
+    </message>
+</context>
+<context>
     <name>app::KeyCaps</name>
     <message>
         <source>or</source>
@@ -8508,10 +8541,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <source>There is no folder for the gallery</source>
         <translation>Il n’y a pas de dossier pour la galerie</translation>
     </message>
-    <message>
-        <source>These lessons have no concepts</source>
-        <translation>Ces leçons n’ont pas de notions</translation>
-    </message>
 </context>
 <context>
     <name>app::MapPage</name>
@@ -8642,6 +8671,17 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>Press Return to apply, Esc to cancel</source>
         <translation>Entrée applique, Échap annule</translation>
+    </message>
+</context>
+<context>
+    <name>app::NameRow</name>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>The name of the point in files, in “Stop when…”, and in lessons and their listings. Press Enter to apply.</source>
+        <translation>Le nom du point dans les fichiers, dans «&#x202f;Arrêter quand…&#x202f;», et dans les leçons et leurs listings. Appuie sur Entrée pour appliquer.</translation>
     </message>
 </context>
 <context>
@@ -10195,6 +10235,22 @@ Clique pour replier ou déplier (Entrée)</translation>
         <source>All of these points have rule links already.</source>
         <translation>Tous ces points ont déjà des liaisons de règle.</translation>
     </message>
+    <message>
+        <source>“%1” is a parameter. Choose another name, such as “%1_1”.</source>
+        <translation>«&#x202f;%1&#x202f;» est un paramètre. Choisis un autre nom, par exemple «&#x202f;%1_1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>Another point is called “%1”. Choose another name.</source>
+        <translation>Un autre point s’appelle déjà «&#x202f;%1&#x202f;». Choisis un autre nom.</translation>
+    </message>
+    <message>
+        <source>Your code computes this run, and it names the points. Choose another method first.</source>
+        <translation>Ton code calcule cette simulation, et il nomme les points. Choisis d’abord une autre méthode.</translation>
+    </message>
+    <message>
+        <source>Rename %1 to %2</source>
+        <translation>Renommer %1 en %2</translation>
+    </message>
 </context>
 <context>
     <name>app::SceneBar</name>
@@ -11604,8 +11660,8 @@ for %1&#x2009;µs (30 a second)</source>
         <translation>presque rigide</translation>
     </message>
     <message>
-        <source>A spring of stiffness 1e9 behaves almost like a stick.</source>
-        <translation>Un ressort de raideur 1e9 se comporte presque comme une tige.</translation>
+        <source>A spring of stiffness one billion behaves almost like a stick.</source>
+        <translation>Un ressort de raideur un milliard se comporte presque comme une tige.</translation>
     </message>
     <message>
         <source>nearly rigid, without damping</source>

@@ -104,9 +104,7 @@ std::vector<Check> grownFeetChecks()
             .id = "half_frame",
             .conditions =
                 {
-                    {[](const Timeline &run) {
-                        return !run.script().step.isAdaptive() && run.script().step.h == 0.5;
-                    }},
+                    stepIs(0.5),
                     parameterSetTo("feet", 60.0, "feet"),
                     allStill(),
                 },

@@ -1,5 +1,6 @@
 #include "app/model/breakpoints/breakpoints.h"
 
+#include "app/model/breakpoints/condition.h"
 #include "app/model/listing/changed_lines.h"
 
 #include <algorithm>
@@ -76,6 +77,15 @@ void Breakpoints::setOn(int id, bool on)
 void Breakpoints::remove(int id)
 {
     if (std::erase_if(m_open.all, [id](const Breakpoint &one) { return one.id == id; }) > 0)
+        emit changed();
+}
+
+void Breakpoints::renameBody(const QString &from, const QString &to)
+{
+    const std::vector<Breakpoint> before = m_open.all;
+    for (Breakpoint &one : m_open.all)
+        one.condition = withBodyRenamed(one.condition, from, to);
+    if (m_open.all != before)
         emit changed();
 }
 

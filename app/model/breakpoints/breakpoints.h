@@ -53,6 +53,8 @@ public:
     void setCondition(int id, const QString &condition);
     void setOn(int id, bool on);
     void remove(int id);
+    /// Writes the new name of a body into the conditions of the open step.
+    void renameBody(const QString &from, const QString &to);
     /// Moves the breakpoints in the listing of the open step with their lines, to where these are in `text`. A
     /// breakpoint whose line was deleted is removed.
     void followListing(const QString &text);

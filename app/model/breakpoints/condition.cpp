@@ -1,6 +1,8 @@
 #include "app/model/breakpoints/condition.h"
 
 #include "app/model/breakpoints/condition_parser.h"
+#include "app/model/breakpoints/condition_tokens.h"
+#include "app/model/text/user_error.h"
 #include "lessons/api/checks/input_queries.h"
 #include "lessons/api/checks/run_queries.h"
 #include "sim/pipeline/method.h"
@@ -23,6 +25,17 @@ bool isStill(int point, const ConditionMoment &moment)
     const Eigen::ArrayX2d &velocity = moment.state.velocity;
     const Eigen::Index first = std::max(point, 0), count = point < 0 ? velocity.rows() : 1;
     return (velocity.middleRows(first, count).abs() <= lessons::stillness).all();
+}
+
+/// Returns whether the word at `i` is the name of a body for distance(), speed(), still(), held() or released(). Elsewhere, a
+/// body has a member, as in "foot.y".
+bool isArgument(const std::vector<ConditionToken> &words, std::size_t i)
+{
+    static const QStringList functions = {"distance", "speed", "still", "held", "released"};
+    if (i == 0 || words[i - 1].kind != ConditionToken::Kind::sign)
+        return false;
+    return words[i - 1].text == u"," ||
+           (i > 1 && words[i - 1].text == u"(" && functions.contains(words[i - 2].text));
 }
 
 /// Returns the number that an operation without operands reads.
@@ -158,6 +171,28 @@ bool Condition::readsVariables() const
 {
     return std::any_of(m_program.begin(), m_program.end(),
                        [](const Operation &one) { return one.kind == Kind::variable; });
+}
+
+QString withBodyRenamed(const QString &condition, const QString &from, const QString &to)
+{
+    std::vector<ConditionToken> words;
+    try {
+        words = conditionWords(condition);
+    } catch (const UserError &) {
+        return condition;
+    }
+    QString renamed;
+    qsizetype copied = 0; // characters of `condition`
+    for (std::size_t i = 0; i < words.size(); ++i) {
+        const QString &word = words[i].text;
+        const bool isBody = isArgument(words, i) ? word == from : word.section('.', 0, -2) == from;
+        if (words[i].kind != ConditionToken::Kind::name || !isBody)
+            continue;
+        const qsizetype begin = words[i].place - 1;
+        renamed += condition.mid(copied, begin - copied) + to;
+        copied = begin + from.size();
+    }
+    return renamed + condition.mid(copied);
 }
 
 MomentNumber MomentNumber::parse(const QString &text, const ConditionNames &names)

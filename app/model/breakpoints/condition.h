@@ -110,6 +110,9 @@ private:
     std::vector<Operation> m_program; ///< in postfix order: operands first
 };
 
+/// Returns the text of a condition with `to` where it names the body `from`. A text that is no condition stays as it is.
+QString withBodyRenamed(const QString &condition, const QString &from, const QString &to);
+
 /// A number of a moment of a run in the language of conditions: `distance(foot, body)`.
 class MomentNumber
 {

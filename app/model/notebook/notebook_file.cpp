@@ -284,7 +284,9 @@ private:
     {
         const LessonEntry *lesson = m_library.lesson(entry.lesson);
         if (!lesson)
-            refuse(m_file, fields.find("lesson")->line, noLesson(entry.lesson, m_library));
+            refuse(m_file, fields.find("lesson")->line,
+                   noLesson(entry.lesson, m_library) + ' ' +
+                       tr("If it is a lesson without C++, name its folder or its zip beside the notebook."));
         const lessons::Step *step = entry.step.isEmpty() ? nullptr : lesson->step(entry.step);
         if (fields.find("step") && !step)
             refuse(m_file, fields.find("step")->line, noStep(entry.step, *lesson));

@@ -101,6 +101,14 @@ Branches Branches::marked() const
     return marked;
 }
 
+Branches Branches::withScripts(const std::function<sim::Script(const sim::Script &)> &change) const
+{
+    Branches changed = *this;
+    for (Branch &one : changed.m_all)
+        one.script = std::make_shared<const sim::Script>(change(*one.script));
+    return changed;
+}
+
 Branches Branches::renumbered(int &last) const
 {
     Branches renumbered = *this;

@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -67,6 +68,8 @@ public:
 
     /// Returns the branches that the learner named or keeps, and the name of the run in use. Files contain these.
     Branches marked() const;
+    /// Returns a copy whose runs have the scripts that `change` makes of theirs.
+    Branches withScripts(const std::function<sim::Script(const sim::Script &)> &change) const;
     /// Returns a copy with new ids that follow `last`, and updates `last`.
     Branches renumbered(int &last) const;
     friend bool operator==(const Branches &, const Branches &) = default;

@@ -44,7 +44,8 @@ void SandboxEditor::follow()
     const bool can = canBuild();
     if (now == m_seen && can == m_couldBuild)
         return;
-    if (!now || !m_seen || (!m_isChanging && !sameParts(*now, *m_seen))) {
+    const std::optional<Renaming> renaming = now && m_seen ? renamingBetween(*m_seen, *now) : std::nullopt;
+    if (!now || !m_seen || (!m_isChanging && !renaming && !sameParts(*now, *m_seen))) {
         m_chosen = {}; // after undo, or in another scene, the indices mean other parts
         m_first.reset();
     } else {
@@ -55,9 +56,23 @@ void SandboxEditor::follow()
                                std::min(now->points.size(), m_seen->points.size()) + 1;
     m_seen = now;
     m_couldBuild = can;
+    if (renaming)
+        followRenaming(*renaming);
     emit changed();
     if (isAnother)
         emit replaced();
+}
+
+void SandboxEditor::followRenaming(const Renaming &renaming)
+{
+    const QString from = QString::fromStdString(renaming.from), to = QString::fromStdString(renaming.to);
+    m_session.playback().breakpoints().renameBody(from, to);
+    if (m_session.selected() == from) {
+        m_isSharing = true;
+        m_session.select(to);
+        m_isSharing = false;
+    }
+    emit renamed(from, to);
 }
 
 void SandboxEditor::followSelection()

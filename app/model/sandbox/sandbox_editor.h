@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/sandbox/blueprint_edits.h"
+#include "app/model/sandbox/body_names.h"
 #include "app/model/session/session.h"
 
 #include <functional>
@@ -70,6 +71,11 @@ public:
     void setEffect(const QString &id, bool present);
     bool has(const QString &effect) const;
     void addGaitFor(int foot);
+    /// Returns why the point cannot be called `name`, as a sentence; empty if it can.
+    QString whyNotCalled(int point, const QString &name) const;
+    /// Gives a point another name. The run and its branches stay the same, and so do conditions of breakpoints. If the
+    /// point cannot have the name, a message says why. Returns whether it has it now.
+    bool rename(int point, const QString &name);
 
     /// Changes the plan as one undo step with the title `what`. Consecutive edits with the same gesture are merged. If
     /// the scene cannot be edited now, a message says so and nothing changes. Returns whether the plan was changed.
@@ -81,10 +87,13 @@ signals:
     void changed();
     /// The scene was replaced by another one: an example, a new scene, or the result of undo.
     void replaced();
+    /// A body has another name, also after Undo.
+    void renamed(const QString &from, const QString &to);
 
 private:
     void follow();
     void followSelection();
+    void followRenaming(const Renaming &renaming);
     void shareChoice();
     /// Links two points, and adds missing ones, as one edit.
     void link(End from, End to);

@@ -1,5 +1,6 @@
 // Edits of a sandbox scene: each one is one undo step.
 
+#include "app/model/run/run_program.h"
 #include "app/model/sandbox/blueprint_limits.h"
 #include "app/model/sandbox/sandbox.h"
 #include "app/model/sandbox/sandbox_editor.h"
@@ -269,6 +270,42 @@ void SandboxEditor::setEffect(const QString &id, bool present)
 {
     if (has(id) != present)
         setBuiltEffect(m_session.run(), m_session.editor(), m_session.playback(), id, present);
+}
+
+QString SandboxEditor::whyNotCalled(int point, const QString &name) const
+{
+    const std::string wanted = name.toStdString();
+    const std::vector<sim::BlueprintPoint> &points = plan().points;
+    if (std::size_t(point) >= points.size() || points[std::size_t(point)].name == wanted)
+        return {};
+    if (!canBuild())
+        return tr("You can only build at the start of the run. Press Home to go there.");
+    if (programOf(m_session.timeline().script().method))
+        return tr("Your code computes this run, and it names the points. Choose another method first.");
+    if (const QString why = whyNotAName(name); !why.isEmpty())
+        return why;
+    if (std::any_of(points.begin(), points.end(),
+                    [&](const sim::BlueprintPoint &one) { return one.name == wanted; }))
+        return tr("Another point is called “%1”. Choose another name.").arg(name);
+    if (m_session.step().parameter(name))
+        return tr("“%1” is a parameter. Choose another name, such as “%1_1”.").arg(name);
+    return {};
+}
+
+bool SandboxEditor::rename(int point, const QString &name)
+{
+    if (!isOpen() || point < 0 || std::size_t(point) >= plan().points.size())
+        return false;
+    const Renaming renaming{plan().points[std::size_t(point)].name, name.toStdString()};
+    if (renaming.from == renaming.to)
+        return true;
+    if (const QString why = whyNotCalled(point, name); !why.isEmpty()) {
+        m_session.showMessage(why);
+        return false;
+    }
+    return m_session.editor().rewriteScene(
+        {tr("Rename %1 to %2").arg(QString::fromStdString(renaming.from), name), {}, {}},
+        [&](const sim::Script &script) { return withBodyRenamed(script, renaming); });
 }
 
 void SandboxEditor::addGaitFor(int foot)

@@ -112,6 +112,19 @@ void PlotList::change(std::size_t index, const PlotSpec &plot)
     keep();
 }
 
+void PlotList::renameBody(const QString &from, const QString &to)
+{
+    const std::vector<PlotSpec> before = m_plots;
+    for (PlotSpec &plot : m_plots) {
+        for (QString *name : {&plot.up.body, &plot.up.other, &plot.across.body, &plot.across.other}) {
+            if (*name == from)
+                *name = to;
+        }
+    }
+    if (m_plots != before)
+        keep();
+}
+
 std::vector<Quantity> PlotList::quantities() const
 {
     std::vector<Quantity> all;

@@ -40,6 +40,8 @@ public:
     void add(const PlotSpec &plot);
     void remove(std::size_t index);
     void change(std::size_t index, const PlotSpec &plot);
+    /// Makes the plots of the body `from` show the body `to`.
+    void renameBody(const QString &from, const QString &to);
     /// Returns all quantities that the plots show, each once.
     std::vector<Quantity> quantities() const;
 

@@ -99,6 +99,9 @@ QString Attempts::todo(const QString &lesson, const lessons::Step &step, int num
     if (!isDone && programOf(timeline.script().method) && one.conditions.waitsForPhase(timeline))
         return tr("your code computes this run, and it has no phases. Press **Reset listing** on the page "
                   "**Listing**. Undo brings your code back.");
+    if (!isDone && programOf(timeline.script().method) && one.conditions.waitsForStep(timeline))
+        return tr("your code computes this run, in steps of 1 frame. Press **Reset listing** on the page "
+                  "**Listing**, then choose the step. Undo brings your code back.");
     if (!isDone)
         return one.conditions.todo(timeline);
     if (one.onlyWhilePaused && plays)

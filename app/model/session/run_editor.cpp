@@ -243,6 +243,32 @@ bool RunEditor::build(const EditLabel &label, sim::Blueprint blueprint)
 
 bool RunEditor::replaceScene(const EditLabel &label, const sim::Script &script, std::optional<QString> draft)
 {
+    return replaceSandbox(label, script, std::move(draft), {}); // branches have other bodies
+}
+
+bool RunEditor::rewriteScene(const EditLabel &label,
+                             const std::function<sim::Script(const sim::Script &)> &rewrite)
+{
+    const ChangeNotifier::Batch batch(m_run.changes());
+    const Branch *shown = m_comparisons.shown();
+    const int ghost = shown ? shown->id : 0;
+    const int selected = m_run.timeline().track().interval().scene.find(m_run.selected().toStdString());
+    Branches branches = m_comparisons.branches().withScripts(rewrite);
+    OwnRun own = branches.own();
+    own.end = 0; // the run has no frames yet, so that Undo makes no branch of it
+    branches.setOwn(std::move(own));
+    if (!replaceSandbox(label, rewrite(m_run.timeline().script()), m_run.draft(), std::move(branches)))
+        return false;
+    const std::vector<std::string> &names = m_run.timeline().track().interval().scene.names;
+    if (selected >= 0 && std::size_t(selected) < names.size())
+        m_run.select(QString::fromStdString(names[std::size_t(selected)]));
+    m_comparisons.show(ghost);
+    return true;
+}
+
+bool RunEditor::replaceSandbox(const EditLabel &label, const sim::Script &script,
+                               std::optional<QString> draft, Branches branches)
+{
     const ChangeNotifier::Batch batch(m_run.changes());
     m_playback.pause();
     m_input.releaseAll();
@@ -257,8 +283,8 @@ bool RunEditor::replaceScene(const EditLabel &label, const sim::Script &script, 
         m_run.changes().showMessage(sentenceFor(error));
         return false;
     }
-    timeline.dropComparison(); // the replaced scene has other bodies, so it cannot be compared
-    m_comparisons.reset({});
+    timeline.dropComparison();
+    m_comparisons.reset(std::move(branches));
     m_run.setEdited(true);
     m_run.setDraft(std::move(draft));
     m_run.changes().announce(kindsOf(*before.script, script), 0);

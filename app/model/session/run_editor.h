@@ -89,6 +89,9 @@ public:
     /// Replaces the script of a sandbox and the draft of its rule, and goes to frame 0. Returns whether the new scene could
     /// be built.
     bool replaceScene(const EditLabel &label, const sim::Script &script, std::optional<QString> draft = {});
+    /// Changes how the script of a sandbox and those of its branches describe the same runs, and goes to frame 0. Returns
+    /// whether the new scene could be built.
+    bool rewriteScene(const EditLabel &label, const std::function<sim::Script(const sim::Script &)> &rewrite);
 
     /// Makes a branch the run again, bit for bit, at the same frame. The run in use becomes a branch.
     void goBackTo(int branch);
@@ -118,6 +121,9 @@ private:
     void startAnew(const EditLabel &label, const sim::Values &values,
                    const std::vector<sim::MethodPtr> &methods);
     void startAnew(const EditLabel &label, sim::Script script);
+    /// Replaces the run and the branches of a sandbox, for replaceScene() and rewriteScene().
+    bool replaceSandbox(const EditLabel &label, const sim::Script &script, std::optional<QString> draft,
+                        Branches branches);
     /// Replaces the run for setUp(). Returns whether it could be computed; if not, says why.
     bool replaceBy(const EditLabel &label, const sim::Script &script);
     /// Replaces the script and the draft after the learner has written code.

@@ -82,7 +82,7 @@ _springstep() {
             if ((COMP_CWORD == 2)); then
                 _springstep_offer "check page write"
             else
-                _springstep_offer_files 'springstep-notebook|html|pdf'
+                _springstep_offer_files 'springstep-notebook|springstep-lesson|html|pdf'
             fi
             ;;
         handout)

@@ -81,7 +81,7 @@ function __springstep_words
         if test (count $words) -eq 2
             string split ' ' 'check page write'
         else
-            __springstep_files 'springstep-notebook|html|pdf'
+            __springstep_files 'springstep-notebook|springstep-lesson|html|pdf'
         end
     else if __springstep_verb_is screenshot
         __springstep_steps

@@ -11,6 +11,7 @@
 #include "app/ui/sandbox/example_gallery.h"
 #include "app/ui/sandbox/guide_box.h"
 #include "app/ui/sandbox/guide_ring.h"
+#include "app/ui/sandbox/name_row.h"
 #include "app/ui/sandbox/property_row.h"
 #include "app/ui/theme/icons.h"
 
@@ -347,21 +348,53 @@ void BuildPanel::refreshProperties()
         m_shownKey.clear();
         return;
     }
-    QString key;
-    for (const SandboxProperty &one : properties)
-        key += one.section + '/' + one.about.id + QString::number(one.about.max) + ' ';
+    const QString key = keyOf(properties);
     if (key != m_shownKey) {
         m_shownKey = key;
         makeRows(std::move(properties));
+    } else {
+        showSections(properties);
     }
+    if (m_name)
+        m_name->refresh();
     for (PropertyRow *row : m_rows)
         row->refresh();
 }
 
-void BuildPanel::makeRows(std::vector<SandboxProperty> properties)
+QString BuildPanel::keyOf(const std::vector<SandboxProperty> &properties) const
+{
+    const sim::Blueprint &plan = m_editor.plan();
+    QStringList key;
+    if (const std::vector<int> &points = m_editor.chosen().points; points.size() == 1) {
+        key << QString::number(points.front());
+        if (const std::optional<int> foot = footOf(plan, points.front()))
+            key << QString::number(*foot) << QString::number(plan.feet[std::size_t(*foot)].gait);
+    }
+    for (const SandboxProperty &one : properties)
+        key << one.about.id + QString::number(one.about.max);
+    return key.join(' ');
+}
+
+void BuildPanel::showSections(const std::vector<SandboxProperty> &properties)
+{
+    std::size_t headings = 0;
+    for (std::size_t i = 0; i < properties.size(); ++i) {
+        const QString &section = properties[i].section;
+        m_rows[i]->setSection(section);
+        if (i == 0 && m_name)
+            m_name->setSection(section);
+        if (i == 0 || section != properties[i - 1].section)
+            m_headings[headings++]->setText(section);
+    }
+}
+
+void BuildPanel::clearRows()
 {
     if (m_ring)
         m_ring->setWidget(nullptr); // the ring may be round one of the rows
+    if (m_name)
+        m_name->discard();
+    m_name = nullptr;
     // Deleted later, because the signal that led here may have come from one of these rows.
     while (QLayoutItem *item = m_column->takeAt(0)) {
         item->widget()->hide();
@@ -369,11 +402,23 @@ void BuildPanel::makeRows(std::vector<SandboxProperty> properties)
         delete item;
     }
     m_rows.clear();
+    m_headings.clear();
+}
+
+void BuildPanel::makeRows(std::vector<SandboxProperty> properties)
+{
+    clearRows();
     QString section;
     bool hasFoot = false;
     for (SandboxProperty &one : properties) {
-        if (one.section != section)
-            m_column->addWidget(heading(one.section));
+        if (one.section != section) {
+            m_headings.push_back(heading(one.section));
+            m_column->addWidget(m_headings.back());
+        }
+        if (section.isEmpty() && m_editor.chosen().points.size() == 1) {
+            m_name = new NameRow(m_editor, m_editor.chosen().points.front(), one.section, m_properties);
+            m_column->addWidget(m_name);
+        }
         section = one.section;
         hasFoot = hasFoot || one.about.id == QStringLiteral("gait");
         m_rows.push_back(new PropertyRow(m_editor, std::move(one), m_theme, m_properties));

@@ -23,6 +23,7 @@ class EffectSwitches;
 class ExampleGallery;
 class GuideBox;
 class GuideRing;
+class NameRow;
 class PanelTitle;
 class ProjectDesk;
 class PropertyRow;
@@ -47,6 +48,8 @@ public:
     /// Returns the text that is shown if nothing is selected, or if the scene cannot be edited now.
     QString hint() const;
     const std::vector<PropertyRow *> &rows() const { return m_rows; }
+    /// Returns the row with the name of the selected point; null unless a single point is selected.
+    NameRow *nameRow() const { return m_name; }
     ExampleGallery &gallery() const { return *m_gallery; }
     const GuideBox &guideBox() const { return *m_guideBox; }
 
@@ -69,6 +72,11 @@ private:
     void refreshTitle();
     void refreshProperties();
     void makeRows(std::vector<SandboxProperty> properties);
+    void clearRows();
+    /// Returns what the rows of these properties depend on, besides titles.
+    QString keyOf(const std::vector<SandboxProperty> &properties) const;
+    /// Shows other titles of the same properties: a point may have another name.
+    void showSections(const std::vector<SandboxProperty> &properties);
     void makeGaitHelp();
     /// Moves the highlight ring to the control that the guide asks for.
     void pointOut();
@@ -91,6 +99,8 @@ private:
     QLabel *m_hint;        ///< shown in place of the properties
     QWidget *m_properties; ///< of the selected parts
     QVBoxLayout *m_column; ///< layout of the properties
+    std::vector<QLabel *> m_headings;
+    NameRow *m_name = nullptr;
     std::vector<PropertyRow *> m_rows;
     QString m_shownKey; ///< identifies the properties that the rows show
     ExampleGallery *m_gallery;

@@ -14,13 +14,6 @@
 
 namespace app {
 
-namespace {
-
-constexpr int rowMargin = 16;
-constexpr int labelWidth = 88;
-
-}
-
 PropertyRow::PropertyRow(SandboxEditor &editor, SandboxProperty property, const Theme &theme, QWidget *parent)
     : QWidget(parent), m_editor(editor), m_property(std::move(property)),
       m_name(new QLabel(m_property.about.name, this)), m_unit(new QLabel(this))
@@ -30,7 +23,7 @@ PropertyRow::PropertyRow(SandboxEditor &editor, SandboxProperty property, const 
     m_unit->setObjectName("caption");
     m_name->setMinimumWidth(labelWidth);
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(rowMargin, 0, rowMargin, 0);
+    row->setContentsMargins(margin, 0, margin, 0);
     row->setSpacing(8);
     row->addWidget(m_name);
     if (m_property.isTruth) {
@@ -40,6 +33,7 @@ PropertyRow::PropertyRow(SandboxEditor &editor, SandboxProperty property, const 
         makeBox(theme);
         row->addWidget(m_box);
     }
+    setSection(m_property.section);
     row->addWidget(m_unit);
     row->addStretch(1);
     setToolTip(m_property.isTruth
@@ -53,10 +47,7 @@ void PropertyRow::makeBox(const Theme &theme)
     m_box = new NumberBox(m_property.about, theme, this);
     m_box->setRounding(true); // dragging leaves lengths and places such as 108.16653826391968
     m_name->setBuddy(m_box);
-    const lessons::Parameter &about = m_property.about;
-    const QString name = about.unit.isEmpty() ? about.name : about.name + ", " + about.unit;
-    m_box->setAccessibleName(m_property.section + ": " + name);
-    m_box->setAccessibleDescription(about.help);
+    m_box->setAccessibleDescription(m_property.about.help);
     connect(m_box, &NumberBox::chosen, this, &PropertyRow::choose);
 }
 
@@ -64,10 +55,20 @@ void PropertyRow::makeSwitch()
 {
     m_switch = new QCheckBox(this);
     m_name->setBuddy(m_switch);
-    m_switch->setAccessibleName(m_property.section + ": " + m_property.about.name);
     m_switch->setAccessibleDescription(m_property.about.help);
     m_switch->setFocusPolicy(Qt::TabFocus);
     connect(m_switch, &QCheckBox::clicked, this, [this](bool on) { choose(on ? 1.0 : 0.0); });
+}
+
+void PropertyRow::setSection(const QString &section)
+{
+    m_property.section = section;
+    const lessons::Parameter &about = m_property.about;
+    const QString name = about.unit.isEmpty() ? about.name : about.name + ", " + about.unit;
+    if (m_box)
+        m_box->setAccessibleName(section + ": " + name);
+    if (m_switch)
+        m_switch->setAccessibleName(section + ": " + about.name);
 }
 
 void PropertyRow::choose(double value)

@@ -23,10 +23,14 @@ public:
                 QWidget *parent = nullptr);
 
     const SandboxProperty &property() const { return m_property; }
+    /// Sets the title of the property's section.
+    void setSection(const QString &section);
     /// Shows the value of the present selection.
     void refresh();
 
     static constexpr int height = 32;
+    static constexpr int margin = 16;     ///< px, left and right
+    static constexpr int labelWidth = 88; ///< px, at least
 
 private:
     void makeBox(const Theme &theme);

@@ -103,18 +103,26 @@ bool Conditions::hasBegun(const sim::Timeline &run) const
 
 const Condition *Conditions::missing(const sim::Timeline &run) const
 {
-    if (!hasBegun(run))
-        return nullptr;
-    const auto missing = std::find_if(m_all.begin(), m_all.end(),
+    return hasBegun(run) ? firstFailing(run) : nullptr;
+}
+
+const Condition *Conditions::firstFailing(const sim::Timeline &run) const
+{
+    const auto failing = std::find_if(m_all.begin(), m_all.end(),
                                       [&](const Condition &condition) { return !condition.holds(run); });
-    return missing == m_all.end() ? nullptr : &*missing;
+    return failing == m_all.end() ? nullptr : &*failing;
 }
 
 bool Conditions::waitsForPhase(const sim::Timeline &run) const
 {
-    const auto missing = std::find_if(m_all.begin(), m_all.end(),
-                                      [&](const Condition &condition) { return !condition.holds(run); });
-    return missing != m_all.end() && missing->insideFrame;
+    const Condition *failing = firstFailing(run);
+    return failing && failing->insideFrame;
+}
+
+bool Conditions::waitsForStep(const sim::Timeline &run) const
+{
+    const Condition *failing = firstFailing(run);
+    return failing && failing->otherSteps;
 }
 
 QString Conditions::todo(const sim::Timeline &run) const
@@ -218,11 +226,13 @@ Condition runsMethod(const std::string &id, const QString &sentence)
 
 Condition stepIs(double h, const QString &sentence)
 {
-    return {[h](const sim::Timeline &run) {
-                const sim::StepSize &step = run.script().step;
-                return !step.isAdaptive() && step.h == h;
-            },
-            sentence};
+    Condition condition{[h](const sim::Timeline &run) {
+                            const sim::StepSize &step = run.script().step;
+                            return !step.isAdaptive() && step.h == h;
+                        },
+                        sentence};
+    condition.otherSteps = h != 1.0;
+    return condition;
 }
 
 Condition insideFrame()

@@ -31,6 +31,7 @@ struct Condition
     /// try says everything.
     QString todo = {};
     bool insideFrame = false; ///< whether it can hold between two phases of a frame only
+    bool otherSteps = false;  ///< whether it can hold with steps other than one frame only
 
     /// Returns the measured number as learners read it.
     QString number(const sim::Timeline &run) const;
@@ -66,10 +67,15 @@ public:
     /// Returns whether the first condition that does not hold can hold inside a frame only. A method with a single phase
     /// cannot stop there.
     bool waitsForPhase(const sim::Timeline &run) const;
+    /// Returns whether the first condition that does not hold needs another step than one frame. A listing has no other.
+    bool waitsForStep(const sim::Timeline &run) const;
     /// Returns what is still to do. Empty before a learner has begun and when everything is done.
     QString todo(const sim::Timeline &run) const;
 
 private:
+    /// Returns the first condition that does not hold, or null.
+    const Condition *firstFailing(const sim::Timeline &run) const;
+
     std::vector<Condition> m_all;
 };
 

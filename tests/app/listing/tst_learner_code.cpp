@@ -329,6 +329,24 @@ private slots:
         QVERIFY(!session.code().mistakes().empty());
     }
 
+    void whatNeedsAShorterStepIsStillToDo()
+    {
+        Opened opened("multi_foot", "grown_feet");
+        Session &session = opened.session;
+        int halfFrame = 0;
+        while (session.step().tries[std::size_t(halfFrame)].id != "half_frame")
+            ++halfFrame;
+        QCOMPARE(session.todo(halfFrame), QString());
+        session.code().write(opened.listing() + "// mine\n");
+        session.editor().setStepSize(0.5); // refused
+        const QString todo = session.todo(halfFrame);
+        QVERIFY2(todo.startsWith("your code computes this run, in steps of 1 frame."), qPrintable(todo));
+        session.code().write(opened.listing());
+        QCOMPARE(session.todo(halfFrame), QString());
+        session.editor().setStepSize(0.5);
+        QCOMPARE(session.timeline().script().step.h, 0.5);
+    }
+
     void aPresetAndAnotherNumberOfFeetKeepTheCode()
     {
         Opened opened("multi_foot", "any_number");
