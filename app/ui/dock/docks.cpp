@@ -14,8 +14,6 @@ void Docks::add(const DockEntry &entry)
     auto *dock = new QDockWidget(entry.title, &m_window);
     dock->setObjectName(QLatin1String(entry.name));
     dock->setFeatures(QDockWidget::DockWidgetClosable);
-    dock->setTitleBarWidget(entry.titleBar ? entry.titleBar : new QWidget(&m_window));
-    dock->setWidget(entry.content);
     m_window.addDockWidget(entry.area, dock);
     dock->setHidden(entry.start == DockStart::hidden);
     const auto below = std::find_if(m_docks.begin(), m_docks.end(), [this](const auto &other) {
@@ -24,6 +22,13 @@ void Docks::add(const DockEntry &entry)
     if (entry.area == Qt::BottomDockWidgetArea && below != m_docks.end())
         m_window.tabifyDockWidget(below->second, dock);
     m_docks[entry.panel] = dock;
+}
+
+void Docks::fill(Panel panel, QWidget &content, QWidget *title)
+{
+    QDockWidget &dock = (*this)[panel];
+    dock.setTitleBarWidget(title ? title : new QWidget(&dock));
+    dock.setWidget(&content);
 }
 
 std::vector<QDockWidget *> Docks::all() const

@@ -28,8 +28,6 @@ struct DockEntry
     const char *name;        ///< object name, by which stored layouts know the dock
     QString title;           ///< of its tab
     Qt::DockWidgetArea area; ///< at first
-    QWidget *content;
-    QWidget *titleBar; ///< null if the content shows the title
     DockStart start;
 };
 
@@ -42,8 +40,11 @@ public:
     /// `window` must outlive it.
     explicit Docks(QMainWindow &window) : m_window(window) {}
 
-    /// Adds a dock. Docks at the bottom become tabs, because side by side they would not fit below the scene.
+    /// Adds an empty dock. Docks at the bottom become tabs, because side by side they would not fit below the scene.
     void add(const DockEntry &entry);
+    /// Puts the content into a dock, and a title if the content shows none. Both should be made with the dock as parent:
+    /// a widget that is given another one styles all its parts again, which takes long.
+    void fill(Panel panel, QWidget &content, QWidget *title = nullptr);
     QDockWidget &operator[](Panel panel) const { return *m_docks.at(panel); }
     std::vector<QDockWidget *> all() const;
 

@@ -1,13 +1,9 @@
 #include "app/ui/learn/choice_row.h"
 
-#include "app/ui/learn/prose.h"
-
 #include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QStyleOption>
-
-#include <cmath>
 
 namespace app {
 
@@ -47,6 +43,7 @@ void ChoiceRow::applyTheme()
 {
     const QColor ink = m_theme.tokens().ink;
     setProse(m_document, m_text, {13, choiceLine, 0, ink, ink, QFont::Medium}, m_theme);
+    m_heights.forget();
     const QString plain = plainText(m_text);
     switch (m_verdict) {
     case Verdict::none:
@@ -83,8 +80,8 @@ void ChoiceRow::keyPressEvent(QKeyEvent *event)
 
 int ChoiceRow::heightForWidth(int width) const
 {
-    m_document.setTextWidth(std::max(1, width - choiceTextLeft - choiceTextRight));
-    return 2 * choicePadding + static_cast<int>(std::ceil(m_document.size().height()));
+    return 2 * choicePadding +
+           m_heights.at(std::max(1, width - choiceTextLeft - choiceTextRight), m_document);
 }
 
 QSize ChoiceRow::sizeHint() const
@@ -111,7 +108,7 @@ void ChoiceRow::paintEvent(QPaintEvent *)
         m_theme.icon(isRight ? "check" : "close", isRight ? tokens.ok : tokens.past)
             .paint(&painter, QRect(width() - choiceMark, choicePadding + 3, choiceMark, choiceMark));
     }
-    m_document.setTextWidth(std::max(1, width() - choiceTextLeft - choiceTextRight));
+    layOut(m_document, std::max(1, width() - choiceTextLeft - choiceTextRight));
     painter.translate(choiceTextLeft, choicePadding);
     m_document.drawContents(&painter);
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/ui/theme/theme.h"
+#include "app/ui/learn/prose.h"
 
 #include <QRadioButton>
-#include <QTextDocument>
 
 namespace app {
 
@@ -42,6 +41,7 @@ private:
     QString m_text;
     Verdict m_verdict = Verdict::none;
     mutable QTextDocument m_document; ///< laid out for the width that was last requested
+    mutable ProseHeights m_heights;
 };
 
 }

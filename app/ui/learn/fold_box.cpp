@@ -1,14 +1,11 @@
 #include "app/ui/learn/fold_box.h"
 
 #include "app/ui/learn/narration_text.h"
-#include "app/ui/learn/prose.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
 #include <QPainter>
 #include <QVBoxLayout>
-
-#include <cmath>
 
 namespace app {
 
@@ -59,6 +56,7 @@ void WhyButton::applyTheme()
     const QColor ink = underMouse() ? tokens.ink : tokens.ink2;
     const double line = titleLine(m_theme);
     setProse(m_document, m_markdown, {13, line, 4, ink, tokens.ink, QFont::Bold, 0, QFont::Medium}, m_theme);
+    m_heights.forget();
     update();
 }
 
@@ -70,8 +68,7 @@ void WhyButton::describeState()
 
 int WhyButton::heightForWidth(int width) const
 {
-    m_document.setTextWidth(std::max(1, width - foldedLeft));
-    return 2 * titlePadding + static_cast<int>(std::ceil(m_document.size().height()));
+    return 2 * titlePadding + m_heights.at(std::max(1, width - foldedLeft), m_document);
 }
 
 QSize WhyButton::sizeHint() const
@@ -103,7 +100,7 @@ void WhyButton::paintEvent(QPaintEvent *)
     QPainter painter(this);
     m_theme.icon(isChecked() ? "down" : "right", ink)
         .paint(&painter, QRect(0, titlePadding + (titleLine(m_theme) - foldArrow) / 2, foldArrow, foldArrow));
-    m_document.setTextWidth(std::max(1, width() - foldedLeft));
+    layOut(m_document, std::max(1, width() - foldedLeft));
     painter.translate(foldedLeft, titlePadding);
     m_document.drawContents(&painter);
 }

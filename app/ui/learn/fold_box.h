@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/ui/theme/theme.h"
+#include "app/ui/learn/prose.h"
 
 #include <QAbstractButton>
-#include <QTextDocument>
 
 class QVBoxLayout;
 
@@ -40,6 +39,7 @@ private:
     const Theme &m_theme;
     QString m_markdown;
     mutable QTextDocument m_document; ///< laid out for the width that was last requested
+    mutable ProseHeights m_heights;
 };
 
 /// A box that is folded to its title until the learner unfolds it.

@@ -5,8 +5,6 @@
 
 #include <QDesktopServices>
 
-#include <cmath>
-
 namespace app {
 
 NarrationText::NarrationText(const Theme &theme, QWidget *parent, Kind kind)
@@ -22,6 +20,7 @@ NarrationText::NarrationText(const Theme &theme, QWidget *parent, Kind kind)
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
     connect(this, &QTextBrowser::anchorClicked, this, &NarrationText::follow);
+    connect(document(), &QTextDocument::contentsChanged, this, [this] { m_heights.forget(); });
     connect(&theme, &Theme::changed, this, &NarrationText::applyTheme);
 }
 
@@ -57,13 +56,15 @@ void NarrationText::applyTheme()
     const ProseStyle large{14, 22, 6, tokens.ink2, tokens.ink};
     const ProseStyle aside{13, 19, 5, tokens.ink2, tokens.ink};
     const ProseStyle &style = m_large ? large : small;
+    QTextCursor all(document());
+    all.beginEditBlock(); // laid out once, at its end
     setProse(*document(), m_text, m_kind == Kind::aside ? aside : style, m_theme);
     if (m_glossary)
         linkWords(*document(), *m_glossary, m_theme);
     decorate();
-    const bool links = document()->toHtml().contains("<a ");
+    all.endEditBlock();
     // Tab reaches this text only if it contains a link.
-    setFocusPolicy(links ? Qt::StrongFocus : Qt::ClickFocus);
+    setFocusPolicy(hasLinks(*document()) ? Qt::StrongFocus : Qt::ClickFocus);
     updateGeometry();
 }
 
@@ -71,9 +72,8 @@ int NarrationText::heightForWidth(int width) const
 {
     QTextDocument *text = document();
     const qreal was = text->textWidth();
-    text->setTextWidth(width);
-    const int height = static_cast<int>(std::ceil(text->size().height()));
-    text->setTextWidth(was);
+    const int height = m_heights.at(width, *text);
+    layOut(*text, was);
     return height;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "app/ui/theme/theme.h"
+#include "app/ui/learn/prose.h"
 
 #include <QTextBrowser>
 
@@ -50,6 +50,7 @@ private:
     Kind m_kind;
     QString m_text;
     bool m_large = false;
+    mutable ProseHeights m_heights;
 };
 
 }

@@ -63,7 +63,10 @@ void setProse(QTextDocument &document, const QString &markdown, const ProseStyle
 {
     document.setUndoRedoEnabled(false);
     document.setDocumentMargin(0);
-    document.setDefaultFont(theme.ui(style.size));
+    if (const QFont font = theme.ui(style.size); document.defaultFont() != font)
+        document.setDefaultFont(font);
+    QTextCursor all(&document);
+    all.beginEditBlock(); // laid out once, at its end
     document.setMarkdown(markdown, QTextDocument::MarkdownNoHTML);
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         styleFragments(block, style, theme);
@@ -73,6 +76,22 @@ void setProse(QTextDocument &document, const QString &markdown, const ProseStyle
         format.setBottomMargin(0);
         QTextCursor(block).setBlockFormat(format);
     }
+    all.endEditBlock();
+}
+
+void layOut(QTextDocument &document, double width)
+{
+    if (document.textWidth() != width)
+        document.setTextWidth(width);
+}
+
+int ProseHeights::at(int width, QTextDocument &document)
+{
+    const auto known = m_heights.find(width);
+    if (known != m_heights.end())
+        return known->second;
+    layOut(document, width);
+    return m_heights[width] = static_cast<int>(std::ceil(document.size().height()));
 }
 
 QUrl wordLink(const QString &name)
@@ -100,6 +119,7 @@ StepPlace stepOf(const QUrl &link)
 void linkWords(QTextDocument &document, const Glossary &glossary, const Theme &theme)
 {
     QTextCursor cursor(&document);
+    cursor.beginEditBlock();
     for (const Mention &mention : glossary.mentionsIn(document.toPlainText())) {
         cursor.setPosition(static_cast<int>(mention.start) + 1);
         if (cursor.charFormat().isAnchor())
@@ -114,6 +134,18 @@ void linkWords(QTextDocument &document, const Glossary &glossary, const Theme &t
         format.setUnderlineColor(theme.tokens().link);
         cursor.mergeCharFormat(format);
     }
+    cursor.endEditBlock();
+}
+
+bool hasLinks(const QTextDocument &document)
+{
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        for (auto it = block.begin(); !it.atEnd(); ++it) {
+            if (it.fragment().charFormat().isAnchor())
+                return true;
+        }
+    }
+    return false;
 }
 
 QString plainText(const QString &markdown)

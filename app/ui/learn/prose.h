@@ -5,6 +5,8 @@
 #include <QTextDocument>
 #include <QUrl>
 
+#include <map>
+
 namespace app {
 
 class Glossary;
@@ -25,6 +27,23 @@ struct ProseStyle
 /// Fills `document` with `markdown`. Line heights are set here, because Qt style sheets cannot set them.
 void setProse(QTextDocument &document, const QString &markdown, const ProseStyle &style, const Theme &theme);
 
+/// Lays `document` out for `width`, px, unless it is already; Qt would do it again.
+void layOut(QTextDocument &document, double width);
+
+/// The heights that a text has at widths asked for. Layouts ask for the same ones again and again, and laying out a
+/// text takes most of the time in which a window opens.
+class ProseHeights
+{
+public:
+    /// Returns the height of `document` at `width`, px. The document may keep any width.
+    int at(int width, QTextDocument &document);
+    /// Forgets the heights; to be called after each change of the document.
+    void forget() { m_heights.clear(); }
+
+private:
+    std::map<int, int> m_heights;
+};
+
 /// Returns the link to a glossary word. wordOf() returns the word of such a link, or an empty text for any
 /// other link.
 QUrl wordLink(const QString &name);
@@ -42,6 +61,9 @@ struct StepPlace
     QString step;
 };
 StepPlace stepOf(const QUrl &link);
+
+/// Returns whether a word of the text is a link.
+bool hasLinks(const QTextDocument &document);
 
 /// Returns the text without Markdown syntax, in one line, for screen readers. Spaces that no line breaks at stay.
 QString plainText(const QString &markdown);

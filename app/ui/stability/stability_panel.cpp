@@ -192,7 +192,7 @@ void StabilityPanel::makeExport()
 
 void StabilityPanel::applyTheme()
 {
-    m_verdict->setFont(m_theme.ui(14));
+    m_verdict->setFont(m_theme.ui(13));
     m_close->setIcon(m_theme.icon("close"));
 }
 

@@ -12,6 +12,7 @@
 #include "app/ui/settings/appearance.h"
 #include "app/ui/stability/stability_panel.h"
 #include "app/ui/window/failure_notice.h"
+#include "app/ui/window/introduction.h"
 #include "app/ui/window/last_step.h"
 #include "app/ui/window/main_window.h"
 #include "app/ui/window/restart.h"
@@ -103,9 +104,9 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     else if (!file.isEmpty())
         window.openFile(file);
     else if (Tour::isWanted())
-        QTimer::singleShot(0, &window, &MainWindow::welcome);
+        QTimer::singleShot(0, &window.introduction(), &Introduction::welcome);
     else if (last.lesson.isEmpty())
-        QTimer::singleShot(0, &window, &MainWindow::showMap); // nobody has begun
+        QTimer::singleShot(0, &window.introduction(), &Introduction::showMap); // nobody has begun
     window.keepGalleryIn(galleryFolder());
     window.autosaveIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();

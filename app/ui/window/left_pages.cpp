@@ -2,12 +2,21 @@
 
 namespace app {
 
-LeftPages::LeftPages(QWidget *lessons, QWidget *tools, QWidget *parent)
-    : QStackedWidget(parent), m_lessons(lessons), m_tools(tools)
+LeftPages::LeftPages(QWidget *parent) : QStackedWidget(parent)
 {
     setObjectName("leftPages");
-    addWidget(lessons);
-    addWidget(tools);
+}
+
+void LeftPages::setLessons(QWidget &page)
+{
+    m_lessons = &page;
+    addWidget(&page);
+}
+
+void LeftPages::setTools(QWidget &page)
+{
+    m_tools = &page;
+    addWidget(&page);
 }
 
 void LeftPages::setPage(QWidget &page)

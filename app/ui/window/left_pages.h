@@ -10,17 +10,20 @@ class LeftPages : public QStackedWidget
     Q_OBJECT
 
 public:
-    /// Takes ownership of both pages.
-    LeftPages(QWidget *lessons, QWidget *tools, QWidget *parent);
+    explicit LeftPages(QWidget *parent);
 
+    /// Takes ownership of the page.
+    void setLessons(QWidget &page);
+    /// Takes ownership of the page.
+    void setTools(QWidget &page);
     void showLessons() { setPage(*m_lessons); }
     void showTools() { setPage(*m_tools); }
 
 private:
     void setPage(QWidget &page);
 
-    QWidget *m_lessons;
-    QWidget *m_tools;
+    QWidget *m_lessons = nullptr;
+    QWidget *m_tools = nullptr;
 };
 
 }

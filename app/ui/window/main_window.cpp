@@ -21,7 +21,6 @@
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/lessons/lesson_desk.h"
 #include "app/ui/learn/step/narration.h"
-#include "app/ui/map/map_page.h"
 #include "app/ui/notebook/notebook_desk.h"
 #include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/plots/plot_export.h"
@@ -44,6 +43,7 @@
 #include "app/ui/window/gallery_desk.h"
 #include "app/ui/window/header.h"
 #include "app/ui/window/help_pages.h"
+#include "app/ui/window/introduction.h"
 #include "app/ui/window/last_step.h"
 #include "app/ui/window/left_pages.h"
 #include "app/ui/window/menus.h"
@@ -53,7 +53,6 @@
 #include "app/ui/window/restart.h"
 #include "app/ui/window/scene_column.h"
 #include "app/ui/window/scene_export.h"
-#include "app/ui/window/tour_stops.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -95,7 +94,8 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     setCentralWidget(m_centre);
     m_centre->bar().attach(m_centre->scene(), *m_commands.view.fit);
     m_centre->scene().attach(*m_study);
-    makeDocks(std::move(cost));
+    makeDocks();
+    makePanels(std::move(cost));
     connectPanels();
     makeLayouts();
     makeSandbox();
@@ -117,50 +117,72 @@ MainWindow::~MainWindow()
     qApp->disconnect(this);
 }
 
-void MainWindow::makeDocks(CostFunction cost)
+void MainWindow::makeDocks()
 {
-    m_learn = new LearnPanel(m_session, m_theme, this);
-    m_learn->setKeys(m_commands.view.lessonRail->shortcut(), m_commands.run.previousStep->shortcut(),
-                     m_commands.run.nextStep->shortcut());
-    m_accuracy = new AccuracyPanel(*m_study, m_session.preview(), m_theme, this);
-    m_energy = new EnergyPanel(m_session.run(), m_session.playback(), m_session.preview(), m_theme, this);
-    m_effects = new EffectsPanel(m_session.run(), m_session.editor(), m_session.playback(), m_theme,
-                                 std::move(cost), m_measuringThread, this);
-    m_branches = new BranchesPanel(m_session.run(), m_session.editor(), m_session.playback(),
-                                   m_session.comparisons(), m_theme, this);
-    m_code = new CodePages(m_session, m_theme, this);
-    m_plots = new PlotsPanel(m_session.run(), m_session.playback(), m_session.preview(),
-                             m_session.comparisons(), m_theme, this);
-    m_numbers = new NumbersPanel(m_session.run(), m_session.editor(), m_session.playback(),
-                                 m_session.preview(), *m_measures, m_theme, this);
-    m_gauge = new StabilityGauge(*m_stability, *m_commands.view.stability, m_theme, this);
-    m_stabilityPanel = new StabilityPanel(*m_stability, *m_settling, *m_commands.view.stability,
-                                          *m_commands.view.settling, m_theme, this);
-    auto *codeTitle = new DockTitle(tr("Code"), m_theme, this);
-    codeTitle->setCaption(m_code->caption());
-    codeTitle->addTabs(m_code->titleTabs());
-    codeTitle->addAction(m_code->titleActions());
-    codeTitle->setShortCaption(m_code->shortCaption());
-    connect(m_code, &CodePages::captionChanged, codeTitle, [this, codeTitle](const QString &caption) {
-        codeTitle->setShortCaption(m_code->shortCaption());
-        codeTitle->setCaption(caption);
-    });
-
     const auto left = Qt::LeftDockWidgetArea, right = Qt::RightDockWidgetArea,
                below = Qt::BottomDockWidgetArea;
-    const DockEntry entries[] = {
-        {Panel::lessons, "lessons", tr("Lessons"), left, m_learn, nullptr, DockStart::open},
-        {Panel::accuracy, "accuracy", tr("Accuracy"), right, m_accuracy, nullptr, DockStart::hidden},
-        {Panel::energy, "energy", tr("Energy"), below, m_energy, nullptr, DockStart::hidden},
-        {Panel::effects, "effects", tr("Effects"), below, m_effects, nullptr, DockStart::hidden},
-        {Panel::branches, "branches", tr("Two runs"), below, m_branches, nullptr, DockStart::hidden},
-        {Panel::code, "code", tr("Code"), right, m_code, codeTitle, DockStart::open},
-        {Panel::plots, "plots", tr("Plots"), right, m_plots, nullptr, DockStart::open},
-        {Panel::parameters, "parameters", tr("Parameters"), right, m_numbers, nullptr, DockStart::open},
-        {Panel::stability, "stability", tr("Stability"), right, m_stabilityPanel, nullptr, DockStart::hidden},
-    };
-    for (const DockEntry &entry : entries)
-        m_layout.docks.add(entry);
+    Docks &docks = m_layout.docks;
+    for (const DockEntry &entry : {
+             DockEntry{Panel::lessons, "lessons", tr("Lessons"), left, DockStart::open},
+             DockEntry{Panel::accuracy, "accuracy", tr("Accuracy"), right, DockStart::hidden},
+             DockEntry{Panel::energy, "energy", tr("Energy"), below, DockStart::hidden},
+             DockEntry{Panel::effects, "effects", tr("Effects"), below, DockStart::hidden},
+             DockEntry{Panel::branches, "branches", tr("Two runs"), below, DockStart::hidden},
+             DockEntry{Panel::code, "code", tr("Code"), right, DockStart::open},
+             DockEntry{Panel::plots, "plots", tr("Plots"), right, DockStart::open},
+             DockEntry{Panel::parameters, "parameters", tr("Parameters"), right, DockStart::open},
+             DockEntry{Panel::stability, "stability", tr("Stability"), right, DockStart::hidden},
+         })
+        docks.add(entry);
+}
+
+void MainWindow::makePanels(CostFunction cost)
+{
+    Docks &docks = m_layout.docks;
+    m_left = new LeftPages(&docks[Panel::lessons]);
+    m_learn = new LearnPanel(m_session, m_theme, m_left);
+    m_learn->setKeys(m_commands.view.lessonRail->shortcut(), m_commands.run.previousStep->shortcut(),
+                     m_commands.run.nextStep->shortcut());
+    m_left->setLessons(*m_learn);
+    docks.fill(Panel::lessons, *m_left);
+    m_accuracy = new AccuracyPanel(*m_study, m_session.preview(), m_theme, &docks[Panel::accuracy]);
+    docks.fill(Panel::accuracy, *m_accuracy);
+    m_energy = new EnergyPanel(m_session.run(), m_session.playback(), m_session.preview(), m_theme,
+                               &docks[Panel::energy]);
+    docks.fill(Panel::energy, *m_energy);
+    m_effects = new EffectsPanel(m_session.run(), m_session.editor(), m_session.playback(), m_theme,
+                                 std::move(cost), m_measuringThread, &docks[Panel::effects]);
+    docks.fill(Panel::effects, *m_effects);
+    m_branches = new BranchesPanel(m_session.run(), m_session.editor(), m_session.playback(),
+                                   m_session.comparisons(), m_theme, &docks[Panel::branches]);
+    docks.fill(Panel::branches, *m_branches);
+    makeCode();
+    m_plots = new PlotsPanel(m_session.run(), m_session.playback(), m_session.preview(),
+                             m_session.comparisons(), m_theme, &docks[Panel::plots]);
+    docks.fill(Panel::plots, *m_plots);
+    m_numbers = new NumbersPanel(m_session.run(), m_session.editor(), m_session.playback(),
+                                 m_session.preview(), *m_measures, m_theme, &docks[Panel::parameters]);
+    docks.fill(Panel::parameters, *m_numbers);
+    m_gauge = new StabilityGauge(*m_stability, *m_commands.view.stability, m_theme, this);
+    m_stabilityPanel = new StabilityPanel(*m_stability, *m_settling, *m_commands.view.stability,
+                                          *m_commands.view.settling, m_theme, &docks[Panel::stability]);
+    docks.fill(Panel::stability, *m_stabilityPanel);
+}
+
+void MainWindow::makeCode()
+{
+    QDockWidget &dock = m_layout.docks[Panel::code];
+    m_code = new CodePages(m_session, m_theme, &dock);
+    auto *title = new DockTitle(tr("Code"), m_theme, &dock);
+    title->setCaption(m_code->caption());
+    title->addTabs(m_code->titleTabs());
+    title->addAction(m_code->titleActions());
+    title->setShortCaption(m_code->shortCaption());
+    connect(m_code, &CodePages::captionChanged, title, [this, title](const QString &caption) {
+        title->setShortCaption(m_code->shortCaption());
+        title->setCaption(caption);
+    });
+    m_layout.docks.fill(Panel::code, *m_code, title);
 }
 
 void MainWindow::connectPanels()
@@ -250,10 +272,9 @@ void MainWindow::makeSandbox()
     m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
     m_centre->bar().addTool(*m_sandbox->take);
     auto *build = new BuildPanel(m_session.run(), m_session.editor(), m_session.playback(), *editor, *guide,
-                                 *m_sandbox, m_commands, m_theme, this);
+                                 *m_sandbox, m_commands, m_theme, m_left);
     build->showProject(m_learn->projects());
-    auto *pages = new LeftPages(m_learn, build, this);
-    m_layout.docks[Panel::lessons].setWidget(pages);
+    m_left->setTools(*build);
     connect(build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
     m_code->rule().addCommand(*m_sandbox->tools().back());
     m_code->rule().addCommand(*m_sandbox->linkChosen);
@@ -262,9 +283,11 @@ void MainWindow::makeSandbox()
         m_code->choose(CodePages::Page::rule);
         m_code->rule().setFocus(Qt::ShortcutFocusReason);
     });
-    m_mode =
-        std::make_unique<ModeChoice>(m_session, *m_layouts, *m_rail, m_sizes, *pages, *m_commands.view.build);
+    m_mode = std::make_unique<ModeChoice>(m_session, *m_layouts, *m_rail, m_sizes, *m_left,
+                                          *m_commands.view.build);
     connect(editor, &SandboxEditor::changed, m_mode.get(), &ModeChoice::followStep);
+    connect(editor, &SandboxEditor::renamed, m_plots,
+            [this](const QString &from, const QString &to) { m_plots->list().renameBody(from, to); });
 }
 
 void MainWindow::makeFiles()
@@ -275,12 +298,9 @@ void MainWindow::makeFiles()
                                          *m_files, m_centre->notice(), m_theme);
     m_help = std::make_unique<HelpPages>(m_session, m_commands.list, m_learn->glossary(), m_theme, *this);
     m_learn->setMapCommand(*m_commands.help.map);
-    const auto offerMap = [this] {
-        m_commands.help.map->setObstacle(
-            MapPage::hasConcepts(m_session.library()) ? QString() : tr("These lessons have no concepts"));
-    };
-    offerMap();
-    m_session.onChange(ChangeKind::texts, this, offerMap);
+    m_introduction = std::make_unique<Introduction>(
+        TourParts{m_layout, *m_mode, *m_centre, *m_learn, *m_code, m_numbers->parameters(), m_commands},
+        m_session, *m_help, m_theme);
     m_export = std::make_unique<SceneExport>(m_session, m_centre->scene(), *m_plots, m_centre->notice(),
                                              m_theme, *this);
     m_gallery = std::make_unique<GalleryDesk>(m_session, m_centre->scene(), m_learn->projects(), *m_files,
@@ -371,8 +391,8 @@ void MainWindow::connectHelp()
         m_learn->narration().showNextHint();
     });
     on(help.glossary, [this] { m_help->showGlossary({}); });
-    on(help.tour, &MainWindow::startTour);
-    on(help.map, &MainWindow::showMap);
+    on(help.tour, [this] { m_introduction->startTour(); });
+    on(help.map, [this] { m_introduction->showMap(); });
     on(help.about, [this] { m_help->showAbout(); });
     connect(m_learn, &LearnPanel::glossaryRequested, this,
             [this](const QString &typed) { m_help->showGlossary(typed); });
@@ -432,33 +452,6 @@ void MainWindow::fitInto(QSize room)
 {
     resize(size().boundedTo(room));
     m_fitter->share();
-}
-
-void MainWindow::startTour()
-{
-    setMode(Mode::learn);
-    for (const Panel panel : {Panel::lessons, Panel::code, Panel::parameters})
-        m_layout.docks[panel].show();
-    m_learn->setForm(LearnPanel::Form::whole);
-    if (!m_tour) {
-        m_tour =
-            new Tour(tourStops(*this, *m_centre, *m_learn, *m_code, m_numbers->parameters(), m_commands.run),
-                     m_theme, this);
-        connect(m_tour, &Tour::ended, &m_centre->scene(), qOverload<>(&QWidget::setFocus));
-    }
-    m_tour->start();
-}
-
-void MainWindow::showMap()
-{
-    if (isVisible() && m_commands.help.map->isEnabled()) // the window can be closed before a timer shows it
-        m_help->showMap();
-}
-
-void MainWindow::welcome()
-{
-    startTour();
-    connect(m_tour, &Tour::ended, this, &MainWindow::showMap, Qt::SingleShotConnection);
 }
 
 void MainWindow::openFile(const QString &path)

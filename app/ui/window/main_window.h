@@ -28,7 +28,9 @@ class ExperimentFiles;
 class FailureNotice;
 class GalleryDesk;
 class HelpPages;
+class Introduction;
 class LearnPanel;
+class LeftPages;
 class LessonDesk;
 class MeasureSeries;
 class ModeChoice;
@@ -45,7 +47,6 @@ class SettlingMonitor;
 class StabilityDock;
 class StabilityGauge;
 class StabilityPanel;
-class Tour;
 class WindowLayouts;
 class YourLessons;
 
@@ -80,12 +81,8 @@ public:
     /// Makes the window no larger than `room`, px. Panels hide until the others fit, and come back when there is
     /// room again or when the learner asks for them.
     void fitInto(QSize room);
-    /// Starts the tour: cards that point at the parts of the window, one after the other.
-    void startTour();
-    /// Shows the map of concepts, if the lessons have any.
-    void showMap();
-    /// Greets a new learner: starts the tour, and shows the map of concepts when it has ended.
-    void welcome();
+    /// Returns what shows the tour and the map of concepts.
+    Introduction &introduction() const { return *m_introduction; }
 
     /// Opens an experiment file. If it is invalid, the reason is shown and nothing changes.
     void openFile(const QString &path);
@@ -112,7 +109,9 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void makeDocks(CostFunction cost);
+    void makeDocks();
+    void makePanels(CostFunction cost);
+    void makeCode();
     void makeLayouts();
     void makeSandbox();
     void makeMenus();
@@ -140,6 +139,7 @@ private:
     std::unique_ptr<GalleryDesk> m_gallery;
     std::unique_ptr<NotebookDesk> m_notebook;
     std::unique_ptr<HelpPages> m_help;
+    std::unique_ptr<Introduction> m_introduction;
     std::unique_ptr<SceneExport> m_export;
     std::unique_ptr<Restart> m_restart;
 
@@ -150,6 +150,7 @@ private:
     StabilityMonitor *m_stability;
     SettlingMonitor *m_settling;
     SceneColumn *m_centre;
+    LeftPages *m_left = nullptr;
     LearnPanel *m_learn = nullptr;
     LessonDesk *m_lessons = nullptr;
     AccuracyPanel *m_accuracy = nullptr;
@@ -161,7 +162,6 @@ private:
     NumbersPanel *m_numbers = nullptr;
     StabilityPanel *m_stabilityPanel = nullptr;
     StabilityGauge *m_gauge = nullptr;
-    Tour *m_tour = nullptr; ///< made when it is started first
 };
 
 }

@@ -6,6 +6,7 @@
 #include "app/ui/stability/stability_panel.h"
 #include "app/ui/status/status_figures.h"
 #include "app/ui/status/status_sentence.h"
+#include "app/ui/window/introduction.h"
 #include "tests/app/language/cut_text.h"
 #include "tests/app/language/drawn_text.h"
 #include "tests/app/language/translated_window.h"
@@ -190,7 +191,7 @@ void TranslatedWindowTest::theCardsOfTheTourAreNotCut()
     m_shown.reset();
     QFETCH(QString, language);
     TranslatedWindow shown(language);
-    shown.window.startTour();
+    shown.window.introduction().startTour();
     Tour *tour = shown.window.findChild<Tour *>();
     QStringList cut;
     for (std::size_t stop = 0; stop < tour->count(); ++stop) {

@@ -7,6 +7,7 @@
 #include "app/ui/map/concept_button.h"
 #include "app/ui/map/concept_view.h"
 #include "app/ui/map/map_page.h"
+#include "app/ui/window/introduction.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 
@@ -321,20 +322,20 @@ void ConceptMapTest::lessonsWithoutConceptsHaveNoMap()
     WindowFixture fixture({.lesson = {}, .library = twoLessons()});
     const auto &command = fixture.actionCalled("Map of concepts");
     QVERIFY(!command.isEnabled() && !command.toolTip().isEmpty());
-    fixture.window.showMap();
+    fixture.window.introduction().showMap();
     QVERIFY(!fixture.window.findChild<MapPage *>());
 }
 
 void ConceptMapTest::aNewLearnerSeesItAfterTheTour()
 {
     WindowFixture fixture;
-    fixture.window.welcome();
+    fixture.window.introduction().welcome();
     QVERIFY(fixture.part<Tour>().isRunning());
     QVERIFY(!fixture.window.findChild<MapPage *>());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(fixture.part<MapPage>().isVisible());
     fixture.part<MapPage>().close();
-    fixture.window.startTour(); // taken again from the menu: no map
+    fixture.window.introduction().startTour(); // taken again from the menu: no map
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(!fixture.part<MapPage>().isVisible());
 }

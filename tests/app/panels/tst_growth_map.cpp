@@ -86,10 +86,7 @@ void GrowthMapTest::theMapIsDrawnOnRequest()
 void GrowthMapTest::theMapShowsWhereTheLearnerIsAndWas()
 {
     StabilityFixture fixture;
-    QTest::mouseClick(&fixture.gauge, Qt::LeftButton);
-    QTest::mouseClick(fixture.plane(1), Qt::LeftButton);
-    fixture.waitForMap();
-    GrowthPlot &plot = fixture.panel.plot();
+    GrowthPlot &plot = openMap(fixture, 1);
     const QPointF first = plot.onScreen(fixture.window.stability().tried().back());
     QVERIFY(isNear(colourAt(plot, first), fixture.theme.tokens().now));
     fixture.session.editor().setParameter("k", 0.02);
@@ -111,11 +108,8 @@ void GrowthMapTest::theWayBetweenTwoPlacesIsDrawn()
 {
     QFETCH(int, width);
     StabilityFixture fixture;
-    QTest::mouseClick(&fixture.gauge, Qt::LeftButton);
-    QTest::mouseClick(fixture.plane(1), Qt::LeftButton);
-    fixture.waitForMap();
+    GrowthPlot &plot = openMap(fixture, 1);
     fixture.window.resize(width, 800);
-    GrowthPlot &plot = fixture.panel.plot();
     const double top = plot.onScreen(fixture.window.stability().tried().back()).y();
     const auto between = [&] {
         const QPointF here = plot.onScreen(fixture.window.stability().tried().back());
@@ -135,10 +129,7 @@ void GrowthMapTest::theWayBetweenTwoPlacesIsDrawn()
 void GrowthMapTest::theMapTellsWhatIsUnderThePointer()
 {
     StabilityFixture fixture;
-    QTest::mouseClick(&fixture.gauge, Qt::LeftButton);
-    QTest::mouseClick(fixture.plane(1), Qt::LeftButton);
-    fixture.waitForMap();
-    GrowthPlot &plot = fixture.panel.plot();
+    GrowthPlot &plot = openMap(fixture, 1);
     QVERIFY(plot.wordsAt(plot.onScreen({0.05, 0.5, 1.0})).contains(": stable"));
     QVERIFY(plot.wordsAt(plot.onScreen({5.0, 0.9, 1.0})).contains("times a frame"));
     QVERIFY(plot.wordsAt({1.0, 1.0}).isEmpty());
@@ -165,7 +156,7 @@ void GrowthMapTest::aClickOnTheMapGoesThere()
     GrowthPlot &plot = openMap(fixture, plane);
     const std::size_t tried = fixture.window.stability().tried().size();
     const QPoint there = plot.onScreen({1.0, damp, h}).toPoint();
-    QTest::mouseMove(&plot, there);
+    tests::moveMouse(plot, there);
     QCOMPARE(plot.cursor().shape(), Qt::PointingHandCursor);
     QTest::mouseClick(&plot, Qt::LeftButton, {}, there);
     // Within the cell that was hit.

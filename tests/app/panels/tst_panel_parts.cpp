@@ -1,10 +1,11 @@
-// The help page, dock titles and the focus ring.
+// The help page, dock titles, the focus ring and the height of texts.
 
 #include "app/ui/dock/dock_title.h"
 #include "app/ui/dock/progress_line.h"
 #include "app/ui/help/help_page.h"
 #include "app/ui/help/key_caps.h"
 #include "app/ui/learn/learn_panel.h"
+#include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/step_button.h"
 #include "tests/app/support/panel_fixture.h"
 #include "tests/suite.h"
@@ -34,6 +35,7 @@ private slots:
     void aDockTitleIsAsHighAsItsDockExpects();
     void tabPutsARingRoundAControl();
     void aProgressLinePaintsOnlyWithAllElse();
+    void aTextKnowsItsHeightAtEachWidthAfterEachChange();
 };
 
 void PanelPartsTest::theHelpPageListsEveryActionThatHasAShortcut()
@@ -151,6 +153,23 @@ void PanelPartsTest::aProgressLinePaintsOnlyWithAllElse()
     line.setShare(0.5);
     settle();
     QCOMPARE(paints.count, 1); // nothing is new
+}
+
+void PanelPartsTest::aTextKnowsItsHeightAtEachWidthAfterEachChange()
+{
+    constexpr int line = 20, gap = 6, wide = 300, narrow = 60; // px; the narrow one holds one word
+    Theme theme(Scheme::light);
+    NarrationText text(theme);
+    text.setText("spring foot");
+    for (int i = 0; i < 2; ++i) { // asked for again
+        QCOMPARE(text.heightForWidth(wide), line);
+        QCOMPARE(text.heightForWidth(narrow), 2 * line);
+    }
+    text.setText("spring foot\n\nbody");
+    QCOMPARE(text.heightForWidth(wide), 2 * line + gap);
+    QCOMPARE(text.heightForWidth(narrow), 3 * line + gap);
+    text.setLarge(true);
+    QCOMPARE(text.heightForWidth(wide), 2 * (line + 2) + gap);
 }
 
 SUITE(tst_panel_parts, PanelPartsTest)

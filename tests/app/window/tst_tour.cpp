@@ -5,6 +5,7 @@
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/step/try_box.h"
 #include "app/ui/learn/words/glossary_page.h"
+#include "app/ui/window/introduction.h"
 #include "tests/app/support/window_fixture.h"
 #include "tests/suite.h"
 
@@ -75,7 +76,7 @@ void TourTest::itGoesThroughAllCards()
 {
     QFETCH(bool, byKey);
     TourFixture fixture;
-    fixture.window.startTour();
+    fixture.window.introduction().startTour();
     QVERIFY(fixture.tour().count() >= 5 && fixture.tour().count() <= 7);
     QStringList titles;
     for (std::size_t i = 0; i < fixture.tour().count(); ++i) {
@@ -90,7 +91,7 @@ void TourTest::itGoesThroughAllCards()
     }
     QVERIFY(!fixture.tour().isRunning());
     QCOMPARE(titles.removeDuplicates(), 0);
-    fixture.window.startTour(); // asked for again
+    fixture.window.introduction().startTour(); // asked for again
     QVERIFY(fixture.tour().isRunning());
     QCOMPARE(fixture.tour().stop(), 0u);
     QTest::mouseClick(fixture.button("Next"), Qt::LeftButton);
@@ -101,11 +102,11 @@ void TourTest::itGoesThroughAllCards()
 void TourTest::escEndsItAnywhere()
 {
     TourFixture fixture;
-    fixture.window.startTour();
+    fixture.window.introduction().startTour();
     QTest::keyClick(&fixture.tour(), Qt::Key_Return);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
     QVERIFY(!fixture.tour().isRunning());
-    fixture.window.startTour();
+    fixture.window.introduction().startTour();
     fixture.view.setFocus();
     QTest::keyClick(&fixture.view, Qt::Key_Escape);
     QVERIFY(!fixture.tour().isRunning());
@@ -115,7 +116,7 @@ void TourTest::escEndsItAnywhere()
 void TourTest::theWindowCanBeUsedMeanwhile()
 {
     TourFixture fixture;
-    fixture.window.startTour();
+    fixture.window.introduction().startTour();
     fixture.view.setFocus();
     QTest::keyClick(&fixture.view, Qt::Key_Right);
     QCOMPARE(fixture.session.timeline().cursor().frame, 1);
@@ -133,7 +134,7 @@ void TourTest::cardsStayInTheWindowBesideTheirParts()
 {
     QFETCH(QSize, size);
     TourFixture fixture({.size = size});
-    fixture.window.startTour();
+    fixture.window.introduction().startTour();
     for (std::size_t i = 0; i < fixture.tour().count(); ++i) {
         QCoreApplication::processEvents();
         QVERIFY(fixture.window.rect().contains(fixture.tour().geometry()));

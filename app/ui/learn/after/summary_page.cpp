@@ -146,8 +146,17 @@ void SummaryPage::open()
     }
 }
 
+void SummaryPage::showEvent(QShowEvent *)
+{
+    if (m_isStale)
+        refresh();
+}
+
 void SummaryPage::refresh()
 {
+    m_isStale = !isVisible(); // it is a long text, and most steps are opened without it
+    if (m_isStale)
+        return;
     const LessonSummary summary = summaryOf(m_session.lesson(), m_session.library(), m_session.progress());
     m_title->setText(tr("%1: what you learnt").arg(summary.title));
     m_text->setText(textOf(summary));

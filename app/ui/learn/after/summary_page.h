@@ -42,6 +42,9 @@ signals:
     /// Emitted when the learner goes back to the text of the open step.
     void closed();
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     QWidget *makeText();
     QWidget *makeButtons();
@@ -65,6 +68,7 @@ private:
     StepButton *m_next = nullptr;
     QString m_lesson;        ///< the id of the lesson that is shown
     QStringList m_forgotten; ///< ticks that can be restored
+    bool m_isStale = false;
 };
 
 }

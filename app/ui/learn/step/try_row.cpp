@@ -1,12 +1,8 @@
 #include "app/ui/learn/step/try_row.h"
 
-#include "app/ui/learn/prose.h"
-
 #include <QAbstractTextDocumentLayout>
 #include <QPainter>
 #include <QStyleOption>
-
-#include <cmath>
 
 namespace app {
 
@@ -44,6 +40,7 @@ void TryRow::applyTheme()
 {
     const QColor color = isChecked() ? m_theme.tokens().ink3 : m_theme.tokens().ink;
     setProse(m_document, m_text, {13, lineHeight, 0, color, color, QFont::Medium}, m_theme);
+    m_heights.forget();
     setAccessibleName(isChecked() ? tr("%1 done").arg(plain()) : tr("%1 not yet").arg(plain()));
     updateGeometry();
     update();
@@ -61,8 +58,7 @@ void TryRow::nextCheckState()
 
 int TryRow::heightForWidth(int width) const
 {
-    m_document.setTextWidth(width - tryTextLeft);
-    return 2 * tryPadding + static_cast<int>(std::ceil(m_document.size().height()));
+    return 2 * tryPadding + m_heights.at(width - tryTextLeft, m_document);
 }
 
 QSize TryRow::sizeHint() const
@@ -83,7 +79,7 @@ void TryRow::paintEvent(QPaintEvent *)
     box.state |= isChecked() ? QStyle::State_On : QStyle::State_Off;
     box.rect = QRect(0, tryPadding + 1, boxSize, boxSize);
     style()->drawPrimitive(QStyle::PE_IndicatorCheckBox, &box, &painter, this);
-    m_document.setTextWidth(width() - tryTextLeft);
+    layOut(m_document, width() - tryTextLeft);
     painter.translate(tryTextLeft, tryPadding - lift);
     m_document.drawContents(&painter);
 }

@@ -1,9 +1,8 @@
 #pragma once
 
-#include "app/ui/theme/theme.h"
+#include "app/ui/learn/prose.h"
 
 #include <QCheckBox>
-#include <QTextDocument>
 
 namespace app {
 
@@ -36,6 +35,7 @@ private:
     const Theme &m_theme;
     QString m_text;
     mutable QTextDocument m_document; ///< laid out for the width that was last requested
+    mutable ProseHeights m_heights;
 };
 
 }
