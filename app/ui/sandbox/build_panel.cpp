@@ -22,6 +22,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -34,6 +35,7 @@ namespace {
 
 constexpr int sideMargin = 16;
 constexpr int toolColumns = 3;
+constexpr int leastSeen = 140; ///< px of the properties of a pressed part that come into view
 constexpr int seenAround = 40; ///< px that stay visible above and below the control that the guide asks for
 
 QFrame *dividerIn(QWidget *parent)
@@ -359,6 +361,16 @@ void BuildPanel::refreshProperties()
         m_name->refresh();
     for (PropertyRow *row : m_rows)
         row->refresh();
+}
+
+void BuildPanel::showProperties()
+{
+    QTimer::singleShot(0, m_properties, [this] { // after the layout is done
+        QScrollBar *bar = m_area->verticalScrollBar();
+        const int top = m_properties->y(), below = bar->value() + m_area->viewport()->height();
+        if (below - top < std::min(m_properties->height(), leastSeen))
+            bar->setValue(top);
+    });
 }
 
 QString BuildPanel::keyOf(const std::vector<SandboxProperty> &properties) const

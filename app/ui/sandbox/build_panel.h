@@ -45,6 +45,9 @@ public:
     /// Shows the project that the learner works on in the sandbox. `desk` must outlive this object.
     void showProject(ProjectDesk &desk);
 
+    /// Scrolls to the properties of the selected parts if they are out of view.
+    void showProperties();
+
     /// Returns the text that is shown if nothing is selected, or if the scene cannot be edited now.
     QString hint() const;
     const std::vector<PropertyRow *> &rows() const { return m_rows; }

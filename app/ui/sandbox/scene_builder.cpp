@@ -204,15 +204,19 @@ void SceneBuilder::choosePart(const QMouseEvent &event)
         else if (!std::binary_search(chosen.begin(), chosen.end(), point))
             m_editor.choose({{point}, {}, {}});
         m_isDragging = true;
+        emit partChosen();
         return;
     }
     const Selection link = linkAt(event.position());
-    if (link.isEmpty())
+    if (link.isEmpty()) {
         m_isBoxing = true;
-    else if (adds)
+        return;
+    }
+    if (adds)
         m_editor.toggle(link);
     else
         m_editor.choose(link);
+    emit partChosen();
 }
 
 bool SceneBuilder::move(const QMouseEvent &event)
@@ -303,6 +307,7 @@ void SceneBuilder::chooseWithBox()
         m_editor.choose(inBox(m_editor.plan(), {box->left(), box->top()}, {box->right(), box->bottom()}));
     else
         m_editor.choose({});
+    emit partChosen();
     m_view.viewport()->update();
 }
 

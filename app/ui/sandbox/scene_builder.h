@@ -57,6 +57,10 @@ public:
     static constexpr double reach = 12.0; ///< px of the screen, largest distance of a click that hits a point
     static constexpr double near = 6.0;   ///< px of the screen, largest distance of a click that hits a link
 
+signals:
+    /// The learner has pressed a part, which is selected now, or has drawn a box around some.
+    void partChosen();
+
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 

@@ -267,14 +267,15 @@ void MainWindow::makeSandbox()
 {
     auto *editor = new SandboxEditor(m_session, this);
     auto *guide = new BuildGuide(m_session.run(), m_session.editor(), m_session.playback(), *editor, this);
-    new SceneBuilder(m_session.run(), m_session.editor(), m_session.preview(), *editor, *guide,
-                     m_centre->scene(), m_theme); // owned by the scene
+    auto *builder = new SceneBuilder(m_session.run(), m_session.editor(), m_session.preview(), *editor,
+                                     *guide, m_centre->scene(), m_theme); // owned by the scene
     m_sandbox = std::make_unique<SandboxCommands>(m_session, *editor, m_commands.list);
     m_centre->bar().addTool(*m_sandbox->take);
     auto *build = new BuildPanel(m_session.run(), m_session.editor(), m_session.playback(), *editor, *guide,
                                  *m_sandbox, m_commands, m_theme, m_left);
     build->showProject(m_learn->projects());
     m_left->setTools(*build);
+    connect(builder, &SceneBuilder::partChosen, build, &BuildPanel::showProperties);
     connect(build, &BuildPanel::leaving, this, [this] { setMode(Mode::learn); });
     m_code->rule().addCommand(*m_sandbox->tools().back());
     m_code->rule().addCommand(*m_sandbox->linkChosen);

@@ -8,6 +8,8 @@
 #include "app/ui/learn/after/summary_page.h"
 #include "app/ui/learn/learn_panel.h"
 #include "app/ui/learn/narration_text.h"
+#include "app/ui/sandbox/build_panel.h"
+#include "app/ui/sandbox/property_row.h"
 #include "sim/run/script/composed_interval.h"
 #include "tests/suite.h"
 
@@ -88,6 +90,7 @@ private slots:
     void thePageAfterALessonHasItsProject();
     void theFirstLevelIsUnfolded();
     void theBuildPanelShowsTheProjectThatIsBuilt();
+    void aBodyThatIsSelectedShowsItsNumbersBelowTheProject();
     void startingIsOneEditThatCanBeUndone();
     void aProjectOfTheListingKeepsItsPage();
     void aProjectOfTheListingReplacesWhatWasWrittenBefore();
@@ -145,6 +148,19 @@ void ProjectsTest::theBuildPanelShowsTheProjectThatIsBuilt()
     QVERIFY(!window.card().findChild<QWidget *>("projectBrief")->isVisible());
     window.press(window.card(), "foldProject");
     QVERIFY(window.card().findChild<QWidget *>("projectBrief")->isVisible());
+}
+
+void ProjectsTest::aBodyThatIsSelectedShowsItsNumbersBelowTheProject()
+{
+    ProjectFixture window("gravity_walls");
+    window.click(window.project(), "startProject");
+    QVERIFY(window.session.isSandbox());
+    QVERIFY(window.card().isVisible());
+    QVERIFY(window.card().visibleRegion().boundingRect().contains(0, 0)); // the task comes first
+    const sim::Vec2 body = window.session.timeline().state().positionOf(0);
+    QTest::mouseClick(window.view.viewport(), Qt::LeftButton, {}, window.view.mapFromScene(body.x, body.y));
+    const PropertyRow &first = *window.part<BuildPanel>().rows().front();
+    QTRY_COMPARE(first.visibleRegion().boundingRect(), first.rect());
 }
 
 void ProjectsTest::startingIsOneEditThatCanBeUndone()
