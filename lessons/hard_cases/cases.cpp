@@ -136,26 +136,29 @@ bool sameRun(const sim::Script &a, const sim::Script &b)
 
 }
 
-std::vector<sim::HardCase> shownCases()
+const std::vector<sim::HardCase> &shownCases()
 {
-    std::vector<sim::HardCase> all = sim::hardCases();
-    std::erase_if(all,
-                  [](const sim::HardCase &hard) { return hard.hasRequirement(sim::Requirement::refused); });
-    for (sim::HardCase &hard : all) {
-        if (hard.script.values.has("levels"))
-            hard.script.values.set("levels", std::min(hard.script.values["levels"], maxLevels));
-    }
-    return all;
+    static const std::vector<sim::HardCase> shown = [] {
+        std::vector<sim::HardCase> all = sim::hardCases();
+        std::erase_if(
+            all, [](const sim::HardCase &hard) { return hard.hasRequirement(sim::Requirement::refused); });
+        for (sim::HardCase &hard : all) {
+            if (hard.script.values.has("levels"))
+                hard.script.values.set("levels", std::min(hard.script.values["levels"], maxLevels));
+        }
+        return all;
+    }();
+    return shown;
 }
 
-sim::HardCase caseNumber(int index)
+const sim::HardCase &caseNumber(int index)
 {
     return shownCases().at(static_cast<std::size_t>(index));
 }
 
 int caseIndex(const char *id)
 {
-    const std::vector<sim::HardCase> all = shownCases();
+    const std::vector<sim::HardCase> &all = shownCases();
     const auto found =
         std::find_if(all.begin(), all.end(), [id](const sim::HardCase &hard) { return hard.id == id; });
     return found == all.end() ? -1 : static_cast<int>(found - all.begin());
@@ -188,7 +191,7 @@ Parameter caseStiffness()
 
 void prepareCase(sim::Script &script)
 {
-    const sim::HardCase hard = caseNumber(script.values.integer("case"));
+    const sim::HardCase &hard = caseNumber(script.values.integer("case"));
     script.input = hard.script.input;
     script.bodies = hard.script.bodies;
     script.step = sim::scriptOf(hard, script.method, hard.brief).step;
@@ -196,7 +199,7 @@ void prepareCase(sim::Script &script)
 
 bool isUnchangedCase(const sim::Script &script)
 {
-    const sim::HardCase hard = caseNumber(script.values.integer("case"));
+    const sim::HardCase &hard = caseNumber(script.values.integer("case"));
     return script.values["k"] == 0.0 && script.input == hard.script.input &&
            script.bodies == hard.script.bodies && script.effectsOff.empty();
 }

@@ -7,10 +7,11 @@
 namespace hard_cases {
 
 /// Returns the cases that the step shows. Cases that must be refused are left out, because they have no
-/// scene. Large trees get fewer forks, so that they can be drawn while the run plays.
-std::vector<sim::HardCase> shownCases();
+/// scene. Large trees get fewer forks, so that they can be drawn while the run plays. They are made once, because what is
+/// asked of a run needs them in every frame.
+const std::vector<sim::HardCase> &shownCases();
 /// Returns the shown case at `index`.
-sim::HardCase caseNumber(int index);
+const sim::HardCase &caseNumber(int index);
 /// Returns the index of the shown case `id`. -1 if there is none.
 int caseIndex(const char *id);
 
