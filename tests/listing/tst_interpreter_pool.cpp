@@ -8,7 +8,7 @@
 
 using namespace listing_support;
 
-/// The interpreters of a program: each thread that runs it has one of its own.
+/// Each thread that runs a program has its own interpreter.
 class InterpreterPoolSuite : public QObject
 {
     Q_OBJECT

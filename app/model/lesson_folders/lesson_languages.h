@@ -5,8 +5,8 @@
 
 namespace app {
 
-/// Returns the languages that have documents of their own, in the order of their codes: "de". The documents without a
-/// language are shown in all others.
+/// Returns the codes of the languages that a lesson is translated into, sorted, such as "de". All other languages show
+/// the documents that have no code in their names.
 QStringList languagesOf(const LessonFiles &files);
 
 /// Checks that the documents of a lesson in one language ask the same as those in another: things to try, predictions and

@@ -37,7 +37,7 @@ private:
     void enter();
     void leave();
     void showWhyNot(const QString &sentence);
-    /// Shows the name of the point in place of what was typed.
+    /// Shows the current name of the point again. What was typed is lost.
     void reset();
 
     SandboxEditor &m_editor;

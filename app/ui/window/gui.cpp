@@ -106,7 +106,7 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     else if (Tour::isWanted())
         QTimer::singleShot(0, &window.introduction(), &Introduction::welcome);
     else if (last.lesson.isEmpty())
-        QTimer::singleShot(0, &window.introduction(), &Introduction::showMap); // nobody has begun
+        QTimer::singleShot(0, &window.introduction(), &Introduction::showMap); // no lesson was opened yet
     window.keepGalleryIn(galleryFolder());
     window.autosaveIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();

@@ -3,7 +3,7 @@
 
 using namespace listing_window;
 
-/// Typing into the listing of a step: what it does to the run, and which keys the editor takes.
+/// Typing in the listing of a step: how it changes the run, and which keys the editor handles.
 class TestTypingCode : public QObject
 {
     Q_OBJECT

@@ -2,8 +2,8 @@
 //   killed_program FOLDER SEED
 // Autosaves to FOLDER/scenes and writes a line to FOLDER/log for every state of the open run:
 //   milliseconds lesson.step digest-of-the-experiment     ("-" in place of the digest: nothing to save)
-// The milliseconds are those that the user waited between actions: how long the window takes to answer is no input, and
-// depends on the machine.
+// The milliseconds count the user's pauses only. The time that the window takes to respond is not input, and depends on
+// the machine.
 
 #include "tests/app/support/window_fixture.h"
 
