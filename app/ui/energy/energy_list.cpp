@@ -8,10 +8,10 @@ namespace app {
 
 namespace {
 
-constexpr int markSize = 10;
-constexpr int margin = 12;
-constexpr int textLeft = margin + markSize + 9;
-constexpr int barHeight = 3;
+constexpr int kindMarkSize = 10;
+constexpr int rowMargin = 12;
+constexpr int textLeft = rowMargin + kindMarkSize + 9;
+constexpr int shareBarHeight = 3;
 
 }
 
@@ -62,12 +62,12 @@ void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
     paintLedgerRow(*painter, option, m_theme);
-    const QRectF mark(row.x() + margin, row.y() + 5, markSize, markSize);
+    const QRectF mark(row.x() + rowMargin, row.y() + 5, kindMarkSize, kindMarkSize);
     painter->setPen(QPen(ink, 1.2));
     painter->setBrush(isDrift ? driftBrush(m_theme)
                               : QBrush(line.role == EnergyRole::held ? ink : Qt::transparent));
     painter->drawRoundedRect(mark, 2, 2);
-    const QRectF text = row.adjusted(textLeft, 1, -margin, -(barHeight + 4));
+    const QRectF text = row.adjusted(textLeft, 1, -rowMargin, -(shareBarHeight + 4));
     painter->setPen(line.amount == 0.0 && line.across == 0.0 ? t.ink3 : t.ink);
     painter->setFont(m_theme.mono(12));
     const double numberWidth = painter->fontMetrics().horizontalAdvance(line.number);
@@ -77,7 +77,7 @@ void EnergyDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option
     const double room = text.width() - numberWidth - 8;
     painter->drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                       painter->fontMetrics().elidedText(line.title, Qt::ElideRight, static_cast<int>(room)));
-    QRectF bar(text.left(), row.bottom() - barHeight - 3, text.width(), barHeight);
+    QRectF bar(text.left(), row.bottom() - shareBarHeight - 3, text.width(), shareBarHeight);
     painter->setPen(Qt::NoPen);
     painter->setBrush(t.track);
     painter->drawRoundedRect(bar, 1.5, 1.5);

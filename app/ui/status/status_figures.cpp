@@ -10,7 +10,7 @@ namespace app {
 
 namespace {
 
-constexpr int gap = 18; ///< px between two numbers
+constexpr int numberGap = 18; ///< px between two numbers
 constexpr int leftMargin = 8;
 constexpr int rightMargin = 14;
 
@@ -22,7 +22,7 @@ StatusFigures::StatusFigures(const OpenRun &run, const Playback &playback, const
 {
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(leftMargin, 0, rightMargin, 0);
-    row->setSpacing(gap);
+    row->setSpacing(numberGap);
     const QString tips[count] = {
         tr("How many points the scene has: each body, foot or joint is one"),
         tr("How often a frame computes all forces. The cost of a frame depends on this"),
@@ -112,12 +112,12 @@ void StatusFigures::setMost(int px)
 
 void StatusFigures::showWhatFits()
 {
-    int left = m_most - leftMargin - rightMargin + gap;
+    int left = m_most - leftMargin - rightMargin + numberGap;
     for (int i = count - 1; i >= 0; --i) {
         QLabel &label = *m_labels[i];
         const bool isEmpty = label.text().isEmpty();
         if (!isEmpty)
-            left -= gap + label.sizeHint().width();
+            left -= numberGap + label.sizeHint().width();
         const bool isShown = !isEmpty && left >= 0;
         if (label.isHidden() == isShown)
             label.setVisible(isShown);

@@ -14,7 +14,7 @@ namespace lessons {
 
 namespace {
 
-struct Text
+struct ConditionText
 {
     Q_DECLARE_TR_FUNCTIONS(Conditions)
 };
@@ -136,7 +136,7 @@ QString Conditions::todo(const sim::Timeline &run) const
 
 Condition released(const std::string &body)
 {
-    return saying(Text::tr("take it with the mouse, and let go of it."),
+    return saying(ConditionText::tr("take it with the mouse, and let go of it."),
                   {[body](const sim::Timeline &run) { return lastReleased(run, body).has_value(); }});
 }
 
@@ -154,14 +154,15 @@ Condition releasedSinceSet(const std::string &id, const std::string &body)
 Condition thrownAtLeast(double minSpeed)
 {
     return saying(
-        withRequired(Text::tr("let go while the mouse moves, at %2 px per frame or more. Yours left at %1."),
-                     minSpeed),
+        withRequired(
+            ConditionText::tr("let go while the mouse moves, at %2 px per frame or more. Yours left at %1."),
+            minSpeed),
         atLeast(minSpeed, releaseSpeed));
 }
 
 Condition lastGrabbed(const std::string &body)
 {
-    return saying(Text::tr("take it with the mouse."), {[body](const sim::Timeline &run) {
+    return saying(ConditionText::tr("take it with the mouse."), {[body](const sim::Timeline &run) {
                       const std::vector<DragGesture> all = dragGestures(run);
                       return !all.empty() && all.back().body == body;
                   }});
@@ -169,19 +170,19 @@ Condition lastGrabbed(const std::string &body)
 
 Condition holding(const std::string &body)
 {
-    return saying(Text::tr("take it with the mouse, and hold it."),
+    return saying(ConditionText::tr("take it with the mouse, and hold it."),
                   {[body](const sim::Timeline &run) { return heldBody(run) == body; }});
 }
 
 Condition draggedAtLeast(double minDistance)
 {
-    return saying(withRequired(Text::tr("carry it %2 px or more. It came %1 px."), minDistance),
+    return saying(withRequired(ConditionText::tr("carry it %2 px or more. It came %1 px."), minDistance),
                   atLeast(minDistance, lastDragDistance, {}, 0));
 }
 
 Condition allStill()
 {
-    return saying(Text::tr("let time run (**Space**) until nothing moves."), {isStill});
+    return saying(ConditionText::tr("let time run (**Space**) until nothing moves."), {isStill});
 }
 
 Condition idleFor(std::int64_t frames)
@@ -190,8 +191,9 @@ Condition idleFor(std::int64_t frames)
         return run.cursor().phase > 0 ? 0.0 : static_cast<double>(idleFrames(run));
     };
     const auto required = static_cast<double>(frames);
-    return saying(withRequired(Text::tr("hands off, and let time run for %2 frames. So far: %1."), required),
-                  atLeast(required, idle, {}, 0));
+    return saying(
+        withRequired(ConditionText::tr("hands off, and let time run for %2 frames. So far: %1."), required),
+        atLeast(required, idle, {}, 0));
 }
 
 Condition unchangedFor(const std::string &id, std::int64_t frames)
@@ -200,14 +202,15 @@ Condition unchangedFor(const std::string &id, std::int64_t frames)
         return static_cast<double>(framesSinceSet(run, id));
     };
     const auto required = static_cast<double>(frames);
-    return saying(withRequired(Text::tr("let time run for %2 frames with this value. So far: %1."), required),
-                  atLeast(required, since, {}, 0));
+    return saying(
+        withRequired(ConditionText::tr("let time run for %2 frames with this value. So far: %1."), required),
+        atLeast(required, since, {}, 0));
 }
 
 Condition playedTo(std::int64_t frame)
 {
     return saying(
-        withRequired(Text::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
+        withRequired(ConditionText::tr("go on to frame %2. This is frame %1."), static_cast<double>(frame)),
         {[frame](const sim::Timeline &run) { return run.cursor().phase == 0 && run.cursor().frame >= frame; },
          {},
          [](const sim::Timeline &run) { return static_cast<double>(run.cursor().frame); },
@@ -237,15 +240,16 @@ Condition stepIs(double h, const QString &sentence)
 
 Condition insideFrame()
 {
-    return inPhases(
-        saying(Text::tr("stop, show the page **Engine** of the code, and go into a frame: **Shift+→**."),
-               {[](const sim::Timeline &run) { return run.cursor().phase > 0; }}));
+    return inPhases(saying(
+        ConditionText::tr("stop, show the page **Engine** of the code, and go into a frame: **Shift+→**."),
+        {[](const sim::Timeline &run) { return run.cursor().phase > 0; }}));
 }
 
 Condition onlyPulled()
 {
     return inPhases(
-        saying(Text::tr("press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved."),
+        saying(ConditionText::tr(
+                   "press **Shift+→** or **Shift+←** until a spring has pulled and nothing has moved."),
                {onlySpringsPulled}));
 }
 
@@ -259,7 +263,7 @@ Condition playedSinceFork()
     const auto since = [](const sim::Timeline &run) {
         return static_cast<double>(run.cursor().frame - run.forkFrame());
     };
-    return saying(Text::tr("play on for 10 frames from where the two part. So far: %1."),
+    return saying(ConditionText::tr("play on for 10 frames from where the two part. So far: %1."),
                   atLeast(10.0, since, {}, 0));
 }
 

@@ -23,7 +23,7 @@ constexpr double arrowLength = 24.0;
 constexpr double headLength = 12.0;
 constexpr double headWidth = 13.0;
 constexpr double shaftWidth = 4.0;
-constexpr double apart = 5.0;   ///< px between arrow and label
+constexpr double labelGap = 5.0;   ///< px between arrow and label
 constexpr double shared = 44.0; ///< px within which bodies share a marker
 
 /// Returns the point where the line from the centre of `free` to `target` leaves `free`.
@@ -64,7 +64,7 @@ void placeLabel(EdgeMarker &marker, const SceneContent &shown, QRectF free, Labe
     const double w = std::ceil(metrics.horizontalAdvance(marker.text)) + 14.0;
     const double h = std::ceil(metrics.height()) + 5.0;
     // The label is on the inner side of the arrow and touches the arrow's end.
-    const QPointF inner = marker.at - (arrowLength + apart) * marker.direction;
+    const QPointF inner = marker.at - (arrowLength + labelGap) * marker.direction;
     const QPointF back(marker.direction.x() * w / 2, marker.direction.y() * h / 2);
     marker.label = places.within(free, inner - QPointF(w / 2, h / 2) - back, {w, h});
 }
