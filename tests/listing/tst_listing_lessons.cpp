@@ -5,6 +5,7 @@
 #include "sim/run/track.h"
 #include "tests/lessons/support/support.h"
 #include "tests/listing/listing_support.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -19,7 +20,7 @@ using listing_support::fileText;
 namespace {
 
 constexpr int frames = 300;
-constexpr unsigned inputs = 10;
+constexpr unsigned inputs = tests::sized(10, 4);
 /// Lines of most listings, and of those that add up all steps before them.
 constexpr int mostLines = 60, mostLinesOfAll = 100;
 constexpr std::array lessonsWithListings = {"single_spring",    "two_body",     "multi_foot",

@@ -219,7 +219,7 @@ private slots:
 
     void longTrialRunIsSkipped()
     {
-        Script script = linearStar(60);
+        Script script = linearStar(500);
         script.values.set("damp", 1.0); // a damped run would sleep, and then any length is quick
         Stop stop = stopOf(script);
         stop.frame = 1'000'000'000;

@@ -3,6 +3,7 @@
 #include "sim/run/script/composed_interval.h"
 #include "tests/sim/support/counting.h"
 #include "tests/sim/support/support.h"
+#include "tests/sizes.h"
 
 #include "sim/effects/drags/damping.h"
 #include "sim/effects/springs/body_spring.h"
@@ -17,10 +18,11 @@ using support::CountingForce;
 
 namespace {
 
+constexpr int pairCount = tests::sized(4000, 2500);
+
 /// Returns many separate pairs of points, "pair0" and "end0", "pair1" and "end1", and so on.
 Scene pairs(const std::shared_ptr<std::int64_t> &count)
 {
-    constexpr int pairCount = 4000;
     Scene scene;
     scene.start = State::ofPoints(2 * pairCount);
     support::scatter(scene.start, 9, 400.0);
@@ -56,15 +58,16 @@ private slots:
         QFETCH(double, h);
         const auto count = make_shared<std::int64_t>(0);
         Script script = support::script(pairs(count), "semi_implicit_euler", h);
+        const std::string last = "pair" + std::to_string(pairCount - 1);
         for (int frame = 900; frame < 1200; ++frame) {
             if (frame == 900)
                 script.input.push_back({frame, Grab{"pair7"}});
             if (frame == 1100)
-                script.input.push_back({frame, Grab{"pair3999"}}); // in another block
-            if (frame == 1104) {                                   // grabbed and released in the same frame
-                script.input.push_back({frame, Grab{"pair2000"}});
+                script.input.push_back({frame, Grab{last}}); // in another block
+            if (frame == 1104) {                             // grabbed and released in the same frame
+                script.input.push_back({frame, Grab{"pair" + std::to_string(pairCount / 2)}});
                 script.input.push_back({frame, Move{{0.0, 0.0}}});
-                script.input.push_back({frame, Grab{"pair3999"}});
+                script.input.push_back({frame, Grab{last}});
             }
             script.input.push_back({frame, Move{{frame * 0.5, 90.0}}});
         }
