@@ -84,6 +84,7 @@ private slots:
     void nothingIsLoaded();
     void aDamagedPageSaysSo();
     void twoHundredBodiesAreDrawn();
+    void onionSkinsOfACrowdAreDrawnOnce();
 };
 
 void WebPageTest::aPageOfTheWalkerIsSmall()
@@ -258,6 +259,30 @@ void WebPageTest::twoHundredBodiesAreDrawn()
     qInfo("%.0f pictures a second with 200 bodies; drawing one takes %.2f ms", result["rate"].toDouble(),
           result["drawn"].toDouble());
     QVERIFY(result["rate"].toDouble() > 0.0);
+}
+
+void WebPageTest::onionSkinsOfACrowdAreDrawnOnce()
+{
+    m_browser.open(page(file("skins", net()), {"--to", "60"}));
+    m_browser.valueOf(
+        "window.counted = (index, onion) => { const { painter } = run; painter.shows.onion = onion; "
+        "const canvas = CanvasRenderingContext2D.prototype; const { stroke } = canvas; let count = 0; "
+        "canvas.stroke = function(...all) { ++count; stroke.apply(this, all); }; painter.draw(index); "
+        "canvas.stroke = stroke; return count; }, true");
+    const auto counted = [this](int frame, bool onion) {
+        return m_browser.valueOf(QString("counted(%1, %2)").arg(frame).arg(onion ? "true" : "false")).toInt();
+    };
+    const auto picture = [this] { return m_browser.valueOf("run.canvas.toDataURL()").toString(); };
+    counted(41, false);
+    const int without = counted(42, false);
+    const QString bare = picture();
+    counted(41, true);
+    QCOMPARE(counted(42, true), without); // the skins have been drawn in frame 41
+    QVERIFY(picture() != bare);
+    constexpr int links = 20 * 9 + 19 * 10;                  // of net()
+    QCOMPARE(counted(45, true) - counted(45, false), links); // one new skin
+    m_browser.valueOf("run.painter.camera.pan(10, 0)");
+    QVERIFY(counted(46, true) - counted(46, false) >= 6 * links); // the view has moved
 }
 
 SUITE(tst_web_page, WebPageTest)

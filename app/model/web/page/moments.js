@@ -105,21 +105,39 @@ function putOutline(scene, style, place, radius) {
     scene.pen.restore();
 }
 
-/** Draws earlier moments; the earlier, the fainter. */
-function drawOnion(scene, figure) {
+/**
+ * Draws earlier moments; the earlier, the fainter. In a crowd each takes some milliseconds. So it is kept as a picture while
+ * the view stays.
+ */
+function drawOnion(scene, figure, painter) {
+    const { pen, camera } = scene;
     const step = onionStep * scene.every;
     const body = scene.colors.body;
+    const kept = scene.part.view.bodies.length > fewBodies ? painter.kept?.skins : null;
     // At multiples of the step, so that an onion skin keeps its place while it fades.
     const latest = Math.floor((scene.frame - 1) / step) * step;
     for (let k = onionSkins - 1; k >= 0; --k) {
-        const index = scene.index - (scene.frame - (latest - k * step)) / scene.every;
-        if (latest - k * step < 0 || index < 0)
+        const frame = latest - k * step;
+        const index = scene.index - (scene.frame - frame) / scene.every;
+        if (frame < 0 || index < 0)
             continue;
         const past = partAt(figure, index);
         const alpha = 0.55 * (1 - k / onionSkins);
-        if (past.part.names.length === scene.part.names.length)
-            drawOutlines({ ...scene, ...past }, { name: `skin${k}`, color: faded(body, alpha), width: 1.2, dash: [],
-                                                  fill: faded(body, 0.22 * alpha) });
+        if (past.part.names.length !== scene.part.names.length)
+            continue;
+        const draw = (onto, name, strength) =>
+            drawOutlines({ ...scene, ...past, pen: onto }, { name, color: faded(body, strength), width: 1.2, dash: [],
+                                                             fill: faded(body, 0.22 * strength) });
+        if (!kept) {
+            draw(pen, `skin${k}`, alpha);
+            continue;
+        }
+        const place = frame / step % onionSkins;
+        if (kept[place]?.frame !== frame)
+            kept[place] = { frame, picture: painter.paint(kept[place]?.picture, (onto) => draw(onto, "skin", 1)) };
+        pen.globalAlpha = alpha;
+        pen.drawImage(kept[place].picture, 0, 0, camera.width, camera.height);
+        pen.globalAlpha = 1;
     }
 }
 

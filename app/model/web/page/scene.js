@@ -99,26 +99,26 @@ class Painter {
         const { x, y, zoom, width, height } = this.camera;
         const views = scenes.map((scene) => scene.part.view);
         const key = [x, y, zoom, width, height, this.ratio, this.shows.grid, this.colors, horizonOf(scenes[0]), ...views];
-        const isSame = (other) => other?.length === key.length && key.every((one, k) => one === other[k]);
-        if (isSame(this.still?.key)) {
-            this.pen.drawImage(this.still.canvas, 0, 0, width, height);
-            return;
-        }
-        const isStill = isSame(this.lastKey); // a view that moves is not worth a copy
-        this.lastKey = key;
-        if (!isStill) {
+        if (this.key?.length !== key.length || key.some((one, k) => one !== this.key[k])) {
+            this.key = key;
+            this.kept = null; // a view that moves is not worth a copy
             this.drawSurroundingsWith(this.pen, scenes);
             return;
         }
-        this.still ??= { canvas: document.createElement("canvas") };
-        const { canvas } = this.still;
-        canvas.width = this.canvas.width;
-        canvas.height = this.canvas.height;
-        const pen = canvas.getContext("2d", { alpha: false });
+        this.kept ??= { surroundings: this.paint(null, (pen) => this.drawSurroundingsWith(pen, scenes)), skins: [] };
+        this.pen.drawImage(this.kept.surroundings, 0, 0, width, height);
+    }
+
+    /** Paints a picture of the size of the canvas: `picture` again, or a new one. Returns it. */
+    paint(picture, draw) {
+        const { width, height } = this.canvas;
+        picture ??= Object.assign(document.createElement("canvas"), { width, height });
+        const pen = picture.getContext("2d");
+        pen.setTransform(1, 0, 0, 1, 0, 0);
+        pen.clearRect(0, 0, width, height);
         pen.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
-        this.drawSurroundingsWith(pen, scenes);
-        this.still.key = key;
-        this.pen.drawImage(canvas, 0, 0, width, height);
+        draw(pen);
+        return picture;
     }
 
     drawSurroundingsWith(pen, scenes) {
@@ -169,7 +169,7 @@ class Painter {
         if (this.ghost)
             drawGhost(scene, this.ghost);
         if (this.shows.onion)
-            drawOnion(scene, figure);
+            drawOnion(scene, figure, this);
         if (this.shows.trails)
             drawTrails(scene);
     }
