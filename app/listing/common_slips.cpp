@@ -63,6 +63,22 @@ Slip unpairedBracket(const Tokens &tokens)
             return withoutPartner(i, partner);
         open.pop_back();
     }
+    if (!open.empty() && !tokens.is(open.back(), "{"))
+        return withoutPartner(open.back(), tokens.is(open.back(), "(") ? ")" : "]");
+    return {};
+}
+
+/// Returns the mistake that an array is declared: "array<double> a", "double[] a" or "double a[5]".
+Slip newArray(const Tokens &tokens)
+{
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const bool isType = isPrimitive(tokens[i].text) || isAnyOf(tokens[i].text, {"Vec2", "Body"});
+        const bool isArray =
+            (isType && (tokens.is(i + 1, "[") || (tokens.isWord(i + 1) && tokens.is(i + 2, "[")))) ||
+            (tokens.is(i, "array") && tokens.is(i + 1, "<") && tokens.isWord(i + 2) && tokens.is(i + 3, ">"));
+        if (isArray)
+            return slip(tokens[i], "A listing cannot make arrays. Write a variable for each value.");
+    }
     return {};
 }
 
@@ -330,6 +346,8 @@ Slip slipAt(const Tokens &tokens, std::size_t i)
 
 std::optional<CompileError> commonSlip(const Tokens &tokens)
 {
+    if (Slip found = newArray(tokens))
+        return found;
     if (Slip found = slipOutside(tokens))
         return found;
     if (Slip found = unpairedBracket(tokens))

@@ -39,7 +39,9 @@ Compiled Program::compile(const std::string &text, const Vocabulary &vocabulary)
     auto interpreter = std::make_unique<Interpreter>(data->scan, data->vocabulary);
     std::vector<CompileError> errors = interpreter->errors();
     if (!errors.empty()) {
-        std::stable_sort(errors.begin(), errors.end(), [](const CompileError &a, const CompileError &b) {
+        // A brace that is never closed comes last: it may just not have been typed yet.
+        const auto sorted = errors.end() - (data->scan.unclosed() ? 1 : 0);
+        std::stable_sort(errors.begin(), sorted, [](const CompileError &a, const CompileError &b) {
             return std::pair(a.line, a.column) < std::pair(b.line, b.column);
         });
         return {nullptr, std::move(errors)};

@@ -70,9 +70,18 @@ void ScriptEngine::messageCallback(const asSMessageInfo *message, void *self)
     auto marked = std::find_if(tokens.begin(), tokens.end(), [&](const Token &token) {
         return offset >= token.offset && offset < token.end();
     });
+    if (scan.unclosed() && text.starts_with("Not all paths return"))
+        return; // the function is not finished yet
     if (isAboutFraction(text) && !setsFraction(tokens, static_cast<std::size_t>(marked - tokens.begin())))
         return; // the value of an index or of an argument
     MarkedPlace place = {{}, engine.m_vocabulary, scan.declaredNames()};
+    if (marked == tokens.end() && isAboutGap(text)) { // at a brace that the text does not have
+        const auto before = std::find_if(tokens.begin(), tokens.end(),
+                                         [&](const Token &token) { return token.end() == offset; });
+        place.isAtLineEnd = before != tokens.end();
+        if (place.isAtLineEnd)
+            return engine.addError(before->line, before->column, plainSentence(text, place));
+    }
     if (marked == tokens.end())
         return engine.addError(line, column, plainSentence(text, place));
     place.isAtLineEnd = isAboutGap(text) && marked != tokens.begin() && (marked - 1)->line < marked->line;
@@ -99,6 +108,10 @@ asIScriptModule *ScriptEngine::build()
     module->AddScriptSection("listing", text.data(), text.size());
     const int built = module->Build();
     m_engine->ClearMessageCallback();
+    if (m_scan.unclosed()) {
+        m_errors.push_back(*m_scan.unclosed());
+        return nullptr;
+    }
     if (built >= 0)
         return module;
     if (m_errors.empty())

@@ -66,21 +66,33 @@ void ScriptRunner::fail(RunErrorKind kind, int line, std::string sentence)
     m_context->Abort();
 }
 
+int ScriptRunner::lineOfRunningLoop() const
+{
+    int found = 0;
+    for (asUINT call = 0; call < m_context->GetCallstackSize() && found == 0; ++call) {
+        int column = 0;
+        const int line = m_context->GetLineNumber(call, &column);
+        const std::size_t at = m_scan.offsetOf(line, column);
+        for (const Loop &loop : m_scan.loops()) { // the innermost comes last
+            if (loop.whole.contains(at))
+                found = loop.line;
+        }
+    }
+    return found;
+}
+
 void ScriptRunner::onLine()
 {
     int column = 0;
     const int line = m_context->GetLineNumber(0, &column);
     const int depth = static_cast<int>(m_context->GetCallstackSize()) - 1;
     if (++m_cues > m_maxLines) {
-        const std::size_t at = m_scan.offsetOf(line, column);
-        int loopLine = line;
-        for (const Loop &loop : m_scan.loops()) { // the innermost comes last
-            if (loop.whole.contains(at))
-                loopLine = loop.line;
-        }
-        return fail(RunErrorKind::endlessLoop, loopLine,
-                    "This did not end after " + std::to_string(m_maxLines) +
-                        " lines. A loop or a function repeats without end.");
+        const int loopLine = lineOfRunningLoop();
+        const std::string lines = " still runs after " + std::to_string(m_maxLines) + " lines. ";
+        return loopLine > 0 ? fail(RunErrorKind::endlessLoop, loopLine,
+                                   "This loop" + lines + "It ends only when its condition becomes false.")
+                            : fail(RunErrorKind::endlessLoop, line,
+                                   "This" + lines + "A function calls itself too often.");
     }
     if (depth > maxCallDepth)
         return fail(

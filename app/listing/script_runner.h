@@ -79,6 +79,8 @@ private:
     using Scopes = std::vector<Extent>;
 
     void onLine();
+    /// Returns the line of the innermost loop that runs, in this call or in one around it; 0 if none does.
+    int lineOfRunningLoop() const;
     void onException();
     const Scopes &scopesOf(asIScriptFunction *function) const;
     static void lineCallback(asIScriptContext *context, void *self);

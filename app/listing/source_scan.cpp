@@ -40,6 +40,50 @@ SourceScan::SourceScan(std::string text)
         if (!m_error)
             m_error = rule(m_tokens);
     }
+    closeBraces();
+}
+
+void SourceScan::closeBraces()
+{
+    const auto countOf = [&](std::string_view text) {
+        return std::count_if(m_tokens.begin(), m_tokens.end(),
+                             [&](const Token &token) { return token.text == text; });
+    };
+    auto missing = countOf("{") - countOf("}");
+    std::vector<std::size_t> open;
+    const auto closeBefore = [&](std::size_t i) {
+        if (!m_unclosed)
+            m_unclosed = errorAt(m_tokens[open.back()], "This '{' has no '}'.");
+        m_missingBraces.push_back(m_tokens[i - 1].end());
+        open.pop_back();
+        --missing;
+    };
+    std::vector<int> indents; // of the lines with the open braces
+    int indent = 1;
+    for (std::size_t i = 0; i < m_tokens.size(); ++i) {
+        const bool beginsLine = i == 0 || m_tokens[i - 1].line < m_tokens[i].line;
+        if (beginsLine)
+            indent = m_tokens[i].column;
+        indents.resize(open.size());
+        const bool beginsFunction = (m_tokens.is(i, "void") || isType(m_tokens[i].text)) &&
+                                    m_tokens.isWord(i + 1) && m_tokens.is(i + 2, "(") &&
+                                    m_tokens.is(m_tokens.closing(i + 2) + 1, "{");
+        while (beginsFunction && !open.empty()) // no function stands inside another one
+            closeBefore(i);
+        if (m_tokens.is(i, "{")) {
+            open.push_back(i);
+            indents.push_back(indent);
+        } else if (m_tokens.is(i, "}") && !open.empty()) {
+            // A brace further to the left than the line of its partner belongs to one before.
+            while (beginsLine && missing > 0 && open.size() > 1 && indents[open.size() - 1] > indent)
+                closeBefore(i);
+            open.pop_back();
+        }
+    }
+    while (!open.empty())
+        closeBefore(m_tokens.size());
+    if (missing < 0 && !m_error) // there is a '}' too many elsewhere
+        m_error = m_unclosed;
 }
 
 void SourceScan::fail(const Token &token, std::string sentence)
@@ -203,6 +247,8 @@ std::string SourceScan::compiledText() const
         if (m_tokens.is(i, "const") && isType(type) && !isPrimitive(type))
             text.replace(m_tokens[i].offset, m_tokens[i].text.size(), m_tokens[i].text.size(), ' ');
     }
+    for (auto at = m_missingBraces.rbegin(); at != m_missingBraces.rend(); ++at)
+        text.insert(*at, 1, '}');
     return text;
 }
 

@@ -57,8 +57,11 @@ public:
     /// Returns the first violation of the rules in language_rules.h, or the first variable without a value.
     const std::optional<CompileError> &error() const { return m_error; }
     const std::string &text() const { return m_text; }
+    /// Returns the error that a brace is never closed, if the rest of the text can be compiled nevertheless.
+    const std::optional<CompileError> &unclosed() const { return m_unclosed; }
     /// Returns the text for the interpreter, with the same positions. `const` before Vec2, Body and Creature is left out, because
-    /// an initial value of another type would end AngelScript 2.35.1.
+    /// an initial value of another type would end AngelScript 2.35.1. Missing closing braces are there, so that the
+    /// mistakes before the end are found while the text is being typed.
     std::string compiledText() const;
     const Tokens &tokens() const { return m_tokens; }
     const std::vector<FunctionText> &functions() const { return m_functions; }
@@ -84,6 +87,8 @@ public:
 private:
     void parse();
     void fail(const Token &token, std::string sentence);
+    /// Finds the braces that are never closed, and where their partners belong.
+    void closeBraces();
     /// Parses the statement at token `i`, whose block ends at byte `blockEnd`. Returns the index after it.
     std::size_t statement(std::size_t i, std::size_t blockEnd);
     /// Returns the index after the statement at token `i`.
@@ -95,7 +100,8 @@ private:
     std::string m_text;
     Tokens m_tokens; ///< of m_text; none if that is too long
     std::vector<std::size_t> m_lineStarts;
-    std::optional<CompileError> m_error;
+    std::optional<CompileError> m_error, m_unclosed;
+    std::vector<std::size_t> m_missingBraces; ///< the bytes before which they belong, in order
     std::vector<FunctionText> m_functions;
     std::vector<Declaration> m_globals;
     std::vector<Declaration> *m_into = nullptr; ///< the declarations of the current function

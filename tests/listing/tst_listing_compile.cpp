@@ -20,6 +20,8 @@ private slots:
     void codeStandsInFunctions_data();
     void codeStandsInFunctions();
     void severalMistakesComeInTheOrderOfTheText();
+    void aMissingBraceIsSaidWhereItOpens_data();
+    void aMissingBraceIsSaidWhereItOpens();
     void frameFunctionIsRequired();
     void boundsAreErrors_data();
     void boundsAreErrors();
@@ -196,6 +198,10 @@ void ListingCompile::slipOfABeginnerIsFoundWhereItIs_data()
     row("open bracket of a loop", "for (int i = 0; i < 2; i++ { }", "3:5+1 This '(' has no ')'.");
     row("closing bracket", "body.velocity *= damp);", "3:22+1 This ')' has no '('.");
     row("closing brace", "if (k > 1)\nbody.velocity *= damp;\n}", "6:1+1 This '}' has no '{'.");
+    row("array", "array<double> a;", "3:1+5 A listing cannot make arrays. Write a variable for each value.");
+    row("array with a length", "double a[9];",
+        "3:1+6 A listing cannot make arrays. Write a variable for each value.");
+    row("array type", "Vec2[] a;", "3:1+4 A listing cannot make arrays. Write a variable for each value.");
     row("decimal comma", "body.velocity *= 0,9;", "3:18+3 A number has a point, not a comma: '0.9'.");
     row("arguments are no decimals", "body.velocity = Vec2(1,2) + pow(1,2) * hand;", "");
     row("number before a name", "body.velocity *= 2k;",
@@ -252,6 +258,8 @@ void ListingCompile::codeStandsInFunctions_data()
     QTest::newRow("no function") << "body.velocity *= damp;"
                                  << "1:1+4 This stands outside of a function. Put it between the braces of "
                                     "a function.";
+    QTest::newRow("array") << "array<double> a(9);\nvoid frame() {}"
+                           << "1:1+5 A listing cannot make arrays. Write a variable for each value.";
     QTest::newRow("a brace too many")
         << "void frame()\n{\nif (k > 1)\nbody.position = hand;\n}\nelse\n{\n}\n}"
         << "6:1+4 This stands outside of a function. Look for a '}' too many above.";
@@ -289,6 +297,37 @@ void ListingCompile::severalMistakesComeInTheOrderOfTheText()
     QCOMPARE(errorsOf(frameOf("body.velocty *= damp;\nbody.velocity *= dmap;")),
              std::string("3:6+7 'velocty' is not a member of Body. Did you mean 'velocity'?\n"
                          "4:18+4 There is no 'dmap'. Did you mean 'damp'?"));
+}
+
+void ListingCompile::aMissingBraceIsSaidWhereItOpens_data()
+{
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<QString>("error");
+    QTest::newRow("at the end") << "void frame()\n{\n    body.position = hand;\n"
+                                << "2:1+1 This '{' has no '}'.";
+    QTest::newRow("in a function above")
+        << "Vec2 pull(Body me)\n{\n    Vec2 from = hand;\n\nvoid frame()\n{\n}\n"
+        << "2:1+1 This '{' has no '}'.";
+    QTest::newRow("inside, told by the indents")
+        << "void frame()\n{\n    if (k > 1)\n    {\n        body.position = hand;\n}\n"
+        << "4:5+1 This '{' has no '}'.";
+    QTest::newRow("bracket at the end") << "void frame()\n{\n    body.position = Vec2(1, 2\n"
+                                        << "3:25+1 This '(' has no ')'.";
+    QTest::newRow("a mistake before the end is said first")
+        << "Vec2 pull(Body me)\n{\n    Vec2 from = me.positon;\n    double a = dmap;\nvoid frame()\n{\n}\n"
+        << "3:20+7 'positon' is not a member of Body. Did you mean 'position'?\n"
+           "4:16+4 There is no 'dmap'. Did you mean 'damp'?\n2:1+1 This '{' has no '}'.";
+    QTest::newRow("no semicolon before the end") << "void frame()\n{\n    body.velocity *= damp\n"
+                                                 << "3:22+4 ';' is missing at the end of this line.\n"
+                                                    "2:1+1 This '{' has no '}'.";
+    QTest::newRow("a brace too many elsewhere")
+        << "Vec2 pull(Body me)\n{\n    return hand;\nvoid frame()\n{\n}\n}\n"
+        << "2:1+1 This '{' has no '}'.";
+}
+
+void ListingCompile::aMissingBraceIsSaidWhereItOpens()
+{
+    codeStandsInFunctions();
 }
 
 void ListingCompile::frameFunctionIsRequired()

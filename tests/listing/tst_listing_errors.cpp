@@ -114,10 +114,18 @@ void ListingErrors::errorStopsTheFrameOnItsLine_data()
     row("division of numbers", frameOf("double n = 0;\ndouble a = 3 / n;"), RunErrorKind::divisionByZero, 4,
         "This divides by 0.");
     row("endless loop", frameOf("int n = 0;\nwhile (true)\n{\n    n += 1;\n}"), RunErrorKind::endlessLoop, 4,
-        "This did not end after 100000 lines. A loop or a function repeats without end.");
+        "This loop still runs after 100000 lines. It ends only when its condition becomes false.");
     row("endless loop in a loop", frameOf("for (int i = 0; i < 2; i++)\n    for (;;) {}"),
         RunErrorKind::endlessLoop, 4,
-        "This did not end after 100000 lines. A loop or a function repeats without end.");
+        "This loop still runs after 100000 lines. It ends only when its condition becomes false.");
+    row("function in an endless loop",
+        "void f() { body.position.x += 1; }\n" + frameOf("int n = 0;\nwhile (n < 2)\n    f();"),
+        RunErrorKind::endlessLoop, 5,
+        "This loop still runs after 100000 lines. It ends only when its condition becomes false.");
+    row("function that calls itself too often",
+        "int f(int n) { return n == 0 ? 0 : f(n - 1) + f(n - 1); }\n" + frameOf("f(50);"),
+        RunErrorKind::endlessLoop, 1,
+        "This still runs after 100000 lines. A function calls itself too often.");
     row("endless recursion", "int f(int n) { return f(n + 1); }\n" + frameOf("f(0);"), RunErrorKind::tooDeep,
         1,
         "Functions call functions 100 times inside one another. A function that calls itself needs a case in "
@@ -136,7 +144,7 @@ void ListingErrors::errorStopsTheFrameOnItsLine_data()
         "There is no feet[9]: feet goes from feet[0] to feet[2].");
     row("endless initial value", "int f() { while (true) {} return 1; }\nint g = f();\n" + frameOf(""),
         RunErrorKind::endlessLoop, 1,
-        "This did not end after 100000 lines. A loop or a function repeats without end.");
+        "This loop still runs after 100000 lines. It ends only when its condition becomes false.");
     row("smallest whole number by -1", frameOf("int n = -2147483647 - 1;\nint m = -1;\nn = n / m;"),
         RunErrorKind::notFinite, 5, "The result is too large for a number.");
 }

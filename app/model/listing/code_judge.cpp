@@ -2,6 +2,7 @@
 
 #include "app/listing/listing_method.h"
 #include "app/listing/program.h"
+#include "app/model/run/run_program.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/sentences.h"
 #include "sim/methods/methods.h"
@@ -401,9 +402,8 @@ QString sentenceFor(const Verdict &verdict, const lessons::CodeTask &task)
         return task.nearMisses[static_cast<std::size_t>(verdict.nearMiss)].sentence;
     case Verdict::Kind::stopped:
         return verdict.runError
-                   ? JudgeText::tr("Not yet: in frame %1 of a trial run, line %2 stopped it.")
-                         .arg(verdict.frame)
-                         .arg(verdict.runError->line)
+                   ? JudgeText::tr("Not yet: a trial run stops in frame %1. %2")
+                         .arg(QString::number(verdict.frame), mistakeSentence(*verdict.runError))
                    : JudgeText::tr("Not yet: in frame %1 of a trial run, a number became infinite.")
                          .arg(verdict.frame);
     case Verdict::Kind::doesNotCompile:

@@ -32,4 +32,17 @@ int lineOfCodeFrom(const QString &text, int line)
     return 0;
 }
 
+int lineOfOpenBrace(const QString &text, int line)
+{
+    if (line <= 1)
+        return 0;
+    const std::string above = text.section('\n', 0, line - 2).toStdString();
+    const listing::Tokens tokens(above);
+    for (std::size_t i = tokens.size(); i-- > 0;) {
+        if (tokens.is(i, "{") && tokens.closing(i) == tokens.size())
+            return tokens[i].line;
+    }
+    return 0;
+}
+
 }

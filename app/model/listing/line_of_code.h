@@ -8,4 +8,7 @@ namespace app {
 /// ends. Lines before it, such as comments and braces, do not run by themselves. Returns 0 if there is none.
 int lineOfCodeFrom(const QString &text, int line);
 
+/// Returns the line of the innermost brace that the lines before `line` (from 1) leave open; 0 if there is none.
+int lineOfOpenBrace(const QString &text, int line);
+
 }

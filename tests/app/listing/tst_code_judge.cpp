@@ -337,6 +337,9 @@ void CodeJudgeTest::aRuntimeMistakeTellsItsLine()
     QCOMPARE(verdict.frame, 1);
     QVERIFY(verdict.runError.has_value());
     QVERIFY(verdict.runError->kind == listing::RunErrorKind::noSuchBody);
+    QVERIFY2(sentenceFor(verdict, one.task)
+                 .contains(QString("Line %1 of your code: There is no feet[").arg(verdict.runError->line)),
+             qPrintable(sentenceFor(verdict, one.task)));
 }
 
 void CodeJudgeTest::anEndlessLoopEnds()

@@ -91,6 +91,8 @@ private slots:
                                  "body->held;",
                                  "hand.length();",
                                  "# k",
+                                 "if (k > 1) {",
+                                 "double a[9];",
                                  "} k = 2; {",
                                  "} frame() {"})
             QTest::newRow(code) << QString(code);
@@ -122,8 +124,8 @@ private slots:
                                   << "Hier wird durch 0 geteilt.";
         QTest::newRow("endless")
             << "while (true) { body.velocity *= 1; }"
-            << "Das war nach 100000 Zeilen nicht zu Ende. Eine Schleife oder eine Funktion "
-               "wiederholt sich ohne Ende.";
+            << "Diese Schleife läuft nach 100000 Zeilen immer noch. Sie endet erst, wenn ihre "
+               "Bedingung nicht mehr gilt.";
         QTest::newRow("not finite")
             << "body.velocity *= 1e308; body.velocity += Vec2(1e308, 0); body.velocity *= 9;"
             << "Die Geschwindigkeit von body ist keine endliche Zahl.";

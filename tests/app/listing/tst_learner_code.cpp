@@ -347,6 +347,20 @@ private slots:
         QCOMPARE(session.timeline().script().step.h, 0.5);
     }
 
+    void whatNeedsPhasesIsStillToDo()
+    {
+        Opened opened("rigid_constraint", "pair"); // its try asks for the pointer first, then for a phase
+        Session &session = opened.session;
+        const int beforeStick = 1;
+        QCOMPARE(session.step().tries[std::size_t(beforeStick)].id, QString("before_stick"));
+        QCOMPARE(session.todo(beforeStick), QString());
+        session.code().write(opened.listing() + "// mine\n");
+        const QString todo = session.todo(beforeStick);
+        QVERIFY2(todo.startsWith("your code computes this run, and it has no phases."), qPrintable(todo));
+        session.code().write(opened.listing());
+        QCOMPARE(session.todo(beforeStick), QString());
+    }
+
     void aPresetAndAnotherNumberOfFeetKeepTheCode()
     {
         Opened opened("multi_foot", "any_number");

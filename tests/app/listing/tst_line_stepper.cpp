@@ -288,6 +288,35 @@ private slots:
                  QString("Line %1 of your code: This divides by 0.").arg(opened.lineOf("1 / zero")));
         QVERIFY(!chipAt(opened, "Vec2 target").text.isEmpty()); // the values that led there
     }
+
+    void playingStopsBeforeTheLineWithTheMistake_data()
+    {
+        QTest::addColumn<QString>("code");
+        QTest::addColumn<QString>("line");
+        QTest::newRow("division") << "int zero = 0; int one = frame_number > 4 ? 1 / zero : 0;"
+                                  << "1 / zero";
+        QTest::newRow("not finite") << "foot.velocity *= frame_number > 4 ? 1e300 * 1e300 : damp;"
+                                    << "1e300";
+        QTest::newRow("endless loop") << "while (frame_number > 4)\n        foot.velocity *= damp;"
+                                      << "while";
+    }
+    void playingStopsBeforeTheLineWithTheMistake()
+    {
+        QFETCH(QString, code);
+        QFETCH(QString, line);
+        Opened opened("single_spring", "radial");
+        Session &session = opened.session;
+        session.code().write(Opened::with(opened.listing(), "foot.velocity *= damp;", code));
+        session.playback().play();
+        QTRY_VERIFY(!session.playback().isPlaying());
+        QCOMPARE(session.timeline().cursor(), (sim::Cursor{4, 0}));
+        QCOMPARE(session.lines().nextLine(), opened.lineOf(line));
+        QVERIFY(session.lines().index() > 0);
+        QVERIFY(!chipAt(opened, "Vec2 target").text.isEmpty()); // the values that led there
+        session.code().write(opened.listing());
+        QCOMPARE(session.lines().index(), 0);
+        QVERIFY(!session.timeline().stop());
+    }
 };
 
 SUITE(tst_line_stepper, LineStepperTest)

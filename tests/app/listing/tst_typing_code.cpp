@@ -107,6 +107,49 @@ private slots:
         QVERIFY(shown.panel.sentence().isEmpty());
     }
 
+    void aClosingBraceStandsBelowTheLineOfItsPartner()
+    {
+        ListingFixture shown;
+        const int line = shown.line("*= damp");
+        shown.editor.setFocus();
+        shown.editor.setCursorPosition(line - 1, static_cast<int>(shown.editor.text(line - 1).size()) - 1);
+        QTest::keyClick(&shown.editor, Qt::Key_Return);
+        QTest::keyClicks(&shown.editor, "if (foot.held)");
+        QTest::keyClick(&shown.editor, Qt::Key_Return);
+        QTest::keyClicks(&shown.editor, "{");
+        shown.editor.insert("\n        foot.velocity *= 2;\n        "); // not indented
+        shown.editor.setCursorPosition(line + 3, 8);
+        QTest::keyClicks(&shown.editor, "}");
+        QCOMPARE(shown.editor.text(line + 1), QString("        {\n"));
+        QCOMPARE(shown.editor.text(line + 3), QString("        }\n"));
+    }
+
+    void aSmallerSignIsNotMarkedAsABracketWithoutPartner()
+    {
+        ListingFixture shown;
+        shown.type("*= damp", "damp", "k <");
+        const QRect sign = shown.editor.wordRect(shown.range("k <", "<"));
+        const QImage image = shown.editor.viewport()->grab(sign).toImage();
+        int red = 0;
+        for (int x = 0; x < image.width(); ++x) {
+            for (int y = 0; y < image.height() * 3 / 4; ++y) // not the line under a mistake
+                red += qRed(image.pixel(x, y)) > qGreen(image.pixel(x, y)) + 60 ? 1 : 0;
+        }
+        QCOMPARE(red, 0);
+    }
+
+    void namesAreNotCompletedInsideAWord()
+    {
+        ListingFixture shown;
+        shown.window.move(-500, 0); // the screen without a display is 800 px wide
+        const TextRange at = shown.range("*= damp", "damp");
+        shown.editor.setFocus();
+        shown.editor.setCursorPosition(at.line - 1, at.column + 1); // behind "da"
+        QTest::keyClicks(&shown.editor, "m");
+        tests::settle();
+        QVERIFY(!shown.editor.isListActive());
+    }
+
     void namesAreCompleted()
     {
         ListingFixture shown;

@@ -57,6 +57,7 @@ ListingEditor::ListingEditor(const Theme &theme, Kind kind, QWidget *parent)
     connect(this, &QsciScintilla::textChanged, this, &ListingEditor::followText, Qt::QueuedConnection);
     connect(this, &QsciScintillaBase::SCN_CHARADDED, this, &ListingEditor::followCharacter,
             Qt::QueuedConnection);
+    connect(this, &QsciScintillaBase::SCN_UPDATEUI, this, &ListingEditor::showBrackets);
     // Scintilla does not scroll the values that are painted over the text.
     for (const QScrollBar *bar : {verticalScrollBar(), horizontalScrollBar()})
         connect(bar, &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
@@ -74,7 +75,6 @@ void ListingEditor::setUp()
     setIndentationsUseTabs(false);
     setTabWidth(tabColumns);
     setIndentationWidth(tabColumns);
-    setBraceMatching(SloppyBraceMatch);
     setMinimumSize(160, 3 * codeRowPixels);
     auto *corner = new QWidget(this); // otherwise the style draws its own square where two scroll bars meet
     corner->setAutoFillBackground(true);
@@ -216,6 +216,24 @@ std::vector<ListingEditor::Spot> ListingEditor::spotsOf(int line) const
             spots.push_back({use, code.mid(use.column - 1, use.length), false});
     }
     return spots;
+}
+
+/// Marks the bracket beside the caret and its partner. QScintilla's own marks take '<' for a bracket, too.
+void ListingEditor::showBrackets()
+{
+    const auto isBracket = [this](long at) {
+        const long letter = at >= 0 ? send(*this, SCI_GETCHARAT, static_cast<std::size_t>(at)) : 0;
+        return letter == '(' || letter == ')' || letter == '[' || letter == ']' || letter == '{' ||
+               letter == '}';
+    };
+    constexpr long nowhere = -1;
+    const long caret = send(*this, SCI_GETCURRENTPOS);
+    const long at = isBracket(caret - 1) ? caret - 1 : isBracket(caret) ? caret : nowhere;
+    const long partner = at == nowhere ? nowhere : send(*this, SCI_BRACEMATCH, static_cast<std::size_t>(at));
+    if (at != nowhere && partner == nowhere)
+        send(*this, SCI_BRACEBADLIGHT, static_cast<std::size_t>(at));
+    else
+        send(*this, SCI_BRACEHIGHLIGHT, static_cast<std::size_t>(at), partner);
 }
 
 void ListingEditor::setMistakes(const std::vector<CodeMistake> &mistakes)

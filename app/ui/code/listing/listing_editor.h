@@ -160,6 +160,7 @@ private:
     void applyTheme();
     void styleText();
     void underlineSpots();
+    void showBrackets();
     void followText();
     void followCharacter(int character);
     std::vector<Spot> spotsOf(int line) const;

@@ -1,5 +1,6 @@
 // Keys and mouse of the listing's editor.
 
+#include "app/model/listing/line_of_code.h"
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/listing/listing_editor.h"
@@ -183,7 +184,7 @@ void ListingEditor::breakLine()
     ensureCursorVisible();
 }
 
-/// Moves a closing brace that begins a line one level to the left.
+/// Moves a closing brace that begins a line below the line of its partner; without one, a level to the left.
 void ListingEditor::closeBrace()
 {
     int line = 0, index = 0;
@@ -191,7 +192,11 @@ void ListingEditor::closeBrace()
     const QString before = textBefore(line + 1, index);
     if (hasSelectedText() || before.isEmpty() || !before.trimmed().isEmpty())
         return;
-    setSelection(line, std::max(0, index - columnsOfIndent), line, index);
+    const int opened = lineOfOpenBrace(text(), line + 1);
+    const int indent = opened > 0 ? indentOf(text(opened - 1)) : std::max(0, index - columnsOfIndent);
+    if (indent >= index)
+        return;
+    setSelection(line, indent, line, index);
     removeSelectedText();
 }
 
@@ -224,7 +229,9 @@ void ListingEditor::followCharacter(int character)
     getCursorPosition(&line, &index);
     const QString before = textBefore(line + 1, index);
     const bool wasAsked = character == 0;
-    if (note.match(before).hasMatch() ||
+    const QString behind = text(line).mid(index);
+    const bool isInsideWord = !behind.isEmpty() && (behind[0].isLetterOrNumber() || behind[0] == '_');
+    if (note.match(before).hasMatch() || (isInsideWord && !wasAsked) ||
         (!wasAsked && !twoLetters.match(before).hasMatch() && !member.match(before).hasMatch())) {
         send(*this, SCI_AUTOCCANCEL);
         return;
