@@ -26,8 +26,27 @@ function(copy_comments listing file)
     endforeach()
 endfunction()
 
+# Writes the words in the names of a scene's bodies to FILE as texts of the context "sim": of "left_foot0", these are "left"
+# and "foot". Single letters, as in "p3", are no words.
+function(copy_names scene file)
+    file(READ ${scene} text)
+    string(JSON count ERROR_VARIABLE none LENGTH "${text}" scene bodies)
+    if(none OR count EQUAL 0)
+        return()
+    endif()
+    math(EXPR last "${count} - 1")
+    foreach(i RANGE ${last})
+        string(JSON name MEMBER "${text}" scene bodies ${i})
+        string(REGEX MATCHALL "[a-z][a-z]+" words "${name}")
+        foreach(word IN LISTS words)
+            file(APPEND ${file} "QT_TRANSLATE_NOOP(\"sim\", \"${word}\")\n")
+        endforeach()
+    endforeach()
+endfunction()
+
 # What lupdate does not know by itself: sim marks its texts with SIM_TEXT, as it knows no Qt; a lesson.json has a title
-# and a summary; listings have comments. So it reads copies that say it in lupdate's way.
+# and a summary; listings have comments; the bodies of projects and examples have names. So it reads copies that say it in
+# lupdate's way.
 function(copy_texts folder)
     file(GLOB_RECURSE sources RELATIVE ${ROOT} ${ROOT}/${folder}/*.cpp ${ROOT}/${folder}/*.h)
     foreach(source ${sources})
@@ -47,6 +66,10 @@ function(copy_texts folder)
     file(GLOB listings ${ROOT}/${folder}/*.code)
     foreach(listing ${listings})
         copy_comments(${listing} ${WORK}/${folder}/listings.cpp)
+    endforeach()
+    file(GLOB scenes ${ROOT}/${folder}/project.json ${ROOT}/${folder}/examples/*.json)
+    foreach(scene ${scenes})
+        copy_names(${scene} ${WORK}/${folder}/names.cpp)
     endforeach()
 endfunction()
 

@@ -397,8 +397,12 @@
         <translation>„### %1“ steht zweimal da. Entferne eines davon.</translation>
     </message>
     <message>
-        <source>“### %1” does not belong here. Here you can write “### Run”, “### Holds”, “### Hint”.</source>
-        <translation>„### %1“ gehört nicht hierher. Hier kannst du „### Run“, „### Holds“, „### Hint“ schreiben.</translation>
+        <source>“### %1” does not belong here. Here you can write “### Run”, “### Holds”, “### Show”, “### Hint”.</source>
+        <translation>„### %1“ gehört nicht hierher. Hier kannst du „### Run“, „### Holds“, „### Show“, „### Hint“ schreiben.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” is not a ring. Write its place and radius in px: “- ring: 300, 220, 12”.</source>
+        <translation>„%1: %2“ ist kein Ring. Schreib seinen Ort und Radius in px: „- ring: 300, 220, 12“.</translation>
     </message>
     <message>
         <source>“%1” is not a list of names. Write “- %2: one, other”.</source>

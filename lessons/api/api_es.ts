@@ -397,8 +397,12 @@
         <translation>«### %1» está dos veces. Quita uno de los dos.</translation>
     </message>
     <message>
-        <source>“### %1” does not belong here. Here you can write “### Run”, “### Holds”, “### Hint”.</source>
-        <translation>«### %1» no va aquí. Aquí puedes escribir «### Run», «### Holds», «### Hint».</translation>
+        <source>“### %1” does not belong here. Here you can write “### Run”, “### Holds”, “### Show”, “### Hint”.</source>
+        <translation>«### %1» no va aquí. Aquí puedes escribir «### Run», «### Holds», «### Show», «### Hint».</translation>
+    </message>
+    <message>
+        <source>“%1: %2” is not a ring. Write its place and radius in px: “- ring: 300, 220, 12”.</source>
+        <translation>«%1: %2» no es un aro. Escribe su lugar y su radio en px: «- ring: 300, 220, 12».</translation>
     </message>
     <message>
         <source>“%1” is not a list of names. Write “- %2: one, other”.</source>

@@ -397,8 +397,12 @@
         <translation>«&#x202f;### %1&#x202f;» s’y trouve deux fois. Enlève l’un des deux.</translation>
     </message>
     <message>
-        <source>“### %1” does not belong here. Here you can write “### Run”, “### Holds”, “### Hint”.</source>
-        <translation>«&#x202f;### %1&#x202f;» n’a pas sa place ici. Tu peux écrire ici «&#x202f;### Run&#x202f;», «&#x202f;### Holds&#x202f;», «&#x202f;### Hint&#x202f;».</translation>
+        <source>“### %1” does not belong here. Here you can write “### Run”, “### Holds”, “### Show”, “### Hint”.</source>
+        <translation>«&#x202f;### %1&#x202f;» n’a pas sa place ici. Tu peux écrire ici «&#x202f;### Run&#x202f;», «&#x202f;### Holds&#x202f;», «&#x202f;### Show&#x202f;», «&#x202f;### Hint&#x202f;».</translation>
+    </message>
+    <message>
+        <source>“%1: %2” is not a ring. Write its place and radius in px: “- ring: 300, 220, 12”.</source>
+        <translation>«&#x202f;%1: %2&#x202f;» n’est pas un anneau. Écris sa place et son rayon en px&#xa0;: «&#x202f;- ring: 300, 220, 12&#x202f;».</translation>
     </message>
     <message>
         <source>“%1” is not a list of names. Write “- %2: one, other”.</source>

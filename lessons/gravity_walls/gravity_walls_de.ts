@@ -23,8 +23,15 @@
         <translation>noch ein Zug, für alle gleich und vor der Dämpfung</translation>
     </message>
     <message>
-        <source>Is an edge past a wall? Put it back, and turn the velocity across the wall round.</source>
-        <translation>Ist ein Rand hinter einer Wand? Zurücksetzen, und die Geschwindigkeit quer zur Wand umkehren.</translation>
+        <source>Is an edge past a wall? Put the disc back, and turn its velocity away from the wall.</source>
+        <translation>Ist ein Rand hinter einer Wand? Zurücksetzen, und die Geschwindigkeit von ihr weg richten.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>ball</source>
+        <translation>Ball</translation>
     </message>
 </context>
 </TS>

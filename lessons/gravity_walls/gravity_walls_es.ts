@@ -23,8 +23,15 @@
         <translation>un tirón más, igual para todos, y antes de la amortiguación</translation>
     </message>
     <message>
-        <source>Is an edge past a wall? Put it back, and turn the velocity across the wall round.</source>
-        <translation>¿Un borde ha pasado la pared? Devuélvelo, e invierte la velocidad perpendicular a la pared.</translation>
+        <source>Is an edge past a wall? Put the disc back, and turn its velocity away from the wall.</source>
+        <translation>¿Un borde ha pasado la pared? Devuelve el disco, y dirige su velocidad lejos de la pared.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>ball</source>
+        <translation>bola</translation>
     </message>
 </context>
 </TS>

@@ -23,8 +23,15 @@
         <translation>encore une traction, la même pour tous, avant l’amortissement</translation>
     </message>
     <message>
-        <source>Is an edge past a wall? Put it back, and turn the velocity across the wall round.</source>
-        <translation>Un bord a dépassé un mur&#x202f;? Remets-le, et inverse la vitesse perpendiculaire au mur.</translation>
+        <source>Is an edge past a wall? Put the disc back, and turn its velocity away from the wall.</source>
+        <translation>Un bord a dépassé un mur&#x202f;? Remets le disque, et dirige sa vitesse loin du mur.</translation>
+    </message>
+</context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>ball</source>
+        <translation>balle</translation>
     </message>
 </context>
 </TS>

@@ -149,4 +149,15 @@
         <translation>Was eine Simulation zerbricht, warum, und was hält.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>bank</source>
+        <translation>Ufer</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>Stein</translation>
+    </message>
+</context>
 </TS>

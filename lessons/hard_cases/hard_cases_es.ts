@@ -149,4 +149,15 @@
         <translation>Qué rompe una simulación, por qué, y qué aguanta.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>bank</source>
+        <translation>orilla</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>piedra</translation>
+    </message>
+</context>
 </TS>

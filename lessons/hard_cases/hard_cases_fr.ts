@@ -149,4 +149,15 @@
         <translation>Ce qui casse une simulation, pourquoi, et ce qui tient.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>bank</source>
+        <translation>rive</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>pierre</translation>
+    </message>
+</context>
 </TS>

@@ -31,4 +31,23 @@
         <translation>Zwei Züge an einem Körper addieren sich.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>Stein</translation>
+    </message>
+</context>
 </TS>

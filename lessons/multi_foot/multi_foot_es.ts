@@ -31,4 +31,23 @@
         <translation>Dos tirones sobre un mismo cuerpo se suman.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>arriba</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>piedra</translation>
+    </message>
+</context>
 </TS>

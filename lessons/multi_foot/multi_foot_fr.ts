@@ -31,4 +31,23 @@
         <translation>Deux tractions sur un même corps s’additionnent.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>haut</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>stone</source>
+        <translation>pierre</translation>
+    </message>
+</context>
 </TS>

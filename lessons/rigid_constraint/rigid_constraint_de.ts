@@ -174,4 +174,11 @@
         <translation>Jeder Stab macht die vor ihm wieder ein wenig falsch.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>head</source>
+        <translation>Kopf</translation>
+    </message>
+</context>
 </TS>

@@ -174,4 +174,11 @@
         <translation>Cada barra vuelve a estropear un poco las anteriores.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>head</source>
+        <translation>cabeza</translation>
+    </message>
+</context>
 </TS>

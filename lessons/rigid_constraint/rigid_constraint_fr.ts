@@ -174,4 +174,11 @@
         <translation>Chaque tige rend les précédentes de nouveau un peu fausses.</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>head</source>
+        <translation>tête</translation>
+    </message>
+</context>
 </TS>

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 using namespace lessons;
 using sim::Timeline;
@@ -153,6 +154,20 @@ double pointerToBranch(const Timeline &run)
 {
     const sim::Vec2 end = endOf(sceneOf(run), run.state(), branchAtPointer(run));
     return sim::length(end - run.state().input.pointer.value_or(sim::Vec2{}));
+}
+
+/// Returns the distance from the pointer to the nearest place of a branch, in px.
+double pointerToTree(const Timeline &run)
+{
+    const sim::State &state = run.state();
+    const sim::Vec2 pointer = state.input.pointer.value_or(sim::Vec2{});
+    double min = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < state.pointCount(); ++i) {
+        const sim::Vec2 from = state.positionOf(i), along = endOf(sceneOf(run), state, i) - from;
+        const double share = sim::dot(pointer - from, along) / std::max(1e-9, sim::dot(along, along));
+        min = std::min(min, sim::length(from + std::clamp(share, 0.0, 1.0) * along - pointer));
+    }
+    return min;
 }
 
 double bendAtPointer(const Timeline &run)
@@ -359,6 +374,7 @@ std::vector<Check> distanceChecks()
             .conditions =
                 {
                     blowing(),
+                    atLeast(80.0, pointerToTree, "far", 0),
                     unchangedButtonFor(60),
                     atMost(15.0, currentBend, "hardly_bent", 0),
                 },

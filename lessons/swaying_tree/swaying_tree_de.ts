@@ -338,4 +338,11 @@
         <translation>für alle gleich</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>root</source>
+        <translation>Wurzel</translation>
+    </message>
+</context>
 </TS>

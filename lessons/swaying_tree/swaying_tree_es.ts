@@ -338,4 +338,11 @@
         <translation>igual para todas</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>root</source>
+        <translation>raíz</translation>
+    </message>
+</context>
 </TS>

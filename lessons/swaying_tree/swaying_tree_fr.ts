@@ -338,4 +338,11 @@
         <translation>le même pour toutes</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>root</source>
+        <translation>racine</translation>
+    </message>
+</context>
 </TS>

@@ -362,4 +362,23 @@
         <translation>0: umkehren, 1: weitergehen</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>Last</translation>
+    </message>
+</context>
 </TS>

@@ -362,4 +362,23 @@
         <translation>0: dar la vuelta, 1: seguir caminando</translation>
     </message>
 </context>
+<context>
+    <name>sim</name>
+    <message>
+        <source>left</source>
+        <translation>izquierda</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <translation>pie</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>derecha</translation>
+    </message>
+    <message>
+        <source>load</source>
+        <translation>carga</translation>
+    </message>
+</context>
 </TS>

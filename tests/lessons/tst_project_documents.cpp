@@ -110,6 +110,8 @@ const Mistake projectMistakes[] = {
     {"a time that is none", "- once `fastest", "- often `fastest", "- often",
      "“often `fastest > 1`” is not a condition. Write “- always `condition`: sentence”"},
     {"a condition without signs", "`bodies >= 3`", "bodies >= 3", "- at the start", "is not a condition."},
+    {"a ring without a radius", "### Hint\n\nUse", "### Show\n\n- ring: 400, 150\n\n### Hint\n\nUse",
+     "- ring", "“ring: 400, 150” is not a ring. Write its place and radius in px"},
     {"names that are none", "unchanged: stone, k", "unchanged: stone, k h", "- unchanged",
      "is not a list of names."},
 };
@@ -241,6 +243,7 @@ void ProjectDocumentsTest::languagesAskTheSame()
         QCOMPARE(there.run.drags.size(), here.run.drags.size());
         QCOMPARE(there.unchanged, here.unchanged);
         QCOMPARE(there.effects, here.effects);
+        QVERIFY(there.rings == here.rings);
         QCOMPARE(there.demands.size(), here.demands.size());
         for (std::size_t j = 0; j < here.demands.size(); ++j) {
             QVERIFY(there.demands[j].when == here.demands[j].when);

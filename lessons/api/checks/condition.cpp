@@ -103,26 +103,23 @@ bool Conditions::hasBegun(const sim::Timeline &run) const
 
 const Condition *Conditions::missing(const sim::Timeline &run) const
 {
-    return hasBegun(run) ? firstFailing(run) : nullptr;
-}
-
-const Condition *Conditions::firstFailing(const sim::Timeline &run) const
-{
     const auto failing = std::find_if(m_all.begin(), m_all.end(),
                                       [&](const Condition &condition) { return !condition.holds(run); });
-    return failing == m_all.end() ? nullptr : &*failing;
+    return failing == m_all.end() || !hasBegun(run) ? nullptr : &*failing;
 }
 
 bool Conditions::waitsForPhase(const sim::Timeline &run) const
 {
-    const Condition *failing = firstFailing(run);
-    return failing && failing->insideFrame;
+    return std::any_of(m_all.begin(), m_all.end(), [&](const Condition &condition) {
+        return condition.insideFrame && !condition.holds(run);
+    });
 }
 
 bool Conditions::waitsForStep(const sim::Timeline &run) const
 {
-    const Condition *failing = firstFailing(run);
-    return failing && failing->otherSteps;
+    return std::any_of(m_all.begin(), m_all.end(), [&](const Condition &condition) {
+        return condition.otherSteps && !condition.holds(run);
+    });
 }
 
 QString Conditions::todo(const sim::Timeline &run) const

@@ -64,18 +64,15 @@ public:
     /// Returns the first condition that does not hold, once a learner has begun. Null before, and when everything is
     /// done.
     const Condition *missing(const sim::Timeline &run) const;
-    /// Returns whether the first condition that does not hold can hold inside a frame only. A method with a single phase
-    /// cannot stop there.
+    /// Returns whether a condition that does not hold can hold inside a frame only. A method with a single phase cannot
+    /// stop there.
     bool waitsForPhase(const sim::Timeline &run) const;
-    /// Returns whether the first condition that does not hold needs another step than one frame. A listing has no other.
+    /// Returns whether a condition that does not hold needs another step than one frame. A listing has no other.
     bool waitsForStep(const sim::Timeline &run) const;
     /// Returns what is still to do. Empty before a learner has begun and when everything is done.
     QString todo(const sim::Timeline &run) const;
 
 private:
-    /// Returns the first condition that does not hold, or null.
-    const Condition *firstFailing(const sim::Timeline &run) const;
-
     std::vector<Condition> m_all;
 };
 

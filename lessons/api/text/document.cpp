@@ -64,7 +64,7 @@ private:
     static Heading parsedHeading(const QString &heading)
     {
         static const QRegularExpression pattern(
-            QStringLiteral("^(\\w+)\\s*(?::\\s*(.*?))?\\s*(?:\\{#([a-z0-9_]+)\\})?$"));
+            QStringLiteral("^(\\w+)\\s*(?::\\s*(.*?))?\\s*(?:\\{#([a-z0-9_]+)\\}|\\{#.*\\})?$"));
         const auto match = pattern.match(heading);
         return {match.captured(1), match.captured(2), match.captured(3)};
     }

@@ -43,6 +43,8 @@ QStringList decodedLines(const QByteArray &source, const QString &file)
 /// Returns whether a line of text begins a new line of Markdown, also within a paragraph.
 bool beginsLine(const QString &line)
 {
+    if (line.isEmpty() || line.front().isLetter())
+        return false; // most lines
     static const QRegularExpression sign(QStringLiteral("^([-*+] |\\d+[.)] |[|>]|#{1,6} )"));
     return sign.match(line).hasMatch();
 }
@@ -52,6 +54,7 @@ bool beginsLine(const QString &line)
 ScannedDocument scanDocument(const QByteArray &source, const QString &file)
 {
     static const QRegularExpression headingPattern(QStringLiteral("^(#{1,3})\\s+(\\S.*)$"));
+    const QRegularExpressionMatch none;
     ScannedDocument document;
     DocumentPart *open = nullptr;
     int number = 0;
@@ -60,7 +63,7 @@ ScannedDocument scanDocument(const QByteArray &source, const QString &file)
         ++number;
         if (isFence(line))
             fenceLine = fenceLine > 0 ? 0 : number;
-        const auto heading = fenceLine > 0 ? QRegularExpressionMatch() : headingPattern.match(line);
+        const auto heading = fenceLine == 0 && line.startsWith('#') ? headingPattern.match(line) : none;
         const auto level = heading.hasMatch() ? heading.capturedLength(1) : 0;
         if (!open && level != 1 && !line.trimmed().isEmpty())
             throw DocumentError(

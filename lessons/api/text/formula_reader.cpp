@@ -113,11 +113,12 @@ std::vector<Formula> takeFormulas(QStringList &lines, int firstLine, const QStri
     bool isCode = false;
     for (qsizetype i = 0; i < lines.size(); ++i) {
         const int number = firstLine + static_cast<int>(i);
-        if (lines[i].trimmed().startsWith(QStringLiteral("```")))
+        const QString line = lines[i].trimmed();
+        if (line.startsWith(QStringLiteral("```")))
             isCode = !isCode;
-        if (isCode || !braces.match(lines[i].trimmed()).hasMatch())
+        if (isCode || !line.endsWith('}') || !braces.match(line).hasMatch())
             continue;
-        const auto match = formula.match(lines[i].trimmed());
+        const auto match = formula.match(line);
         if (!match.hasMatch() || !isBlank(i - 1) || !isBlank(i + 1))
             throw DocumentError(
                 file, number,

@@ -40,6 +40,11 @@ void checkSentences(const Document &document, const TryText &text, const Conditi
                              "“- %2: sentence” below its “### Missing”.")
                     .arg(text.id, name));
     }
+    QStringList possible;
+    for (const ListItem &condition : text.doneWhen) // of a lesson without C++
+        possible << condition.name;
+    if (possible.isEmpty())
+        possible = names;
     const QStringList given = text.missing.keys();
     for (const QString &name : given) {
         if (!names.contains(name))
@@ -49,7 +54,7 @@ void checkSentences(const Document &document, const TryText &text, const Conditi
                     "the thing to try “%1” has no condition “%2”. Remove the sentence, or give it one of the "
                     "names: %3.")
                     .arg(text.id, name,
-                         names.isEmpty() ? JoinText::tr("none") : names.join(QStringLiteral(", "))));
+                         possible.isEmpty() ? JoinText::tr("none") : possible.join(QStringLiteral(", "))));
     }
 }
 

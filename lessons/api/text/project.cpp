@@ -83,12 +83,28 @@ private:
             level.run = parseRunSetup(field, m_project.file);
         else if (field.heading == u"Holds")
             readDemands(level, field);
+        else if (field.heading == u"Show")
+            readRings(level, field);
         else if (field.heading == u"Hint")
             level.hint = joinedText(field.body);
         else
             reject(field.line, ProjectText::tr("“### %1” does not belong here. Here you can write “### Run”, "
-                                               "“### Holds”, “### Hint”.")
+                                               "“### Holds”, “### Show”, “### Hint”.")
                                    .arg(field.heading));
+    }
+
+    void readRings(ProjectLevel &level, const DocumentPart &field) const
+    {
+        for (const ListItem &item : parseList(field, m_project.file)) {
+            const std::vector<double> numbers = numbersIn(item.value);
+            if (item.name != u"ring" || numbers.size() != 3 || !(numbers[2] > 0.0))
+                reject(
+                    item.line,
+                    ProjectText::tr(
+                        "“%1: %2” is not a ring. Write its place and radius in px: “- ring: 300, 220, 12”.")
+                        .arg(item.name, item.value));
+            level.rings.push_back({{numbers[0], numbers[1]}, numbers[2]});
+        }
     }
 
     void readDemands(ProjectLevel &level, const DocumentPart &field) const

@@ -26,6 +26,15 @@ struct ProjectDemand
     int line = 0;      ///< from 1
 };
 
+/// A ring that the scene shows while the project is open.
+struct ProjectRing
+{
+    sim::Vec2 centre;    ///< px
+    double radius = 0.0; ///< px
+
+    friend bool operator==(const ProjectRing &, const ProjectRing &) = default;
+};
+
 /// A level of a project: what to build, and how the machine judges it.
 struct ProjectLevel
 {
@@ -36,8 +45,9 @@ struct ProjectLevel
     std::vector<ProjectDemand> demands = {};
     QStringList unchanged = {}; ///< parameters and bodies that have to be as in the start scene
     QStringList effects = {};   ///< ids of effects that have to act
-    QString hint = {};          ///< Markdown
-    int line = 0;               ///< of its heading, from 1
+    std::vector<ProjectRing> rings = {};
+    QString hint = {}; ///< Markdown
+    int line = 0;      ///< of its heading, from 1
 };
 
 /// A thing to build after a lesson, in one language.

@@ -11,14 +11,6 @@
 
 namespace lessons {
 
-namespace {
-
-struct RunSetupReaderText
-{
-    Q_DECLARE_TR_FUNCTIONS(RunSetupReaderText)
-};
-
-/// Returns the numbers in "300, 220"; empty if one of them is not a finite number.
 std::vector<double> numbersIn(const QString &text)
 {
     std::vector<double> numbers;
@@ -30,6 +22,13 @@ std::vector<double> numbersIn(const QString &text)
     }
     return numbers;
 }
+
+namespace {
+
+struct RunSetupReaderText
+{
+    Q_DECLARE_TR_FUNCTIONS(RunSetupReaderText)
+};
 
 /// Reads the items of a run.
 class RunSetupReader

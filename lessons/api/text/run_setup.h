@@ -27,4 +27,7 @@ struct ListItem
 /// @throws DocumentError if a line is something else, or if there is none
 std::vector<ListItem> parseList(const DocumentPart &part, const QString &file);
 
+/// Returns the numbers in "300, 220"; empty if one of them is not a finite number.
+std::vector<double> numbersIn(const QString &text);
+
 }

@@ -21,6 +21,7 @@ StiffestSpring legsAsOne(double feet, double stretch)
 Rest legsAtLength(int feet, double length, double within)
 {
     Rest rest;
+    rest.distances.reserve(static_cast<std::size_t>(feet));
     for (int i = 0; i < feet; ++i)
         rest.distances.push_back({"foot" + std::to_string(i), "body", length, within});
     rest.speed = within;
@@ -127,20 +128,21 @@ HardCase runaway()
 
 std::vector<HardCase> manyFeet()
 {
-    return {
-        runaway(),
-        feetOnBody(
-            "feet_60", SIM_TEXT("sixty feet"),
-            SIM_TEXT("Each foot has a soft spring, but sixty together pull the body too hard for one step."),
-            60, 400),
-        feetOnBody("feet_100", SIM_TEXT("a hundred feet"),
-                   SIM_TEXT("A hundred soft springs on one body make a stiff one."), 100, 400),
-        feetOnBody("feet_1000", SIM_TEXT("a thousand feet"),
-                   SIM_TEXT("A thousand feet pull one body as hard as a spring of stiffness 200."), 1000, 30),
-        feetOnBody("feet_10000", SIM_TEXT("ten thousand feet"),
-                   SIM_TEXT("Ten thousand feet pull one body as hard as a spring of stiffness 2000."), 10000,
-                   1),
-    };
+    std::vector<HardCase> all;
+    all.push_back(runaway());
+    all.push_back(feetOnBody(
+        "feet_60", SIM_TEXT("sixty feet"),
+        SIM_TEXT("Each foot has a soft spring, but sixty together pull the body too hard for one step."), 60,
+        400));
+    all.push_back(feetOnBody("feet_100", SIM_TEXT("a hundred feet"),
+                             SIM_TEXT("A hundred soft springs on one body make a stiff one."), 100, 400));
+    all.push_back(feetOnBody("feet_1000", SIM_TEXT("a thousand feet"),
+                             SIM_TEXT("A thousand feet pull one body as hard as a spring of stiffness 200."),
+                             1000, 30));
+    all.push_back(feetOnBody(
+        "feet_10000", SIM_TEXT("ten thousand feet"),
+        SIM_TEXT("Ten thousand feet pull one body as hard as a spring of stiffness 2000."), 10000, 1));
+    return all;
 }
 
 std::vector<HardCase> coincidentPoints()

@@ -111,6 +111,11 @@ std::vector<Attempt> swayingTreeAttempts()
          [](Player &p) {
              blow(p, {5, 5}, 70);
          }},
+        {"distance", 1, "from beside the trunk, where the wind hardly turns a branch",
+         [](Player &p) {
+             blow(p, {240, 320}, 70);
+         },
+         "far 47"},
         {"distance", 2, "went back, other formula",
          [](Player &p) {
              compareFormulas(p, {200, 200});
