@@ -94,10 +94,8 @@ int runAccuracy(const Arguments &arguments)
                 .arg(shownPath(request.experiment)));
     const sim::StudyPlan plan = planFor(request, experiment);
     const AccuracyReport report{request.experiment, request.tolerance, *plan.inUse, study(experiment, plan)};
-    if (isInterrupted()) {
-        printMessage(AccuracyText::tr("Stopped before everything was measured."));
-        return exitInterrupted;
-    }
+    if (isInterrupted())
+        return printInterrupted();
     if (const QString path = arguments.value("svg"); !path.isEmpty())
         writePlot(path, report, experiment, library);
     print(arguments.has("json") ? accuracyJson(report) : accuracyTable(report));

@@ -3,7 +3,6 @@
 #include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
 #include "sim/pipeline/method.h"
-#include "sim/scene/scene.h"
 
 #include <QCoreApplication>
 

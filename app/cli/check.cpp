@@ -3,7 +3,6 @@
 #include "app/model/lesson_folders/lesson_check.h"
 #include "app/model/lesson_folders/lesson_languages.h"
 #include "app/model/text/json_writer.h"
-#include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
 

@@ -108,8 +108,7 @@ int runCost(const Arguments &arguments)
             return exitDone;
         }
     }
-    printMessage(CostText::tr("Stopped before everything was measured."));
-    return exitInterrupted;
+    return printInterrupted();
 }
 
 }

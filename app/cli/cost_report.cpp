@@ -2,6 +2,7 @@
 
 #include "app/cli/accuracy_report.h"
 #include "app/model/text/json_writer.h"
+#include "app/model/text/phrases.h"
 
 #include <QCoreApplication>
 
@@ -82,10 +83,9 @@ QString costTable(const CostReport &report)
 {
     const sim::FrameCost &cost = report.cost;
     const QString none;
-    QString text =
-        CostReportText::tr("%1, %2, %3")
-            .arg(report.experiment, QString::fromStdString(report.method->id()), stepText(report.step)) +
-        "\n\n";
+    QString text = listed(listed(report.experiment, QString::fromStdString(report.method->id())),
+                          stepText(report.step)) +
+                   "\n\n";
     text +=
         line(CostReportText::tr("effect"),
              {CostReportText::tr("points"), CostReportText::tr("times/frame"), CostReportText::tr("ns/frame"),

@@ -62,32 +62,35 @@ FilmPlan planFrom(const Arguments &arguments, const LessonLibrary &library)
     return plan;
 }
 
-/// Makes the film. Returns false if it was interrupted.
-bool isShot(Film &film, std::int64_t last)
+/// Makes a film or a web page. Returns false if it was interrupted.
+bool isMade(Export &made, std::int64_t last)
 {
     TerminalLine status;
-    while (film.goOn()) {
+    while (made.goOn()) {
         QCoreApplication::processEvents();
         if (isInterrupted())
             return false;
         if (status.isDue())
             status.show(FilmText::tr("Frame %1 of %2, %3 %")
-                            .arg(film.frame())
+                            .arg(made.frame())
                             .arg(last)
-                            .arg(100 * film.done() / film.total()));
+                            .arg(100 * made.done() / made.total()));
     }
     return true;
 }
 
-int shoot(Film &film, std::int64_t last)
+template <class Made, class Plan>
+int make(const Plan &plan, const LessonLibrary &library)
 {
-    if (!isShot(film, last)) {
-        printMessage(FilmText::tr("Stopped at frame %1 of %2.").arg(film.frame()).arg(last));
-        return exitInterrupted;
-    }
-    if (film.endsEarly().isEmpty())
+    listenForInterrupt();
+    std::optional<Waiting> waiting(FilmText::tr("Setting up the run"));
+    Made made(plan, library);
+    waiting.reset();
+    if (!isMade(made, plan.to))
+        return printInterrupted(made.frame(), plan.to);
+    if (made.endsEarly().isEmpty())
         return exitDone;
-    printMessage(film.endsEarly());
+    printMessage(made.endsEarly());
     return exitNo;
 }
 
@@ -97,14 +100,8 @@ int runFilm(const Arguments &arguments)
 {
     Language language(languageCode(arguments));
     const LessonLibrary library = LessonLibrary::load(LessonLibrary::folders(), &language);
-    if (isWebPage(arguments))
-        return runWebPage(arguments, library);
-    const FilmPlan plan = planFrom(arguments, library);
-    listenForInterrupt();
-    std::optional<Waiting> waiting(FilmText::tr("Setting up the run"));
-    Film film(plan, library);
-    waiting.reset();
-    return shoot(film, plan.to);
+    return isWebPage(arguments) ? make<WebPage>(pagePlan(arguments, library), library)
+                                : make<Film>(planFrom(arguments, library), library);
 }
 
 }

@@ -63,10 +63,8 @@ int runHardCases(const Arguments &arguments)
             print(hardHeading(hard));
         for (const sim::MethodPtr &method : sim::allMethods()) {
             rows.push_back(rowOf(hard, method, arguments.has("full")));
-            if (isInterrupted()) {
-                printMessage(HardCasesText::tr("Stopped before every case was run."));
-                return exitInterrupted;
-            }
+            if (isInterrupted())
+                return printInterrupted();
             if (!asJson) {
                 print(hardLine(rows.back()));
                 std::fflush(stdout); // some cases take long: show each row as soon as it is known

@@ -99,8 +99,7 @@ int checkNotebooks(const Arguments &arguments)
                 checked.notebook = readNotebook(file, library);
                 if (!checkEntries(checked, library, status)) {
                     status.erase();
-                    printMessage(NotebookText::tr("Stopped before every notebook was checked."));
-                    return exitInterrupted;
+                    return printInterrupted();
                 }
             } catch (const UserError &error) { // the others are checked nevertheless
                 checked.mistake = error.sentence();

@@ -54,6 +54,18 @@ void printMessage(const QString &sentence)
     std::fprintf(stderr, "%s\n", escaped(sentence).toUtf8().constData());
 }
 
+int printInterrupted()
+{
+    printMessage(TerminalText::tr("Stopped before the end."));
+    return exitInterrupted;
+}
+
+int printInterrupted(std::int64_t frame, std::int64_t last)
+{
+    printMessage(TerminalText::tr("Stopped at frame %1 of %2.").arg(frame).arg(last));
+    return exitInterrupted;
+}
+
 int printNoMemory()
 {
     [[maybe_unused]] const ssize_t written = // allocates no memory

@@ -17,6 +17,10 @@ enum ExitCode { exitDone = 0, exitNo = 1, exitBadUse = 2, exitInterrupted = 130 
 
 /// Writes one line to stderr.
 void printMessage(const QString &sentence);
+/// Writes to stderr that Ctrl+C has stopped the work. Returns the exit code.
+int printInterrupted();
+/// Writes to stderr that Ctrl+C has stopped a run of `last` frames at `frame`. Returns the exit code.
+int printInterrupted(std::int64_t frame, std::int64_t last);
 /// Writes to stderr that there is not enough memory. Returns the exit code.
 int printNoMemory();
 /// Makes the program call printNoMemory() and exit when it runs out of memory where nothing can catch the exception, for

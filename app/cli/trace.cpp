@@ -70,8 +70,7 @@ int writeTrace(const Experiment &experiment, lessons::TraceColumns columns)
         printMessage(endSentence(track));
         return exitNo;
     }
-    printMessage(TraceText::tr("Stopped at frame %1 of %2.").arg(last).arg(experiment.frames));
-    return exitInterrupted;
+    return printInterrupted(last, experiment.frames);
 }
 
 }

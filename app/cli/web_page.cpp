@@ -2,10 +2,8 @@
 
 #include "app/cli/experiment_argument.h"
 #include "app/cli/option_values.h"
-#include "app/cli/terminal.h"
 #include "app/model/text/quantity_text.h"
 #include "app/model/text/quoting.h"
-#include "app/model/web/web_page.h"
 #include "app/ui/film/page_colors.h"
 
 #include <QCoreApplication>
@@ -111,7 +109,13 @@ std::optional<PageGhost> ghostFrom(const Arguments &arguments, const Branches &b
         WebPageCliText::tr("--ghost is %1; it can be %2.").arg(quoted(name), quotedList(names, name)));
 }
 
-/// @throws UsageError, or UserError: the experiment cannot be read
+}
+
+bool isWebPage(const Arguments &arguments)
+{
+    return arguments.names[1].endsWith(pageEnding, Qt::CaseInsensitive);
+}
+
 WebPagePlan pagePlan(const Arguments &arguments, const LessonLibrary &library)
 {
     for (const char *name : {"size", "theme"}) {
@@ -137,44 +141,6 @@ WebPagePlan pagePlan(const Arguments &arguments, const LessonLibrary &library)
     plan.light = pageColors(Scheme::light);
     plan.dark = pageColors(Scheme::dark);
     return plan;
-}
-
-/// Makes the page. Returns false if it was interrupted.
-bool isMade(WebPage &page, std::int64_t last)
-{
-    TerminalLine status;
-    while (page.goOn()) {
-        QCoreApplication::processEvents();
-        if (isInterrupted())
-            return false;
-        if (status.isDue())
-            status.show(WebPageCliText::tr("Frame %1 of %2").arg(page.frame()).arg(last));
-    }
-    return true;
-}
-
-}
-
-bool isWebPage(const Arguments &arguments)
-{
-    return arguments.names[1].endsWith(pageEnding, Qt::CaseInsensitive);
-}
-
-int runWebPage(const Arguments &arguments, const LessonLibrary &library)
-{
-    const WebPagePlan plan = pagePlan(arguments, library);
-    listenForInterrupt();
-    std::optional<Waiting> waiting(WebPageCliText::tr("Setting up the run"));
-    WebPage page(plan, library);
-    waiting.reset();
-    if (!isMade(page, plan.to)) {
-        printMessage(WebPageCliText::tr("Stopped at frame %1 of %2.").arg(page.frame()).arg(plan.to));
-        return exitInterrupted;
-    }
-    if (page.endsEarly().isEmpty())
-        return exitDone;
-    printMessage(page.endsEarly());
-    return exitNo;
 }
 
 }

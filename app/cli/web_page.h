@@ -1,15 +1,15 @@
 #pragma once
 
 #include "app/cli/verbs.h"
-#include "app/model/catalog/lesson_library.h"
+#include "app/model/web/web_page.h"
 
 namespace app {
 
 /// Returns whether `film` is asked for a web page: the name of the file ends in .html.
 bool isWebPage(const Arguments &arguments);
 
-/// Makes the web page that the arguments of `film` ask for. Returns the exit code.
-/// @throws UsageError, UserError
-int runWebPage(const Arguments &arguments, const LessonLibrary &library);
+/// Returns the settings of the web page that the arguments of `film` ask for.
+/// @throws UsageError, or UserError: the experiment cannot be read
+WebPagePlan pagePlan(const Arguments &arguments, const LessonLibrary &library);
 
 }

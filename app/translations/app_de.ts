@@ -118,10 +118,6 @@
         <translation>%1: Die Bilddatei ließ sich nicht schreiben: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
     <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Angehalten, bevor alles gemessen war.</translation>
-    </message>
-    <message>
         <source>Your setup costs %1 and has an error of %2.</source>
         <translation>Deine Einstellung kostet %1 und hat einen Fehler von %2.</translation>
     </message>
@@ -184,10 +180,6 @@
     <message>
         <source>Cannot compute this scene: %1.</source>
         <translation>Kann diese Szene nicht berechnen: %1.</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
     </message>
     <message>
         <source>%1&#x2009;µs</source>
@@ -381,10 +373,6 @@
 <context>
     <name>Branches</name>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 at frame %2</source>
         <translation>%1 bei Bild %2</translation>
     </message>
@@ -499,8 +487,8 @@
         <translation>Richtig: In drei Probeläufen tut dein Code dasselbe wie das Listing.</translation>
     </message>
     <message>
-        <source>Not yet: in frame %1 of a trial run, line %2 stopped it.</source>
-        <translation>Noch nicht: In Bild %1 eines Probelaufs hat ihn Zeile %2 angehalten.</translation>
+        <source>Not yet: a trial run stops in frame %1. %2</source>
+        <translation>Noch nicht: Ein Probelauf hält in Bild %1 an. %2</translation>
     </message>
     <message>
         <source>Not yet: in frame %1 of a trial run, a number became infinite.</source>
@@ -543,14 +531,6 @@
     <message>
         <source>%1 pulls</source>
         <translation>%1 Züge</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 Punkt</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
     </message>
 </context>
 <context>
@@ -811,10 +791,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>the concept “%1” rests on one that rests on it. Remove one of the two ids.</source>
         <translation>Der Begriff „%1“ beruht auf einem, der auf ihm beruht. Entferne eine der beiden ids.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>ConditionNamesText</name>
@@ -975,10 +951,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1, %2, %3</source>
-        <translation>%1, %2, %3</translation>
-    </message>
-    <message>
         <source>effect</source>
         <translation>Effekt</translation>
     </message>
@@ -1041,17 +1013,9 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>Measured %1 times</source>
         <translation>%1-mal gemessen</translation>
     </message>
-    <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Angehalten, bevor alles gemessen war.</translation>
-    </message>
 </context>
 <context>
     <name>DifferenceTableText</name>
-    <message>
-        <source>frame</source>
-        <translation>Bild</translation>
-    </message>
     <message>
         <source>distance [px]</source>
         <translation>Abstand [px]</translation>
@@ -1107,24 +1071,12 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>%1, %2, kept</source>
         <translation>%1, %2, behalten</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>EdgeMarkersText</name>
     <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
-    <message>
         <source>%1 bodies</source>
         <translation>%1 Körper</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -1136,6 +1088,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 </context>
 <context>
     <name>EffectLinesText</name>
+    <message>
+        <source>Nearly all of a frame’s %2&#x2009;µs are spent in “%1”.</source>
+        <translation>Fast alle %2&#x2009;µs eines Bildes entfallen auf „%1“.</translation>
+    </message>
     <message>
         <source>Without “%1” a frame would cost %2&#x2009;µs instead of %3.</source>
         <translation>Ohne „%1“ würde ein Bild %2&#x2009;µs statt %3 kosten.</translation>
@@ -1225,14 +1181,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>aus</translation>
     </message>
     <message>
-        <source>%1, %2, %3</source>
-        <translation>%1, %2, %3</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>%1%2µs a frame, ±%3</source>
         <translation>%1%2µs pro Bild, ±%3</translation>
     </message>
@@ -1240,96 +1188,48 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 <context>
     <name>EnergyLinesText</name>
     <message>
-        <source>Done by dragging</source>
-        <translation>Durch Ziehen geleistet</translation>
-    </message>
-    <message>
         <source>Energy that you add by dragging</source>
         <translation>Energie, die du durch Ziehen hineinsteckst</translation>
-    </message>
-    <message>
-        <source>Changed with a parameter</source>
-        <translation>Durch einen Parameter geändert</translation>
     </message>
     <message>
         <source>If a stiffness or a length changes, the energy stored in springs changes, too</source>
         <translation>Ändert sich eine Steifigkeit oder eine Länge, ändert sich auch die Energie in den Federn</translation>
     </message>
     <message>
-        <source>Done by clocks and steering</source>
-        <translation>Durch Uhr und Steuerung</translation>
-    </message>
-    <message>
         <source>Energy that gait clocks and steering add</source>
         <translation>Energie, die Ganguhren und Steuerung hineinstecken</translation>
-    </message>
-    <message>
-        <source>Done by wind</source>
-        <translation>Vom Wind geleistet</translation>
     </message>
     <message>
         <source>Energy that the wind adds or takes away</source>
         <translation>Energie, die der Wind hineinsteckt oder wegnimmt</translation>
     </message>
     <message>
-        <source>Done by my rule</source>
-        <translation>Von meiner Regel geleistet</translation>
-    </message>
-    <message>
         <source>Energy that the force of your rule adds or takes away</source>
         <translation>Energie, die die Kraft deiner Regel zuführt oder entzieht</translation>
-    </message>
-    <message>
-        <source>Done by one-way pulls</source>
-        <translation>Von einseitigen Zügen geleistet</translation>
     </message>
     <message>
         <source>A pull without an opposite pull stores no energy. It adds energy or takes it away</source>
         <translation>Ein Zug ohne Gegenzug speichert keine Energie. Er bringt Energie hinein oder nimmt sie weg</translation>
     </message>
     <message>
-        <source>Given by gravity</source>
-        <translation>Von der Schwerkraft gegeben</translation>
-    </message>
-    <message>
         <source>It pulls everything down, and nothing pulls back</source>
         <translation>Sie zieht alles nach unten, und nichts zieht zurück</translation>
-    </message>
-    <message>
-        <source>Given by fixed places</source>
-        <translation>Von festen Orten gegeben</translation>
     </message>
     <message>
         <source>Springs pull on fixed places, and those pull back</source>
         <translation>Federn ziehen an festen Orten, und die ziehen zurück</translation>
     </message>
     <message>
-        <source>Lost by damping</source>
-        <translation>Durch Dämpfung verloren</translation>
-    </message>
-    <message>
         <source>Energy that damping takes from everything that moves</source>
         <translation>Energie, die die Dämpfung allem nimmt, das sich bewegt</translation>
-    </message>
-    <message>
-        <source>At impacts</source>
-        <translation>Bei Stößen</translation>
     </message>
     <message>
         <source>Energy that walls and ground take, or add when they push bodies out</source>
         <translation>Energie, die Wände und Boden nehmen oder hineinstecken, wenn sie Körper herausschieben</translation>
     </message>
     <message>
-        <source>Changed by sticks</source>
-        <translation>Durch Stäbe geändert</translation>
-    </message>
-    <message>
         <source>Energy that sticks and joints change when they correct lengths and angles</source>
         <translation>Energie, die Stäbe und Gelenke ändern, wenn sie Längen und Winkel korrigieren</translation>
-    </message>
-    <message>
-        <source>Drift of the method</source>
-        <translation>Drift des Verfahrens</translation>
     </message>
     <message>
         <source>Gained or lost through the method&apos;s error, not through anything in the scene. A smaller step or another method makes it smaller.</source>
@@ -1390,13 +1290,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>mass × px/frame</source>
         <translation>Masse × px/Bild</translation>
-    </message>
-</context>
-<context>
-    <name>EnergyTableText</name>
-    <message>
-        <source>frame</source>
-        <translation>Bild</translation>
     </message>
 </context>
 <context>
@@ -1608,22 +1501,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 <context>
     <name>ExperimentText</name>
     <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for an experiment.</source>
-        <translation>%1: Die Datei ist größer als %2 MiB, und mehr darf ein Experiment nicht haben.</translation>
-    </message>
-    <message>
-        <source>%1: this is a folder; give the file of an experiment.</source>
-        <translation>%1: Das ist ein Ordner; gib die Datei eines Experiments an.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file; check its name and folder.</source>
-        <translation>%1: Diese Datei gibt es nicht; prüfe Namen und Ordner.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1: Die Datei ließ sich nicht lesen: %2.</translation>
-    </message>
-    <message>
         <source>there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder that has them.</source>
         <translation>es gibt keine Lektion %1, denn es ist keine Lektion installiert; SPRINGSTEP_LESSONS kann den Ordner nennen, in dem sie sind.</translation>
     </message>
@@ -1762,10 +1639,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>Frame %1 of %2, %3 %</source>
         <translation>Bild %1 von %2, %3 %</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Angehalten bei Bild %1 von %2.</translation>
     </message>
     <message>
         <source>Setting up the run</source>
@@ -2188,13 +2061,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     </message>
 </context>
 <context>
-    <name>GlossaryText</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
     <name>GroundLayersText</name>
     <message>
         <source>%1&#x202f;px</source>
@@ -2374,10 +2240,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <source>%1, %2: %3 %</source>
         <translation>%1, %2: %3 %</translation>
     </message>
-    <message>
-        <source>Stopped before every case was run.</source>
-        <translation>Angehalten, bevor jeder Fall gelaufen war.</translation>
-    </message>
 </context>
 <context>
     <name>HardReportText</name>
@@ -2472,10 +2334,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 <context>
     <name>Highlights</name>
     <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
-    <message>
         <source>%1&#x2009;px/frame</source>
         <translation>%1&#x2009;px/Bild</translation>
     </message>
@@ -2505,10 +2363,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
     <message>
         <source>%1 (before: %2)</source>
         <translation>%1 (vorher: %2)</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
     </message>
     <message>
         <source>your method</source>
@@ -2731,6 +2585,10 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>seine Lösung schafft es in %1 Bildern nicht: %2</translation>
     </message>
     <message>
+        <source>its solution does not do it in %1 frames: each condition holds in some frame, but they never all hold in the same one</source>
+        <translation>seine Lösung schafft es in %1 Bildern nicht: Jede Bedingung gilt in irgendeinem Bild, aber nie gelten alle im selben</translation>
+    </message>
+    <message>
         <source>its condition does not hold up to frame %1</source>
         <translation>seine Bedingung trifft bis Bild %1 nicht zu</translation>
     </message>
@@ -2870,8 +2728,8 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
         <translation>Ein Text kann keine Bilder zeigen. Die Szene ist das Bild; entferne „![“.</translation>
     </message>
     <message>
-        <source>the scene of the step, as the window saves it</source>
-        <translation>die Szene des Schritts, wie das Fenster sie sichert</translation>
+        <source>the scene of the step: save it in the window under this name, with the ending .json</source>
+        <translation>die Szene des Schritts: Sichere sie im Fenster unter diesem Namen, mit der Endung .json</translation>
     </message>
     <message>
         <source>the texts of the step</source>
@@ -2915,14 +2773,6 @@ Verben (jedes hat sein eigenes --help, und keines braucht einen Bildschirm):</tr
 </context>
 <context>
     <name>LessonPackageText</name>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1: Die Datei ließ sich nicht lesen: %2.</translation>
-    </message>
-    <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for a lesson.</source>
-        <translation>%1: Die Datei ist größer als %2 MiB, das Höchste für eine Lektion.</translation>
-    </message>
     <message>
         <source>%1 is a link or a device. Put the file itself there.</source>
         <translation>%1 ist eine Verknüpfung oder ein Gerät. Leg die Datei selbst dorthin.</translation>
@@ -3323,10 +3173,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>Frame %1</source>
         <translation>Bild %1</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>LineValuesText</name>
@@ -3335,16 +3181,8 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>%1: von %2 auf %3</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>%1 = %2 of %3</source>
         <translation>%1 = %2 von %3</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>no body</source>
@@ -3642,6 +3480,14 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Sie läuft einmal in jedem Bild.</translation>
     </message>
     <message>
+        <source>A listing cannot make arrays.</source>
+        <translation>Ein Listing kann keine eigenen Listen anlegen.</translation>
+    </message>
+    <message>
+        <source>Write a variable for each value.</source>
+        <translation>Schreib für jeden Wert eine Variable.</translation>
+    </message>
+    <message>
         <source>This stands outside of a function.</source>
         <translation>Das steht außerhalb einer Funktion.</translation>
     </message>
@@ -3830,6 +3676,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Die Variablen außerhalb von Funktionen brauchen %1 Bytes.</translation>
     </message>
     <message>
+        <source>This listing has %1 bytes.</source>
+        <translation>Dieses Listing hat %1 Bytes.</translation>
+    </message>
+    <message>
         <source>The most is %1.</source>
         <translation>Erlaubt sind höchstens %1.</translation>
     </message>
@@ -3846,12 +3696,20 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Das Ergebnis ist zu groß für eine Zahl.</translation>
     </message>
     <message>
-        <source>This did not end after %1 lines.</source>
-        <translation>Das war nach %1 Zeilen nicht zu Ende.</translation>
+        <source>This loop still runs after %1 lines.</source>
+        <translation>Diese Schleife läuft nach %1 Zeilen immer noch.</translation>
     </message>
     <message>
-        <source>A loop or a function repeats without end.</source>
-        <translation>Eine Schleife oder eine Funktion wiederholt sich ohne Ende.</translation>
+        <source>It ends only when its condition becomes false.</source>
+        <translation>Sie endet erst, wenn ihre Bedingung nicht mehr gilt.</translation>
+    </message>
+    <message>
+        <source>This still runs after %1 lines.</source>
+        <translation>Das läuft nach %1 Zeilen immer noch.</translation>
+    </message>
+    <message>
+        <source>A function calls itself too often.</source>
+        <translation>Eine Funktion ruft sich selbst zu oft auf.</translation>
     </message>
     <message>
         <source>Functions call functions %1 times inside one another.</source>
@@ -4104,22 +3962,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>%1 steht zweimal da; bitte noch einmal um das Heft.</translation>
     </message>
     <message>
-        <source>%1: this is a folder; give the file of a notebook.</source>
-        <translation>%1: Das ist ein Ordner; gib die Datei eines Hefts an.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file; check its name and folder.</source>
-        <translation>%1: Diese Datei gibt es nicht; prüfe Namen und Ordner.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1: Die Datei ließ sich nicht lesen: %2.</translation>
-    </message>
-    <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for a notebook.</source>
-        <translation>%1: Die Datei ist größer als %2 MiB, das Höchstmaß für ein Heft.</translation>
-    </message>
-    <message>
         <source>%1: this is not a notebook; a notebook is text in UTF-8.</source>
         <translation>%1: Das ist kein Heft; ein Heft ist Text in UTF-8.</translation>
     </message>
@@ -4159,10 +4001,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>Gebaut und behalten</translation>
     </message>
     <message>
-        <source>frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
         <source>The scene at that moment</source>
         <translation>Die Szene in diesem Augenblick</translation>
     </message>
@@ -4191,10 +4029,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>%1 of %2 notebooks could not be read.</source>
         <translation>%1 von %2 Heften ließen sich nicht lesen.</translation>
-    </message>
-    <message>
-        <source>Stopped before every notebook was checked.</source>
-        <translation>Angehalten, bevor jedes Heft geprüft war.</translation>
     </message>
     <message>
         <source>notebook page takes FILE OUT; see springstep notebook --help.</source>
@@ -4269,6 +4103,45 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>%1 is %2; it can be %3 to %4.</source>
         <translation>%1 ist %2; möglich ist %3 bis %4.</translation>
+    </message>
+</context>
+<context>
+    <name>PhrasesText</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>Bild %1</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
     </message>
 </context>
 <context>
@@ -4373,10 +4246,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>Not yet: the run stops in frame %1. %2</source>
         <translation>Noch nicht: Der Lauf endet in Bild %1. %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Not yet: at the start, this does not hold: %1.</source>
@@ -4872,14 +4741,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>%1 von %2 Phasen getan</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
         <source>Frame %1</source>
         <translation>Bild %1</translation>
     </message>
@@ -4927,10 +4788,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>Point %1</source>
         <translation>Punkt %1</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
     </message>
     <message>
         <source>Spring</source>
@@ -5400,10 +5257,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>%1 frames</source>
         <translation>%1 Bilder</translation>
     </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
 </context>
 <context>
     <name>TerminalText</name>
@@ -5423,6 +5276,14 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>Frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
     </message>
+    <message>
+        <source>Stopped at frame %1 of %2.</source>
+        <translation>Angehalten bei Bild %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end.</source>
+        <translation>Vor dem Ende angehalten.</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -5433,10 +5294,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
     <message>
         <source>The rows could not be written: %1. Free some disk space, or write to another folder.</source>
         <translation>Die Zeilen ließen sich nicht schreiben: %1. Schaffe Platz, oder schreibe in einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Angehalten bei Bild %1 von %2.</translation>
     </message>
 </context>
 <context>
@@ -5837,18 +5694,6 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <translation>--%1 ist für Filme; eine Webseite hat die Größe und die Farben des Browsers, der sie zeigt. Lass es weg.</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
-    </message>
-    <message>
-        <source>Setting up the run</source>
-        <translation>Der Lauf wird vorbereitet</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Bei Bild %1 von %2 angehalten.</translation>
-    </message>
-    <message>
         <source>--plot is %1; it can be %2, with its bodies, as in %3 and %4.</source>
         <translation>--plot ist %1; möglich ist %2, mit den Körpern dazu, wie in %3 und %4.</translation>
     </message>
@@ -6085,13 +5930,25 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>%1: the file could not be written: %2. Choose another folder or name.</source>
         <translation>%1: Die Datei konnte nicht geschrieben werden: %2. Wähle einen anderen Ordner oder Namen.</translation>
     </message>
+    <message>
+        <source>%1: there is no such file; check its name and folder.</source>
+        <translation>%1: Diese Datei gibt es nicht; prüfe Namen und Ordner.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be read: %2.</source>
+        <translation>%1: Die Datei ließ sich nicht lesen: %2.</translation>
+    </message>
+    <message>
+        <source>%1: this is a folder; give a file.</source>
+        <translation>%1: Das ist ein Ordner; gib eine Datei an.</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 MiB, the maximum.</source>
+        <translation>%1: Die Datei ist größer als %2 MiB, das Höchstmaß.</translation>
+    </message>
 </context>
 <context>
     <name>ZipText</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
     <message>
         <source>the zip is damaged. Get it again, or make a new zip of the folder.</source>
         <translation>Das Zip ist beschädigt. Hol es noch einmal, oder mach ein neues Zip des Ordners.</translation>
@@ -6738,10 +6595,6 @@ Drück Eingabe, um es hinzuzufügen.</translation>
         <translation>Zieh die Zahl seitwärts, oder doppelklicke darauf, um zu tippen.</translation>
     </message>
     <message>
-        <source>frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
         <source>x solid, y dashed</source>
         <translation>x durchgezogen, y gestrichelt</translation>
     </message>
@@ -7045,14 +6898,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>px auseinander</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
-    <message>
         <source>frame %1: %2&#x2009;px apart</source>
         <translation>Bild %1: %2&#x2009;px auseinander</translation>
     </message>
@@ -7266,10 +7111,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>nach unten</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>energy</source>
         <translation>Energie</translation>
     </message>
@@ -7280,10 +7121,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Click or drag to go to a frame; the arrow keys move by one frame</source>
         <translation>Klicken oder Ziehen führt zu einem Bild; die Pfeiltasten gehen ein Bild weiter</translation>
-    </message>
-    <message>
-        <source>frame %1: %2</source>
-        <translation>Bild %1: %2</translation>
     </message>
     <message>
         <source>%1 to the right, %2 down</source>
@@ -7420,10 +7257,45 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
+    <name>app::ExportDialog</name>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 is saved, up to the frame where the run stops. %2</source>
+        <translation>%1 ist gespeichert, bis zu dem Bild, bei dem der Lauf anhält. %2</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Cancelled. No file was written.</source>
+        <translation>Abgebrochen. Keine Datei wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>Abbre&amp;chen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close this dialog (Esc)</source>
+        <translation>Diesen Dialog schließen (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>app::FailureNotice</name>
     <message>
         <source>Searching for a remedy…</source>
         <translation>Sucht nach Abhilfe …</translation>
+    </message>
+    <message>
+        <source>Correct this line, and the run goes on. Undo takes your last change back.</source>
+        <translation>Berichtige diese Zeile, dann geht der Lauf weiter. Rückgängig nimmt deine letzte Änderung zurück.</translation>
     </message>
     <message>
         <source>No smaller step and no other method was found to be stable. Go back, and undo the change that caused this.</source>
@@ -7477,40 +7349,12 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Farben werden ausgewählt …</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved, up to the frame where the run stops. %2</source>
-        <translation>%1 ist gespeichert, bis zu dem Bild, bei dem der Lauf anhält. %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved.</source>
-        <translation>%1 ist gespeichert.</translation>
-    </message>
-    <message>
-        <source>Cancelled. No file was written.</source>
-        <translation>Abgebrochen. Keine Datei wurde geschrieben.</translation>
-    </message>
-    <message>
         <source>Cancelled. The pictures up to frame %1 are saved.</source>
         <translation>Abgebrochen. Die Bilder bis Bild %1 sind gespeichert.</translation>
     </message>
     <message>
-        <source>Ca&amp;ncel</source>
-        <translation>Abbre&amp;chen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Cancel the film (Esc)</source>
         <translation>Den Film abbrechen (Esc)</translation>
-    </message>
-    <message>
-        <source>Close this page (Esc)</source>
-        <translation>Diese Seite schließen (Esc)</translation>
     </message>
     <message>
         <source>&amp;Width</source>
@@ -8032,10 +7876,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Diese Seite schließen (Esc)</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Scenes of the &amp;gallery (%1)</source>
         <translation>Szenen der &amp;Galerie (%1)</translation>
     </message>
@@ -8110,10 +7950,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Everything works without the mouse, too. Esc closes this page.</source>
         <translation>Alles geht auch ohne Maus. Esc schließt diese Seite.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -8366,10 +8202,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Zeigt oder verbirgt einen Tipp</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>%1, passed</source>
         <translation>%1, geschafft</translation>
     </message>
@@ -8620,14 +8452,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>ein Zeitschritt von %1&#x2009;Bildern</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>The map is being computed.</source>
         <translation>Die Karte wird berechnet.</translation>
     </message>
@@ -8749,14 +8573,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
 <context>
     <name>app::NumberTable</name>
     <message>
-        <source>frame</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Could not save the numbers as %1: %2. Choose another folder, or free some disk space.</source>
         <translation>Die Zahlen ließen sich nicht als %1 speichern: %2. Wähle einen anderen Ordner, oder schaffe Platz.</translation>
     </message>
@@ -8778,14 +8594,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>step, frames (finer →)</source>
         <translation>Zeitschritt, Bilder (feiner →)</translation>
-    </message>
-    <message>
-        <source>largest error, px</source>
-        <translation>größter Fehler, px</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← genauer</translation>
     </message>
     <message>
         <source>A step %1 times as short makes the error %2 times as small: order %3 here, %4 expected</source>
@@ -9184,13 +8992,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     </message>
 </context>
 <context>
-    <name>app::Presentation</name>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
     <name>app::PresetGallery</name>
     <message>
         <source>Presets</source>
@@ -9234,10 +9035,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Project: %1</source>
         <translation>Projekt: %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Levels that you have passed</source>
@@ -9336,14 +9133,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Bild</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>frame %1: %2</source>
-        <translation>Bild %1: %2</translation>
-    </message>
-    <message>
         <source>%1: %2 inside frame %3</source>
         <translation>%1: %2 innerhalb von Bild %3</translation>
     </message>
@@ -9439,10 +9228,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
 </context>
 <context>
     <name>app::RecoveryList</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
     <message>
         <source>%1: %2 (not installed)</source>
         <translation>%1: %2 (nicht installiert)</translation>
@@ -9907,16 +9692,8 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Fehler über den Lauf</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>Bild</translation>
-    </message>
-    <message>
         <source>error, px</source>
         <translation>Fehler, px</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← genauer</translation>
     </message>
     <message>
         <source>Frame %1: error %2</source>
@@ -10373,10 +10150,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <source>Done! You have tried everything here.</source>
         <translation>Fertig! Du hast hier alles ausprobiert.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>app::SceneView</name>
@@ -10574,10 +10347,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Zeigt, welche Steifigkeit und welche Dämpfung stabil sind; alles andere bleibt gleich. Noch ein Klick schließt die Karte</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>There is no map for this step: it has no stiffness k to change.</source>
         <translation>Für diesen Schritt gibt es keine Karte: Er hat keine Steifigkeit k, die man ändern könnte.</translation>
     </message>
@@ -10623,14 +10392,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>The largest distance of any body from the exact motion, over these frames</source>
         <translation>Der größte Abstand eines Körpers von der exakten Bewegung, in diesen Bildern</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 Punkt</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 Punkte</translation>
     </message>
     <message>
         <source>%1 a frame</source>
@@ -10716,6 +10477,14 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Points: %1. The arrow keys go through them, and Enter uses one.</source>
         <translation>Punkte: %1. Die Pfeiltasten gehen sie durch, Eingabe verwendet einen.</translation>
+    </message>
+    <message>
+        <source>← more accurate</source>
+        <translation>← genauer</translation>
+    </message>
+    <message>
+        <source>largest error, px</source>
+        <translation>größter Fehler, px</translation>
     </message>
 </context>
 <context>
@@ -10858,14 +10627,6 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>%1: Phase %2 von %3. Ein Klick läuft bis dorthin.</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>Bild %1</translation>
-    </message>
-    <message>
         <source>Timeline</source>
         <translation>Zeitleiste</translation>
     </message>
@@ -10913,10 +10674,6 @@ Klicken, um bis dorthin zu laufen.</translation>
     <message>
         <source>The previous card</source>
         <translation>Die vorige Karte</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Done</source>
@@ -11134,40 +10891,12 @@ Klicken, um bis dorthin zu laufen.</translation>
         <translation>Wähle eine Datei, und die Seite entsteht; das Fenster kannst du derweil benutzen</translation>
     </message>
     <message>
-        <source>Cancelled. No file was written.</source>
-        <translation>Abgebrochen. Es wurde keine Datei geschrieben.</translation>
-    </message>
-    <message>
         <source>Web pages (*.html)</source>
         <translation>Webseiten (*.html)</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Bild %1 von %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved.</source>
-        <translation>%1 ist gespeichert.</translation>
-    </message>
-    <message>
-        <source>%1 is saved, up to the frame where the run stops. %2</source>
-        <translation>%1 ist gespeichert, bis zu dem Bild, bei dem der Lauf endet. %2</translation>
-    </message>
-    <message>
-        <source>Ca&amp;ncel</source>
-        <translation>A&amp;bbrechen</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Cancel the page (Esc)</source>
         <translation>Die Seite abbrechen (Esc)</translation>
-    </message>
-    <message>
-        <source>Close this dialog (Esc)</source>
-        <translation>Diesen Dialog schließen (Esc)</translation>
     </message>
 </context>
 <context>
@@ -11232,16 +10961,8 @@ Billigeres ist so genau.</translation>
         <translation>berechnete Kräfte pro Bild (Zeiten folgen)</translation>
     </message>
     <message>
-        <source>largest error, px</source>
-        <translation>größter Fehler, px</translation>
-    </message>
-    <message>
         <source>← faster</source>
         <translation>← schneller</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← genauer</translation>
     </message>
     <message>
         <source>A frame is on the screen

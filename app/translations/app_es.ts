@@ -118,10 +118,6 @@
         <translation>%1: no se pudo escribir la imagen: %2. Elige otra carpeta u otro nombre.</translation>
     </message>
     <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Parado antes de medirlo todo.</translation>
-    </message>
-    <message>
         <source>Your setup costs %1 and has an error of %2.</source>
         <translation>Tu configuración cuesta %1 y tiene un error de %2.</translation>
     </message>
@@ -184,10 +180,6 @@
     <message>
         <source>Cannot compute this scene: %1.</source>
         <translation>No puede calcular esta escena: %1.</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
     </message>
     <message>
         <source>%1&#x2009;µs</source>
@@ -381,10 +373,6 @@
 <context>
     <name>Branches</name>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 at frame %2</source>
         <translation>%1 en el fotograma %2</translation>
     </message>
@@ -499,8 +487,8 @@
         <translation>Correcto: tu código hace lo mismo que el listado en tres ejecuciones de prueba.</translation>
     </message>
     <message>
-        <source>Not yet: in frame %1 of a trial run, line %2 stopped it.</source>
-        <translation>Todavía no: en el fotograma %1 de una ejecución de prueba, la línea %2 lo paró.</translation>
+        <source>Not yet: a trial run stops in frame %1. %2</source>
+        <translation>Todavía no: una ejecución de prueba se para en el fotograma %1. %2</translation>
     </message>
     <message>
         <source>Not yet: in frame %1 of a trial run, a number became infinite.</source>
@@ -543,14 +531,6 @@
     <message>
         <source>%1 pulls</source>
         <translation>%1 tirones</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 punto</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 puntos</translation>
     </message>
 </context>
 <context>
@@ -811,10 +791,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <source>the concept “%1” rests on one that rests on it. Remove one of the two ids.</source>
         <translation>el concepto «%1» se apoya en uno que se apoya en él. Quita uno de los dos ids.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>ConditionNamesText</name>
@@ -975,10 +951,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1, %2, %3</source>
-        <translation>%1, %2, %3</translation>
-    </message>
-    <message>
         <source>effect</source>
         <translation>efecto</translation>
     </message>
@@ -1041,17 +1013,9 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <source>Measured %1 times</source>
         <translation>Medido %1 veces</translation>
     </message>
-    <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Parado antes de medirlo todo.</translation>
-    </message>
 </context>
 <context>
     <name>DifferenceTableText</name>
-    <message>
-        <source>frame</source>
-        <translation>fotograma</translation>
-    </message>
     <message>
         <source>distance [px]</source>
         <translation>distancia [px]</translation>
@@ -1107,24 +1071,12 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <source>%1, %2, kept</source>
         <translation>%1, %2, conservada</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>EdgeMarkersText</name>
     <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
-    <message>
         <source>%1 bodies</source>
         <translation>%1 cuerpos</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -1136,6 +1088,10 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 </context>
 <context>
     <name>EffectLinesText</name>
+    <message>
+        <source>Nearly all of a frame’s %2&#x2009;µs are spent in “%1”.</source>
+        <translation>Casi todos los %2&#x2009;µs de un fotograma se gastan en «%1».</translation>
+    </message>
     <message>
         <source>Without “%1” a frame would cost %2&#x2009;µs instead of %3.</source>
         <translation>Sin «%1», un fotograma costaría %2&#x2009;µs en vez de %3.</translation>
@@ -1225,14 +1181,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>desactivado</translation>
     </message>
     <message>
-        <source>%1, %2, %3</source>
-        <translation>%1, %2, %3</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>%1%2µs a frame, ±%3</source>
         <translation>%1%2µs por fotograma, ±%3</translation>
     </message>
@@ -1240,96 +1188,48 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 <context>
     <name>EnergyLinesText</name>
     <message>
-        <source>Done by dragging</source>
-        <translation>Aportada al arrastrar</translation>
-    </message>
-    <message>
         <source>Energy that you add by dragging</source>
         <translation>Energía que añades al arrastrar</translation>
-    </message>
-    <message>
-        <source>Changed with a parameter</source>
-        <translation>Cambiada por un parámetro</translation>
     </message>
     <message>
         <source>If a stiffness or a length changes, the energy stored in springs changes, too</source>
         <translation>Si cambia una rigidez o una longitud, cambia también la energía almacenada en los muelles</translation>
     </message>
     <message>
-        <source>Done by clocks and steering</source>
-        <translation>Aportada por reloj y control</translation>
-    </message>
-    <message>
         <source>Energy that gait clocks and steering add</source>
         <translation>Energía que añaden los relojes de marcha y el control</translation>
-    </message>
-    <message>
-        <source>Done by wind</source>
-        <translation>Aportada por el viento</translation>
     </message>
     <message>
         <source>Energy that the wind adds or takes away</source>
         <translation>Energía que el viento añade o quita</translation>
     </message>
     <message>
-        <source>Done by my rule</source>
-        <translation>Aportada por mi regla</translation>
-    </message>
-    <message>
         <source>Energy that the force of your rule adds or takes away</source>
         <translation>Energía que la fuerza de tu regla añade o quita</translation>
-    </message>
-    <message>
-        <source>Done by one-way pulls</source>
-        <translation>Aportada por tirones unilaterales</translation>
     </message>
     <message>
         <source>A pull without an opposite pull stores no energy. It adds energy or takes it away</source>
         <translation>Un tirón sin tirón opuesto no almacena energía. La añade o la quita</translation>
     </message>
     <message>
-        <source>Given by gravity</source>
-        <translation>Dada por la gravedad</translation>
-    </message>
-    <message>
         <source>It pulls everything down, and nothing pulls back</source>
         <translation>Tira de todo hacia abajo, y nada tira de vuelta</translation>
-    </message>
-    <message>
-        <source>Given by fixed places</source>
-        <translation>Dada por lugares fijos</translation>
     </message>
     <message>
         <source>Springs pull on fixed places, and those pull back</source>
         <translation>Los muelles tiran de lugares fijos, y estos tiran de vuelta</translation>
     </message>
     <message>
-        <source>Lost by damping</source>
-        <translation>Perdida por amortiguación</translation>
-    </message>
-    <message>
         <source>Energy that damping takes from everything that moves</source>
         <translation>Energía que la amortiguación quita a todo lo que se mueve</translation>
-    </message>
-    <message>
-        <source>At impacts</source>
-        <translation>En choques</translation>
     </message>
     <message>
         <source>Energy that walls and ground take, or add when they push bodies out</source>
         <translation>Energía que las paredes y el suelo quitan, o añaden al empujar los cuerpos hacia fuera</translation>
     </message>
     <message>
-        <source>Changed by sticks</source>
-        <translation>Cambiada por barras</translation>
-    </message>
-    <message>
         <source>Energy that sticks and joints change when they correct lengths and angles</source>
         <translation>Energía que las barras y articulaciones cambian al corregir longitudes y ángulos</translation>
-    </message>
-    <message>
-        <source>Drift of the method</source>
-        <translation>Deriva del método</translation>
     </message>
     <message>
         <source>Gained or lost through the method&apos;s error, not through anything in the scene. A smaller step or another method makes it smaller.</source>
@@ -1390,13 +1290,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>mass × px/frame</source>
         <translation>masa × px/fotograma</translation>
-    </message>
-</context>
-<context>
-    <name>EnergyTableText</name>
-    <message>
-        <source>frame</source>
-        <translation>fotograma</translation>
     </message>
 </context>
 <context>
@@ -1608,22 +1501,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 <context>
     <name>ExperimentText</name>
     <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for an experiment.</source>
-        <translation>%1: el archivo ocupa más de %2 MiB, el máximo para un experimento.</translation>
-    </message>
-    <message>
-        <source>%1: this is a folder; give the file of an experiment.</source>
-        <translation>%1: es una carpeta; indica el archivo de un experimento.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file; check its name and folder.</source>
-        <translation>%1: no existe ese archivo; comprueba su nombre y su carpeta.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1: no se pudo leer el archivo: %2.</translation>
-    </message>
-    <message>
         <source>there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder that has them.</source>
         <translation>no hay ninguna lección %1, porque no hay lecciones instaladas; SPRINGSTEP_LESSONS puede indicar la carpeta que las tiene.</translation>
     </message>
@@ -1762,10 +1639,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>Frame %1 of %2, %3 %</source>
         <translation>Fotograma %1 de %2, %3 %</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Parado en el fotograma %1 de %2.</translation>
     </message>
     <message>
         <source>Setting up the run</source>
@@ -2188,13 +2061,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     </message>
 </context>
 <context>
-    <name>GlossaryText</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
     <name>GroundLayersText</name>
     <message>
         <source>%1&#x202f;px</source>
@@ -2374,10 +2240,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <source>%1, %2: %3 %</source>
         <translation>%1, %2: %3 %</translation>
     </message>
-    <message>
-        <source>Stopped before every case was run.</source>
-        <translation>Parado antes de ejecutar todos los casos.</translation>
-    </message>
 </context>
 <context>
     <name>HardReportText</name>
@@ -2472,10 +2334,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 <context>
     <name>Highlights</name>
     <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
-    <message>
         <source>%1&#x2009;px/frame</source>
         <translation>%1&#x2009;px/fotograma</translation>
     </message>
@@ -2505,10 +2363,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
     <message>
         <source>%1 (before: %2)</source>
         <translation>%1 (antes: %2)</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
     </message>
     <message>
         <source>your method</source>
@@ -2731,6 +2585,10 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>su solución no lo consigue en %1 fotogramas: %2</translation>
     </message>
     <message>
+        <source>its solution does not do it in %1 frames: each condition holds in some frame, but they never all hold in the same one</source>
+        <translation>su solución no lo consigue en %1 fotogramas: cada condición se cumple en algún fotograma, pero nunca se cumplen todas en el mismo</translation>
+    </message>
+    <message>
         <source>its condition does not hold up to frame %1</source>
         <translation>su condición sigue sin cumplirse en el fotograma %1</translation>
     </message>
@@ -2870,8 +2728,8 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
         <translation>un texto no puede mostrar imágenes. La escena es la imagen; quita «![».</translation>
     </message>
     <message>
-        <source>the scene of the step, as the window saves it</source>
-        <translation>la escena del paso, tal como la guarda la ventana</translation>
+        <source>the scene of the step: save it in the window under this name, with the ending .json</source>
+        <translation>la escena del paso: guárdala en la ventana con este nombre, terminado en .json</translation>
     </message>
     <message>
         <source>the texts of the step</source>
@@ -2915,14 +2773,6 @@ Verbos (cada uno tiene su propio --help, y ninguno necesita pantalla):</translat
 </context>
 <context>
     <name>LessonPackageText</name>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1: no se pudo leer el archivo: %2.</translation>
-    </message>
-    <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for a lesson.</source>
-        <translation>%1: el archivo ocupa más de %2 MiB, el máximo para una lección.</translation>
-    </message>
     <message>
         <source>%1 is a link or a device. Put the file itself there.</source>
         <translation>%1 es un enlace o un dispositivo. Pon allí el archivo mismo.</translation>
@@ -3323,10 +3173,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>Frame %1</source>
         <translation>Fotograma %1</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>LineValuesText</name>
@@ -3335,16 +3181,8 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>%1: de %2 a %3</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>%1 = %2 of %3</source>
         <translation>%1 = %2 de %3</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>no body</source>
@@ -3642,6 +3480,14 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Se ejecuta una vez en cada fotograma.</translation>
     </message>
     <message>
+        <source>A listing cannot make arrays.</source>
+        <translation>Un listado no puede crear listas propias.</translation>
+    </message>
+    <message>
+        <source>Write a variable for each value.</source>
+        <translation>Escribe una variable para cada valor.</translation>
+    </message>
+    <message>
         <source>This stands outside of a function.</source>
         <translation>Esto está fuera de una función.</translation>
     </message>
@@ -3830,6 +3676,10 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Las variables fuera de funciones ocupan %1 bytes.</translation>
     </message>
     <message>
+        <source>This listing has %1 bytes.</source>
+        <translation>Este listado tiene %1 bytes.</translation>
+    </message>
+    <message>
         <source>The most is %1.</source>
         <translation>El máximo es %1.</translation>
     </message>
@@ -3846,12 +3696,20 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>El resultado es demasiado grande para un número.</translation>
     </message>
     <message>
-        <source>This did not end after %1 lines.</source>
-        <translation>Esto no terminó tras %1 líneas.</translation>
+        <source>This loop still runs after %1 lines.</source>
+        <translation>Este bucle sigue en marcha tras %1 líneas.</translation>
     </message>
     <message>
-        <source>A loop or a function repeats without end.</source>
-        <translation>Un bucle o una función se repite sin fin.</translation>
+        <source>It ends only when its condition becomes false.</source>
+        <translation>Solo termina cuando su condición deja de cumplirse.</translation>
+    </message>
+    <message>
+        <source>This still runs after %1 lines.</source>
+        <translation>Esto sigue en marcha tras %1 líneas.</translation>
+    </message>
+    <message>
+        <source>A function calls itself too often.</source>
+        <translation>Una función se llama a sí misma demasiadas veces.</translation>
     </message>
     <message>
         <source>Functions call functions %1 times inside one another.</source>
@@ -4104,22 +3962,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>%1 aparece dos veces; pide el cuaderno otra vez.</translation>
     </message>
     <message>
-        <source>%1: this is a folder; give the file of a notebook.</source>
-        <translation>%1: es una carpeta; indica el archivo de un cuaderno.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file; check its name and folder.</source>
-        <translation>%1: no existe ese archivo; comprueba su nombre y su carpeta.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1: no se pudo leer el archivo: %2.</translation>
-    </message>
-    <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for a notebook.</source>
-        <translation>%1: el archivo ocupa más de %2 MiB, el máximo para un cuaderno.</translation>
-    </message>
-    <message>
         <source>%1: this is not a notebook; a notebook is text in UTF-8.</source>
         <translation>%1: esto no es un cuaderno; un cuaderno es texto en UTF-8.</translation>
     </message>
@@ -4159,10 +4001,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>Construido y guardado</translation>
     </message>
     <message>
-        <source>frame %1</source>
-        <translation>fotograma %1</translation>
-    </message>
-    <message>
         <source>The scene at that moment</source>
         <translation>La escena en ese instante</translation>
     </message>
@@ -4191,10 +4029,6 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>%1 of %2 notebooks could not be read.</source>
         <translation>No se pudieron leer %1 de %2 cuadernos.</translation>
-    </message>
-    <message>
-        <source>Stopped before every notebook was checked.</source>
-        <translation>Parado antes de comprobar todos los cuadernos.</translation>
     </message>
     <message>
         <source>notebook page takes FILE OUT; see springstep notebook --help.</source>
@@ -4269,6 +4103,45 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>%1 is %2; it can be %3 to %4.</source>
         <translation>%1 es %2; puede ir de %3 a %4.</translation>
+    </message>
+</context>
+<context>
+    <name>PhrasesText</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1&#x2009;px</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>fotograma</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>fotograma %1</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 punto</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 puntos</translation>
     </message>
 </context>
 <context>
@@ -4373,10 +4246,6 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>Not yet: the run stops in frame %1. %2</source>
         <translation>Todavía no: la ejecución se para en el fotograma %1. %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Not yet: at the start, this does not hold: %1.</source>
@@ -4872,14 +4741,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>hechas %1 de %2 fases</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
-    </message>
-    <message>
         <source>Frame %1</source>
         <translation>Fotograma %1</translation>
     </message>
@@ -4927,10 +4788,6 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>Point %1</source>
         <translation>Punto %1</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 puntos</translation>
     </message>
     <message>
         <source>Spring</source>
@@ -5400,10 +5257,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>%1 frames</source>
         <translation>%1 fotogramas</translation>
     </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
 </context>
 <context>
     <name>TerminalText</name>
@@ -5423,6 +5276,14 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>Frame %1 of %2</source>
         <translation>Fotograma %1 de %2</translation>
     </message>
+    <message>
+        <source>Stopped at frame %1 of %2.</source>
+        <translation>Parado en el fotograma %1 de %2.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end.</source>
+        <translation>Parado antes del final.</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -5433,10 +5294,6 @@ Escribe aquí en una frase lo que ahora se sabe.
     <message>
         <source>The rows could not be written: %1. Free some disk space, or write to another folder.</source>
         <translation>No se pudieron escribir las filas: %1. Libera espacio en el disco, o escribe en otra carpeta.</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Parado en el fotograma %1 de %2.</translation>
     </message>
 </context>
 <context>
@@ -5837,18 +5694,6 @@ Escribe aquí en una frase lo que ahora se sabe.
         <translation>--%1 es para vídeos; una página web tiene el tamaño y los colores del navegador de quien la lee. Omítelo.</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Fotograma %1 de %2</translation>
-    </message>
-    <message>
-        <source>Setting up the run</source>
-        <translation>Preparando la ejecución</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Parado en el fotograma %1 de %2.</translation>
-    </message>
-    <message>
         <source>--plot is %1; it can be %2, with its bodies, as in %3 and %4.</source>
         <translation>--plot es %1; puede ser %2, con sus cuerpos, como en %3 y %4.</translation>
     </message>
@@ -6085,13 +5930,25 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>%1: the file could not be written: %2. Choose another folder or name.</source>
         <translation>%1: no se pudo escribir el archivo: %2. Elige otra carpeta u otro nombre.</translation>
     </message>
+    <message>
+        <source>%1: there is no such file; check its name and folder.</source>
+        <translation>%1: no existe ese archivo; comprueba su nombre y su carpeta.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be read: %2.</source>
+        <translation>%1: no se pudo leer el archivo: %2.</translation>
+    </message>
+    <message>
+        <source>%1: this is a folder; give a file.</source>
+        <translation>%1: es una carpeta; indica un archivo.</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 MiB, the maximum.</source>
+        <translation>%1: el archivo ocupa más de %2 MiB, el máximo.</translation>
+    </message>
 </context>
 <context>
     <name>ZipText</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
     <message>
         <source>the zip is damaged. Get it again, or make a new zip of the folder.</source>
         <translation>el zip está dañado. Consíguelo otra vez, o haz un zip nuevo de la carpeta.</translation>
@@ -6738,10 +6595,6 @@ Pulsa Intro para añadirlo.</translation>
         <translation>Arrástralo hacia un lado, o haz doble clic en él para escribir.</translation>
     </message>
     <message>
-        <source>frame %1</source>
-        <translation>fotograma %1</translation>
-    </message>
-    <message>
         <source>x solid, y dashed</source>
         <translation>x continua, y discontinua</translation>
     </message>
@@ -7045,14 +6898,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>px de distancia</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>fotograma</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
         <source>frame %1: %2&#x2009;px apart</source>
         <translation>fotograma %1: a %2 px</translation>
     </message>
@@ -7266,10 +7111,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>hacia abajo</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>energy</source>
         <translation>energía</translation>
     </message>
@@ -7280,10 +7121,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>Click or drag to go to a frame; the arrow keys move by one frame</source>
         <translation>Haz clic o arrastra para ir a un fotograma; las flechas avanzan de uno en uno</translation>
-    </message>
-    <message>
-        <source>frame %1: %2</source>
-        <translation>fotograma %1: %2</translation>
     </message>
     <message>
         <source>%1 to the right, %2 down</source>
@@ -7420,10 +7257,45 @@ Haz clic para plegar o desplegar (Intro)</translation>
     </message>
 </context>
 <context>
+    <name>app::ExportDialog</name>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Fotograma %1 de %2</translation>
+    </message>
+    <message>
+        <source>%1 is saved, up to the frame where the run stops. %2</source>
+        <translation>%1 se ha guardado, hasta el fotograma en que se para la ejecución. %2</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 se ha guardado.</translation>
+    </message>
+    <message>
+        <source>Cancelled. No file was written.</source>
+        <translation>Cancelado. No se ha escrito ningún archivo.</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>&amp;Cancelar</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Close this dialog (Esc)</source>
+        <translation>Cerrar este diálogo (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>app::FailureNotice</name>
     <message>
         <source>Searching for a remedy…</source>
         <translation>Buscando un remedio…</translation>
+    </message>
+    <message>
+        <source>Correct this line, and the run goes on. Undo takes your last change back.</source>
+        <translation>Corrige esta línea y la ejecución sigue. Deshacer retira tu último cambio.</translation>
     </message>
     <message>
         <source>No smaller step and no other method was found to be stable. Go back, and undo the change that caused this.</source>
@@ -7477,40 +7349,12 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Eligiendo sus colores…</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Fotograma %1 de %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved, up to the frame where the run stops. %2</source>
-        <translation>%1 se ha guardado, hasta el fotograma en que se para la ejecución. %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved.</source>
-        <translation>%1 se ha guardado.</translation>
-    </message>
-    <message>
-        <source>Cancelled. No file was written.</source>
-        <translation>Cancelado. No se ha escrito ningún archivo.</translation>
-    </message>
-    <message>
         <source>Cancelled. The pictures up to frame %1 are saved.</source>
         <translation>Cancelado. Se han guardado las imágenes hasta el fotograma %1.</translation>
     </message>
     <message>
-        <source>Ca&amp;ncel</source>
-        <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
-    <message>
         <source>Cancel the film (Esc)</source>
         <translation>Cancelar el vídeo (Esc)</translation>
-    </message>
-    <message>
-        <source>Close this page (Esc)</source>
-        <translation>Cerrar esta página (Esc)</translation>
     </message>
     <message>
         <source>&amp;Width</source>
@@ -8032,10 +7876,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Cerrar esta página (Esc)</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Scenes of the &amp;gallery (%1)</source>
         <translation>Escenas de la &amp;galería (%1)</translation>
     </message>
@@ -8110,10 +7950,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>Everything works without the mouse, too. Esc closes this page.</source>
         <translation>Todo funciona también sin ratón. Esc cierra esta página.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -8366,10 +8202,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Muestra u oculta una pista</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>%1, passed</source>
         <translation>%1, superado</translation>
     </message>
@@ -8620,14 +8452,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>un paso de tiempo de %1 fotogramas</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>The map is being computed.</source>
         <translation>Se está calculando el mapa.</translation>
     </message>
@@ -8749,14 +8573,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
 <context>
     <name>app::NumberTable</name>
     <message>
-        <source>frame</source>
-        <translation>fotograma</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Could not save the numbers as %1: %2. Choose another folder, or free some disk space.</source>
         <translation>No se pudieron guardar los números como %1: %2. Elige otra carpeta o libera espacio en el disco.</translation>
     </message>
@@ -8778,14 +8594,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>step, frames (finer →)</source>
         <translation>paso de tiempo, fotogramas (más fino →)</translation>
-    </message>
-    <message>
-        <source>largest error, px</source>
-        <translation>error máximo, px</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← más preciso</translation>
     </message>
     <message>
         <source>A step %1 times as short makes the error %2 times as small: order %3 here, %4 expected</source>
@@ -9184,13 +8992,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
     </message>
 </context>
 <context>
-    <name>app::Presentation</name>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
     <name>app::PresetGallery</name>
     <message>
         <source>Presets</source>
@@ -9234,10 +9035,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>Project: %1</source>
         <translation>Proyecto: %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Levels that you have passed</source>
@@ -9336,14 +9133,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>fot.</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>frame %1: %2</source>
-        <translation>fotograma %1: %2</translation>
-    </message>
-    <message>
         <source>%1: %2 inside frame %3</source>
         <translation>%1: %2 dentro del fotograma %3</translation>
     </message>
@@ -9439,10 +9228,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
 </context>
 <context>
     <name>app::RecoveryList</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
     <message>
         <source>%1: %2 (not installed)</source>
         <translation>%1: %2 (no instalada)</translation>
@@ -9907,16 +9692,8 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Error en la ejecución</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>fotograma</translation>
-    </message>
-    <message>
         <source>error, px</source>
         <translation>error, px</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← más preciso</translation>
     </message>
     <message>
         <source>Frame %1: error %2</source>
@@ -10373,10 +10150,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <source>Done! You have tried everything here.</source>
         <translation>¡Hecho! Has probado todo lo de aquí.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
 </context>
 <context>
     <name>app::SceneView</name>
@@ -10574,10 +10347,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Muestra qué rigidez y qué amortiguación son estables, sin cambiar nada más. Haz clic otra vez para cerrar</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
         <source>There is no map for this step: it has no stiffness k to change.</source>
         <translation>No hay mapa para este paso: no tiene ninguna rigidez k que cambiar.</translation>
     </message>
@@ -10623,14 +10392,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>The largest distance of any body from the exact motion, over these frames</source>
         <translation>La mayor distancia de un cuerpo al movimiento exacto, en estos fotogramas</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 punto</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 puntos</translation>
     </message>
     <message>
         <source>%1 a frame</source>
@@ -10716,6 +10477,14 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>Points: %1. The arrow keys go through them, and Enter uses one.</source>
         <translation>Puntos: %1. Las flechas los recorren, e Intro usa uno.</translation>
+    </message>
+    <message>
+        <source>← more accurate</source>
+        <translation>← más preciso</translation>
+    </message>
+    <message>
+        <source>largest error, px</source>
+        <translation>error máximo, px</translation>
     </message>
 </context>
 <context>
@@ -10858,14 +10627,6 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>%1: fase %2 de %3. Haz clic para ejecutar hasta ella.</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>fotograma %1</translation>
-    </message>
-    <message>
         <source>Timeline</source>
         <translation>Línea de tiempo</translation>
     </message>
@@ -10913,10 +10674,6 @@ Haz clic para ejecutar hasta ella.</translation>
     <message>
         <source>The previous card</source>
         <translation>La tarjeta anterior</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
     <message>
         <source>Done</source>
@@ -11134,40 +10891,12 @@ Haz clic para ejecutar hasta ella.</translation>
         <translation>Elegir un archivo y crear la página; mientras tanto puedes usar la ventana</translation>
     </message>
     <message>
-        <source>Cancelled. No file was written.</source>
-        <translation>Cancelado. No se ha escrito ningún archivo.</translation>
-    </message>
-    <message>
         <source>Web pages (*.html)</source>
         <translation>Páginas web (*.html)</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Fotograma %1 de %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved.</source>
-        <translation>%1 se ha guardado.</translation>
-    </message>
-    <message>
-        <source>%1 is saved, up to the frame where the run stops. %2</source>
-        <translation>%1 se ha guardado, hasta el fotograma en que se para la ejecución. %2</translation>
-    </message>
-    <message>
-        <source>Ca&amp;ncel</source>
-        <translation>&amp;Cancelar</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Cerrar</translation>
-    </message>
-    <message>
         <source>Cancel the page (Esc)</source>
         <translation>Cancelar la página (Esc)</translation>
-    </message>
-    <message>
-        <source>Close this dialog (Esc)</source>
-        <translation>Cerrar este diálogo (Esc)</translation>
     </message>
 </context>
 <context>
@@ -11232,16 +10961,8 @@ barato es tan preciso.</translation>
         <translation>fuerzas calculadas por fotograma (después, los tiempos)</translation>
     </message>
     <message>
-        <source>largest error, px</source>
-        <translation>error máximo, px</translation>
-    </message>
-    <message>
         <source>← faster</source>
         <translation>← más rápido</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← más preciso</translation>
     </message>
     <message>
         <source>A frame is on the screen
@@ -11385,7 +11106,7 @@ for %1&#x2009;µs (30 a second)</source>
     </message>
     <message>
         <source>Done by clocks and steering</source>
-        <translation>Aportada por relojes y control</translation>
+        <translation>Aportada por reloj y control</translation>
     </message>
     <message>
         <source>Done by wind</source>
@@ -11409,7 +11130,7 @@ for %1&#x2009;µs (30 a second)</source>
     </message>
     <message>
         <source>At impacts</source>
-        <translation>En los choques</translation>
+        <translation>En choques</translation>
     </message>
     <message>
         <source>Changed by sticks</source>

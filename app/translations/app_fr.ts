@@ -118,10 +118,6 @@
         <translation>%1&#xa0;: la capture n’a pas pu être écrite&#xa0;: %2. Choisis un autre dossier ou un autre nom.</translation>
     </message>
     <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Arrêté avant que tout soit mesuré.</translation>
-    </message>
-    <message>
         <source>Your setup costs %1 and has an error of %2.</source>
         <translation>Ton réglage coûte %1 et a une erreur de %2.</translation>
     </message>
@@ -184,10 +180,6 @@
     <message>
         <source>Cannot compute this scene: %1.</source>
         <translation>Ne peut pas calculer cette scène&#xa0;: %1.</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x202f;px</translation>
     </message>
     <message>
         <source>%1&#x2009;µs</source>
@@ -381,10 +373,6 @@
 <context>
     <name>Branches</name>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>%1 at frame %2</source>
         <translation>%1 à l’image %2</translation>
     </message>
@@ -499,8 +487,8 @@
         <translation>Juste&#xa0;: ton code fait la même chose que le listing dans trois simulations d’essai.</translation>
     </message>
     <message>
-        <source>Not yet: in frame %1 of a trial run, line %2 stopped it.</source>
-        <translation>Pas encore&#xa0;: à l’image %1 d’une simulation d’essai, la ligne %2 l’a arrêtée.</translation>
+        <source>Not yet: a trial run stops in frame %1. %2</source>
+        <translation>Pas encore&#xa0;: une simulation d’essai s’arrête à l’image %1. %2</translation>
     </message>
     <message>
         <source>Not yet: in frame %1 of a trial run, a number became infinite.</source>
@@ -543,14 +531,6 @@
     <message>
         <source>%1 pulls</source>
         <translation>%1 tractions</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 point</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 points</translation>
     </message>
 </context>
 <context>
@@ -811,10 +791,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <source>the concept “%1” rests on one that rests on it. Remove one of the two ids.</source>
         <translation>la notion «&#x202f;%1&#x202f;» repose sur une notion qui repose sur elle. Retire l’un des deux identifiants.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
 </context>
 <context>
     <name>ConditionNamesText</name>
@@ -975,10 +951,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>%1 %</translation>
     </message>
     <message>
-        <source>%1, %2, %3</source>
-        <translation>%1, %2, %3</translation>
-    </message>
-    <message>
         <source>effect</source>
         <translation>effet</translation>
     </message>
@@ -1041,17 +1013,9 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <source>Measured %1 times</source>
         <translation>Mesuré %1 fois</translation>
     </message>
-    <message>
-        <source>Stopped before everything was measured.</source>
-        <translation>Arrêté avant que tout soit mesuré.</translation>
-    </message>
 </context>
 <context>
     <name>DifferenceTableText</name>
-    <message>
-        <source>frame</source>
-        <translation>image</translation>
-    </message>
     <message>
         <source>distance [px]</source>
         <translation>distance [px]</translation>
@@ -1107,24 +1071,12 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <source>%1, %2, kept</source>
         <translation>%1, %2, gardée</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>EdgeMarkersText</name>
     <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
         <source>%1 bodies</source>
         <translation>%1 corps</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -1136,6 +1088,10 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 </context>
 <context>
     <name>EffectLinesText</name>
+    <message>
+        <source>Nearly all of a frame’s %2&#x2009;µs are spent in “%1”.</source>
+        <translation>Presque toutes les %2&#x2009;µs d’une image reviennent à «&#x202f;%1&#x202f;».</translation>
+    </message>
     <message>
         <source>Without “%1” a frame would cost %2&#x2009;µs instead of %3.</source>
         <translation>Sans «&#x202f;%1&#x202f;», une image coûterait %2 µs au lieu de %3.</translation>
@@ -1225,14 +1181,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>désactivé</translation>
     </message>
     <message>
-        <source>%1, %2, %3</source>
-        <translation>%1, %2, %3</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>%1%2µs a frame, ±%3</source>
         <translation>%1%2µs par image, ±%3</translation>
     </message>
@@ -1240,96 +1188,48 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 <context>
     <name>EnergyLinesText</name>
     <message>
-        <source>Done by dragging</source>
-        <translation>Fournie à la souris</translation>
-    </message>
-    <message>
         <source>Energy that you add by dragging</source>
         <translation>Énergie que tu ajoutes en faisant glisser</translation>
-    </message>
-    <message>
-        <source>Changed with a parameter</source>
-        <translation>Changée par un paramètre</translation>
     </message>
     <message>
         <source>If a stiffness or a length changes, the energy stored in springs changes, too</source>
         <translation>Si une raideur ou une longueur change, l’énergie des ressorts change aussi</translation>
     </message>
     <message>
-        <source>Done by clocks and steering</source>
-        <translation>Fournie par horloge et pilotage</translation>
-    </message>
-    <message>
         <source>Energy that gait clocks and steering add</source>
         <translation>Énergie qu’ajoutent les horloges d’allure et le pilotage</translation>
-    </message>
-    <message>
-        <source>Done by wind</source>
-        <translation>Fournie par le vent</translation>
     </message>
     <message>
         <source>Energy that the wind adds or takes away</source>
         <translation>Énergie que le vent ajoute ou enlève</translation>
     </message>
     <message>
-        <source>Done by my rule</source>
-        <translation>Fournie par ma règle</translation>
-    </message>
-    <message>
         <source>Energy that the force of your rule adds or takes away</source>
         <translation>Énergie que la force de ta règle ajoute ou enlève</translation>
-    </message>
-    <message>
-        <source>Done by one-way pulls</source>
-        <translation>Fournie par tractions unilatérales</translation>
     </message>
     <message>
         <source>A pull without an opposite pull stores no energy. It adds energy or takes it away</source>
         <translation>Une traction sans traction opposée ne stocke pas d’énergie. Elle en ajoute ou en enlève</translation>
     </message>
     <message>
-        <source>Given by gravity</source>
-        <translation>Donnée par la gravité</translation>
-    </message>
-    <message>
         <source>It pulls everything down, and nothing pulls back</source>
         <translation>Elle tire tout vers le bas, et rien ne tire en retour</translation>
-    </message>
-    <message>
-        <source>Given by fixed places</source>
-        <translation>Donnée par les points fixes</translation>
     </message>
     <message>
         <source>Springs pull on fixed places, and those pull back</source>
         <translation>Les ressorts tirent sur des points fixes, qui tirent en retour</translation>
     </message>
     <message>
-        <source>Lost by damping</source>
-        <translation>Perdue par amortissement</translation>
-    </message>
-    <message>
         <source>Energy that damping takes from everything that moves</source>
         <translation>Énergie que l’amortissement prend à tout ce qui bouge</translation>
-    </message>
-    <message>
-        <source>At impacts</source>
-        <translation>Lors des chocs</translation>
     </message>
     <message>
         <source>Energy that walls and ground take, or add when they push bodies out</source>
         <translation>Énergie que les murs et le sol prennent, ou ajoutent quand ils repoussent des corps</translation>
     </message>
     <message>
-        <source>Changed by sticks</source>
-        <translation>Changée par les tiges</translation>
-    </message>
-    <message>
         <source>Energy that sticks and joints change when they correct lengths and angles</source>
         <translation>Énergie que changent les tiges et les articulations en corrigeant longueurs et angles</translation>
-    </message>
-    <message>
-        <source>Drift of the method</source>
-        <translation>Dérive de la méthode</translation>
     </message>
     <message>
         <source>Gained or lost through the method&apos;s error, not through anything in the scene. A smaller step or another method makes it smaller.</source>
@@ -1390,13 +1290,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>mass × px/frame</source>
         <translation>masse × px/image</translation>
-    </message>
-</context>
-<context>
-    <name>EnergyTableText</name>
-    <message>
-        <source>frame</source>
-        <translation>image</translation>
     </message>
 </context>
 <context>
@@ -1608,22 +1501,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 <context>
     <name>ExperimentText</name>
     <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for an experiment.</source>
-        <translation>%1&#xa0;: le fichier dépasse %2 Mio, le maximum pour une expérience.</translation>
-    </message>
-    <message>
-        <source>%1: this is a folder; give the file of an experiment.</source>
-        <translation>%1&#xa0;: c’est un dossier&#x202f;; donne le fichier d’une expérience.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file; check its name and folder.</source>
-        <translation>%1&#xa0;: ce fichier n’existe pas&#x202f;; vérifie son nom et son dossier.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1&#xa0;: le fichier n’a pas pu être lu&#xa0;: %2.</translation>
-    </message>
-    <message>
         <source>there is no lesson %1, as no lesson is installed; SPRINGSTEP_LESSONS can name the folder that has them.</source>
         <translation>il n’y a pas de leçon %1, car aucune leçon n’est installée&#x202f;; SPRINGSTEP_LESSONS peut nommer le dossier où elles sont.</translation>
     </message>
@@ -1762,10 +1639,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>Frame %1 of %2, %3 %</source>
         <translation>Image %1 sur %2, %3 %</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Arrêt à l’image %1 sur %2.</translation>
     </message>
     <message>
         <source>Setting up the run</source>
@@ -2188,13 +2061,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     </message>
 </context>
 <context>
-    <name>GlossaryText</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-</context>
-<context>
     <name>GroundLayersText</name>
     <message>
         <source>%1&#x202f;px</source>
@@ -2374,10 +2240,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <source>%1, %2: %3 %</source>
         <translation>%1, %2&#xa0;: %3 %</translation>
     </message>
-    <message>
-        <source>Stopped before every case was run.</source>
-        <translation>Arrêté avant que tous les cas soient passés.</translation>
-    </message>
 </context>
 <context>
     <name>HardReportText</name>
@@ -2472,10 +2334,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 <context>
     <name>Highlights</name>
     <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
-    </message>
-    <message>
         <source>%1&#x2009;px/frame</source>
         <translation>%1 px/image</translation>
     </message>
@@ -2505,10 +2363,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
     <message>
         <source>%1 (before: %2)</source>
         <translation>%1 (avant&#xa0;: %2)</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
     </message>
     <message>
         <source>your method</source>
@@ -2731,6 +2585,10 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>sa solution n’y parvient pas en %1 images&#xa0;: %2</translation>
     </message>
     <message>
+        <source>its solution does not do it in %1 frames: each condition holds in some frame, but they never all hold in the same one</source>
+        <translation>sa solution n’y parvient pas en %1 images&#xa0;: chaque condition est vraie dans une image, mais elles ne le sont jamais toutes dans la même</translation>
+    </message>
+    <message>
         <source>its condition does not hold up to frame %1</source>
         <translation>sa condition n’est pas remplie jusqu’à l’image %1</translation>
     </message>
@@ -2870,8 +2728,8 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
         <translation>un texte ne peut pas montrer d’images. La scène est l’image&#x202f;; retire «&#x202f;![&#x202f;».</translation>
     </message>
     <message>
-        <source>the scene of the step, as the window saves it</source>
-        <translation>la scène de l’étape, telle que la fenêtre l’enregistre</translation>
+        <source>the scene of the step: save it in the window under this name, with the ending .json</source>
+        <translation>la scène de l’étape&#xa0;: enregistre-la dans la fenêtre sous ce nom, terminé par .json</translation>
     </message>
     <message>
         <source>the texts of the step</source>
@@ -2915,14 +2773,6 @@ Commandes (chacune a son propre --help, et aucune n’a besoin d’un écran)&#x
 </context>
 <context>
     <name>LessonPackageText</name>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1&#xa0;: le fichier n’a pas pu être lu&#xa0;: %2.</translation>
-    </message>
-    <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for a lesson.</source>
-        <translation>%1&#xa0;: le fichier dépasse %2 Mio, le maximum pour une leçon.</translation>
-    </message>
     <message>
         <source>%1 is a link or a device. Put the file itself there.</source>
         <translation>%1 est un lien ou un périphérique. Mets le fichier lui-même à cet endroit.</translation>
@@ -3323,10 +3173,6 @@ Un mot que le texte utilise, en une phrase.
         <source>Frame %1</source>
         <translation>Image %1</translation>
     </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
 </context>
 <context>
     <name>LineValuesText</name>
@@ -3335,16 +3181,8 @@ Un mot que le texte utilise, en une phrase.
         <translation>%1&#xa0;: de %2 à %3</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>%1 = %2 of %3</source>
         <translation>%1 = %2 sur %3</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>no body</source>
@@ -3642,6 +3480,14 @@ Un mot que le texte utilise, en une phrase.
         <translation>Elle s’exécute une fois à chaque image.</translation>
     </message>
     <message>
+        <source>A listing cannot make arrays.</source>
+        <translation>Un listing ne peut pas créer ses propres listes.</translation>
+    </message>
+    <message>
+        <source>Write a variable for each value.</source>
+        <translation>Écris une variable pour chaque valeur.</translation>
+    </message>
+    <message>
         <source>This stands outside of a function.</source>
         <translation>Ceci est hors d’une fonction.</translation>
     </message>
@@ -3830,6 +3676,10 @@ Un mot que le texte utilise, en une phrase.
         <translation>Les variables hors des fonctions prennent %1 octets.</translation>
     </message>
     <message>
+        <source>This listing has %1 bytes.</source>
+        <translation>Ce listing compte %1 octets.</translation>
+    </message>
+    <message>
         <source>The most is %1.</source>
         <translation>Le maximum est %1.</translation>
     </message>
@@ -3846,12 +3696,20 @@ Un mot que le texte utilise, en une phrase.
         <translation>Le résultat est trop grand pour un nombre.</translation>
     </message>
     <message>
-        <source>This did not end after %1 lines.</source>
-        <translation>Ceci n’était pas fini après %1 lignes.</translation>
+        <source>This loop still runs after %1 lines.</source>
+        <translation>Cette boucle tourne encore après %1 lignes.</translation>
     </message>
     <message>
-        <source>A loop or a function repeats without end.</source>
-        <translation>Une boucle ou une fonction se répète sans fin.</translation>
+        <source>It ends only when its condition becomes false.</source>
+        <translation>Elle ne s’arrête que lorsque sa condition devient fausse.</translation>
+    </message>
+    <message>
+        <source>This still runs after %1 lines.</source>
+        <translation>Ceci tourne encore après %1 lignes.</translation>
+    </message>
+    <message>
+        <source>A function calls itself too often.</source>
+        <translation>Une fonction s’appelle elle-même trop souvent.</translation>
     </message>
     <message>
         <source>Functions call functions %1 times inside one another.</source>
@@ -4104,22 +3962,6 @@ Un mot que le texte utilise, en une phrase.
         <translation>%1 y est deux fois&#x202f;; redemande le cahier.</translation>
     </message>
     <message>
-        <source>%1: this is a folder; give the file of a notebook.</source>
-        <translation>%1&#xa0;: c’est un dossier&#x202f;; donne le fichier d’un cahier.</translation>
-    </message>
-    <message>
-        <source>%1: there is no such file; check its name and folder.</source>
-        <translation>%1&#xa0;: ce fichier n’existe pas&#x202f;; vérifie son nom et son dossier.</translation>
-    </message>
-    <message>
-        <source>%1: the file could not be read: %2.</source>
-        <translation>%1&#xa0;: le fichier n’a pas pu être lu&#xa0;: %2.</translation>
-    </message>
-    <message>
-        <source>%1: the file is larger than %2 MiB, the maximum for a notebook.</source>
-        <translation>%1&#xa0;: le fichier dépasse %2 Mio, le maximum pour un cahier.</translation>
-    </message>
-    <message>
         <source>%1: this is not a notebook; a notebook is text in UTF-8.</source>
         <translation>%1&#xa0;: ce n’est pas un cahier&#x202f;; un cahier est du texte en UTF-8.</translation>
     </message>
@@ -4159,10 +4001,6 @@ Un mot que le texte utilise, en une phrase.
         <translation>Construit et gardé</translation>
     </message>
     <message>
-        <source>frame %1</source>
-        <translation>image %1</translation>
-    </message>
-    <message>
         <source>The scene at that moment</source>
         <translation>La scène à ce moment</translation>
     </message>
@@ -4191,10 +4029,6 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>%1 of %2 notebooks could not be read.</source>
         <translation>%1 cahiers sur %2 n’ont pas pu être lus.</translation>
-    </message>
-    <message>
-        <source>Stopped before every notebook was checked.</source>
-        <translation>Arrêté avant que tous les cahiers soient vérifiés.</translation>
     </message>
     <message>
         <source>notebook page takes FILE OUT; see springstep notebook --help.</source>
@@ -4269,6 +4103,45 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>%1 is %2; it can be %3 to %4.</source>
         <translation>%1 vaut %2&#x202f;; possible&#xa0;: de %3 à %4.</translation>
+    </message>
+</context>
+<context>
+    <name>PhrasesText</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1&#x2009;px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>image</translation>
+    </message>
+    <message>
+        <source>frame %1</source>
+        <translation>image %1</translation>
+    </message>
+    <message>
+        <source>1 point</source>
+        <translation>1 point</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 points</translation>
     </message>
 </context>
 <context>
@@ -4373,10 +4246,6 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>Not yet: the run stops in frame %1. %2</source>
         <translation>Pas encore&#xa0;: la simulation s’arrête à l’image %1. %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>Not yet: at the start, this does not hold: %1.</source>
@@ -4872,14 +4741,6 @@ Un mot que le texte utilise, en une phrase.
         <translation>phases faites&#xa0;: %1 sur %2</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
-    </message>
-    <message>
         <source>Frame %1</source>
         <translation>Image %1</translation>
     </message>
@@ -4927,10 +4788,6 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>Point %1</source>
         <translation>Point %1</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 points</translation>
     </message>
     <message>
         <source>Spring</source>
@@ -5400,10 +5257,6 @@ Un mot que le texte utilise, en une phrase.
         <source>%1 frames</source>
         <translation>%1 images</translation>
     </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1 px</translation>
-    </message>
 </context>
 <context>
     <name>TerminalText</name>
@@ -5423,6 +5276,14 @@ Un mot que le texte utilise, en une phrase.
         <source>Frame %1 of %2</source>
         <translation>Image %1 sur %2</translation>
     </message>
+    <message>
+        <source>Stopped at frame %1 of %2.</source>
+        <translation>Arrêt à l’image %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>Stopped before the end.</source>
+        <translation>Arrêt avant la fin.</translation>
+    </message>
 </context>
 <context>
     <name>TraceText</name>
@@ -5433,10 +5294,6 @@ Un mot que le texte utilise, en une phrase.
     <message>
         <source>The rows could not be written: %1. Free some disk space, or write to another folder.</source>
         <translation>Les lignes n’ont pas pu être écrites&#xa0;: %1. Libère de l’espace disque, ou écris dans un autre dossier.</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Arrêt à l’image %1 sur %2.</translation>
     </message>
 </context>
 <context>
@@ -5837,18 +5694,6 @@ Un mot que le texte utilise, en une phrase.
         <translation>--%1 est pour les films&#x202f;; une page web a la taille et les couleurs du navigateur qui l’affiche. Enlève cette option.</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Image %1 sur %2</translation>
-    </message>
-    <message>
-        <source>Setting up the run</source>
-        <translation>Préparation de la simulation</translation>
-    </message>
-    <message>
-        <source>Stopped at frame %1 of %2.</source>
-        <translation>Arrêt à l’image %1 sur %2.</translation>
-    </message>
-    <message>
         <source>--plot is %1; it can be %2, with its bodies, as in %3 and %4.</source>
         <translation>--plot est %1&#x202f;; valeurs possibles&#xa0;: %2, avec leurs corps, comme dans %3 et %4.</translation>
     </message>
@@ -6085,13 +5930,25 @@ Un mot que le texte utilise, en une phrase.
         <source>%1: the file could not be written: %2. Choose another folder or name.</source>
         <translation>%1&#xa0;: impossible d’écrire le fichier&#xa0;: %2. Choisis un autre dossier ou un autre nom.</translation>
     </message>
+    <message>
+        <source>%1: there is no such file; check its name and folder.</source>
+        <translation>%1&#xa0;: ce fichier n’existe pas&#x202f;; vérifie son nom et son dossier.</translation>
+    </message>
+    <message>
+        <source>%1: the file could not be read: %2.</source>
+        <translation>%1&#xa0;: le fichier n’a pas pu être lu&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>%1: this is a folder; give a file.</source>
+        <translation>%1&#xa0;: c’est un dossier&#x202f;; donne un fichier.</translation>
+    </message>
+    <message>
+        <source>%1: the file is larger than %2 MiB, the maximum.</source>
+        <translation>%1&#xa0;: le fichier dépasse %2 Mio, le maximum.</translation>
+    </message>
 </context>
 <context>
     <name>ZipText</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
     <message>
         <source>the zip is damaged. Get it again, or make a new zip of the folder.</source>
         <translation>le zip est endommagé. Récupère-le à nouveau, ou refais un zip du dossier.</translation>
@@ -6738,10 +6595,6 @@ Appuie sur Entrée pour l’ajouter.</translation>
         <translation>Fais-le glisser de côté, ou double-clique dessus pour taper.</translation>
     </message>
     <message>
-        <source>frame %1</source>
-        <translation>image %1</translation>
-    </message>
-    <message>
         <source>x solid, y dashed</source>
         <translation>x continu, y en tirets</translation>
     </message>
@@ -7045,14 +6898,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>écart en px</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>image</translation>
-    </message>
-    <message>
-        <source>%1&#x2009;px</source>
-        <translation>%1&#x2009;px</translation>
-    </message>
-    <message>
         <source>frame %1: %2&#x2009;px apart</source>
         <translation>image %1&#xa0;: %2&#x2009;px d’écart</translation>
     </message>
@@ -7266,10 +7111,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>vers le bas</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>energy</source>
         <translation>énergie</translation>
     </message>
@@ -7280,10 +7121,6 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>Click or drag to go to a frame; the arrow keys move by one frame</source>
         <translation>Clique ou fais glisser pour aller à une image&#x202f;; les flèches avancent d’une image</translation>
-    </message>
-    <message>
-        <source>frame %1: %2</source>
-        <translation>image %1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1 to the right, %2 down</source>
@@ -7420,10 +7257,45 @@ Clique pour replier ou déplier (Entrée)</translation>
     </message>
 </context>
 <context>
+    <name>app::ExportDialog</name>
+    <message>
+        <source>Frame %1 of %2</source>
+        <translation>Image %1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 is saved, up to the frame where the run stops. %2</source>
+        <translation>%1 est enregistré, jusqu’à l’image où la simulation s’arrête. %2</translation>
+    </message>
+    <message>
+        <source>%1 is saved.</source>
+        <translation>%1 est enregistré.</translation>
+    </message>
+    <message>
+        <source>Cancelled. No file was written.</source>
+        <translation>Annulé. Aucun fichier n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Ca&amp;ncel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Close this dialog (Esc)</source>
+        <translation>Fermer cette boîte de dialogue (Échap)</translation>
+    </message>
+</context>
+<context>
     <name>app::FailureNotice</name>
     <message>
         <source>Searching for a remedy…</source>
         <translation>Recherche d’un remède…</translation>
+    </message>
+    <message>
+        <source>Correct this line, and the run goes on. Undo takes your last change back.</source>
+        <translation>Corrige cette ligne, et la simulation continue. Annuler retire ton dernier changement.</translation>
     </message>
     <message>
         <source>No smaller step and no other method was found to be stable. Go back, and undo the change that caused this.</source>
@@ -7477,40 +7349,12 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Choix des couleurs…</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Image %1 sur %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved, up to the frame where the run stops. %2</source>
-        <translation>%1 est enregistré, jusqu’à l’image où la simulation s’arrête. %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved.</source>
-        <translation>%1 est enregistré.</translation>
-    </message>
-    <message>
-        <source>Cancelled. No file was written.</source>
-        <translation>Annulé. Aucun fichier n’a été écrit.</translation>
-    </message>
-    <message>
         <source>Cancelled. The pictures up to frame %1 are saved.</source>
         <translation>Annulé. Les captures jusqu’à l’image %1 sont enregistrées.</translation>
     </message>
     <message>
-        <source>Ca&amp;ncel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
         <source>Cancel the film (Esc)</source>
         <translation>Annuler le film (Échap)</translation>
-    </message>
-    <message>
-        <source>Close this page (Esc)</source>
-        <translation>Fermer cette page (Échap)</translation>
     </message>
     <message>
         <source>&amp;Width</source>
@@ -8032,10 +7876,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Fermer cette page (Échap)</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Scenes of the &amp;gallery (%1)</source>
         <translation>Scènes de la &amp;galerie (%1)</translation>
     </message>
@@ -8110,10 +7950,6 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>Everything works without the mouse, too. Esc closes this page.</source>
         <translation>Tout marche aussi sans la souris. Échap ferme cette page.</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -8366,10 +8202,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Affiche ou masque un indice</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>%1, passed</source>
         <translation>%1, réussi</translation>
     </message>
@@ -8620,14 +8452,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>un pas de temps de %1&#x2009;images</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>The map is being computed.</source>
         <translation>La carte est en cours de calcul.</translation>
     </message>
@@ -8749,14 +8573,6 @@ Clique pour replier ou déplier (Entrée)</translation>
 <context>
     <name>app::NumberTable</name>
     <message>
-        <source>frame</source>
-        <translation>image</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
         <source>Could not save the numbers as %1: %2. Choose another folder, or free some disk space.</source>
         <translation>Impossible d’enregistrer les nombres dans %1&#xa0;: %2. Choisis un autre dossier, ou libère de l’espace disque.</translation>
     </message>
@@ -8778,14 +8594,6 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>step, frames (finer →)</source>
         <translation>pas de temps, images (plus fin →)</translation>
-    </message>
-    <message>
-        <source>largest error, px</source>
-        <translation>plus grande erreur, px</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← plus précis</translation>
     </message>
     <message>
         <source>A step %1 times as short makes the error %2 times as small: order %3 here, %4 expected</source>
@@ -9184,13 +8992,6 @@ Clique pour replier ou déplier (Entrée)</translation>
     </message>
 </context>
 <context>
-    <name>app::Presentation</name>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-</context>
-<context>
     <name>app::PresetGallery</name>
     <message>
         <source>Presets</source>
@@ -9234,10 +9035,6 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>Project: %1</source>
         <translation>Projet&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>Levels that you have passed</source>
@@ -9336,14 +9133,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>image</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>frame %1: %2</source>
-        <translation>image %1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>%1: %2 inside frame %3</source>
         <translation>%1&#xa0;: %2 à l’intérieur de l’image %3</translation>
     </message>
@@ -9439,10 +9228,6 @@ Clique pour replier ou déplier (Entrée)</translation>
 </context>
 <context>
     <name>app::RecoveryList</name>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
     <message>
         <source>%1: %2 (not installed)</source>
         <translation>%1&#xa0;: %2 (non installé)</translation>
@@ -9907,16 +9692,8 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Erreur au fil de la simulation</translation>
     </message>
     <message>
-        <source>frame</source>
-        <translation>image</translation>
-    </message>
-    <message>
         <source>error, px</source>
         <translation>erreur, px</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← plus précis</translation>
     </message>
     <message>
         <source>Frame %1: error %2</source>
@@ -10373,10 +10150,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <source>Done! You have tried everything here.</source>
         <translation>Terminé&#x202f;! Tu as tout essayé ici.</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
 </context>
 <context>
     <name>app::SceneView</name>
@@ -10574,10 +10347,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Montre quelle raideur et quel amortissement sont stables, tout le reste étant inchangé. Un nouveau clic la ferme</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
-    <message>
         <source>There is no map for this step: it has no stiffness k to change.</source>
         <translation>Il n’y a pas de carte pour cette étape&#xa0;: elle n’a pas de raideur k à changer.</translation>
     </message>
@@ -10623,14 +10392,6 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>The largest distance of any body from the exact motion, over these frames</source>
         <translation>Le plus grand écart d’un corps au mouvement exact, sur ces images</translation>
-    </message>
-    <message>
-        <source>1 point</source>
-        <translation>1 point</translation>
-    </message>
-    <message>
-        <source>%1 points</source>
-        <translation>%1 points</translation>
     </message>
     <message>
         <source>%1 a frame</source>
@@ -10716,6 +10477,14 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>Points: %1. The arrow keys go through them, and Enter uses one.</source>
         <translation>Points&#xa0;: %1. Les flèches les parcourent, et Entrée en utilise un.</translation>
+    </message>
+    <message>
+        <source>← more accurate</source>
+        <translation>← plus précis</translation>
+    </message>
+    <message>
+        <source>largest error, px</source>
+        <translation>plus grande erreur, px</translation>
     </message>
 </context>
 <context>
@@ -10858,14 +10627,6 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>%1&#xa0;: phase %2 sur %3. Un clic va jusque-là.</translation>
     </message>
     <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>frame %1</source>
-        <translation>image %1</translation>
-    </message>
-    <message>
         <source>Timeline</source>
         <translation>Ligne de temps</translation>
     </message>
@@ -10913,10 +10674,6 @@ Clique pour aller jusque-là.</translation>
     <message>
         <source>The previous card</source>
         <translation>La carte précédente</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
     </message>
     <message>
         <source>Done</source>
@@ -11134,40 +10891,12 @@ Clique pour aller jusque-là.</translation>
         <translation>Choisis un fichier, et la page est créée&#x202f;; pendant ce temps, tu peux utiliser la fenêtre</translation>
     </message>
     <message>
-        <source>Cancelled. No file was written.</source>
-        <translation>Annulé. Aucun fichier n’a été écrit.</translation>
-    </message>
-    <message>
         <source>Web pages (*.html)</source>
         <translation>Pages web (*.html)</translation>
     </message>
     <message>
-        <source>Frame %1 of %2</source>
-        <translation>Image %1 sur %2</translation>
-    </message>
-    <message>
-        <source>%1 is saved.</source>
-        <translation>%1 est enregistré.</translation>
-    </message>
-    <message>
-        <source>%1 is saved, up to the frame where the run stops. %2</source>
-        <translation>%1 est enregistré, jusqu’à l’image où la simulation s’arrête. %2</translation>
-    </message>
-    <message>
-        <source>Ca&amp;ncel</source>
-        <translation>A&amp;nnuler</translation>
-    </message>
-    <message>
-        <source>Close</source>
-        <translation>Fermer</translation>
-    </message>
-    <message>
         <source>Cancel the page (Esc)</source>
         <translation>Annuler la page (Échap)</translation>
-    </message>
-    <message>
-        <source>Close this dialog (Esc)</source>
-        <translation>Fermer cette boîte de dialogue (Échap)</translation>
     </message>
 </context>
 <context>
@@ -11232,16 +10961,8 @@ n’est aussi précis.</translation>
         <translation>forces calculées par image (durées à suivre)</translation>
     </message>
     <message>
-        <source>largest error, px</source>
-        <translation>plus grande erreur, px</translation>
-    </message>
-    <message>
         <source>← faster</source>
         <translation>← plus rapide</translation>
-    </message>
-    <message>
-        <source>← more accurate</source>
-        <translation>← plus précis</translation>
     </message>
     <message>
         <source>A frame is on the screen
@@ -11377,7 +11098,7 @@ for %1&#x2009;µs (30 a second)</source>
     </message>
     <message>
         <source>Done by dragging</source>
-        <translation>Fournie en faisant glisser</translation>
+        <translation>Fournie à la souris</translation>
     </message>
     <message>
         <source>Changed with a parameter</source>
@@ -11385,7 +11106,7 @@ for %1&#x2009;µs (30 a second)</source>
     </message>
     <message>
         <source>Done by clocks and steering</source>
-        <translation>Fournie par horloges et pilotage</translation>
+        <translation>Fournie par horloge et pilotage</translation>
     </message>
     <message>
         <source>Done by wind</source>

@@ -4,6 +4,7 @@
 #include "app/model/lesson_folders/lesson_folder.h"
 #include "app/model/lesson_folders/zip_reader.h"
 #include "support.h"
+#include "tests/app/support/zip_writer.h"
 
 #include <algorithm>
 #include <random>
@@ -27,7 +28,7 @@ void checkFiles(const Files &files)
     }
     if (files.size() > zipLimits.files || all > zipLimits.all)
         fuzz::fail("Larger than allowed", QString::number(all));
-    if (app::readZip(app::zipOf(files), zipName, zipLimits) != files)
+    if (app::readZip(tests::zipOf(files), zipName, zipLimits) != files)
         fuzz::fail("Read otherwise the second time", QString::number(files.size()));
 }
 
@@ -72,7 +73,7 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t *data, std::size_t s
     const std::size_t after =
         LLVMFuzzerMutate(reinterpret_cast<std::uint8_t *>(content.data()), before, std::max(before, most));
     content.resize(static_cast<qsizetype>(after));
-    const QByteArray zip = app::zipOf(files);
+    const QByteArray zip = tests::zipOf(files);
     if (static_cast<std::size_t>(zip.size()) > most)
         return LLVMFuzzerMutate(data, size, most);
     std::copy(zip.begin(), zip.end(), data);

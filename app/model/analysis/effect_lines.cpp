@@ -1,6 +1,7 @@
 #include "app/model/analysis/effect_lines.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "sim/effects/all_effects.h"
 
@@ -77,8 +78,11 @@ bool isIdle(const EffectFacts &facts, const std::string &id)
 
 QString savingWords(const QString &title, double ns, const sim::FrameCost &cost)
 {
+    if (ns >= cost.ns) // by less than their scatter
+        return EffectLinesText::tr("Nearly all of a frame’s %2\u2009µs are spent in “%1”.")
+            .arg(title, figure(cost.ns));
     return EffectLinesText::tr("Without “%1” a frame would cost %2\u2009µs instead of %3.")
-        .arg(title, figure(std::max(0.0, cost.ns - ns)), figure(cost.ns));
+        .arg(title, figure(cost.ns - ns), figure(cost.ns));
 }
 
 void fillActing(EffectLine &line, const QuantityKind &cost, const EffectFacts &facts)
@@ -229,8 +233,7 @@ QString EffectLine::spoken() const
     if (role == EffectRole::rest)
         return figures;
     const QString state = isOn() ? EffectLinesText::tr("on") : EffectLinesText::tr("off");
-    return role == EffectRole::idle ? EffectLinesText::tr("%1, %2, %3").arg(figures, state, note)
-                                    : EffectLinesText::tr("%1, %2").arg(figures, state);
+    return role == EffectRole::idle ? listed(listed(figures, state), note) : listed(figures, state);
 }
 
 std::vector<EffectLine> effectLines(const EffectFacts &facts)

@@ -1,6 +1,7 @@
 #include "app/model/analysis/energy_lines.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/sentences.h"
 
 #include <QCoreApplication>
 
@@ -26,7 +27,6 @@ constexpr Account shownOrder[] = {Account::drift,   Account::impact,  Account::d
 
 struct Words
 {
-    QString title;
     QString help;
     sim::EffectKind kind;
 };
@@ -36,52 +36,40 @@ Words wordsOf(Account account)
     using sim::EffectKind;
     switch (account) {
     case Account::hand:
-        return {EnergyLinesText::tr("Done by dragging"),
-                EnergyLinesText::tr("Energy that you add by dragging"), EffectKind::driver};
+        return {EnergyLinesText::tr("Energy that you add by dragging"), EffectKind::driver};
     case Account::changes:
-        return {EnergyLinesText::tr("Changed with a parameter"),
-                EnergyLinesText::tr(
+        return {EnergyLinesText::tr(
                     "If a stiffness or a length changes, the energy stored in springs changes, too"),
                 EffectKind::driver};
     case Account::motors:
-        return {EnergyLinesText::tr("Done by clocks and steering"),
-                EnergyLinesText::tr("Energy that gait clocks and steering add"), EffectKind::driver};
+        return {EnergyLinesText::tr("Energy that gait clocks and steering add"), EffectKind::driver};
     case Account::wind:
-        return {EnergyLinesText::tr("Done by wind"),
-                EnergyLinesText::tr("Energy that the wind adds or takes away"), EffectKind::wind};
+        return {EnergyLinesText::tr("Energy that the wind adds or takes away"), EffectKind::wind};
     case Account::rule:
-        return {EnergyLinesText::tr("Done by my rule"),
-                EnergyLinesText::tr("Energy that the force of your rule adds or takes away"),
+        return {EnergyLinesText::tr("Energy that the force of your rule adds or takes away"),
                 EffectKind::rule};
     case Account::pulls:
-        return {EnergyLinesText::tr("Done by one-way pulls"),
-                EnergyLinesText::tr(
+        return {EnergyLinesText::tr(
                     "A pull without an opposite pull stores no energy. It adds energy or takes it away"),
                 EffectKind::spring};
     case Account::gravity:
-        return {EnergyLinesText::tr("Given by gravity"),
-                EnergyLinesText::tr("It pulls everything down, and nothing pulls back"), EffectKind::gravity};
+        return {EnergyLinesText::tr("It pulls everything down, and nothing pulls back"), EffectKind::gravity};
     case Account::anchors:
-        return {EnergyLinesText::tr("Given by fixed places"),
-                EnergyLinesText::tr("Springs pull on fixed places, and those pull back"), EffectKind::spring};
+        return {EnergyLinesText::tr("Springs pull on fixed places, and those pull back"), EffectKind::spring};
     case Account::damping:
-        return {EnergyLinesText::tr("Lost by damping"),
-                EnergyLinesText::tr("Energy that damping takes from everything that moves"),
+        return {EnergyLinesText::tr("Energy that damping takes from everything that moves"),
                 EffectKind::damping};
     case Account::impact:
-        return {EnergyLinesText::tr("At impacts"),
-                EnergyLinesText::tr("Energy that walls and ground take, or add when they push bodies out"),
+        return {EnergyLinesText::tr("Energy that walls and ground take, or add when they push bodies out"),
                 EffectKind::contact};
     case Account::sticks:
         return {
-            EnergyLinesText::tr("Changed by sticks"),
             EnergyLinesText::tr("Energy that sticks and joints change when they correct lengths and angles"),
             EffectKind::stick};
     case Account::drift:
         break;
     }
-    return {EnergyLinesText::tr("Drift of the method"),
-            EnergyLinesText::tr("Gained or lost through the method's error, not through anything in the "
+    return {EnergyLinesText::tr("Gained or lost through the method's error, not through anything in the "
                                 "scene. A smaller step or another method makes it smaller."),
             EffectKind::motion};
 }
@@ -117,10 +105,11 @@ EnergyLine held(const char *id, const QString &title, const QString &help, sim::
 
 EnergyLine brought(Account account)
 {
+    const sim::AccountName &name = sim::accountNames()[static_cast<std::size_t>(account)];
     const Words words = wordsOf(account);
     EnergyLine line;
-    line.id = QString::fromStdString(sim::accountNames()[static_cast<std::size_t>(account)].id);
-    line.title = words.title;
+    line.id = QString::fromStdString(name.id);
+    line.title = phrase(name.title);
     line.help = words.help;
     line.kind = words.kind;
     line.role = account == Account::drift ? EnergyRole::drift : EnergyRole::brought;

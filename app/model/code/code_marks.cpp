@@ -1,5 +1,6 @@
 #include "app/model/code/code_marks.h"
 
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -90,7 +91,7 @@ QString amountOf(const sim::Phase &phase, const sim::ComposedInterval &interval)
     const int count = phase.effect ? phase.effect->count(interval.scene.start, phase.points) : points;
     if (phase.kind == sim::EffectKind::spring)
         return count == 1 ? CodeMarksText::tr("1 pull") : CodeMarksText::tr("%1 pulls").arg(count);
-    return count == 1 ? CodeMarksText::tr("1 point") : CodeMarksText::tr("%1 points").arg(count);
+    return pointCount(count);
 }
 
 QString noteOf(const SectionMark &mark, const sim::Phase &phase, const sim::ComposedInterval &interval)

@@ -4,7 +4,6 @@
 #include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
-#include <QFile>
 #include <QFileInfo>
 
 namespace app {
@@ -15,37 +14,6 @@ struct ExperimentText
 {
     Q_DECLARE_TR_FUNCTIONS(ExperimentText)
 };
-
-[[noreturn]] void refuseLarge(const QString &path)
-{
-    throw UserError(ExperimentText::tr("%1: the file is larger than %2 MiB, the maximum for an experiment.")
-                        .arg(shownPath(path), QString::number(largestExperiment >> 20)));
-}
-
-QByteArray readFile(const QString &path)
-{
-    const QFileInfo info(path);
-    if (info.isDir())
-        throw UserError(
-            ExperimentText::tr("%1: this is a folder; give the file of an experiment.").arg(shownPath(path)));
-    if (!info.exists())
-        throw UserError(
-            ExperimentText::tr("%1: there is no such file; check its name and folder.").arg(shownPath(path)));
-    if (info.size() > largestExperiment)
-        refuseLarge(path);
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        throw UserError(ExperimentText::tr("%1: the file could not be read: %2.")
-                            .arg(shownPath(path), oneLine(file.errorString())));
-    // Pipes and devices do not report a size in advance.
-    const QByteArray text = file.read(largestExperiment + 1);
-    if (file.error() != QFileDevice::NoError)
-        throw UserError(ExperimentText::tr("%1: the file could not be read: %2.")
-                            .arg(shownPath(path), oneLine(file.errorString())));
-    if (text.size() > largestExperiment)
-        refuseLarge(path);
-    return text;
-}
 
 }
 
@@ -83,7 +51,7 @@ QString noStep(const QString &id, const LessonEntry &lesson)
 
 Experiment readExperiment(const QString &path, const LessonLibrary &library)
 {
-    return parseExperiment(readFile(path), QFileInfo(path).fileName(), library);
+    return parseExperiment(readWholeFile(path, largestExperiment), QFileInfo(path).fileName(), library);
 }
 
 void writeExperiment(const QString &path, const Experiment &experiment, const LessonLibrary &library)

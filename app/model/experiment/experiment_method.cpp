@@ -50,6 +50,7 @@ QString noMethod(const QString &id)
     QStringList ids;
     for (const sim::MethodPtr &method : sim::allMethods())
         ids.push_back(QString::fromStdString(method->id()));
+    ids.push_back(listingMethod);
     return ExperimentMethodText::tr("there is no method %1; there is %2.")
         .arg(quoted(id), quotedList(ids, id));
 }

@@ -1,5 +1,7 @@
 #include "app/model/handout/paper.h"
 
+#include "app/model/text/numbers.h"
+
 #include <QFont>
 #include <QFontDatabase>
 #include <QImage>
@@ -94,7 +96,7 @@ void Paper::addMarkdown(const QString &markdown, qreal top, qreal left, const QS
 {
     QTextDocument text;
     text.setDefaultFont(m_cursor.document()->defaultFont());
-    text.setMarkdown(withoutWordLinks(markdown), QTextDocument::MarkdownNoHTML);
+    text.setMarkdown(withoutBreaksInNumbers(withoutWordLinks(markdown)), QTextDocument::MarkdownNoHTML);
     bool isFirst = true;
     for (QTextBlock block = text.begin(); block.isValid(); block = block.next()) {
         if (block.text().isEmpty())

@@ -1,5 +1,6 @@
 #include "app/model/learning/concept_map.h"
 
+#include "app/model/text/phrases.h"
 #include "lessons/api/text/document.h"
 
 #include <QCoreApplication>
@@ -121,7 +122,7 @@ ConceptMap::ConceptMap(const LessonLibrary &library)
                          .text = one.content->text,
                          .lesson = one.lesson->id,
                          .step = one.step->id,
-                         .where = ConceptMapText::tr("%1: %2").arg(one.lesson->title, one.step->title)};
+                         .where = labelled(one.lesson->title, one.step->title)};
         for (const std::size_t earlier : earlierOnes(one, all, indices)) {
             if (placeOf[earlier] >= place)
                 continue; // a cycle

@@ -199,19 +199,24 @@ private:
     std::vector<double> positions(const Rows &rows) const
     {
         std::vector<double> all(m_items.size(), 0.0);
-        for (const std::vector<std::size_t> &row : rows) {
-            for (std::size_t i = 0; i < row.size(); ++i)
-                all[row[i]] = static_cast<double>(i) - static_cast<double>(row.size() - 1) / 2.0;
-        }
+        for (const std::vector<std::size_t> &row : rows)
+            notePositions(row, all);
         return all;
+    }
+
+    static void notePositions(const std::vector<std::size_t> &row, std::vector<double> &all)
+    {
+        for (std::size_t i = 0; i < row.size(); ++i)
+            all[row[i]] = static_cast<double>(i) - static_cast<double>(row.size() - 1) / 2.0;
     }
 
     int crossings(const Rows &rows) const
     {
         const std::vector<double> at = positions(rows);
         int count = 0;
+        std::vector<std::pair<double, double>> lines;
         for (const std::vector<std::size_t> &row : rows) {
-            std::vector<std::pair<double, double>> lines;
+            lines.clear();
             for (const std::size_t item : row) {
                 for (const std::size_t below : m_items[item].below)
                     lines.emplace_back(at[item], at[below]);
@@ -238,7 +243,13 @@ private:
                 for (std::vector<std::size_t> &row : rows)
                     shuffle(row, number);
             }
+            Rows before; // what the sweep down began with
             for (int i = 0; i < sweeps && fewest > 0; ++i) {
+                if (i % 2 == 0) {
+                    if (rows == before)
+                        break; // all later sweeps would do the same again
+                    before = rows;
+                }
                 sortRows(rows, i % 2 == 0);
                 swapNeighbours(rows);
                 const int count = crossings(rows);
@@ -262,10 +273,11 @@ private:
     /// Sorts each row by the means of the positions of what its items are joined with, in the row above or below.
     void sortRows(Rows &rows, bool isDownwards) const
     {
+        std::vector<double> at = positions(rows);
+        std::vector<std::pair<double, std::size_t>> sorted;
         for (std::size_t n = 0; n < rows.size(); ++n) {
             std::vector<std::size_t> &row = rows[isDownwards ? n : rows.size() - 1 - n];
-            const std::vector<double> at = positions(rows);
-            std::vector<std::pair<double, std::size_t>> sorted;
+            sorted.clear();
             for (const std::size_t item : row) {
                 const RowItem &one = m_items[item];
                 sorted.emplace_back(mean(isDownwards ? one.above : one.below, at).value_or(at[item]), item);
@@ -274,23 +286,25 @@ private:
                              [](const auto &a, const auto &b) { return a.first < b.first; });
             std::transform(sorted.begin(), sorted.end(), row.begin(),
                            [](const auto &one) { return one.second; });
+            notePositions(row, at);
         }
     }
 
     /// Swaps items side by side as long as that makes crossings fewer.
     void swapNeighbours(Rows &rows) const
     {
+        std::vector<double> at = positions(rows);
         bool isBetter = true;
         for (int round = 0; round < sweeps && isBetter; ++round) {
             isBetter = false;
             for (std::vector<std::size_t> &row : rows) {
-                const std::vector<double> at = positions(rows); // of the rows above and below
                 for (std::size_t i = 1; i < row.size(); ++i) {
                     if (crossingsSaved(row[i - 1], row[i], at) <= 0)
                         continue;
                     std::swap(row[i - 1], row[i]);
                     isBetter = true;
                 }
+                notePositions(row, at);
             }
         }
     }

@@ -63,6 +63,21 @@ bool ProjectDesk::isAtPlace(const QString &lesson)
     return placeOf(lesson) == std::pair{m_session.lesson().id, m_session.step().id};
 }
 
+std::vector<lessons::ProjectRing> ProjectDesk::rings()
+{
+    const lessons::Project *project = projectOf(m_current);
+    if (!project || !isAtPlace(m_current))
+        return {};
+    std::vector<lessons::ProjectRing> rings;
+    for (const lessons::ProjectLevel &level : project->levels) {
+        for (const lessons::ProjectRing &ring : level.rings) {
+            if (std::find(rings.begin(), rings.end(), ring) == rings.end()) // two levels can have the same
+                rings.push_back(ring);
+        }
+    }
+    return rings;
+}
+
 void ProjectDesk::setCurrent(const QString &lesson)
 {
     m_current = lesson;

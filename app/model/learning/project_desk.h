@@ -30,6 +30,9 @@ public:
     /// Returns whether the open step is the place of this project.
     bool isAtPlace(const QString &lesson);
 
+    /// Returns the rings that the scene shows: those of the current project, at its place.
+    std::vector<lessons::ProjectRing> rings();
+
     /// Opens the place of a project with its start scene, which can be undone there.
     void start(const QString &lesson);
     /// Opens the step of a project, with the scene as the learner left it.

@@ -6,6 +6,7 @@
 #include "app/model/learning/run_setup.h"
 #include "app/model/run/run_program.h"
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/user_error.h"
@@ -271,9 +272,7 @@ private:
     {
         const lessons::ProjectDemand &demand = m_level.demands[index];
         const QString frame = QString::number(m_failedAt[index]), &numbers = m_measured[index];
-        const QString said = numbers.isEmpty()
-                                 ? demand.sentence
-                                 : ProjectJudgeText::tr("%1 (%2)").arg(demand.sentence, numbers);
+        const QString said = numbers.isEmpty() ? demand.sentence : withRemark(demand.sentence, numbers);
         switch (demand.when) {
         case When::atTheStart:
             return ProjectJudgeText::tr("Not yet: at the start, this does not hold: %1.").arg(said);

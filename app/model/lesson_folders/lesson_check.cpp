@@ -202,11 +202,14 @@ private:
             return {false, LessonCheckText::tr("it states no solution; write a “### Solution”")};
         sim::Timeline run(scriptFor(solution, step), 0);
         QString todo;
+        std::vector<bool> held(one.conditions.all().size());
         for (;;) {
             const std::int64_t frame = run.cursor().frame;
             if (one.isDone(run))
                 return {true, LessonCheckText::tr("done in frame %1").arg(frame)};
             todo = one.conditions.todo(run);
+            for (std::size_t i = 0; i < held.size(); ++i)
+                held[i] = held[i] || one.conditions.all()[i].holds(run);
             if (frame >= solution.frames || !goesOn())
                 break;
             run.nextOutputStep();
@@ -214,6 +217,11 @@ private:
                 break;
         }
         const QString frames = QString::number(run.cursor().frame);
+        if (std::find(held.begin(), held.end(), false) == held.end())
+            return {false,
+                    LessonCheckText::tr("its solution does not do it in %1 frames: each condition holds in "
+                                        "some frame, but they never all hold in the same one")
+                        .arg(frames)};
         return {false,
                 todo.isEmpty()
                     ? LessonCheckText::tr("its solution does not do it in %1 frames").arg(frames)

@@ -265,7 +265,10 @@ private:
     lessons::Step step(const QString &id) const
     {
         const QString sceneFile = id + QStringLiteral(".json"), ownDocument = id + QStringLiteral(".md");
-        requireFile(sceneFile, LessonFolderText::tr("the scene of the step, as the window saves it"));
+        requireFile(
+            sceneFile,
+            LessonFolderText::tr(
+                "the scene of the step: save it in the window under this name, with the ending .json"));
         requireFile(ownDocument, LessonFolderText::tr("the texts of the step"));
         const lessons::Document own = document(ownDocument);
         const QString shownDocument = documentFile(id);

@@ -7,7 +7,6 @@
 
 #include <QCoreApplication>
 #include <QDir>
-#include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
 
@@ -28,20 +27,6 @@ bool isLessonFile(const QString &name)
     return pattern.match(name).hasMatch();
 }
 
-QByteArray contentOf(const QString &path, qsizetype largest)
-{
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        throw UserError(LessonPackageText::tr("%1: the file could not be read: %2.")
-                            .arg(shownPath(path), oneLine(file.errorString())));
-    const QByteArray content = file.read(largest + 1);
-    if (content.size() > largest)
-        throw UserError(LessonPackageText::tr("%1: the file is larger than %2 MiB, the maximum for a lesson.")
-                            .arg(shownPath(path))
-                            .arg(largest >> 20));
-    return content;
-}
-
 std::map<QString, QByteArray> filesOf(const QString &folder)
 {
     std::map<QString, QByteArray> files;
@@ -52,7 +37,7 @@ std::map<QString, QByteArray> filesOf(const QString &folder)
         if (info.isSymLink() || !info.isFile())
             throw UserError(LessonPackageText::tr("%1 is a link or a device. Put the file itself there.")
                                 .arg(shownPath(info.filePath())));
-        const QByteArray content = contentOf(info.filePath(), largestLessonFile);
+        const QByteArray content = readWholeFile(info.filePath(), largestLessonFile);
         files.emplace(info.fileName(), content);
         all += content.size();
         if (files.size() > mostLessonFiles || all > largestLesson)
@@ -98,7 +83,7 @@ LessonFiles readLessonFiles(const QString &path)
     if (info.isDir())
         files.all = filesOf(path);
     else
-        files.all = readZip(contentOf(path, largestLesson), files.name,
+        files.all = readZip(readWholeFile(path, largestLesson), files.name,
                             {mostLessonFiles, largestLessonFile, largestLesson});
     if (!files.has(QStringLiteral("lesson.json")))
         throw UserError(
@@ -106,11 +91,6 @@ LessonFiles readLessonFiles(const QString &path)
                                   "the folder that has it, or write it.")
                 .arg(shownPath(path)));
     return files;
-}
-
-void packLesson(const QString &folder, const QString &file)
-{
-    writeWholeFile(file, zipOf(readLessonFiles(folder).all));
 }
 
 }

@@ -37,8 +37,4 @@ bool isLessonPath(const QString &path);
 /// expands to more than it says
 LessonFiles readLessonFiles(const QString &path);
 
-/// Writes the lesson in `folder` as the zip `file`. The same lesson gives the same bytes.
-/// @throws UserError: as readLessonFiles(), or the file cannot be written
-void packLesson(const QString &folder, const QString &file);
-
 }

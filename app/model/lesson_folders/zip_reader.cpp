@@ -1,5 +1,6 @@
 #include "app/model/lesson_folders/zip_reader.h"
 
+#include "app/model/text/phrases.h"
 #include "app/model/text/quoting.h"
 #include "app/model/text/user_error.h"
 
@@ -38,10 +39,7 @@ class ZipBytes
 public:
     ZipBytes(const QByteArray &bytes, const QString &name) : m_bytes(bytes), m_name(name) {}
 
-    [[noreturn]] void refuse(const QString &why) const
-    {
-        throw UserError(ZipText::tr("%1: %2").arg(shownPath(m_name), why));
-    }
+    [[noreturn]] void refuse(const QString &why) const { throw UserError(labelled(shownPath(m_name), why)); }
 
     [[noreturn]] void refuseDamaged() const
     {
@@ -246,64 +244,11 @@ private:
     std::vector<ZipEntry> m_entries;
 };
 
-void append(QByteArray &bytes, quint32 number, int size)
-{
-    for (int i = 0; i < size; ++i)
-        bytes.append(static_cast<char>((number >> (8U * static_cast<unsigned>(i))) & 0xffU));
-}
-
-QByteArray deflatedBytes(QByteArray content)
-{
-    z_stream stream = {};
-    if (deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, -MAX_WBITS, 8, Z_DEFAULT_STRATEGY) != Z_OK)
-        throw std::bad_alloc();
-    const std::unique_ptr<z_stream, decltype(&deflateEnd)> end(&stream, &deflateEnd);
-    QByteArray packed(static_cast<qsizetype>(deflateBound(&stream, static_cast<uLong>(content.size()))),
-                      '\0');
-    stream.next_in = reinterpret_cast<Bytef *>(content.data());
-    stream.avail_in = static_cast<uInt>(content.size());
-    stream.next_out = reinterpret_cast<Bytef *>(packed.data());
-    stream.avail_out = static_cast<uInt>(packed.size());
-    deflate(&stream, Z_FINISH);
-    packed.resize(static_cast<qsizetype>(stream.total_out));
-    return packed;
-}
-
 }
 
 std::map<QString, QByteArray> readZip(const QByteArray &zip, const QString &name, const ZipLimits &limits)
 {
     return ZipReader(zip, name, limits).read();
-}
-
-QByteArray zipOf(const std::map<QString, QByteArray> &files)
-{
-    constexpr quint32 version = 20, isUtf8 = 1U << 11U, firstDay = (1U << 5U) | 1U; // 1 January 1980
-    QByteArray zip, table;
-    for (const auto &[file, content] : files) {
-        const QByteArray name = file.toUtf8(), packed = deflatedBytes(content);
-        const auto crc = static_cast<quint32>(crc32(0, reinterpret_cast<const Bytef *>(content.constData()),
-                                                    static_cast<uInt>(content.size())));
-        QByteArray shared; // what both headers have
-        append(shared, version, 2), append(shared, isUtf8, 2), append(shared, deflated, 2);
-        append(shared, 0, 2), append(shared, firstDay, 2), append(shared, crc, 4);
-        append(shared, static_cast<quint32>(packed.size()), 4);
-        append(shared, static_cast<quint32>(content.size()), 4);
-        append(shared, static_cast<quint32>(name.size()), 2), append(shared, 0, 2);
-        append(table, centralSign, 4), append(table, version, 2);
-        table += shared;
-        append(table, 0, 2), append(table, 0, 2), append(table, 0, 2), append(table, 0, 4);
-        append(table, static_cast<quint32>(zip.size()), 4);
-        table += name;
-        append(zip, localSign, 4);
-        zip += shared + name + packed;
-    }
-    const auto begin = static_cast<quint32>(zip.size()), count = static_cast<quint32>(files.size());
-    zip += table;
-    append(zip, endSign, 4), append(zip, 0, 2), append(zip, 0, 2), append(zip, count, 2),
-        append(zip, count, 2);
-    append(zip, static_cast<quint32>(table.size()), 4), append(zip, begin, 4), append(zip, 0, 2);
-    return zip;
 }
 
 }

@@ -21,7 +21,4 @@ struct ZipLimits
 /// not have: a path out of it, a folder inside it, a link, a name twice, a password
 std::map<QString, QByteArray> readZip(const QByteArray &zip, const QString &name, const ZipLimits &limits);
 
-/// Returns a zip of `files`. The same files give the same bytes.
-QByteArray zipOf(const std::map<QString, QByteArray> &files);
-
 }

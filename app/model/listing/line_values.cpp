@@ -4,6 +4,7 @@
 #include "app/model/code/code_values.h"
 #include "app/model/listing/assigned_paths.h"
 #include "app/model/run/run_program.h"
+#include "app/model/text/phrases.h"
 
 #include <QCoreApplication>
 
@@ -71,7 +72,7 @@ void addTo(LineChip &chip, const QString &path, const listing::Value &value,
     append(chip.shorter.front(), now);
     const bool isOther = before && before->index() == value.index() && *before != value;
     append(chip.tip, isOther ? LineValuesText::tr("%1: from %2 to %3").arg(path, shownText(*before), now)
-                             : LineValuesText::tr("%1: %2").arg(path, now));
+                             : labelled(path, now));
 }
 
 /// Returns the name of the counter of the loop at `line`: "i" of `for (int i = 0; ...`. Empty if it has none.
@@ -94,7 +95,7 @@ std::vector<LoopNote> loopNotes(const ListingFrame &frame, int index, const list
         const QString turns = QString::number(loop.turns);
         notes.push_back(
             {loop.line, value ? LineValuesText::tr("%1 = %2 of %3").arg(counter, shownText(*value), turns)
-                              : LineValuesText::tr("%1 of %2").arg(QString::number(loop.turn), turns)});
+                              : partOf(QString::number(loop.turn), turns)});
     }
     return notes;
 }

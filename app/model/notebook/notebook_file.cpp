@@ -2,13 +2,13 @@
 
 #include "app/model/experiment/experiment_line.h"
 #include "app/model/experiment/json_fields.h"
+#include "app/model/files/whole_file.h"
 #include "app/model/notebook/notebook_question.h"
 #include "app/model/text/json_writer.h"
 #include "app/model/text/quoting.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
-#include <QFile>
 #include <QFileInfo>
 #include <QSet>
 
@@ -310,27 +310,6 @@ private:
     qint64 m_runBytes = 0;
 };
 
-QByteArray contentOfNotebook(const QString &path)
-{
-    const QFileInfo info(path);
-    if (info.isDir())
-        throw UserError(
-            NotebookFileText::tr("%1: this is a folder; give the file of a notebook.").arg(shownPath(path)));
-    if (!info.exists())
-        throw UserError(NotebookFileText::tr("%1: there is no such file; check its name and folder.")
-                            .arg(shownPath(path)));
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly))
-        throw UserError(NotebookFileText::tr("%1: the file could not be read: %2.")
-                            .arg(shownPath(path), oneLine(file.errorString())));
-    const QByteArray text = file.read(largestNotebook + 1);
-    if (text.size() > largestNotebook)
-        throw UserError(
-            NotebookFileText::tr("%1: the file is larger than %2 MiB, the maximum for a notebook.")
-                .arg(shownPath(path), QString::number(largestNotebook >> 20)));
-    return text;
-}
-
 }
 
 Notebook parseNotebook(const QByteArray &text, const QString &name, const LessonLibrary &library)
@@ -344,7 +323,8 @@ Notebook parseNotebook(const QByteArray &text, const QString &name, const Lesson
 
 Notebook readNotebook(const QString &path, const LessonLibrary &library)
 {
-    return parseNotebook(contentOfNotebook(path), shownPath(QFileInfo(path).fileName()), library);
+    return parseNotebook(readWholeFile(path, largestNotebook), shownPath(QFileInfo(path).fileName()),
+                         library);
 }
 
 QByteArray notebookText(const Notebook &notebook)

@@ -3,6 +3,7 @@
 #include "app/model/learning/prediction_text.h"
 #include "app/model/notebook/notebook_question.h"
 #include "app/model/text/pdf.h"
+#include "app/model/text/phrases.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -264,7 +265,7 @@ private:
         if (entry.when.isValid())
             facts << dateOf(entry.when);
         if (entry.run.at.frame > 0)
-            facts << tr("frame %1").arg(entry.run.at.frame);
+            facts << frameName(entry.run.at.frame);
         if (!facts.isEmpty())
             addSoft(facts.join(QStringLiteral(", ")));
         const QImage picture = m_picture && !entry.run.text.isEmpty() ? m_picture(entry) : QImage();

@@ -1,6 +1,7 @@
 #include "app/model/run/branches.h"
 
 #include "app/model/run/same_run.h"
+#include "app/model/text/phrases.h"
 
 #include <QCoreApplication>
 
@@ -38,7 +39,7 @@ QString Branches::ownName(const QString &name, int id) const
     };
     QString numbered = name;
     for (int i = 2; isTaken(numbered); ++i)
-        numbered = QCoreApplication::translate("Branches", "%1 (%2)").arg(name, QString::number(i));
+        numbered = withRemark(name, QString::number(i));
     return numbered;
 }
 

@@ -1,6 +1,7 @@
 #include "app/model/sandbox/sandbox_properties.h"
 
 #include "app/model/sandbox/property_ranges.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "lessons/api/parameters.h"
 #include "sim/scene/blueprint_draft.h"
@@ -137,7 +138,7 @@ void addPoints(Collector &all, const sim::Blueprint &plan, const Selection &chos
     };
     const std::size_t count = chosen.points.size();
     all.begin(count == 1 ? SandboxPropertiesText::tr("Point %1").arg(titleOf(plan, chosen.points.front()))
-                         : SandboxPropertiesText::tr("%1 points").arg(count));
+                         : pointCount(static_cast<std::int64_t>(count)));
     all.add(placed(of(
         x(), [](auto &point) -> auto & { return point.x.x; })));
     all.add(placed(of(

@@ -1,6 +1,7 @@
 #include "app/model/series/difference_table.h"
 
 #include "app/model/text/csv.h"
+#include "app/model/text/phrases.h"
 
 #include <QCoreApplication>
 
@@ -19,7 +20,7 @@ QByteArray differenceTable(const DifferenceSeries &series)
 {
     if (series.samples().empty())
         return {};
-    QByteArray text = quotedField(DifferenceTableText::tr("frame")) + ',' +
+    QByteArray text = quotedField(frameHeading()) + ',' +
                       quotedField(DifferenceTableText::tr("distance [px]")) + ',' +
                       quotedField(DifferenceTableText::tr("body")) + '\n';
     for (const Difference &one : series.samples()) {

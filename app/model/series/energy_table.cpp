@@ -2,6 +2,7 @@
 
 #include "app/model/analysis/energy_lines.h"
 #include "app/model/text/csv.h"
+#include "app/model/text/phrases.h"
 
 #include <QCoreApplication>
 
@@ -37,7 +38,7 @@ QByteArray rowsOf(const EnergySeries &series, const QByteArray &titles, Write &&
 {
     if (series.last() < series.first())
         return {};
-    QByteArray text = quotedField(EnergyTableText::tr("frame")) + titles + '\n';
+    QByteArray text = quotedField(frameHeading()) + titles + '\n';
     for (std::int64_t frame = series.first(); frame <= series.last(); frame += series.rowFrames()) {
         text += QByteArray::number(static_cast<qlonglong>(frame));
         write(text, *series.at(frame));

@@ -1,6 +1,7 @@
 #include "app/model/series/number_table.h"
 
 #include "app/model/text/csv.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/quoting.h"
 #include "sim/base/error.h"
 
@@ -68,12 +69,12 @@ void NumberTable::cancel()
 
 void NumberTable::writeTitles()
 {
-    m_text += quotedField(tr("frame"));
+    m_text += quotedField(frameHeading());
     for (const QString &title : m_sheet.titles)
         m_text += ',' + quotedField(title);
     if (m_comparison) {
         for (const QString &title : m_sheet.titles)
-            m_text += ',' + quotedField(tr("%1, %2").arg(title, m_sheet.comparisonName));
+            m_text += ',' + quotedField(listed(title, m_sheet.comparisonName));
     }
     m_text += '\n';
 }

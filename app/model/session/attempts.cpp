@@ -92,7 +92,8 @@ QString Attempts::todo(const QString &lesson, const lessons::Step &step, int num
     if (m_progress.isDone(lesson, step.id, number))
         return {};
     const bool isDone = one.isDone(timeline);
-    if (isDone && !plays && m_given.contains(numberedKey(lesson, step, number)))
+    const bool wasGiven = isDone && m_given.contains(numberedKey(lesson, step, number));
+    if (!plays && (wasGiven || (!m_isOwnRun && one.conditions.hasBegun(timeline))))
         return tr("this run was set up for you. Undo brings your own run back: do it there.");
     if (!m_isOwnRun)
         return {};

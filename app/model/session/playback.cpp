@@ -1,5 +1,6 @@
 #include "app/model/session/playback.h"
 
+#include "app/model/listing/listing_frame.h"
 #include "app/model/run/run_program.h"
 
 #include <QElapsedTimer>
@@ -319,8 +320,25 @@ void Playback::stopAt(const BreakHit &hit)
         m_stopAtLine(hit.lines);
 }
 
+void Playback::stopAtMistake()
+{
+    const std::shared_ptr<const ListingFrame> frame = m_linesAhead ? m_linesAhead().frame : nullptr;
+    if (!frame || !frame->error() || !m_stopAtLine)
+        return;
+    int last = frame->count() - 1;
+    for (int i = last; i > 0; --i) {
+        if (frame->line(i).line == frame->error()->line) {
+            last = i;
+            break;
+        }
+    }
+    if (last > 0)
+        m_stopAtLine(last);
+}
+
 void Playback::setLines(std::function<LinesAhead()> ahead, std::function<void(int)> stopAtLine)
 {
+    m_linesAhead = ahead;
     m_monitor.setLines(std::move(ahead));
     m_stopAtLine = std::move(stopAtLine);
 }
@@ -363,9 +381,12 @@ void Playback::advance(int frames)
         judgePace(*playing, frames, played);
     const std::optional<sim::Stop> &stop = timeline.stop();
     if (stop && timeline.cursor().frame == stop->frame) {
-        if (isPlaying() || !wasStopped)
+        const bool isNews = isPlaying() || !wasStopped;
+        if (isNews)
             m_run.changes().showMessage(endSentence(timeline.track()));
         pause();
+        if (isNews)
+            stopAtMistake();
     }
     m_run.changes().announce(ChangeKind::cursor);
     waitIfOver();

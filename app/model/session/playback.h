@@ -101,6 +101,8 @@ private:
     /// Advances by one output step, or to a breakpoint in it.
     std::optional<BreakHit> advanceOneOutput();
     void stopAt(const BreakHit &hit);
+    /// Shows the run before the line of the listing that stops the next frame, with the values that led there.
+    void stopAtMistake();
     /// Reports once, after a while, that playback falls behind.
     void judgePace(Playing &playing, int due, int played);
     void waitIfOver();
@@ -121,6 +123,7 @@ private:
     BreakpointMonitor m_monitor;
     std::optional<BreakHit> m_hit;
     std::optional<std::int64_t> m_end; ///< where playback pauses
+    std::function<LinesAhead()> m_linesAhead;
     std::function<void(int)> m_stopAtLine;
     bool m_isSliceDue = false; ///< whether the next slice of seeking is scheduled
 };

@@ -1,6 +1,7 @@
 #include "app/model/session/presentation.h"
 
 #include "app/model/picture/overlays.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/step_text.h"
 
@@ -60,7 +61,7 @@ std::optional<Picture> Presentation::companion() const
 QString Presentation::ownCaption() const
 {
     const sim::Script &script = m_run.timeline().script();
-    return tr("%1, %2").arg(phrase(script.method->title()), stepTitle(script.step));
+    return listed(phrase(script.method->title()), stepTitle(script.step));
 }
 
 QString Presentation::note() const

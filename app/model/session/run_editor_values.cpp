@@ -1,14 +1,13 @@
 // Edits of parameters, method, step size and effects.
 
 #include "app/model/session/run_editor.h"
+#include "app/model/text/numbers.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/step_text.h"
 #include "lessons/api/parameter.h"
 #include "sim/base/error.h"
 #include "sim/methods/methods.h"
 #include "sim/run/script/composed_interval.h"
-
-#include <QLocale>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,9 @@ QString written(const lessons::Parameter &parameter, double value)
     if (!titles.isEmpty())
         return QStringLiteral("%1 %2").arg(parameter.name,
                                            lessons::withoutGroup(titles.value(static_cast<int>(value))));
-    return QStringLiteral("%1 %2").arg(withinSentence(parameter.name), QLocale().toString(value, 'g', 4));
+    // Four figures, but no power of ten for a large number.
+    const double said = std::abs(value) < 1000.0 ? QString::number(value, 'g', 4).toDouble() : value;
+    return QStringLiteral("%1 %2").arg(withinSentence(parameter.name), writtenNumber(said, 0));
 }
 
 /// Returns what `method` replaces in `script`: the step size, or the method.

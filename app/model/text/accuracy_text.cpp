@@ -1,6 +1,7 @@
 #include "app/model/text/accuracy_text.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/step_text.h"
 #include "sim/methods/methods.h"
@@ -141,7 +142,7 @@ QString fitRemark(const sim::Accuracy &accuracy)
 
 QString pixels(double px)
 {
-    return AccuracyText::tr("%1\u2009px").arg(roughNumber(px));
+    return pixels(roughNumber(px));
 }
 
 QString duration(double ns)

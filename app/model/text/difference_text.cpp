@@ -1,6 +1,7 @@
 #include "app/model/text/difference_text.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 
 #include <QCoreApplication>
@@ -48,7 +49,7 @@ QString branchLine(const Branch &branch, const sim::Script &run)
     const QString place = shared > 0 ? DifferenceText::tr("branches off at frame %1").arg(shared)
                                      : DifferenceText::tr("branches off at the start");
     return branch.isKept ? DifferenceText::tr("%1, %2, kept").arg(branch.name, place)
-                         : DifferenceText::tr("%1, %2").arg(branch.name, place);
+                         : listed(branch.name, place);
 }
 
 }

@@ -1,5 +1,7 @@
 #include "app/model/text/glossary.h"
 
+#include "app/model/text/phrases.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>
@@ -70,8 +72,7 @@ Glossary::Glossary(const LessonLibrary &library)
         for (const lessons::Step &step : lesson.steps) {
             for (const lessons::Term &term : step.explanation.terms) {
                 if (!find(term.name))
-                    m_entries.push_back(
-                        {term, lesson.id, step.id, GlossaryText::tr("%1: %2").arg(lesson.title, step.title)});
+                    m_entries.push_back({term, lesson.id, step.id, labelled(lesson.title, step.title)});
             }
         }
     }

@@ -3,6 +3,7 @@
 #include "app/model/text/quoting.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,15 @@ QString roughNumber(double value)
         digits.chop(2);
     const QString power = powerOfTen(exponent);
     return signedText(digits == "1" ? power : digits + QChar(0x00B7) + power);
+}
+
+QString withoutBreaksInNumbers(QString markdown)
+{
+    static const QRegularExpression times(QStringLiteral("(?<=\\d)[ \\n]×[ \\n](?=[\\d(−])"));
+    static const QRegularExpression beforeUnit(QStringLiteral("(?<=\\d)[ \\n](?=(?:px|rad|µs|%|°)(?!\\w))"));
+    markdown.replace(QChar(0x2009), QChar(0x202F)); // a line can break at a thin space
+    markdown.replace(times, QStringLiteral("\u00A0×\u00A0"));
+    return markdown.replace(beforeUnit, QStringLiteral("\u202F"));
 }
 
 }

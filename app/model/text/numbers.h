@@ -24,4 +24,8 @@ double shownLength(sim::Vec2 a);
 /// Returns a power of ten as text: "10⁻⁸".
 QString powerOfTen(int exponent);
 
+/// Returns `markdown` with spaces that do not break between a number and its unit, as in "100 px", and in a product of
+/// numbers, as in "540 × 400".
+QString withoutBreaksInNumbers(QString markdown);
+
 }

@@ -1,6 +1,7 @@
 #include "app/model/text/step_text.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -30,7 +31,7 @@ QString stepTitle(double h)
 
 QString toleranceTitle(double tolerance)
 {
-    return StepText::tr("%1\u2009px").arg(roughNumber(tolerance));
+    return pixels(roughNumber(tolerance));
 }
 
 QString stepTitle(const sim::StepSize &step)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/model/experiment/experiment.h"
+#include "app/model/files/export.h"
 #include "app/model/picture/view_cache.h"
 #include "app/model/run/companion_run.h"
 #include "app/model/series/plot_list.h"
@@ -56,9 +57,8 @@ struct WebPagePlan
 /// The file names of web pages end in this.
 constexpr auto pageEnding = ".html";
 
-/// Makes a web page of a run piece by piece. Between two pieces the caller can repaint the window, show the progress, or
-/// cancel. The page is one file that needs no network; app/model/web/page has its parts.
-class WebPage
+/// A web page of a run. It is one file that needs no network; app/model/web/page has its parts.
+class WebPage : public Export
 {
 public:
     /// The most positions of bodies on a page: more would take a browser seconds to read.
@@ -70,13 +70,11 @@ public:
     /// @throws UserError if the frames do not exist or do not fit on a page; sim::Error if scene and method do not fit
     WebPage(const WebPagePlan &plan, const LessonLibrary &library);
 
-    /// Makes the next piece, for some milliseconds. Returns false when the page is finished and written.
-    /// @throws UserError if the frames do not fit on a page, or the file cannot be written
-    bool goOn();
-    /// Returns the frame that is being processed.
-    std::int64_t frame() const { return m_track.cursor().frame; }
-    /// Returns why the page ends before the requested last frame, as endSentence(). Empty if it does not.
-    const QString &endsEarly() const { return m_endsEarly; }
+    /// @throws UserError also if the frames do not fit on a page
+    bool goOn() override;
+    std::int64_t frame() const override { return m_track.cursor().frame; }
+    std::int64_t done() const override { return frame(); }
+    std::int64_t total() const override { return m_plan.to + 1; }
 
 private:
     /// Adds the frame at the cursor. `before` is the state one output step earlier, or null.
@@ -115,7 +113,6 @@ private:
         m_notes;                          ///< by index of the frame; each stays until the next one
     std::vector<double> m_handX, m_handY; ///< px, per frame: where the input holds a body; NaN if it does not
     std::int64_t m_count = 0;             ///< frames on the page
-    QString m_endsEarly;
 };
 
 /// Returns the plots of a page where no window shows any: the one that suits the step.

@@ -92,7 +92,7 @@ void OrderPlot::drawStated(QPainter &painter, const Spot &from, const Spot &to) 
 
 AxisNames OrderPlot::axisNames() const
 {
-    return {tr("step, frames (finer →)"), tr("largest error, px"), {}, tr("← more accurate")};
+    return {tr("step, frames (finer →)"), largestError(), {}, {}};
 }
 
 QString OrderPlot::nameOf(const sim::Method &method) const

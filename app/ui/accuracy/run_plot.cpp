@@ -2,6 +2,7 @@
 
 #include "app/model/analysis/accuracy_rows.h"
 #include "app/model/text/accuracy_text.h"
+#include "app/model/text/phrases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -114,7 +115,7 @@ std::vector<Spot> RunPlot::layOut()
 
 AxisNames RunPlot::axisNames() const
 {
-    return {tr("frame"), tr("error, px"), {}, tr("← more accurate")};
+    return {frameHeading(), tr("error, px"), {}, {}};
 }
 
 void RunPlot::drawLines(QPainter &painter)

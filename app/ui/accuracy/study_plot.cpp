@@ -228,7 +228,9 @@ void StudyPlot::paintMarks(QPainter &painter)
     drawFloor(painter);
     if (std::exchange(m_namesAreOld, false))
         placeNames();
-    drawAxisNames(painter, axisRect()->rect(), axisNames(), m_theme);
+    AxisNames names = axisNames();
+    names.lessUp = tr("← more accurate");
+    drawAxisNames(painter, axisRect()->rect(), names, m_theme);
     painter.save();
     drawLines(painter);
     painter.restore();

@@ -38,7 +38,9 @@ protected:
 
     /// Sets the axes for the study's rows and returns the spots.
     virtual std::vector<Spot> layOut() = 0;
+    /// Returns all names but lessUp.
     virtual AxisNames axisNames() const = 0;
+    static QString largestError() { return tr("largest error, px"); }
     /// Draws the lines of the methods and what lies below their names.
     virtual void drawLines(QPainter &painter) = 0;
     /// Draws what lies over the names.

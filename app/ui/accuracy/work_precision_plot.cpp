@@ -59,7 +59,9 @@ std::vector<Spot> WorkPrecisionPlot::layOut()
 AxisNames WorkPrecisionPlot::axisNames() const
 {
     return {m_timed ? tr("time to compute a frame, µs") : tr("forces computed per frame (times follow)"),
-            tr("largest error, px"), tr("← faster"), tr("← more accurate")};
+            largestError(),
+            tr("← faster"),
+            {}};
 }
 
 void WorkPrecisionPlot::drawLines(QPainter &painter)

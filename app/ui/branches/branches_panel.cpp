@@ -36,6 +36,7 @@ BranchesPanel::BranchesPanel(const OpenRun &run, RunEditor &editor, Playback &pl
     column->addWidget(m_title);
     column->addWidget(m_plot, 1);
     column->addWidget(foot());
+    column->addStretch(0); // while there is no plot
     connect(m_plot, &DifferencePlot::pointedAt, m_plot, &DifferencePlot::setHovered);
     connect(&m_series, &DifferenceSeries::changed, this, &BranchesPanel::refresh);
     run.onChange(ChangeKind::run | ChangeKind::cursor | ChangeKind::playing, this, &BranchesPanel::refresh);
@@ -134,6 +135,7 @@ void BranchesPanel::showContents()
     const Branch *branch = m_comparisons.shown();
     m_title->setCaption(branch ? tr("this one and “%1”").arg(branch->name) : QString());
     m_sentence->setText(differenceSentence(m_series));
+    m_plot->setVisible(branch);
     m_plot->setAccessibleDescription(m_sentence->text());
     const Difference *largest = m_series.largest();
     m_go->setVisible(largest && largest->distance > 0.0);

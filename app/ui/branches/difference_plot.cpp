@@ -1,6 +1,7 @@
 #include "app/ui/branches/difference_plot.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ DifferencePlot::DifferencePlot(const OpenRun &run, Playback &playback, const Dif
     setObjectName("differencePlot");
     setAccessibleName(tr("Distance between the two runs over time"));
     yAxis->setLabel(tr("px apart"));
-    xAxis->setLabel(tr("frame"));
+    xAxis->setLabel(frameHeading());
     axisRect()->setMinimumMargins({44, 12, 16, 24}); // above: the cursor's head
     m_peak->setLineStyle(QCPGraph::lsNone);
     m_name->setPadding({6, 0, 6, 2});
@@ -71,7 +72,7 @@ void DifferencePlot::markLargest()
         return;
     const auto frame = static_cast<double>(largest->frame);
     m_peak->addData(frame, largest->distance);
-    m_name->setText(tr("%1\u2009px").arg(roughNumber(largest->distance)));
+    m_name->setText(pixels(roughNumber(largest->distance)));
     m_name->position->setCoords(frame, largest->distance);
     const bool isLeft = frame < xAxis->range().center();
     m_name->setPositionAlignment((isLeft ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);

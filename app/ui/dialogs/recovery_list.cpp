@@ -1,6 +1,7 @@
 #include "app/ui/dialogs/recovery_list.h"
 
 #include "app/model/experiment/experiment.h"
+#include "app/model/text/phrases.h"
 #include "app/ui/scene/drawing/thumbnail.h"
 #include "sim/base/error.h"
 
@@ -31,7 +32,7 @@ QString titleOf(const LessonLibrary &library, const StepName &name)
 {
     const LessonEntry *lesson = library.lesson(name.lesson);
     const lessons::Step *step = lesson ? lesson->step(name.step) : nullptr;
-    return step ? RecoveryList::tr("%1: %2").arg(lesson->title, step->title)
+    return step ? labelled(lesson->title, step->title)
                 : RecoveryList::tr("%1: %2 (not installed)").arg(name.lesson, name.step);
 }
 

@@ -1,5 +1,6 @@
 #include "app/ui/energy/energy_plot.h"
 
+#include "app/model/text/phrases.h"
 #include "app/ui/energy/energy_list.h"
 
 #include <algorithm>
@@ -209,7 +210,7 @@ void EnergyPlot::paintMarks(QPainter &painter)
 
 QString EnergyPlot::hoveredText(std::int64_t frame) const
 {
-    return curvesAt(frame).empty() ? QString() : tr("frame %1: %2").arg(frame).arg(readout(frame));
+    return curvesAt(frame).empty() ? QString() : labelled(frameName(frame), readout(frame));
 }
 
 QString EnergyPlot::readout(std::int64_t frame) const
@@ -241,8 +242,7 @@ QString EnergyPlot::unit() const
 
 PlotPicture EnergyPlot::picture()
 {
-    return pictureNamed(tr("%1, %2").arg(title(), unit()),
-                        m_shows == Shows::energy ? tr("energy") : tr("momentum"));
+    return pictureNamed(listed(title(), unit()), m_shows == Shows::energy ? tr("energy") : tr("momentum"));
 }
 
 std::optional<std::int64_t> EnergyPlot::frameAt(QPointF place) const

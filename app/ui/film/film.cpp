@@ -2,7 +2,6 @@
 
 #include "app/model/film/gif_file.h"
 #include "app/model/run/run_program.h"
-#include "app/model/text/quoting.h"
 #include "app/ui/film/step_alone.h"
 
 #include <QCoreApplication>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/model/files/export.h"
 #include "app/model/film/film_file.h"
 #include "app/model/film/palette.h"
 #include "app/model/picture/motion_area.h"
@@ -20,26 +21,19 @@ struct FilmPlan
     double rate = 30.0;             ///< frames per second; 30 is the speed of the window
 };
 
-/// Makes a film piece by piece, in a session of its own. Between two pieces the caller can repaint the
-/// window, show the progress, or cancel the film.
-class Film
+/// A film, which is made in a session of its own. A piece is at most one picture, and the event loop must run between two
+/// pieces.
+class Film : public Export
 {
 public:
     /// @throws UserError if the file name is not a film name, the frames do not exist, or the rate is too
     /// high for a GIF
     Film(const FilmPlan &plan, const LessonLibrary &library);
 
-    /// Makes the next piece of the film, at most one picture. The event loop must run between two pieces.
-    /// Returns false when the film is finished and written.
-    /// @throws UserError if the file cannot be written
-    bool goOn();
-    /// Returns how many pieces of total() are done.
-    std::int64_t done() const { return m_done; }
-    std::int64_t total() const { return m_total; }
-    /// Returns the frame that is being processed.
-    std::int64_t frame() const;
-    /// Returns why the film ends before the requested last frame, as endSentence(). Empty if it does not.
-    const QString &endsEarly() const { return m_endsEarly; }
+    bool goOn() override;
+    std::int64_t done() const override { return m_done; }
+    std::int64_t total() const override { return m_total; }
+    std::int64_t frame() const override;
 
 private:
     /// Measures how far the bodies move in the film, then fits the view to that area.
@@ -65,7 +59,6 @@ private:
     std::unique_ptr<FilmFile> m_file; ///< null until the colours are known
     std::int64_t m_done = 0;
     std::int64_t m_total = 0;
-    QString m_endsEarly;
 };
 
 }

@@ -1,22 +1,17 @@
 #pragma once
 
+#include "app/ui/film/export_dialog.h"
 #include "app/ui/film/film.h"
 
-#include <QDialog>
-#include <QTimer>
-
-class QPushButton;
 class QSpinBox;
 
 namespace app {
 
-class ExportProgress;
 class FilmName;
 class FilmSize;
-class FrameRange;
 
-/// A dialog that asks for the settings of a film of the run and makes it while the window stays usable.
-class FilmDialog : public QDialog
+/// A dialog that asks for the settings of a film of the run and makes it.
+class FilmDialog : public ExportDialog
 {
     Q_OBJECT
 
@@ -26,36 +21,19 @@ public:
 
     /// Shows the dialog with the frames of the open run.
     void offer();
-    bool isMaking() const { return m_film != nullptr; }
-    /// Returns the message at the bottom: the progress, or how the film ended.
-    QString message() const;
-    void done(int result) override;
 
 private:
-    QWidget *fields();
-    QWidget *buttons();
     void start();
-    void clearMessage();
-    void goOn();
-    void stop();
-    void end(const QString &sentence);
-    void showState();
     FilmPlan plan() const;
+    void showState() override;
+    QString cancelled(std::int64_t frame) const override;
 
     const Session &m_session;
     const SceneView &m_view;
     const Theme &m_theme;
-    FrameRange *m_range;
     QSpinBox *m_rate;
     FilmSize *m_size;
     FilmName *m_name;
-    QWidget *m_fields; ///< all settings
-    ExportProgress *m_progress;
-    QPushButton *m_make;
-    QPushButton *m_stop;
-    std::unique_ptr<Film> m_film;
-    QString m_making; ///< name of the film that is being made
-    QTimer m_next;    ///< for the next picture; active while a film is made
 };
 
 }

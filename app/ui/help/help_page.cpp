@@ -1,5 +1,6 @@
 #include "app/ui/help/help_page.h"
 
+#include "app/model/text/phrases.h"
 #include "app/ui/dialogs/dialog_place.h"
 #include "app/ui/help/key_caps.h"
 
@@ -116,7 +117,7 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
     auto *what = label(QString(text).replace(beforeUnit, QChar(QChar::Nbsp)), "action", to.box);
     what->setWordWrap(true);
     what->setMinimumHeight(rowHeight - 2 * rowGap);
-    what->setAccessibleName(tr("%1: %2").arg(text, caps->accessibleName()));
+    what->setAccessibleName(labelled(text, caps->accessibleName()));
     auto *row =
         new QHBoxLayout; // its own layout: a text beside many keys is narrower than one beside few keys
     row->setContentsMargins(0, rowGap, 0, rowGap);

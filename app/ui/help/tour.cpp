@@ -1,5 +1,6 @@
 #include "app/ui/help/tour.h"
 
+#include "app/model/text/phrases.h"
 #include "app/ui/learn/prose.h"
 
 #include <QEvent>
@@ -138,7 +139,7 @@ void Tour::goTo(std::size_t stop)
     const bool isLast = stop + 1 == m_stops.size();
     m_title->setText(now.title);
     m_text->setText(now.text);
-    m_count->setText(tr("%1 of %2").arg(stop + 1).arg(m_stops.size()));
+    m_count->setText(partOf(QString::number(stop + 1), QString::number(m_stops.size())));
     m_skip->setVisible(!isLast);
     m_back->setVisible(stop > 0);
     m_next->setText(isLast ? tr("Done") : tr("Next"));

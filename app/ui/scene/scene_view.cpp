@@ -1,6 +1,7 @@
 #include "app/ui/scene/scene_view.h"
 
 #include "app/model/analysis/accuracy_study.h"
+#include "app/model/learning/project_desk.h"
 #include "app/model/run/frame_clock.h"
 #include "app/ui/scene/drawing/body_text.h"
 #include "app/ui/scene/layers/highlight_marks.h"
@@ -137,6 +138,11 @@ void SceneView::takeMoment()
 {
     m_shown.picture = m_session.presentation().picture();
     m_shown.comparison = m_session.presentation().comparison();
+    if (m_projects) {
+        for (const lessons::ProjectRing &ring : m_projects->rings())
+            m_shown.picture.overlays.push_back(
+                {.shape = lessons::Overlay::Shape::ring, .a = ring.centre, .size = ring.radius});
+    }
     if (m_shown.comparison && !differ(*m_shown.comparison, m_shown.picture))
         m_shown.comparison.reset();
     m_shown.comparisonName = m_session.comparisons().comparisonName();
@@ -226,6 +232,13 @@ void SceneView::attach(PredictionDesk &desk)
         setFocus(Qt::ShortcutFocusReason);
         fit(); // a body can end far from where it starts
     });
+}
+
+void SceneView::attach(ProjectDesk &desk)
+{
+    m_projects = &desk;
+    connect(&desk, &ProjectDesk::changed, this, &SceneView::refresh);
+    refresh();
 }
 
 void SceneView::setHighlights(const std::vector<lessons::Highlight> &highlights)

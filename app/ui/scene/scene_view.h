@@ -11,12 +11,14 @@
 
 #include <QGraphicsScene>
 #include <QGraphicsView>
+#include <QPointer>
 
 class QNativeGestureEvent;
 
 namespace app {
 
 class AccuracyStudy;
+class ProjectDesk;
 
 /// A view of the scene at the moment of the run that is shown. Bodies can be dragged in it.
 class SceneView : public QGraphicsView
@@ -31,6 +33,8 @@ public:
     void attach(const AccuracyStudy &study);
     /// Takes the places that the learner predicts. `desk` must outlive this.
     void attach(PredictionDesk &desk);
+    /// Shows the rings of the project that is open at `desk`.
+    void attach(ProjectDesk &desk);
 
     /// Returns the zoom in percent. At 100, one scene px is one screen px.
     double zoom() const;
@@ -163,6 +167,7 @@ private:
 
     Session &m_session;
     const AccuracyStudy *m_study = nullptr;
+    QPointer<ProjectDesk> m_projects;
     const Theme &m_theme;
     SceneContent m_shown;
     ArrowScales m_runScales;  ///< of the run itself; a preview does not change them

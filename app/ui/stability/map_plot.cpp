@@ -1,6 +1,7 @@
 #include "app/ui/stability/map_plot.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 
 #include <QHelpEvent>
 #include <QLocale>
@@ -252,10 +253,9 @@ QString MapPlot::wordsOf(const Spot &spot) const
         return {};
     const Axes map = axes();
     const QPoint at = cellOf(spot);
-    const QString where =
-        tr("%1, %2").arg(valueWords(*map.x, map.x->values[static_cast<std::size_t>(at.x())]),
-                         valueWords(*map.y, map.y->values[static_cast<std::size_t>(at.y())]));
-    return tr("%1: %2").arg(where, result);
+    const QString where = listed(valueWords(*map.x, map.x->values[static_cast<std::size_t>(at.x())]),
+                                 valueWords(*map.y, map.y->values[static_cast<std::size_t>(at.y())]));
+    return labelled(where, result);
 }
 
 QString MapPlot::wordsAt(QPointF place) const

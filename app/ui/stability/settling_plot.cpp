@@ -138,7 +138,7 @@ QString SettlingPlot::explanation() const
            "in a frame.");
     if (m_monitor.leavesInputOut())
         text += QStringLiteral(" ") + tr("Input after frame %1 is left out.").arg(SettlingMonitor::mostInput);
-    return text;
+    return text.replace(QChar(0x2009), QChar(0x202F)); // no line breaks between a number and its unit
 }
 
 /// Draws bar and signs in one row below the title: "10 [bar] 600 frames, [dots] still moving, [strokes] grows".

@@ -2,6 +2,7 @@
 
 #include "app/model/analysis/map_table.h"
 #include "app/model/run/run_program.h"
+#include "app/model/text/phrases.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/dock/panel_title.h"
 #include "app/ui/plots/plot_export.h"
@@ -228,7 +229,7 @@ QPushButton *StabilityPanel::remedyButton(const sim::Remedy &remedy)
     button->setObjectName("use");
     button->setAutoDefault(false);
     button->setFocusPolicy(Qt::TabFocus);
-    button->setToolTip(tr("%1: %2").arg(remedyTitle(remedy), remedyOutcome(remedy)));
+    button->setToolTip(labelled(remedyTitle(remedy), remedyOutcome(remedy)));
     button->setAccessibleDescription(remedyOutcome(remedy));
     connect(button, &QPushButton::clicked, this, [this, remedy] { m_monitor.adopt(remedy); });
     return button;

@@ -2,6 +2,7 @@
 
 #include "app/model/text/accuracy_text.h"
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -66,7 +67,7 @@ void StatusFigures::refresh()
     m_refreshTimer.stop();
     m_since.start();
     const sim::State &state = m_run.timeline().track().state();
-    put(points, state.pointCount() == 1 ? tr("1 point") : tr("%1 points").arg(state.pointCount()));
+    put(points, pointCount(state.pointCount()));
     put(work, workWords());
     const sim::AccuracyRow *row = m_study.inUse();
     const bool isTimed = row && row->nsPerFrame > 0.0;

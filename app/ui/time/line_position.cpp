@@ -1,6 +1,7 @@
 #include "app/ui/time/line_position.h"
 
 #include "app/model/listing/line_stepper.h"
+#include "app/model/text/phrases.h"
 
 #include <QCoreApplication>
 
@@ -34,7 +35,7 @@ QString sentenceOf(const LineStepper &lines, std::int64_t frame)
 {
     const QString progress = progressOf(lines);
     const QString position = LinePositionText::tr("Frame %1").arg(frame);
-    return progress.isEmpty() ? position : LinePositionText::tr("%1, %2").arg(position, progress);
+    return progress.isEmpty() ? position : listed(position, progress);
 }
 
 }

@@ -1,5 +1,6 @@
 #include "app/ui/time/run_position.h"
 
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "sim/run/script/composed_interval.h"
 
@@ -58,15 +59,15 @@ QString progressOf(const Position &position)
         return {};
     const QString phases =
         RunPositionText::tr("%1 of %2 phases done").arg(position.done).arg(position.phases);
-    return position.steps == 1 ? phases : RunPositionText::tr("%1, %2").arg(stepOf(position), phases);
+    return position.steps == 1 ? phases : listed(stepOf(position), phases);
 }
 
 QString shortProgressOf(const Position &position)
 {
     if (!position.isInside())
         return {};
-    const QString phases = RunPositionText::tr("%1 of %2").arg(position.done).arg(position.phases);
-    return position.steps == 1 ? phases : RunPositionText::tr("%1, %2").arg(stepOf(position), phases);
+    const QString phases = partOf(QString::number(position.done), QString::number(position.phases));
+    return position.steps == 1 ? phases : listed(stepOf(position), phases);
 }
 
 QString sentenceOf(const sim::Timeline &timeline)

@@ -30,11 +30,6 @@ RunsMenu::RunsMenu(const OpenRun &run, RunEditor &editor, ComparisonRuns &compar
     fill();
 }
 
-void RunsMenu::showOnly(int branch)
-{
-    showOnly(std::vector{branch});
-}
-
 void RunsMenu::showOnly(std::vector<int> branches)
 {
     m_only = std::move(branches);

@@ -19,9 +19,7 @@ public:
     RunsMenu(const OpenRun &run, RunEditor &editor, ComparisonRuns &comparisons, const Theme &theme,
              QWidget *parent = nullptr);
 
-    /// Shows only the commands for one branch.
-    void showOnly(int branch);
-    /// Shows only some branches; all if there are none.
+    /// Shows only some branches; all if there are none. Of a single branch, shows only the commands.
     void showOnly(std::vector<int> branches);
     /// Opens the menu right above a widget.
     void popupAbove(const QWidget &widget);

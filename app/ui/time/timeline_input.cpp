@@ -1,5 +1,6 @@
 // Mouse, wheel and keys of the timeline.
 #include "app/model/text/difference_text.h"
+#include "app/model/text/phrases.h"
 #include "app/ui/time/runs_menu.h"
 #include "app/ui/time/timeline_strip.h"
 
@@ -259,7 +260,7 @@ QString TimelineStrip::hintAt(const QPoint &place) const
         const QString group = m_phases.groupOf(phase);
         const QString title = m_phases.titleOf(phase);
         return tr("%1: phase %2 of %3. Click to run to it.")
-            .arg(group.isEmpty() ? title : tr("%1, %2").arg(group, title))
+            .arg(group.isEmpty() ? title : listed(group, title))
             .arg(phase + 1)
             .arg(m_phases.count());
     }
@@ -269,7 +270,7 @@ QString TimelineStrip::hintAt(const QPoint &place) const
         return hintOf(*fork);
     if (isOnOldRun(place))
         return tr("Beside this run: %1. Right-click for more.").arg(m_view.comparison->name);
-    return tr("frame %1").arg(m_axis.frameAt(place.x()));
+    return frameName(m_axis.frameAt(place.x()));
 }
 
 bool TimelineStrip::event(QEvent *event)

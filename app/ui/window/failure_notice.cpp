@@ -1,5 +1,6 @@
 #include "app/ui/window/failure_notice.h"
 
+#include "app/model/run/rule_error.h"
 #include "app/model/run/run_program.h"
 #include "app/model/text/sentences.h"
 #include "app/model/text/stability_text.h"
@@ -63,7 +64,9 @@ void FailureNotice::refresh()
     const bool isEmpty = m_search.found().empty();
     m_hint->setVisible(isEmpty);
     m_hint->setText(
-        m_search.isSearching()
+        runErrorOf(m_run.timeline().track()) || ruleErrorOf(m_run.timeline().track())
+            ? tr("Correct this line, and the run goes on. Undo takes your last change back.")
+        : m_search.isSearching()
             ? tr("Searching for a remedy…")
             : tr("No smaller step and no other method was found to be stable. Go back, and undo the change "
                  "that caused this."));

@@ -88,6 +88,9 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     Theme theme(storedScheme());
     theme.apply(application);
     LessonDocuments documents(work.library, LessonDocuments::folder());
+    const LastStep last = LastStep::load();
+    if (!from)
+        last.openIn(*work.session); // before the window, which would show another step first
     MainWindow window(*work.session, theme);
     QObject::connect(&documents, &LessonDocuments::changed, work.session.get(), &Session::announceTexts);
     QObject::connect(&documents, &LessonDocuments::mistakeChanged, &window, &MainWindow::showDocumentMistake);
@@ -95,9 +98,6 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
         window.showDocumentMistake(documents.mistake());
     window.offerYourLessons(yours);
     window.fitInto(window.screen()->availableSize());
-    const LastStep last = LastStep::load();
-    if (!from)
-        last.openIn(*work.session);
     window.show();
     if (from)
         window.restart().continueFrom(*from);

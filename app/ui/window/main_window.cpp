@@ -39,7 +39,6 @@
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
 #include "app/ui/window/experiment_files.h"
-#include "app/ui/window/focus_keys.h"
 #include "app/ui/window/gallery_desk.h"
 #include "app/ui/window/header.h"
 #include "app/ui/window/help_pages.h"
@@ -53,9 +52,9 @@
 #include "app/ui/window/restart.h"
 #include "app/ui/window/scene_column.h"
 #include "app/ui/window/scene_export.h"
+#include "app/ui/window/window_keys.h"
 
 #include <QActionGroup>
-#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QMenu>
@@ -112,10 +111,7 @@ MainWindow::MainWindow(Session &session, Theme &theme, StudyFunction study, Cost
     m_centre->scene().setFocus();
 }
 
-MainWindow::~MainWindow()
-{
-    qApp->disconnect(this);
-}
+MainWindow::~MainWindow() = default;
 
 void MainWindow::makeDocks()
 {
@@ -194,6 +190,7 @@ void MainWindow::connectPanels()
     followCover(docks[Panel::plots], m_plots);
     Notice *notice = &m_centre->notice();
     m_centre->scene().attach(m_learn->narration().predictions());
+    m_centre->scene().attach(m_learn->projects());
     m_code->attach(m_centre->scene(), m_commands.run);
     connect(&m_learn->narration(), &Narration::listingRequested, this, [this](int line) {
         m_layout.docks.show(Panel::code, true);
@@ -215,11 +212,7 @@ void MainWindow::connectPanels()
     connect(&m_centre->timeline(), &TimelineStrip::compareWanted, this, compare);
     connectPreviews(m_session.run(), m_session.preview(),
                     {*m_centre, *m_plots, *m_energy, *m_branches, *m_accuracy});
-    connect(qApp, &QApplication::focusChanged, this, [this](const QWidget *before, const QWidget *now) {
-        // Qt passes the focus of a widget that was hidden to the next one, which Space would press.
-        if (before && now && before->window() == this && now->window() == this && !before->isVisible())
-            m_centre->scene().setFocus();
-    });
+    m_keys = std::make_unique<WindowKeys>(*this, m_centre->scene(), m_commands.list, m_session);
 }
 
 void MainWindow::makeLayouts()
@@ -495,14 +488,6 @@ bool MainWindow::event(QEvent *event)
     case QEvent::DragMove:
     case QEvent::Drop:
         return m_files->takesDrop(static_cast<QDropEvent &>(*event)) || QMainWindow::event(event);
-    case QEvent::ShortcutOverride: {
-        m_session.preview().end(); // a key acts at the cursor of the run, not at a moment that is previewed
-        const QWidget *focus = QApplication::focusWidget();
-        if (!focus || focus->window() != this || !usesKey(*focus, static_cast<QKeyEvent &>(*event)))
-            return QMainWindow::event(event);
-        event->accept();
-        return true;
-    }
     case QEvent::MouseButtonPress:
         m_sizes.notePress(static_cast<QMouseEvent &>(*event));
         break;
@@ -517,16 +502,6 @@ bool MainWindow::event(QEvent *event)
     else if (event->type() == QEvent::WindowStateChange)
         m_commands.view.fullScreen->setChecked(isFullScreen());
     return isDone;
-}
-
-void MainWindow::keyPressEvent(QKeyEvent *event)
-{
-    // Keys of enabled commands never get here.
-    const QString obstacle = m_commands.list.obstacleOf(event->keyCombination());
-    if (obstacle.isEmpty())
-        QMainWindow::keyPressEvent(event);
-    else
-        m_session.showMessage(obstacle);
 }
 
 void MainWindow::showEvent(QShowEvent *event)

@@ -47,6 +47,7 @@ class SettlingMonitor;
 class StabilityDock;
 class StabilityGauge;
 class StabilityPanel;
+class WindowKeys;
 class WindowLayouts;
 class YourLessons;
 
@@ -103,7 +104,6 @@ public:
 
 protected:
     bool event(QEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void showEvent(QShowEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
@@ -142,6 +142,7 @@ private:
     std::unique_ptr<Introduction> m_introduction;
     std::unique_ptr<SceneExport> m_export;
     std::unique_ptr<Restart> m_restart;
+    std::unique_ptr<WindowKeys> m_keys;
 
     MeasureSeries *m_measures; ///< what the steps measure
     /// Shared by all measurements of time, so that they do not disturb each other.

@@ -2,6 +2,7 @@
 
 #include "app/model/catalog/progress.h"
 #include "app/model/session/open_run.h"
+#include "app/model/text/phrases.h"
 #include "app/ui/actions/command.h"
 #include "app/ui/learn/prose.h"
 #include "app/ui/scene/hud/free_area.h"
@@ -84,7 +85,7 @@ void SceneCard::refresh()
 {
     m_title->setText(m_run.step().title);
     m_text->setText(sentence());
-    setAccessibleName(tr("%1: %2").arg(m_title->text(), m_text->text()));
+    setAccessibleName(labelled(m_title->text(), m_text->text()));
     place();
 }
 

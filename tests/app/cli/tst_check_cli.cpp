@@ -2,6 +2,8 @@
 
 #include "app/model/lesson_folders/lesson_package.h"
 #include "tests/app/cli/program.h"
+#include "tests/app/support/files.h"
+#include "tests/app/support/zip_writer.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -51,7 +53,7 @@ private slots:
     {
         const QTemporaryDir dir;
         const QString zip = dir.filePath("caterpillar" + app::lessonEnding);
-        app::packLesson(lessonExamples + "caterpillar", zip);
+        tests::writeFile(zip, tests::zipOf(app::readLessonFiles(lessonExamples + "caterpillar").all));
         const Answer answer = springstep({"check", zip, "--json"});
         QCOMPARE(answer.code, 0);
         const QJsonObject found = json(answer);

@@ -14,6 +14,7 @@ QString methods()
     QStringList ids;
     for (const sim::MethodPtr &method : sim::allMethods())
         ids.push_back(QString::fromStdString(method->id()));
+    ids.push_back("listing");
     return app::quotedList(ids);
 }
 

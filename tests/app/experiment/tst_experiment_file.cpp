@@ -169,10 +169,8 @@ private slots:
         const QTemporaryDir folder;
         const QString none = folder.filePath("none.json");
         QCOMPARE(readErrorOf(none), none + ": there is no such file; check its name and folder.");
-        QCOMPARE(readErrorOf(folder.path()),
-                 folder.path() + ": this is a folder; give the file of an experiment.");
-        QCOMPARE(readErrorOf("/dev/zero"),
-                 "/dev/zero: the file is larger than 32 MiB, the maximum for an experiment.");
+        QCOMPARE(readErrorOf(folder.path()), folder.path() + ": this is a folder; give a file.");
+        QCOMPARE(readErrorOf("/dev/zero"), "/dev/zero: the file is larger than 32 MiB, the maximum.");
     }
 
     void aFileOfOneGigabyteIsRefusedUnread()
@@ -182,8 +180,7 @@ private slots:
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly) &&
                 file.resize(qint64{1} << 30)); // takes no room: all of it a hole
-        QCOMPARE(readErrorOf(path),
-                 path + ": the file is larger than 32 MiB, the maximum for an experiment.");
+        QCOMPARE(readErrorOf(path), path + ": the file is larger than 32 MiB, the maximum.");
     }
 
     void damagedFilesAreReadOrRefusedInOneLine()

@@ -36,7 +36,7 @@ private:
     /// Makes the page, and returns the texts of its run.
     QJsonObject made(WebPageDialog &dialog, const char *name)
     {
-        dialog.make(path(name));
+        dialog.makePage(path(name));
         if (!QTest::qWaitFor([&] { return !dialog.isMaking(); }, 20'000))
             qFatal("The page is not made.");
         dialog.close();
@@ -59,7 +59,7 @@ void WebPageDialogTest::aPageIsMadeWhileTheWindowGoesOn()
     WebPageDialog &dialog = openDialog(fixture);
     QVERIFY(dialog.isVisible() && !dialog.isModal());
     QCOMPARE(dialog.findChildren<QSpinBox *>().last()->value(), 40);
-    dialog.make(path("walk.html"));
+    dialog.makePage(path("walk.html"));
     QVERIFY(dialog.isMaking());
     fixture.session.openStep("single_spring", "drag"); // whatever the window shows meanwhile
     QTRY_VERIFY(!dialog.isMaking());
@@ -105,7 +105,7 @@ void WebPageDialogTest::aPageThatIsCancelledLeavesNoFile()
     WindowFixture fixture({"walking_gait", "ground"});
     WebPageDialog &dialog = openDialog(fixture);
     dialog.findChildren<QSpinBox *>().last()->setValue(90'000);
-    dialog.make(path("never.html"));
+    dialog.makePage(path("never.html"));
     QVERIFY(dialog.isMaking());
     QTest::keyClick(&dialog, Qt::Key_Escape);
     QVERIFY(!dialog.isMaking());
@@ -118,12 +118,12 @@ void WebPageDialogTest::badInputIsNamed()
     WindowFixture fixture;
     WebPageDialog &dialog = openDialog(fixture);
     dialog.findChildren<QSpinBox *>().last()->setValue(3);
-    dialog.make(path("nowhere/walk.html"));
+    dialog.makePage(path("nowhere/walk.html"));
     QTRY_VERIFY(!dialog.isMaking());
     QVERIFY2(dialog.message().contains("nowhere/walk.html: the file could not be written"),
              qPrintable(dialog.message()));
     dialog.findChildren<QSpinBox *>().first()->setValue(9);
-    dialog.make(path("back.html"));
+    dialog.makePage(path("back.html"));
     QVERIFY(!dialog.isMaking());
     QVERIFY2(dialog.message().contains("Swap them"), qPrintable(dialog.message()));
 }

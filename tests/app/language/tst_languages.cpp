@@ -1,11 +1,13 @@
 // The languages of the window: all is translated, and the language is that of the system or the one chosen.
 
+#include "app/model/learning/project_start.h"
 #include "app/model/sandbox/sandbox_properties.h"
 #include "app/model/text/numbers.h"
 #include "app/model/text/sentences.h"
 #include "app/ui/dialogs/notice.h"
 #include "sim/methods/methods.h"
 #include "sim/pipeline/pipeline.h"
+#include "sim/scene/blueprint.h"
 #include "tests/app/language/translated_window.h"
 #include "tests/suite.h"
 
@@ -77,6 +79,8 @@ private slots:
     void everyStepIsTranslated();
     void whatTheCoreNamesIsTranslated_data() { addTranslatedLanguages(); }
     void whatTheCoreNamesIsTranslated();
+    void bodiesOfProjectsAreTranslated_data() { addTranslatedLanguages(); }
+    void bodiesOfProjectsAreTranslated();
     void whatIsBuiltIsCalledAsInThePicture();
     void noLetterOpensTwoEntriesOfAMenu_data();
     void noLetterOpensTwoEntriesOfAMenu();
@@ -170,6 +174,30 @@ void LanguagesTest::whatTheCoreNamesIsTranslated()
         }
     }
     QVERIFY2(missing.isEmpty(), qPrintable(missing.values().join(" | ")));
+}
+
+void LanguagesTest::bodiesOfProjectsAreTranslated()
+{
+    QFETCH(QString, language);
+    Language spoken(language);
+    const LessonLibrary library = LessonLibrary::load({LESSON_DIR}, &spoken);
+    int bodies = 0;
+    for (const LessonEntry &lesson : library.lessons) {
+        if (!lesson.project)
+            continue;
+        const Experiment start = projectStart(lesson, library);
+        if (!start.script.values.blueprint)
+            continue;
+        for (const sim::BlueprintPoint &point : start.script.values.blueprint->points) {
+            const QString name = QString::fromStdString(point.name), title = bodyTitle(name);
+            static const QRegularExpression word(QStringLiteral("[a-z]{2,}"));
+            for (auto words = word.globalMatch(name); words.hasNext(); ++bodies) {
+                const QString one = words.next().captured();
+                QVERIFY2(!QRegularExpression("\\b" + one + "\\b").match(title).hasMatch(), qPrintable(title));
+            }
+        }
+    }
+    QVERIFY(bodies > 20);
 }
 
 void LanguagesTest::whatIsBuiltIsCalledAsInThePicture()

@@ -58,14 +58,20 @@ inline void addMistake(const char *name, const char *file, const char *from, con
     QTest::newRow(name) << QString(file) << QByteArray(from) << to << QString::fromUtf8(said);
 }
 
-/// Fails unless the lesson of a row is refused with its sentence, which begins with the name of the lesson.
-inline void checkMistake()
+/// Returns the files of the lesson of a row. None if they lack its text.
+inline LessonFiles mistakenFiles()
 {
     QFETCH(QString, file);
     QFETCH(QByteArray, from);
     QFETCH(QByteArray, to);
+    return pendulumWith(file, from, to);
+}
+
+/// Fails unless the lesson of a row is refused with its sentence, which begins with the name of the lesson.
+inline void checkMistake()
+{
     QFETCH(QString, said);
-    const LessonFiles files = pendulumWith(file, from, to);
+    const LessonFiles files = mistakenFiles();
     QVERIFY(!files.all.empty());
     const QString mistake = mistakeOf([&] { lessonOf(files, "en", experiment_support::library()); });
     QVERIFY2(mistake.contains(said), qPrintable(mistake));

@@ -4,6 +4,7 @@
 #include "app/model/lesson_folders/zip_reader.h"
 #include "app/model/text/quoting.h"
 #include "tests/app/experiment/experiment_support.h"
+#include "tests/app/support/zip_writer.h"
 #include "tests/suite.h"
 
 #include <functional>
@@ -183,15 +184,15 @@ private slots:
 
 void TestLessonZips::theSmallLessonIsRead()
 {
-    QCOMPARE(
-        refusalOfZip(zipOf(smallLesson()), [](const ZipFiles &files) { QVERIFY(files == smallLesson()); }),
-        QString());
+    QCOMPARE(refusalOfZip(tests::zipOf(smallLesson()),
+                          [](const ZipFiles &files) { QVERIFY(files == smallLesson()); }),
+             QString());
     QCOMPARE(refusalOfLesson(smallLesson()), QString());
 }
 
 void TestLessonZips::aCutZipIsRefused()
 {
-    const QByteArray zip = zipOf(smallLesson());
+    const QByteArray zip = tests::zipOf(smallLesson());
     for (qsizetype size = 0; size < zip.size(); ++size) {
         const QString refusal = refusalOfZip(zip.left(size));
         QVERIFY2(refusal.contains("its end is missing") && isSentence(refusal), qPrintable(refusal));
@@ -202,7 +203,7 @@ void TestLessonZips::aCutZipIsRefused()
 
 void TestLessonZips::changedBytesAreRefusedOrHarmless()
 {
-    const QByteArray zip = zipOf(smallLesson());
+    const QByteArray zip = tests::zipOf(smallLesson());
     for (qsizetype at = 0; at < zip.size(); ++at) {
         for (const int byte : {0, 0xff, static_cast<int>(static_cast<unsigned char>(zip[at])) ^ 1})
             checkIsSafe(withByte(zip, at, byte));
@@ -215,7 +216,7 @@ void TestLessonZips::aDamagedZipIsNamed_data()
 {
     QTest::addColumn<QByteArray>("zip");
     QTest::addColumn<QString>("said");
-    const QByteArray good = zipOf({{"aa.md", "first"}, {"bb.md", "other"}});
+    const QByteArray good = tests::zipOf({{"aa.md", "first"}, {"bb.md", "other"}});
     const qsizetype table = good.indexOf("PK\x01\x02"), end = good.indexOf("PK\x05\x06");
     const QByteArray all(4, '\xff');
     QTest::newRow("a smaller size") << withBytes(good, table + 24, QByteArray("\2\0\0\0", 4))
@@ -241,7 +242,7 @@ void TestLessonZips::aDamagedZipIsNamed_data()
     ZipFiles bombs;
     for (const char *name : {"a.md", "b.md", "c.md", "d.md", "e.md"})
         bombs[name] = zeros;
-    QTest::newRow("a bomb of many files") << zipOf(bombs) << "larger than 16 MiB together";
+    QTest::newRow("a bomb of many files") << tests::zipOf(bombs) << "larger than 16 MiB together";
 }
 
 void TestLessonZips::aDamagedZipIsNamed()
@@ -254,7 +255,7 @@ void TestLessonZips::aDamagedZipIsNamed()
 
 void TestLessonZips::aZipWithFoldersOnlyIsEmpty()
 {
-    const QString refusal = refusalOfZip(zipOf({{"a/", ""}, {"b/", ""}}));
+    const QString refusal = refusalOfZip(tests::zipOf({{"a/", ""}, {"b/", ""}}));
     QVERIFY2(refusal.contains("the zip is empty"), qPrintable(refusal));
 }
 

@@ -71,6 +71,7 @@ private slots:
     void pausingDoesNotLoseTheEnd();
     void newTextsOfTheStepAreFollowed();
     void theRunOfAPredictionTicksNothing();
+    void theRunOfAPredictionSaysWhyNothingCountsInIt();
     void whatThePredictionDidIsNotTickedWhenTheLearnerGoesOn();
     void whatThePredictionDidIsNotTickedWhenTheRunComesBack();
     void aPlaceIsPickedAtTheBeginningOfTheRun();
@@ -224,6 +225,22 @@ void PredictionsTest::theRunOfAPredictionTicksNothing()
         const QString todo = fixture.session.todo(i);
         QVERIFY2(todo.isEmpty() || todo.contains("set up for you"), qPrintable(todo));
     }
+}
+
+void PredictionsTest::theRunOfAPredictionSaysWhyNothingCountsInIt()
+{
+    PredictionFixture fixture("fixed_centre");
+    const auto todo = [&] { return fixture.session.todo(1); }; // stop inside a frame, after the spring's pull
+    QVERIFY(fixture.predict("past", {.number = 20.0}));
+    QCOMPARE(todo(), QString());               // nobody has begun
+    fixture.session.playback().phaseForward(); // the learner goes on in this run
+    QVERIFY(fixture.session.timeline().cursor().phase > 0);
+    QVERIFY2(todo().contains("set up for you"), qPrintable(todo()));
+    fixture.session.playback().play();
+    QCOMPARE(todo(), QString()); // while it plays, nobody reads it
+    fixture.session.editor().undo();
+    fixture.session.playback().goTo({3, 1});
+    QVERIFY2(!todo().contains("set up for you"), qPrintable(todo()));
 }
 
 // In the step "branches", the prediction sets the spread to 90°, which is also the first thing to try.

@@ -8,6 +8,8 @@
 #include "tests/app/sandbox/sandbox_support.h"
 #include "tests/suite.h"
 
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
@@ -169,6 +171,28 @@ private slots:
         QVERIFY(!world.editor.rename(1, bob));
         QVERIFY2(world.lastSaid().startsWith("You can only build"), qPrintable(world.lastSaid()));
         QCOMPARE(world.name(1), name);
+    }
+
+    void aNameThatYourCodeUsesStays()
+    {
+        NamesWorld world;
+        QVERIFY(world.editor.rename(1, "lamp"));
+        QJsonObject file =
+            QJsonDocument::fromJson(experimentText(world.session.experiment(), library())).object();
+        file["method"] = "listing"; // only a file has code for a scene of the sandbox
+        file["code"] = "void frame()\n{\n    lamp.position.x += 1.0;\n}\n";
+        world.session.open(parseExperiment(QJsonDocument(file).toJson(), "x.json", library()));
+        QVERIFY(world.session.code().isRunning());
+        const sim::Blueprint before = world.plan();
+        const int edits = world.session.editor().undoStack().count();
+        QVERIFY(!world.editor.rename(1, bob));
+        QVERIFY2(world.lastSaid().startsWith("Your code computes this run, and it names the points."),
+                 qPrintable(world.lastSaid()));
+        QVERIFY(world.plan() == before);
+        QCOMPARE(world.session.editor().undoStack().count(), edits);
+        world.session.editor().setMethod("semi_implicit_euler"); // as the sentence says
+        QVERIFY(world.editor.rename(1, bob));
+        QCOMPARE(world.name(1), QString(bob));
     }
 
     void conditionsNameTheBodyAnew_data()

@@ -1,6 +1,7 @@
 // A second run beside a step's own, what a step says of the moment, and runs that a step opens with input.
 
 #include "app/model/experiment/experiment.h"
+#include "app/ui/scene/drawing/overlay_labels.h"
 #include "lessons/api/creature.h"
 #include "lessons/api/parameters.h"
 #include "lessons/api/view/creature_view.h"
@@ -98,6 +99,7 @@ private slots:
     void whereItsMethodCannotThereIsNone();
     void itIsDrawnWhereItsOffsetSays();
     void eachFigureHasItsCaption();
+    void aCaptionIsNoWiderThanItsFigure();
     void aStepWithoutOneHasNone();
     void anotherChoiceOpensTheRunAnew();
     void aRefusedChoiceLeavesTheRunAsItWas();
@@ -199,6 +201,19 @@ void CompanionTest::eachFigureHasItsCaption()
     fixture.session.editor().setMethod("rk4");
     fixture.session.editor().setStepSize(0.25);
     QCOMPARE(fixture.view.shown().name, QStringLiteral("Runge–Kutta 4, 1/4 frame"));
+}
+
+void CompanionTest::aCaptionIsNoWiderThanItsFigure()
+{
+    SceneFixture fixture({footStep()});
+    const SceneContent &shown = fixture.view.shown();
+    const double stage = shown.view().stage.width();
+    const double whole = QFontMetricsF(shown.figures).horizontalAdvance(shown.name);
+    for (const double zoom : {whole / stage / 2.0, whole / stage * 2.0}) {
+        const Camera camera(QTransform::fromScale(zoom, zoom));
+        QVERIFY(titleBox(shown, camera).width() <= std::min(whole, stage * zoom));
+        QCOMPARE(shownTitle(shown, camera) == shown.name, whole <= stage * zoom);
+    }
 }
 
 void CompanionTest::aStepWithoutOneHasNone()

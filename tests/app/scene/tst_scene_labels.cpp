@@ -16,6 +16,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -37,6 +38,7 @@ private slots:
     void aNameIsNotCutAtTheEdge_data();
     void aNameIsNotCutAtTheEdge();
     void aLabelOfAThingAtRestStays();
+    void aLabelDoesNotJumpToAndFro();
     void aPredictionCoversNothing_data();
     void aPredictionCoversNothing();
     void aPullThatIsNotSeenHasNoName();
@@ -181,6 +183,53 @@ void SceneLabelsTest::aLabelOfAThingAtRestStays()
                          qPrintable(QString("%1, %2").arg(at.x()).arg(at.y())));
                 QVERIFY(area.adjusted(-1e-9, -1e-9, 1e-9, 1e-9).contains(boxes[k]));
             }
+        }
+    }
+}
+
+void SceneLabelsTest::aLabelDoesNotJumpToAndFro()
+{
+    SceneFixture fixture("lone");
+    SceneContent shown;
+    shown.picture = fixture.session.presentation().picture();
+    shown.text = fixture.theme.ui(12);
+    shown.selected = 0;
+    const Camera camera(fixture.view.viewportTransform());
+    const QRectF view(fixture.view.viewport()->rect());
+    const sim::Vec2 centre = camera.back(view.center());
+    struct Place
+    {
+        QPointF at; ///< of the label, from the arrow's end
+        int last;   ///< the last frame that shows it there
+    };
+    for (int path = 0; path < 240; ++path) {  // the foot creeps to rest
+        const double angle = 2.399963 * path; // rad, the golden angle
+        const sim::Vec2 away = {std::cos(angle), std::sin(angle)};
+        const sim::Vec2 way = {std::cos(2.0 * angle), std::sin(2.0 * angle)};
+        const sim::Vec2 from = centre + (20.0 + path % 80) / camera.zoom * away;
+        std::vector<Place> places;
+        for (int frame = 0; frame < 200; ++frame) {
+            const sim::Vec2 foot = from + 0.05 * frame / camera.zoom * way;
+            shown.picture.state.place(0, foot);
+            shown.picture.overlays = {{.shape = lessons::Overlay::Shape::arrow,
+                                       .a = foot,
+                                       .b = 0.02 * (centre - foot),
+                                       .label = "a pull with a long name"}};
+            const auto labels = overlayLabels(shown, camera, fixture.theme, view);
+            if (labels.empty())
+                continue; // the arrow is too short
+            const QLineF arrow = explainingStrokes(shown, camera, fixture.theme).back();
+            const QPointF at = labels[0].box.topLeft() - arrow.p2();
+            const auto isBack = [&](const Place &one) {
+                return QLineF(at, one.at).length() < 1.0 && frame - one.last <= 30; // 1.5 px later
+            };
+            if (!places.empty() && isBack(places.back())) {
+                places.back().last = frame;
+                continue;
+            }
+            QVERIFY2(std::none_of(places.begin(), places.end(), isBack),
+                     qPrintable(QString("path %1, frame %2").arg(path).arg(frame)));
+            places.push_back({at, frame});
         }
     }
 }

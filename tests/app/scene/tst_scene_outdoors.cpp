@@ -1,5 +1,6 @@
 // Ground, sky and trees, a camera that follows, and earlier moments.
 
+#include "app/ui/scene/layers/layers.h"
 #include "app/ui/scene/layers/tree_painter.h"
 #include "app/ui/scene/scene_bar.h"
 #include "lessons/api/view/view.h"
@@ -64,6 +65,17 @@ QImage paintedTree(const drawn_scenes::Tree &tree, const Theme &theme, double zo
     return image;
 }
 
+/// The near ground below a tree in a picture of 600 x 500 px.
+QImage paintedGround(const SceneContent &shown, const Theme &theme)
+{
+    QImage image(600, 500, QImage::Format_RGB32);
+    image.fill(theme.tokens().scene);
+    QPainter painter(&image);
+    TreePainter tree;
+    drawNearGround({painter, shown, theme, Camera(QTransform()), QRectF(image.rect())}, tree);
+    return image;
+}
+
 }
 
 class SceneOutdoorsTest : public QObject
@@ -85,6 +97,7 @@ private slots:
     void anOpenSkyHasNoGrid();
     void aWholeTreeShowsAtFirst_data();
     void aWholeTreeShowsAtFirst();
+    void aGhostBelowTheGroundShowsThrough();
     void onionSkinsAreWhereThePointsWere();
     void whatAStepShowsIsTheLearnersChoiceAfterAll();
 };
@@ -336,6 +349,27 @@ void SceneOutdoorsTest::aWholeTreeShowsAtFirst()
                                                     length * sim::Vec2{std::cos(a), std::sin(a)})));
     }
     QVERIFY2(onScreen(fixture, {270, 400}).y() < view.height() - 50.0, "no ground below the trunk");
+}
+
+void SceneOutdoorsTest::aGhostBelowTheGroundShowsThrough()
+{
+    const Theme theme(Scheme::light);
+    const drawn_scenes::Tree tree = drawn_scenes::tree(0);
+    SceneContent shown;
+    shown.picture.view = std::make_shared<const View>(tree.view);
+    shown.picture.state = tree.scene.start; // stands upright
+    const QImage meadow = paintedGround(shown, theme);
+    shown.comparison = shown.picture;
+    QCOMPARE(paintedGround(shown, theme), meadow);
+    shown.comparison->state.angle[0] = 60.0; // bent to the right and down
+    const QImage image = paintedGround(shown, theme);
+    const QPoint along(295, 443); // half-way along the ghost's trunk
+    int drawn = 0;
+    for (int x = -12; x <= 12; ++x)
+        drawn += image.pixel(along + QPoint(x, 0)) != meadow.pixel(along + QPoint(x, 0)) ? 1 : 0;
+    QVERIFY2(drawn >= 2, qPrintable(QString::number(drawn)));
+    shown.extras.comparison = false;
+    QCOMPARE(paintedGround(shown, theme), meadow);
 }
 
 void SceneOutdoorsTest::onionSkinsAreWhereThePointsWere()

@@ -165,6 +165,23 @@ private slots:
         QVERIFY(fixture.failure.search().found().empty());
     }
 
+    void aMistakeInTheListingAsksForItsCorrection()
+    {
+        WindowFixture fixture({"single_spring", "radial"});
+        const QString text = fixture.session.code().text();
+        fixture.session.code().write(
+            QString(text).replace("*= damp;", "*= damp; int zero = 0; int one = 1 / zero;"));
+        fixture.session.playback().frameForward();
+        QVERIFY(fixture.session.timeline().stop());
+        auto &notice = fixture.part<FailureNotice>();
+        QVERIFY(notice.isVisible());
+        const QString hint = notice.findChild<QLabel *>("caption")->text();
+        QVERIFY2(hint.startsWith("Correct this line"), qPrintable(hint));
+        fixture.session.code().write(text);
+        QVERIFY(fixture.arrives());
+        QVERIFY(notice.isHidden());
+    }
+
     void whereNothingHelpsItSaysSo()
     {
         FailureFixture fixture;

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -108,6 +109,8 @@ void FilesTest::aNameWithoutAnEndingIsOneOfAnExperiment()
         auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
         QVERIFY(dialog);
         QCOMPARE(dialog->directory().path(), folder.path());
+        for (const QPushButton *button : dialog->findChildren<QPushButton *>())
+            QVERIFY2(button->icon().isNull(), qPrintable(button->text()));
         auto *name = dialog->findChild<QLineEdit *>("fileNameEdit");
         QCOMPARE(name->text(), QString("fixed_centre.springstep"));
         name->setText("my walk");

@@ -26,6 +26,7 @@
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSettings>
+#include <QSignalSpy>
 #include <QTabBar>
 #include <QTest>
 #include <QToolButton>
@@ -126,6 +127,8 @@ private slots:
     void panelsGiveWayOnASmallScreen_data();
     void panelsGiveWayOnASmallScreen();
     void escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt();
+    void theKeyOfADisabledCommandSaysWhy();
+    void theFocusOfAPanelThatHidesGoesToTheScene();
 };
 
 void KeyboardTest::tabReachesEverythingAndComesRound_data()
@@ -276,6 +279,28 @@ void KeyboardTest::escapeClosesANoticeFromWithinAFieldThatHasNoUseForIt()
     QVERIFY(notice->isVisible());
     QTest::keyClick(number, Qt::Key_Escape);
     QVERIFY(!notice->isVisible());
+}
+
+void KeyboardTest::theKeyOfADisabledCommandSaysWhy()
+{
+    LargeWindow fixture;
+    QSignalSpy messages(&fixture.session.changes(), &ChangeNotifier::messageRequested);
+    fixture.key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier);
+    QCOMPARE(messages.size(), 1);
+    QCOMPARE(messages.front().front().toString(), QString("There is no folder for the gallery"));
+    fixture.key(Qt::Key_K, Qt::ControlModifier | Qt::ShiftModifier | Qt::AltModifier); // of no command
+    QCOMPARE(messages.size(), 1);
+}
+
+void KeyboardTest::theFocusOfAPanelThatHidesGoesToTheScene()
+{
+    LargeWindow fixture;
+    auto *slider = fixture.part<ParameterPanel>().findChild<QAbstractSlider *>();
+    QVERIFY(slider);
+    slider->setFocus();
+    QTRY_VERIFY(slider->hasFocus());
+    fixture.dock("parameters").hide();
+    QTRY_COMPARE(QApplication::focusWidget(), static_cast<QWidget *>(&fixture.view));
 }
 
 SUITE(tst_keyboard, KeyboardTest)

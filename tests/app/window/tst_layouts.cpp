@@ -1,5 +1,6 @@
 // Arrangements of the window: each preset has its own, and the scene can be alone.
 
+#include "app/ui/parameters/parameter_panel.h"
 #include "app/ui/parameters/parameter_row.h"
 #include "app/ui/time/timeline_strip.h"
 #include "app/ui/time/transport_bar.h"
@@ -13,6 +14,8 @@
 #include <QAction>
 #include <QDockWidget>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QtTest>
 
@@ -89,6 +92,20 @@ private slots:
         QCOMPARE(fixture.areaOf("parameters"), Qt::BottomDockWidgetArea);
         fixture.key(Qt::Key_F5);
         QCOMPARE(fixture.areaOf("code"), Qt::LeftDockWidgetArea);
+    }
+
+    void noParameterIsCutInTwoBesideTheAccuracy()
+    {
+        WindowFixture fixture({.lesson = "accuracy", .step = "budget"});
+        fixture.key(Qt::Key_F6);
+        settle();
+        const auto *area = fixture.part<ParameterPanel>().findChild<QScrollArea *>();
+        QVERIFY(area->verticalScrollBar()->isVisible());
+        for (const auto *row : area->findChildren<ParameterRow *>()) {
+            const int top = row->mapTo(area->viewport(), QPoint()).y();
+            const bool isIn = top >= 0 && top + ParameterRow::height <= area->viewport()->height();
+            QVERIFY2(isIn || top + 6 > area->viewport()->height(), qPrintable(row->parameter().name));
+        }
     }
 
     void plotsThatWereMovedStayWhereTheyArePut()

@@ -10,12 +10,15 @@
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/sandbox/build_panel.h"
 #include "app/ui/sandbox/property_row.h"
+#include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
 #include "tests/suite.h"
 
 #include <QLabel>
 #include <QSettings>
 #include <QToolButton>
+
+#include <algorithm>
 
 using namespace app;
 using namespace tests;
@@ -86,6 +89,7 @@ class ProjectsTest : public QObject
 private slots:
     void init() { QSettings().clear(); }
 
+    void theSceneShowsTheRingOfAProjectUntilItIsPutAway();
     void thePageAfterALessonHasItsProject_data();
     void thePageAfterALessonHasItsProject();
     void theFirstLevelIsUnfolded();
@@ -105,6 +109,30 @@ private slots:
     void theCurrentProjectIsKnownAtTheNextStart();
     void germanTextsFit();
 };
+
+void ProjectsTest::theSceneShowsTheRingOfAProjectUntilItIsPutAway()
+{
+    ProjectFixture fixture("gravity_walls");
+    const auto ring = [&]() -> const lessons::Overlay * {
+        const std::vector<lessons::Overlay> &all = fixture.view.shown().picture.overlays;
+        const auto found = std::find_if(all.begin(), all.end(), [](const lessons::Overlay &one) {
+            return one.shape == lessons::Overlay::Shape::ring;
+        });
+        return found == all.end() ? nullptr : &*found;
+    };
+    QVERIFY(!ring());
+    fixture.desk.start("gravity_walls");
+    QVERIFY(ring());
+    QCOMPARE(ring()->a, (sim::Vec2{400.0, 150.0}));
+    QCOMPARE(ring()->size, 12.0);
+    const QImage with = fixture.view.picture();
+    fixture.session.playback().frameForward();
+    QVERIFY(ring());
+    fixture.session.playback().goTo({});
+    fixture.desk.putAway();
+    QVERIFY(!ring());
+    QVERIFY(fixture.view.picture() != with);
+}
 
 void ProjectsTest::thePageAfterALessonHasItsProject_data()
 {

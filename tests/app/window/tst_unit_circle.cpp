@@ -52,6 +52,7 @@ private slots:
     void theKeySwitchesItAndTheChoiceIsRemembered();
     void eachChangePaintsItOnce();
     void itCoversNoBodyIfItCanHelpIt();
+    void itIsHiddenWhereItWouldHideTheWholeFigure();
     void screenReadersGetTheNumbers();
 };
 
@@ -208,6 +209,17 @@ void UnitCircleTest::itCoversNoBodyIfItCanHelpIt()
     const QPoint corner = fixture.circle().geometry().center();
     fixture.drag("foot", corner - fixture.onScreen("foot"));
     QVERIFY(!isCovered("foot") && !isCovered("body"));
+}
+
+void UnitCircleTest::itIsHiddenWhereItWouldHideTheWholeFigure()
+{
+    CircleWindow fixture;
+    QVERIFY(fixture.circle().isVisible());
+    fixture.key(Qt::Key_3, Qt::ControlModifier); // energy, below the scene
+    QTRY_VERIFY(fixture.view.height() < 2 * fixture.circle().height());
+    QTRY_VERIFY(!fixture.circle().isVisible());
+    fixture.key(Qt::Key_3, Qt::ControlModifier);
+    QTRY_VERIFY(fixture.circle().isVisible());
 }
 
 void UnitCircleTest::screenReadersGetTheNumbers()

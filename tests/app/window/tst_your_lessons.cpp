@@ -15,6 +15,7 @@
 #include "app/ui/parameters/number_box.h"
 #include "app/ui/parameters/parameter_row.h"
 #include "tests/app/support/panel_fixture.h"
+#include "tests/app/support/zip_writer.h"
 #include "tests/suite.h"
 
 #include <QDesktopServices>
@@ -144,7 +145,7 @@ void YourLessonsTest::aZipIsOpenedAndListedAndRemembered()
 {
     const LessonCopy copy;
     const QString path = copy.at("lesson.springstep-lesson");
-    packLesson(copy.path, path);
+    tests::writeFile(path, tests::zipOf(readLessonFiles(copy.path).all));
     YoursFixture fixture;
     QVERIFY(!fixture.rows().contains("Yours"));
     fixture.session.editor().setParameter("k", 0.3); // nothing of it is lost, so nothing is asked

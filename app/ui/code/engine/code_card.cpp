@@ -1,6 +1,7 @@
 #include "app/ui/code/engine/code_card.h"
 
 #include "app/model/code/code_values.h"
+#include "app/model/text/phrases.h"
 #include "app/ui/theme/theme.h"
 
 #include <QGuiApplication>
@@ -168,10 +169,9 @@ void CodeCard::paintLabels(QPainter &painter, const QRectF &area) const
     painter.setFont(m_theme.ui(11));
     painter.setPen(t.ink3);
     const QRectF below(area.left(), area.bottom() + 2, area.width(), axisHeight);
-    const auto frame = [](std::int64_t number) { return QString::number(number); };
-    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("frame %1").arg(frame(m_history.samples.front().frame)));
-    painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, frame(m_history.samples.back().frame));
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter, frameName(m_history.samples.front().frame));
+    painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter,
+                     QString::number(m_history.samples.back().frame));
     if (m_history.isPair())
         painter.drawText(below, Qt::AlignCenter, tr("x solid, y dashed"));
     painter.setFont(m_theme.mono(11));

@@ -4,7 +4,6 @@
 #include "app/model/text/sentences.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <cmath>
 
@@ -36,7 +35,7 @@ QString shownMagnitude(double value)
     if (value != 0.0 && std::abs(value) < 0.005)
         return "< " + fixedNumber(0.01, 2);
     if (std::abs(value) >= 1000.0)
-        return QLocale().toString(value, 'g', 4).replace('-', QChar(0x2212));
+        return roughNumber(value);
     return fixedNumber(value, 2);
 }
 

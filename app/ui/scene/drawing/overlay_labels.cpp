@@ -147,13 +147,19 @@ std::vector<QLineF> explainingStrokes(const SceneContent &shown, const Camera &c
     return strokes;
 }
 
+QString shownTitle(const SceneContent &shown, const Camera &camera)
+{
+    return QFontMetricsF(shown.figures)
+        .elidedText(shown.name, Qt::ElideRight, shown.view().stage.width() * camera.zoom);
+}
+
 QRectF titleBox(const SceneContent &shown, const Camera &camera)
 {
     if (shown.name.isEmpty() || shown.points() == 0)
         return {};
     const QRectF stage = shown.view().stage;
     const QFontMetricsF metrics(shown.figures);
-    const double width = metrics.horizontalAdvance(shown.name);
+    const double width = metrics.horizontalAdvance(shownTitle(shown, camera));
     const QPointF top = camera.at({stage.center().x(), stage.top()});
     return {top - QPointF(width / 2.0, 0.0), QSizeF(width, metrics.height())};
 }
@@ -166,7 +172,8 @@ std::vector<OverlayLabel> overlayLabels(const SceneContent &shown, const Camera 
         return labels;
     const QFontMetricsF metrics(shown.text);
     std::vector<QRectF> taken = bodyBoxes(shown, camera);
-    taken.push_back(nameBox(shown, camera, area));
+    // Not nameBox(), which jumps from pixel to pixel while the body moves less. Labels would jump with it, to and fro.
+    taken.push_back(namePlace(shown, camera, area));
     taken.push_back(shown.card);
     LabelPlaces places(std::move(taken), explainingStrokes(shown, camera, theme));
     for (const Overlay &overlay : shown.picture.overlays) {

@@ -22,6 +22,8 @@ std::vector<OverlayLabel> overlayLabels(const SceneContent &shown, const Camera 
 /// Returns the box of the name that tells two runs shown together apart; empty if there is none. `camera`: includes
 /// the shift of `shown`.
 QRectF titleBox(const SceneContent &shown, const Camera &camera);
+/// Returns the name of the figure, shortened to the width of its stage: the other figure's name is beside it.
+QString shownTitle(const SceneContent &shown, const Camera &camera);
 /// Returns the lines of the overlays and arrows of `shown`, as straight pieces on the screen.
 std::vector<QLineF> explainingStrokes(const SceneContent &shown, const Camera &camera, const Theme &theme);
 

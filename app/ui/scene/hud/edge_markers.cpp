@@ -1,6 +1,7 @@
 #include "app/ui/scene/hud/edge_markers.h"
 
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "app/ui/scene/drawing/label_places.h"
 #include "sim/run/script/composed_interval.h"
@@ -40,8 +41,8 @@ QPointF leaving(QRectF free, QPointF target)
 QString distanceText(double px)
 {
     if (px >= 1e5)
-        return EdgeMarkersText::tr("%1\u2009px").arg(roughNumber(px));
-    return EdgeMarkersText::tr("%1\u2009px").arg(static_cast<qint64>(std::llround(px)));
+        return pixels(roughNumber(px));
+    return pixels(QString::number(std::llround(px)));
 }
 
 /// Returns an arrow with its tip at `tip`. It is much longer than wide, to show its direction clearly.
@@ -59,7 +60,7 @@ void placeLabel(EdgeMarker &marker, const SceneContent &shown, QRectF free, Labe
     const QString name =
         marker.bodies > 1 ? EdgeMarkersText::tr("%1 bodies").arg(marker.bodies)
                           : bodyTitle(QString::fromStdString(names[static_cast<std::size_t>(marker.point)]));
-    marker.text = EdgeMarkersText::tr("%1, %2").arg(name, distanceText(marker.away));
+    marker.text = listed(name, distanceText(marker.away));
     const QFontMetricsF metrics(shown.text);
     const double w = std::ceil(metrics.horizontalAdvance(marker.text)) + 14.0;
     const double h = std::ceil(metrics.height()) + 5.0;

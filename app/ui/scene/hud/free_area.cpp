@@ -76,7 +76,7 @@ QString selectedName(const SceneContent &shown)
     return bodyTitle(QString::fromStdString(shown.picture.interval->scene.names[point]));
 }
 
-QRectF nameBox(const SceneContent &shown, const Camera &camera, QRectF view)
+QRectF namePlace(const SceneContent &shown, const Camera &camera, QRectF view)
 {
     if (shown.selected < 0 || shown.isHidden(shown.selected) || hasCard(shown))
         return {};
@@ -91,7 +91,16 @@ QRectF nameBox(const SceneContent &shown, const Camera &camera, QRectF view)
         y = centre.y() - radius - belowBody - nameHeight;
     y = std::clamp(y, free.top(), std::max(free.top(), free.bottom() - nameHeight));
     const double x = std::clamp(centre.x() - 8.0, free.left(), std::max(free.left(), free.right() - width));
-    return {std::round(x) + 0.5, std::round(y) + 0.5, width, nameHeight};
+    return {x, y, width + 1.0, nameHeight + 1.0};
+}
+
+QRectF nameBox(const SceneContent &shown, const Camera &camera, QRectF view)
+{
+    const QRectF place = namePlace(shown, camera, view);
+    if (place.isEmpty())
+        return {};
+    return {std::round(place.x()) + 0.5, std::round(place.y()) + 0.5, place.width() - 1.0,
+            place.height() - 1.0};
 }
 
 }

@@ -15,7 +15,9 @@ QRectF cardArea(const SceneContent &shown, const Camera &camera, QRectF view);
 bool hasCard(const SceneContent &shown);
 /// Returns the name of the selected body.
 QString selectedName(const SceneContent &shown);
-/// Returns the box of that name in `view`; empty if the name is not shown.
+/// Returns where that name is in `view`; empty if the name is not shown. The place moves exactly as the body does.
+QRectF namePlace(const SceneContent &shown, const Camera &camera, QRectF view);
+/// Returns the box of the name, on whole pixels inside that place.
 QRectF nameBox(const SceneContent &shown, const Camera &camera, QRectF view);
 
 }

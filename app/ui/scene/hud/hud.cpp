@@ -2,6 +2,8 @@
 
 #include "app/model/picture/rest_marks.h"
 #include "app/model/text/accuracy_text.h"
+#include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/scene_words.h"
 #include "app/ui/scene/drawing/arrows.h"
 #include "app/ui/scene/drawing/label_places.h"
@@ -50,7 +52,7 @@ double scaleLength(double zoom)
 
 QString plain(double value)
 {
-    return QLocale().toString(value, 'g', 6);
+    return std::abs(value) < 1e6 ? QLocale().toString(value, 'g', 6) : roughNumber(value);
 }
 
 /// Returns the meaning of an arrow of the legend's length and, if it has just changed, its previous meaning.
@@ -198,7 +200,7 @@ double Hud::drawScale(QPainter &painter, const Camera &camera, QRectF view) cons
     painter.setPen(QPen(captionInk(), 1.3, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
     painter.setBrush(Qt::NoBrush);
     painter.drawPolyline(QPolygonF{{x, y - 4.0}, {x, y}, {end, y}, {end, y - 4.0}});
-    const QString text = HudText::tr("%1\u2009px").arg(plain(px));
+    const QString text = pixels(plain(px));
     painter.setFont(m_shown.text);
     painter.drawText(QPointF(end + 10.0, y + 2.5), text);
     return end + 10.0 + QFontMetricsF(m_shown.text).horizontalAdvance(text);

@@ -11,6 +11,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -143,15 +144,19 @@ double UnitCircle::coveredBy(const QRect &box) const
 
 void UnitCircle::place()
 {
-    const QRect first = boxAt(Corner::topRight);
-    const bool hasRoom = m_scene.viewport()->rect().contains(first);
-    setVisible(m_arrow && hasRoom);
-    if (!m_arrow || !hasRoom) {
+    constexpr std::array corners{Corner::topRight, Corner::topLeft, Corner::bottomRight, Corner::bottomLeft};
+    const QRect view = m_scene.viewport()->rect();
+    const bool isShown = m_arrow && view.contains(boxAt(Corner::topRight)) &&
+                         std::any_of(corners.begin(), corners.end(), [&](Corner corner) {
+                             return !boxAt(corner).contains(view.center()); // else it hides the figure
+                         });
+    setVisible(isShown);
+    if (!isShown) {
         m_scene.setCard({});
         return;
     }
     double least = coveredBy(boxAt(m_corner));
-    for (const Corner corner : {Corner::topRight, Corner::topLeft, Corner::bottomRight, Corner::bottomLeft}) {
+    for (const Corner corner : corners) {
         if (least == 0.0)
             break; // it stays where it covers nothing, so it rarely moves
         const double covered = coveredBy(boxAt(corner));

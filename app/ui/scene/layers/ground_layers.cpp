@@ -210,15 +210,23 @@ void drawNearGround(const Canvas &canvas, TreePainter &tree)
         return;
     const SkyColors colors = skyColors(canvas.theme.scheme());
     const QPolygonF meadow = drawMeadow(canvas, colors);
-    const sim::State &state = canvas.shown.state();
-    if (!view.tree || subjectBox(view, state).bottom() < horizonOf(canvas.shown) + leastBuried)
+    const double deepest = horizonOf(canvas.shown) + leastBuried;
+    const auto isBuried = [deepest](const Picture &one) {
+        return one.view->tree && subjectBox(*one.view, one.state).bottom() >= deepest;
+    };
+    const bool isTreeBuried = isBuried(canvas.shown.picture);
+    const bool isGhostBuried = canvas.shown.comparison && isBuried(*canvas.shown.comparison);
+    if (!isTreeBuried && !isGhostBuried)
         return;
     // Branches can bend below the ground. They show through the meadow there, as in a cut-away drawing.
     QPainterPath outline;
     outline.addPolygon(meadow);
     canvas.painter.save();
     canvas.painter.setClipPath(outline, Qt::IntersectClip);
-    tree.draw(canvas, canvas.shown.picture.view, state, colors.buried);
+    if (isGhostBuried)
+        drawComparison(canvas, tree);
+    if (isTreeBuried)
+        tree.draw(canvas, canvas.shown.picture.view, canvas.shown.state(), colors.buried);
     canvas.painter.restore();
 }
 

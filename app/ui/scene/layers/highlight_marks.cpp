@@ -2,6 +2,7 @@
 
 #include "app/model/picture/arrow_angle.h"
 #include "app/model/text/numbers.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/sentences.h"
 #include "app/ui/scene/drawing/arrows.h"
 #include "lessons/api/view/named_place.h"
@@ -135,7 +136,7 @@ private:
             drawLine(from, to);
         else
             drawArrowOver(from, to - from, false);
-        drawNumber((from + to) / 2.0, HighlightText::tr("%1\u2009px").arg(fixedNumber(size, 1)));
+        drawNumber((from + to) / 2.0, pixels(fixedNumber(size, 1)));
     }
 
     void drawVelocity(const Highlight &one) const
@@ -162,7 +163,7 @@ private:
         if (!m_canvas.reaches(*middle, radius) || radius > mostRadius)
             return;
         stroke([&](QPainter &painter) { painter.drawEllipse(*middle, radius, radius); });
-        drawNumber(*middle + QPointF(0.0, -radius), HighlightText::tr("%1\u2009px").arg(fixedNumber(px, 1)));
+        drawNumber(*middle + QPointF(0.0, -radius), pixels(fixedNumber(px, 1)));
     }
 
     static constexpr double mostRadius = 4000.0; ///< screen px; the painter takes long for larger circles

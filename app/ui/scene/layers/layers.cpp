@@ -128,7 +128,7 @@ void drawName(const Canvas &canvas)
         return;
     const QPointF from =
         titleBox(shown, canvas.camera).topLeft() + QPointF(0.0, QFontMetricsF(shown.figures).ascent());
-    drawWords(canvas, {from, shown.name, shown.figures, canvas.tokens().ink});
+    drawWords(canvas, {from, shownTitle(shown, canvas.camera), shown.figures, canvas.tokens().ink});
 }
 
 namespace {

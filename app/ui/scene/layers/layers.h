@@ -60,7 +60,7 @@ void drawOnion(const Canvas &canvas, TreePainter &tree);
 void drawTrail(const Canvas &canvas);
 /// Draws branches and blossoms.
 void drawTree(const Canvas &canvas, TreePainter &tree);
-/// Draws the near ground below an open sky. Branches below the ground show through.
+/// Draws the near ground below an open sky. Branches below the ground show through, and so does the ghost.
 void drawNearGround(const Canvas &canvas, TreePainter &tree);
 /// Draws limbs around sticks.
 void drawLimbs(const Canvas &canvas);
