@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QEvent>
+#include <QFrame>
 
 #include <algorithm>
 
@@ -15,10 +16,11 @@ constexpr int flowMargin = 4; ///< px above and below the buttons
 
 }
 
-ButtonFlow::ButtonFlow(QWidget *box) : QWidget(box), m_strip(new QWidget(box))
+ButtonFlow::ButtonFlow(QWidget *box) : QWidget(box), m_strip(new QWidget(box)), m_edge(new QFrame(m_strip))
 {
     m_strip->setObjectName("panel"); // text scrolls past behind the buttons
     m_strip->setAttribute(Qt::WA_StyledBackground);
+    m_edge->setObjectName("divider");
     QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     setSizePolicy(policy);
@@ -37,7 +39,8 @@ void ButtonFlow::append(QAbstractButton &button, const QString &name, const QStr
 void ButtonFlow::refresh()
 {
     updateGeometry();
-    place();
+    if (isVisible())
+        place();
 }
 
 template <class Set>
@@ -112,6 +115,8 @@ void ButtonFlow::place()
         top = std::max(0, std::min(top, visibleBottom - height()));
     }
     m_strip->setGeometry(x(), top, width(), height());
+    m_edge->setGeometry(0, 0, width(), 1);
+    m_edge->setVisible(top < y()); // where they cover text
     m_strip->raise();
 }
 

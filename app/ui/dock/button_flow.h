@@ -5,6 +5,7 @@
 #include <vector>
 
 class QAbstractButton;
+class QFrame;
 
 namespace app {
 
@@ -48,6 +49,7 @@ private:
     void watchScrolling();
 
     QWidget *m_strip;
+    QFrame *m_edge; ///< the line between the buttons and a text behind them
     std::vector<QAbstractButton *> m_buttons;
     QWidget *m_viewport = nullptr; ///< of the scroll area around; null: none
 };

@@ -3,6 +3,7 @@
 #include "app/ui/actions/command.h"
 
 #include <QDockWidget>
+#include <QLayout>
 #include <QMainWindow>
 
 #include <algorithm>
@@ -28,7 +29,12 @@ void Docks::fill(Panel panel, QWidget &content, QWidget *title)
 {
     QDockWidget &dock = (*this)[panel];
     dock.setTitleBarWidget(title ? title : new QWidget(&dock));
+    // Qt would lay the content out, for a size that is not its own yet, which takes long.
+    if (content.layout())
+        content.layout()->setEnabled(false);
     dock.setWidget(&content);
+    if (content.layout())
+        content.layout()->setEnabled(true);
 }
 
 std::vector<QDockWidget *> Docks::all() const

@@ -1,6 +1,8 @@
 #include "app/ui/dock/panel_sizes.h"
 
 #include "app/ui/learn/learn_panel.h"
+#include "app/ui/parameters/parameter_panel.h"
+#include "app/ui/parameters/parameter_row.h"
 
 #include <QDockWidget>
 #include <QMainWindow>
@@ -96,7 +98,11 @@ int PanelSizes::parameterHeight(int available) const
     int wanted = parameters.sizeHint().height();
     if (m_layout.id.mode == WindowMode::measure) { // a plot needs its height; parameters can be scrolled
         const int least = parameters.minimumSizeHint().height();
-        wanted = std::clamp(available - readableAccuracy, least, std::max(least, wanted));
+        const int missing = wanted - (available - readableAccuracy);
+        const int rows = // none is cut in two
+            std::max(0, missing - ParameterPanel::slack + ParameterRow::height - 1) / ParameterRow::height;
+        if (missing > 0)
+            wanted = std::max(least, wanted - rows * ParameterRow::height - ParameterPanel::slack);
     }
     return m_layout.store.length(m_layout.id.key(), parametersName, wanted);
 }

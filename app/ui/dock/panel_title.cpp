@@ -34,11 +34,6 @@ void PanelTitle::applyTheme()
     m_caption->setFont(m_theme.ui(12));
 }
 
-void PanelTitle::setTitle(const QString &title)
-{
-    m_title->setText(title);
-}
-
 void PanelTitle::setShortCaption(const QString &caption)
 {
     m_shortCaption = caption;

@@ -24,7 +24,6 @@ public:
 
     PanelTitle(const QString &title, CaptionPlace place, const Theme &theme, QWidget *parent = nullptr);
 
-    void setTitle(const QString &title);
     QString caption() const;
     void setCaption(const QString &caption);
     /// Sets what is shown if there is no room for the caption. If that does not fit either, nothing is. Beside tabs nothing is

@@ -122,9 +122,24 @@ FoldBox::FoldBox(const QString &title, const Theme &theme, QWidget *parent)
     all->addWidget(m_title);
     all->addWidget(m_content);
     connect(m_title, &QAbstractButton::toggled, this, [this](bool open) {
+        if (open && !m_isFilled)
+            fillNow();
         m_content->setVisible(open);
         emit unfolded(open);
     });
+}
+
+void FoldBox::fillNow()
+{
+    m_isFilled = true;
+    fill();
+    QWidget *before = m_title; // Tab goes from here to what was just made, and then to what is below
+    for (QWidget *one : m_content->findChildren<QWidget *>()) {
+        if (one->focusPolicy() == Qt::NoFocus)
+            continue;
+        setTabOrder(before, one);
+        before = one;
+    }
 }
 
 void FoldBox::showTitle(const QString &title, bool isDone, const QString &spoken)

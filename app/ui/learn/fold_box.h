@@ -59,6 +59,11 @@ signals:
     void unfolded(bool open);
 
 protected:
+    /// Called when the box is unfolded for the first time. Makes what is below the title: most boxes stay folded, and
+    /// texts take long to make.
+    virtual void fill() = 0;
+    bool isFilled() const { return m_isFilled; }
+    const Theme &theme() const { return m_theme; }
     WhyButton &title() { return *m_title; }
     /// Shows a title in Markdown, with a tick and with other words for a screen reader if it `isDone`.
     void showTitle(const QString &title, bool isDone, const QString &spoken);
@@ -69,10 +74,13 @@ protected:
     NarrationText *addText(const QString &name, const QString &text);
 
 private:
+    void fillNow();
+
     const Theme &m_theme;
     WhyButton *m_title;
     QWidget *m_content;
     QVBoxLayout *m_column;
+    bool m_isFilled = false;
 };
 
 }

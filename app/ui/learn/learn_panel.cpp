@@ -27,6 +27,7 @@ namespace app {
 namespace {
 
 constexpr int leastRows = 2;       ///< list rows that stay visible with a long text, with the open step
+constexpr int rowsToScroll = 4;    ///< from which on the list has a scroll bar
 constexpr int summaryHeight = 400; ///< px, preferred height of a summary; it scrolls
 constexpr int recallHeight = 520;  ///< px, the same with questions
 constexpr int topMargin = 4;
@@ -266,6 +267,8 @@ void LearnPanel::showCount()
 
 void LearnPanel::shareHeight()
 {
+    if (!testAttribute(Qt::WA_Resized))
+        return; // it has no size yet
     // The text comes first: the list stays usable when it scrolls, but learners do not read a text that they
     // have to scroll.
     if (m_form == Form::rail) {
@@ -277,6 +280,7 @@ void LearnPanel::shareHeight()
     const int least = std::min(all, leastRows * LessonDelegate::lessonHeight);
     const int room = height() - topMargin - PanelTitle::height - listMargin - 1;
     if (m_unfold->isChecked()) {
+        m_list->setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
         m_list->setFixedHeight(std::min(room, all));
         m_list->showOpen();
         return;
@@ -292,6 +296,9 @@ void LearnPanel::shareHeight()
     const int most = room - fewest;
     m_list->setFixedHeight(std::max(m_list->minimumSizeHint().height(), std::min(wanted, most)));
     m_unfold->setVisible(m_list->height() < all);
+    // In a list of few rows, the bar would be hardly longer than its handle. The wheel and the keys still scroll.
+    const bool isLow = m_list->height() < rowsToScroll * LessonDelegate::lessonHeight;
+    m_list->setVerticalScrollBarPolicy(isLow ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
     m_list->showOpen();
 }
 

@@ -4,6 +4,8 @@
 #include "app/ui/learn/prose.h"
 
 #include <QDesktopServices>
+#include <QMimeData>
+#include <QResizeEvent>
 
 namespace app {
 
@@ -68,18 +70,44 @@ void NarrationText::applyTheme()
     updateGeometry();
 }
 
+QMimeData *NarrationText::createMimeDataFromSelection() const
+{
+    // Without the signs that keep `++` in one line: a listing could not be compiled with them.
+    QMimeData *copied = QTextBrowser::createMimeDataFromSelection();
+    copied->setText(copied->text().remove(unbroken));
+    copied->setHtml(copied->html().remove(unbroken));
+    return copied;
+}
+
 int NarrationText::heightForWidth(int width) const
 {
     QTextDocument *text = document();
     const qreal was = text->textWidth();
     const int height = m_heights.at(width, *text);
-    layOut(*text, was);
+    if (isVisible())
+        layOut(*text, was);
     return height;
 }
 
 QSize NarrationText::sizeHint() const
 {
-    return {240, heightForWidth(std::max(width(), 160))};
+    // Before it has a width, its height means nothing, and takes long to compute.
+    const bool hasWidth = testAttribute(Qt::WA_Resized);
+    return {240, hasWidth ? heightForWidth(std::max(width(), 160)) : minimumSizeHint().height()};
+}
+
+void NarrationText::resizeEvent(QResizeEvent *event)
+{
+    // Qt lays a text out again also for the width that it has already.
+    const bool isLaidOut = document()->textWidth() == event->size().width();
+    QResizeEvent resized(event->size(), isLaidOut ? event->size() : event->oldSize());
+    QTextBrowser::resizeEvent(&resized);
+}
+
+void NarrationText::showEvent(QShowEvent *event)
+{
+    layOut(*document(), viewport()->width()); // heightForWidth() may have left another width
+    QTextBrowser::showEvent(event);
 }
 
 }

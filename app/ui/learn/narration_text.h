@@ -38,8 +38,11 @@ signals:
     void linkActivated(const QUrl &link, const QPoint &place);
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void showEvent(QShowEvent *event) override;
     /// Called when the document has been filled again, for example with the colours of another theme.
     virtual void decorate() {}
+    QMimeData *createMimeDataFromSelection() const override;
 
 private:
     void applyTheme();

@@ -1,6 +1,7 @@
 #include "app/ui/learn/prose.h"
 
 #include "app/model/text/glossary.h"
+#include "app/model/text/numbers.h"
 
 #include <QFontMetricsF>
 #include <QRegularExpression>
@@ -67,7 +68,10 @@ void setProse(QTextDocument &document, const QString &markdown, const ProseStyle
         document.setDefaultFont(font);
     QTextCursor all(&document);
     all.beginEditBlock(); // laid out once, at its end
-    document.setMarkdown(markdown, QTextDocument::MarkdownNoHTML);
+    // Qt breaks lines between the two signs of `i++`.
+    document.setMarkdown(
+        withoutBreaksInNumbers(markdown).replace(QStringLiteral("++"), '+' + QString(unbroken) + '+'),
+        QTextDocument::MarkdownNoHTML);
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         styleFragments(block, style, theme);
         QTextBlockFormat format = block.blockFormat();

@@ -24,6 +24,9 @@ struct ProseStyle
     QFont::Weight weight = QFont::Normal;
 };
 
+/// A sign without width, at which no line breaks. setProse() puts it into `++`.
+inline constexpr QChar unbroken(0x2060);
+
 /// Fills `document` with `markdown`. Line heights are set here, because Qt style sheets cannot set them.
 void setProse(QTextDocument &document, const QString &markdown, const ProseStyle &style, const Theme &theme);
 

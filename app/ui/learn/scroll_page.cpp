@@ -20,6 +20,7 @@ void layOutPage(QWidget &panel, QWidget *text, QWidget *buttons)
     panel.setObjectName("panel");
     panel.setAttribute(Qt::WA_StyledBackground);
     QScrollArea *area = makeScrollArea(panel);
+    text->resize(area->size()); // or the area would compute a size at once, before it has one itself
     area->setWidget(text);
     auto *column = new QVBoxLayout(&panel);
     column->setContentsMargins(0, 0, 0, 0);

@@ -7,9 +7,13 @@
 namespace app {
 
 WhyBox::WhyBox(const lessons::Why &why, const Theme &theme, QWidget *parent)
-    : FoldBox(why.question, theme, parent)
+    : FoldBox(why.question, theme, parent), m_why(why)
 {
-    auto *answer = new WhyText(why, theme, content());
+}
+
+void WhyBox::fill()
+{
+    auto *answer = new WhyText(m_why, theme(), content());
     column().addWidget(answer);
     connect(answer, &WhyText::highlightsChanged, this, &WhyBox::highlightsChanged);
 }

@@ -16,6 +16,12 @@ public:
 signals:
     /// Emitted when a formula of the answer highlights other things. Empty: nothing.
     void highlightsChanged(const std::vector<lessons::Highlight> &highlights);
+
+protected:
+    void fill() override;
+
+private:
+    const lessons::Why m_why; ///< a copy: the documents of a step can be read again
 };
 
 }

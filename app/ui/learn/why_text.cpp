@@ -1,5 +1,7 @@
 #include "app/ui/learn/why_text.h"
 
+#include "app/model/text/numbers.h"
+
 #include <QAbstractTextDocumentLayout>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -39,7 +41,8 @@ void WhyText::decorate()
     m_blocks.clear();
     QTextBlock block = document()->begin();
     for (std::size_t i = 0; i < m_formulas.size(); ++i) {
-        while (block.isValid() && block.text() != m_formulas[i].text)
+        const QString shown = withoutBreaksInNumbers(m_formulas[i].text); // as setProse() wrote it
+        while (block.isValid() && block.text() != shown)
             block = block.next();
         m_blocks.push_back(block.isValid() ? block.blockNumber() : -1);
         if (!block.isValid())

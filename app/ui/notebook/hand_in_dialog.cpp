@@ -3,6 +3,7 @@
 #include "app/model/files/gallery.h"
 #include "app/model/files/whole_file.h"
 #include "app/model/notebook/notebook_file.h"
+#include "app/model/text/phrases.h"
 #include "app/model/text/quoting.h"
 #include "app/ui/dialogs/ask_file.h"
 #include "app/ui/dialogs/caption.h"
@@ -13,7 +14,7 @@
 #include <QCheckBox>
 #include <QDir>
 #include <QFileInfo>
-#include <QFormLayout>
+#include <QHBoxLayout>
 #include <QHash>
 #include <QLabel>
 #include <QLineEdit>
@@ -22,6 +23,7 @@
 #include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -79,6 +81,11 @@ HandInDialog::HandInDialog(const LessonLibrary &library, const Progress &progres
     addFields(*column);
     addFiles(*column);
     addButtons(*column);
+    int widest = 0;
+    for (const QLabel *label : std::as_const(m_labels))
+        widest = std::max(widest, label->sizeHint().width());
+    for (QLabel *label : std::as_const(m_labels))
+        label->setMinimumWidth(widest);
     resize(handInWidth, sizeHint().height());
 }
 
@@ -93,6 +100,18 @@ QCheckBox *HandInDialog::box(const QString &name, const QString &text, const QSt
     return box;
 }
 
+QHBoxLayout *HandInDialog::fieldRow(const QString &text, QLineEdit &field)
+{
+    auto *label = new QLabel(text, this);
+    label->setBuddy(&field);
+    m_labels << label;
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(label);
+    row->addWidget(&field, 1);
+    return row;
+}
+
 void HandInDialog::addFields(QVBoxLayout &column)
 {
     m_name = new QLineEdit(this);
@@ -101,18 +120,15 @@ void HandInDialog::addFields(QVBoxLayout &column)
     m_name->setPlaceholderText(tr("may stay empty"));
     m_name->setAccessibleName(tr("Name"));
     m_name->setToolTip(tr("The name that stands in the notebook. Without it, the notebook names nobody"));
-    auto *form = new QFormLayout;
-    form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("&Name"), m_name);
-    column.addLayout(form);
+    column.addLayout(fieldRow(tr("&Name"), *m_name));
     m_lessons = new QListWidget(this);
     m_lessons->setObjectName("handInLessons");
     m_lessons->setAccessibleName(tr("Lessons"));
     m_lessons->setToolTip(tr("Space chooses a lesson, or leaves it out"));
     m_lessons->setFixedHeight(lessonListHeight);
-    auto *heading = new QLabel(tr("&Lessons, and how much you did in them"), this);
-    heading->setBuddy(m_lessons);
-    column.addWidget(heading);
+    m_heading = new QLabel(tr("&Lessons, and how much you did in them"), this);
+    m_heading->setBuddy(m_lessons);
+    column.addWidget(m_heading);
     column.addWidget(m_lessons);
     connect(m_lessons, &QListWidget::itemChanged, this, &HandInDialog::followChange);
     m_gallery = box("handInGallery", {}, tr("Also puts in the scenes that you keep in the gallery"), column);
@@ -135,12 +151,7 @@ void HandInDialog::addFiles(QVBoxLayout &column)
     choose->setObjectName("handInChoose");
     choose->setToolTip(tr("Choose a folder and a name"));
     choose->setAutoDefault(false);
-    auto *label = new QLabel(tr("F&ile"), this);
-    label->setBuddy(m_file);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(label);
-    row->addWidget(m_file, 1);
+    QHBoxLayout *row = fieldRow(tr("F&ile"), *m_file);
     row->addWidget(choose);
     column.addLayout(row);
     connect(choose, &QPushButton::clicked, this, &HandInDialog::choose);
@@ -182,6 +193,8 @@ void HandInDialog::offer()
         m_file->setText(documentsFolder() + '/' + tr("notebook", "name of a file"));
     list();
     followChange();
+    if (!isVisible())
+        resize(width(), sizeHint().height());
     placeOverParent(*this);
     show();
     raise();
@@ -197,12 +210,14 @@ void HandInDialog::list()
         const int count = notebookEntries(lesson, m_progress, m_notes);
         if (count == 0)
             continue;
-        auto *item = new QListWidgetItem(tr("%1 (%2)").arg(lesson.title).arg(count), m_lessons);
+        auto *item = new QListWidgetItem(withRemark(lesson.title, QString::number(count)), m_lessons);
         item->setData(Qt::UserRole, lesson.id);
         item->setSizeHint({0, lessonRowHeight});
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
         item->setCheckState(Qt::Checked);
     }
+    m_heading->setVisible(m_lessons->count() > 0);
+    m_lessons->setVisible(m_lessons->count() > 0);
     if (m_lessons->count() > 0)
         m_lessons->setCurrentRow(0);
     const std::size_t scenes = m_folder.isEmpty() ? 0 : Gallery(m_folder).all().size();

@@ -5,6 +5,7 @@
 #include <QDialog>
 
 class QCheckBox;
+class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListWidget;
@@ -33,6 +34,8 @@ private:
     void addFields(QVBoxLayout &column);
     void addFiles(QVBoxLayout &column);
     void addButtons(QVBoxLayout &column);
+    /// Returns a row with a field and its label.
+    QHBoxLayout *fieldRow(const QString &text, QLineEdit &field);
     QCheckBox *box(const QString &name, const QString &text, const QString &help, QVBoxLayout &column);
     void list();
     void choose();
@@ -51,6 +54,8 @@ private:
     const Proofs &m_proofs;
     QString m_folder; ///< of the gallery
     QLineEdit *m_name = nullptr;
+    QList<QLabel *> m_labels;    ///< of the fields, to align these
+    QLabel *m_heading = nullptr; ///< of the lessons
     QListWidget *m_lessons = nullptr;
     QCheckBox *m_gallery = nullptr;
     QCheckBox *m_notebook = nullptr;

@@ -21,6 +21,8 @@ namespace {
 constexpr QChar minus(0x2212);
 constexpr QChar ellipsis(0x2026);
 constexpr double farthest = 1e18; ///< outside the range of every parameter
+constexpr double large = 1e5;     ///< from here on the field grows: a number that is cut would look smaller
+constexpr int besideText = 14;    ///< px
 constexpr int mostFigures = 16;
 constexpr int keptDecimals = 60; ///< enough that the base class rounds nothing
 
@@ -101,17 +103,27 @@ QString NumberBox::textFromValue(double value) const
     const QString exact = exactText(value);
     if (m_inFull || fits(exact))
         return exact;
+    if (const QString whole = writtenNumber(value, 0); fits(whole))
+        return whole; // without noughts after the point
     for (int figures = mostFigures; m_rounds && figures > 0; --figures) {
         const QString rounded = exactText(QString::number(value, 'g', figures).toDouble());
         if (fits(rounded))
             return rounded;
     }
-    return fontMetrics().elidedText(exact, Qt::ElideRight, width_ - 14);
+    return fontMetrics().elidedText(exact, Qt::ElideRight, minimumWidth() - besideText);
 }
 
 bool NumberBox::fits(const QString &text) const
 {
-    return fontMetrics().horizontalAdvance(text) <= width_ - 14;
+    return fontMetrics().horizontalAdvance(text) <= minimumWidth() - besideText;
+}
+
+int NumberBox::wantedWidth() const
+{
+    if (m_rounds || m_isEmpty || std::abs(value()) < large)
+        return width_;
+    return std::clamp(fontMetrics().horizontalAdvance(writtenNumber(value(), 0)) + besideText, width_,
+                      widest_);
 }
 
 void NumberBox::setRounding(bool rounds)
@@ -166,6 +178,7 @@ void NumberBox::stepBy(int steps)
 
 void NumberBox::write()
 {
+    setFixedWidth(wantedWidth());
     const QString text = textFromValue(value());
     if (lineEdit()->text() != text)
         lineEdit()->setText(text);

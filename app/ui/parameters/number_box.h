@@ -9,7 +9,7 @@
 
 namespace app {
 
-/// A field for a parameter's number. A number that does not fit is shown cut, or rounded after
+/// A field for a parameter's number. It grows for large numbers. A number that does not fit is shown cut, or rounded after
 /// setRounding(true). The tooltip and the field during editing show it in full; the value itself is never
 /// rounded. The learner can type numbers outside the parameter's range; the owner clamps them. A click
 /// selects the number, so that typing replaces it. Enter and Space commit the typed number: no number
@@ -37,8 +37,8 @@ public:
     double valueFromText(const QString &text) const override;
     QValidator::State validate(QString &text, int &position) const override;
     void stepBy(int steps) override;
-    QSize sizeHint() const override { return {width_, height_}; }
-    QSize minimumSizeHint() const override { return {width_, height_}; }
+    QSize sizeHint() const override { return {minimumWidth(), height_}; }
+    QSize minimumSizeHint() const override { return sizeHint(); }
 
 signals:
     /// Emitted when the learner enters a number, which may be out of range.
@@ -54,7 +54,8 @@ protected:
     StepEnabled stepEnabled() const override { return StepUpEnabled | StepDownEnabled; }
 
 private:
-    static constexpr int width_ = 62; ///< six figures, such as 0.0025
+    static constexpr int width_ = 62;  ///< six figures, such as 0.0025
+    static constexpr int widest_ = 96; ///< ten figures, such as 1000000.25
     static constexpr int height_ = 26;
 
     void applyTheme();
@@ -67,6 +68,8 @@ private:
     /// Returns the focus to the widget that had it before a click focused this field.
     void giveBack();
     bool fits(const QString &text) const;
+    /// Returns the width of the field for the present value, px.
+    int wantedWidth() const;
     /// Returns how much an arrow key changes `value`. The sign of `steps` is the direction.
     double stepFrom(double value, int steps) const;
 

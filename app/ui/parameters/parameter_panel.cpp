@@ -21,7 +21,6 @@ constexpr int labelWidth = 88;
 constexpr int unitWidth = 53;
 constexpr int disclosureHeight = 28;
 constexpr int bottomMargin = 12;
-constexpr int slack = 8;                    ///< px by which that margin may be smaller
 constexpr qint64 refreshMilliseconds = 100; ///< during playback: faster numbers cannot be read
 
 }
@@ -282,13 +281,16 @@ int ParameterPanel::fullHeight() const
 
 QSize ParameterPanel::sizeHint() const
 {
+    // Rows that unfold because there is room must not take it from the code: only those that the learner unfolds do.
     const bool some = m_rows.size() > alwaysShown;
-    return {400, heightOf(some && !m_unfolded ? alwaysShown : m_rows.size(), some)};
+    return {400, heightOf(some && !(m_unfolded && m_chosen) ? alwaysShown : m_rows.size(), some)};
 }
 
 QSize ParameterPanel::minimumSizeHint() const
 {
-    return {300, heightOf(std::min(m_rows.size(), leastShown), false)};
+    // Without a part of the margin, in which the next row would begin.
+    const bool isCut = m_rows.size() > leastShown;
+    return {300, heightOf(std::min(m_rows.size(), leastShown), false) - (isCut ? slack : 0)};
 }
 
 void ParameterPanel::resizeEvent(QResizeEvent *event)

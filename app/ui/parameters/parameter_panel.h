@@ -36,7 +36,9 @@ public:
     /// unfolds it looks pressed.
     void setHighlights(const std::vector<lessons::Highlight> &highlights);
 
-    /// Returns the size that shows the title and all unfolded rows.
+    static constexpr int slack = 8; ///< px by which the margin at the bottom may be smaller
+
+    /// Returns the size that shows the title and the rows, without those that unfolded only because there is room.
     QSize sizeHint() const override;
     /// Returns the height from which all parameters are unfolded automatically, px.
     int fullHeight() const;

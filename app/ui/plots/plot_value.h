@@ -38,7 +38,9 @@ protected:
     void paintEvent(QPaintEvent *) override
     {
         QPainter painter(this);
-        painter.setFont(m_theme.mono(12));
+        // The raised digits of the monospaced font cannot be told apart at this size.
+        const bool hasPower = m_text.contains(QChar(0x00B7));
+        painter.setFont(hasPower ? m_theme.ui(12) : m_theme.mono(12));
         painter.setPen(m_theme.tokens().ink);
         if (painter.fontMetrics().horizontalAdvance(m_text) <= width())
             painter.drawText(rect(), Qt::AlignRight | Qt::AlignVCenter, m_text);

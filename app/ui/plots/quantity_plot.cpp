@@ -1,5 +1,6 @@
 #include "app/ui/plots/quantity_plot.h"
 
+#include "app/model/text/phrases.h"
 #include "app/model/text/quantity_text.h"
 #include "app/ui/plots/dashed_curve.h"
 #include "sim/run/script/composed_interval.h"
@@ -431,7 +432,7 @@ void QuantityPlot::paintUnits(QPainter &painter) const
     }
     const QString across = quantityTitle(m_series.bound(m_spec.across));
     painter.drawText(QRectF(area.left(), height() - line - 3.0, area.width(), line),
-                     Qt::AlignRight | Qt::AlignVCenter, tr("%1, %2").arg(across, unit(m_spec.across)));
+                     Qt::AlignRight | Qt::AlignVCenter, listed(across, unit(m_spec.across)));
 }
 
 void QuantityPlot::paintNow(QPainter &painter) const
@@ -450,9 +451,8 @@ QString QuantityPlot::hoveredText(std::int64_t frame) const
         return {};
     const Samples &run = m_series.run();
     const std::size_t bucket = run.bucketNear(frame);
-    return tr("frame %1: %2")
-        .arg(run.frameOf(bucket))
-        .arg(readout(run.at(bucket, m_up).first, run.at(bucket, m_across).first));
+    return labelled(frameName(run.frameOf(bucket)),
+                    readout(run.at(bucket, m_up).first, run.at(bucket, m_across).first));
 }
 
 std::vector<QPointF> QuantityPlot::curvesAt(std::int64_t frame) const

@@ -2,7 +2,6 @@
 
 #include "app/model/sandbox/build_guide.h"
 #include "app/model/sandbox/sandbox.h"
-#include "app/model/text/sentences.h"
 #include "app/ui/actions/commands.h"
 #include "app/ui/actions/sandbox_commands.h"
 #include "app/ui/dock/panel_title.h"

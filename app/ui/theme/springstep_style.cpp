@@ -71,6 +71,7 @@ int SpringstepStyle::styleHint(StyleHint hint, const QStyleOption *option, const
         return Qt::LeftButton;
     case SH_FocusFrame_AboveWidget:
         return 1;
+    case SH_DialogButtonBox_ButtonsHaveIcons: // those of Fusion, in Qt's own file dialog
     case SH_EtchDisabledText:
     case SH_DitherDisabledText:
     case SH_UnderlineShortcut:

@@ -1,5 +1,7 @@
 #include "app/ui/window/left_pages.h"
 
+#include <QLayout>
+
 namespace app {
 
 LeftPages::LeftPages(QWidget *parent) : QStackedWidget(parent)
@@ -10,7 +12,9 @@ LeftPages::LeftPages(QWidget *parent) : QStackedWidget(parent)
 void LeftPages::setLessons(QWidget &page)
 {
     m_lessons = &page;
+    page.layout()->setEnabled(false); // Qt would lay the page out, for a size that is not its own yet
     addWidget(&page);
+    page.layout()->setEnabled(true);
 }
 
 void LeftPages::setTools(QWidget &page)

@@ -127,6 +127,7 @@ void HandInTest::withNothingDoneItSaysWhatToDo()
     QVERIFY(fixture.dialog().message().startsWith("There is nothing to hand in yet."));
     QVERIFY(!fixture.write().isEnabled());
     QCOMPARE(fixture.part<QListWidget>("handInLessons").count(), 0);
+    QVERIFY(fixture.part<QListWidget>("handInLessons").isHidden());
 }
 
 void HandInTest::whatIsDoneByHandIsVerifiedAndShownOnPages()
@@ -136,6 +137,8 @@ void HandInTest::whatIsDoneByHandIsVerifiedAndShownOnPages()
     fixture.open();
     auto &lessons = fixture.part<QListWidget>("handInLessons");
     QCOMPARE(lessons.count(), 1);
+    QVERIFY(lessons.isVisible());
+    QCOMPARE(fixture.part<QLineEdit>("handInName").x(), fixture.part<QLineEdit>("handInFile").x());
     QVERIFY(fixture.part<QLineEdit>("handInName").hasFocus());
     fixture.type("handInName", "Ada");
     fixture.type("handInFile", fixture.path("ada"));

@@ -228,8 +228,10 @@ private slots:
         QTest::keyClick(&fixture.window, Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
         QVERIFY(fixture.panel().isVisible());
         QVERIFY(fixture.panel().sentence().startsWith("There is no other run"));
+        QVERIFY(!fixture.panel().plot().isVisible()); // axes without a curve
         fixture.fork(100, 60, 0.75);
         QVERIFY(fixture.panel().sentence().startsWith("No difference up to frame 60"));
+        QVERIFY(fixture.panel().plot().isVisible());
         fixture.session.playback().goTo({80, 0});
         QTRY_COMPARE(fixture.panel().sentence(), "Largest: 53\u2009px apart, foot, at frame 80.");
         QCOMPARE(fixture.panel().plot().accessibleDescription(), fixture.panel().sentence());

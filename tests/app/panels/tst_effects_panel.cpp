@@ -104,6 +104,21 @@ private slots:
         QTEST(line.runs, "runs");
     }
 
+    /// The times of all effects are measured one after another, so one can come out longer than the whole.
+    void anEffectThatTakesAllOfTheTimeSavesNoNumber()
+    {
+        const auto effect = std::make_shared<const sim::Damping>(0.9);
+        sim::FrameCost cost;
+        cost.rounds = 5;
+        cost.ns = 2000.0;
+        cost.effects = {{effect, 1, 1.0, 2003.0, 5.0}};
+        EffectFacts facts;
+        facts.listed = {effect};
+        facts.cost = &cost;
+        QCOMPARE(effectLines(facts).front().saving,
+                 "Nearly all of a frame’s 2.000\u2009µs are spent in “Damping”.");
+    }
+
     /// A scene may list two effects with one id, and one switch stands for both.
     void twoEffectsOfOneIdAreOneLine()
     {

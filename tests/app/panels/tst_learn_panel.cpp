@@ -53,6 +53,7 @@ private slots:
     void theListSaysHowFarTheLearnerIs();
     void aFileThatIsNoLessonIsNamedLast();
     void aLongTextKeepsTheOpenStepInSight();
+    void theTitleOfTheOpenLessonStaysInSight();
     void theTextIsShownWholeBeforeTheListIs();
     void nextAndBackCrossLessons();
     void theEndsSayWhyNothingFollows();
@@ -164,6 +165,30 @@ void LearnPanelTest::aLongTextKeepsTheOpenStepInSight()
     world.session.openStep("one", "first"); // of a lesson with more steps than there is room for
     QTRY_VERIFY(list.viewport()->rect().contains(list.visualRect(stepIndex(list, 0, 0))));
     QVERIFY(list.viewport()->rect().contains(list.visualRect(list.model()->index(0, 0))));
+}
+
+void LearnPanelTest::theTitleOfTheOpenLessonStaysInSight()
+{
+    LessonLibrary library = twoLessons();
+    for (int i = 0; i < 12; ++i)
+        library.lessons.front().steps.push_back(library.lessons.front().steps.back());
+    for (int i = 0; i < 12; ++i)
+        library.lessons.front().steps.front().narration += "\n\nOne more paragraph that needs its two lines.";
+    SessionFixture world(library);
+    world.session.openStep("one", "first");
+    LearnPanel panel(world.session, world.theme);
+    show(panel, {280, 500});
+    QTreeView &list = listOf(panel);
+    const QModelIndex lesson = list.model()->index(0, 0), far = stepIndex(list, 0, 9);
+    QVERIFY(!list.verticalScrollBar()->isVisible()); // two rows: the wheel scrolls them
+    const QRect title(0, 0, list.viewport()->width(), 27);
+    const QImage before = list.viewport()->grab(title).toImage();
+    list.scrollTo(far);
+    QVERIFY(list.visualRect(lesson).bottom() < 0);
+    QVERIFY(list.visualRect(far).top() >= title.height());
+    QVERIFY(list.viewport()->rect().contains(list.visualRect(far)));
+    QCOMPARE(list.viewport()->grab(title).toImage(), before);
+    QCOMPARE(list.indexAt(title.center()), lesson);
 }
 
 void LearnPanelTest::theTextIsShownWholeBeforeTheListIs()

@@ -95,6 +95,8 @@ private slots:
     void whatIsToStopCountsOnlyWhileTheRunStands();
     void anAnswerAppearsWhenItsQuestionIsTickedOff();
     void whatUnfoldsBelowALongTextIsInView();
+    void aNumberStaysOnOneLineWithItsUnit_data();
+    void aNumberStaysOnOneLineWithItsUnit();
     void aWordIsLinkedWhereItStandsFirst();
     void aWordOpensACard_data();
     void aWordOpensACard();
@@ -262,6 +264,39 @@ void LearningAidsTest::whatUnfoldsBelowALongTextIsInView()
     QTRY_COMPARE(answer.visibleRegion().boundingRect().bottom(), answer.rect().bottom());
 }
 
+void LearningAidsTest::aNumberStaysOnOneLineWithItsUnit_data()
+{
+    QTest::addColumn<QString>("markdown");
+    QTest::addColumn<QString>("together");
+    QTest::newRow("two sizes") << "It has left the stage of 540 × 400\u202Fpx."
+                               << "540\u00A0×\u00A0400\u202Fpx.";
+    QTest::newRow("a product") << "The first flight takes 2 ×\n0.8 times as long."
+                               << "2\u00A0×\u00A00.8";
+    QTest::newRow("a plain space") << "The stick is now 150 px long."
+                                   << "150\u202Fpx";
+    QTest::newRow("a thin space") << "It is at 72\u2009% of the limit."
+                                  << "72\u202F%";
+}
+
+void LearningAidsTest::aNumberStaysOnOneLineWithItsUnit()
+{
+    QFETCH(QString, markdown);
+    QFETCH(QString, together);
+    const Theme theme(Scheme::light);
+    QTextDocument document;
+    setProse(document, markdown, ProseStyle(), theme);
+    const QTextBlock block = document.firstBlock();
+    const auto from = static_cast<int>(block.text().indexOf(together));
+    QVERIFY2(from >= 0, qPrintable(block.text()));
+    for (int width = 110; width < 400; width += 5) {
+        layOut(document, width);
+        QVERIFY(document.size().height() > 0.0); // lays it out
+        const QTextLayout &lines = *block.layout();
+        QCOMPARE(lines.lineForTextPosition(from).lineNumber(),
+                 lines.lineForTextPosition(from + static_cast<int>(together.size()) - 1).lineNumber());
+    }
+}
+
 void LearningAidsTest::aWordIsLinkedWhereItStandsFirst()
 {
     LearnFixture fixture;
@@ -383,9 +418,9 @@ void LearningAidsTest::anAnswerUnfolds()
     QFETCH(int, key);
     LearnFixture fixture;
     auto *button = fixture.panel.findChild<WhyButton *>();
-    const auto *answer = fixture.panel.findChild<WhyBox *>()->findChild<NarrationText *>();
+    const auto &box = *fixture.panel.findChild<WhyBox *>();
     QCOMPARE(button->accessibleName(), QString("Why twice the pull?"));
-    QVERIFY(!answer->isVisible());
+    QVERIFY(!box.findChild<NarrationText *>()); // made when the box is opened
     const auto ask = [&] {
         if (key == 0)
             QTest::mouseClick(button, Qt::LeftButton);
@@ -393,7 +428,8 @@ void LearningAidsTest::anAnswerUnfolds()
             QTest::keyClick(button, Qt::Key(key));
     };
     ask();
-    QVERIFY(answer->isVisible());
+    const auto *answer = box.findChild<NarrationText *>();
+    QVERIFY(answer && answer->isVisible());
     QVERIFY(answer->toPlainText().contains("pull = k × distance"));
     ask();
     QVERIFY(!answer->isVisible());

@@ -1,5 +1,6 @@
 // The help page, dock titles, the focus ring and the height of texts.
 
+#include "app/ui/dock/button_flow.h"
 #include "app/ui/dock/dock_title.h"
 #include "app/ui/dock/progress_line.h"
 #include "app/ui/help/help_page.h"
@@ -12,11 +13,17 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QClipboard>
 #include <QFocusFrame>
 #include <QLabel>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTest>
+#include <QTextBlock>
+#include <QTextLayout>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 using namespace app;
 using namespace tests;
@@ -36,6 +43,9 @@ private slots:
     void tabPutsARingRoundAControl();
     void aProgressLinePaintsOnlyWithAllElse();
     void aTextKnowsItsHeightAtEachWidthAfterEachChange();
+    void noLineBreaksInsideAnIncrement();
+    void aCopiedIncrementIsPlainCode();
+    void aLineIsAboveButtonsThatCoverAText();
 };
 
 void PanelPartsTest::theHelpPageListsEveryActionThatHasAShortcut()
@@ -170,6 +180,54 @@ void PanelPartsTest::aTextKnowsItsHeightAtEachWidthAfterEachChange()
     QCOMPARE(text.heightForWidth(narrow), 3 * line + gap);
     text.setLarge(true);
     QCOMPARE(text.heightForWidth(wide), 2 * (line + 2) + gap);
+}
+
+void PanelPartsTest::noLineBreaksInsideAnIncrement()
+{
+    Theme theme(Scheme::light);
+    NarrationText text(theme);
+    text.setText("`for (int i = 0; i < n; i++)` counts");
+    const QTextBlock block = text.document()->firstBlock();
+    const auto first = static_cast<int>(block.text().indexOf('+'));
+    const auto last = static_cast<int>(block.text().lastIndexOf('+'));
+    for (int width = 60; width <= 300; ++width) {
+        text.document()->setTextWidth(width);
+        const QTextLayout &lines = *block.layout();
+        QVERIFY2(lines.lineForTextPosition(first).lineNumber() ==
+                     lines.lineForTextPosition(last).lineNumber(),
+                 qPrintable(QString("%1 px").arg(width)));
+    }
+}
+
+void PanelPartsTest::aCopiedIncrementIsPlainCode()
+{
+    Theme theme(Scheme::light);
+    NarrationText text(theme);
+    text.setText("`i++` adds 1");
+    text.selectAll();
+    text.copy();
+    QCOMPARE(text.accessibleName(), QString("i++ adds 1"));
+    QCOMPARE(QApplication::clipboard()->text(), QString("i++ adds 1"));
+}
+
+void PanelPartsTest::aLineIsAboveButtonsThatCoverAText()
+{
+    QScrollArea area;
+    area.setWidgetResizable(true);
+    auto *page = new QWidget;
+    auto *column = new QVBoxLayout(page);
+    auto *text = new QLabel("text", page);
+    text->setFixedHeight(400);
+    auto *buttons = new ButtonFlow(page);
+    buttons->add<QToolButton>("start", "Start", {});
+    column->addWidget(text);
+    column->addWidget(buttons);
+    area.setWidget(page);
+    show(area, {200, 200});
+    auto *edge = page->findChild<QFrame *>("divider");
+    QTRY_VERIFY(edge->isVisible());
+    area.verticalScrollBar()->setValue(area.verticalScrollBar()->maximum());
+    QTRY_VERIFY(!edge->isVisible());
 }
 
 SUITE(tst_panel_parts, PanelPartsTest)

@@ -46,6 +46,8 @@ private slots:
     void aNumberOutOfRangeIsBroughtIntoItWithASentence();
     void whatIsNoNumberChangesNothing();
     void anExactNumberIsNeverRounded();
+    void aLargeNumberIsShownInFull_data();
+    void aLargeNumberIsShownInFull();
     void aValueBeyondTheSliderHoldsTheHandleAtItsEnd();
     void aChoiceIsChosenByName();
     void aListOfChoicesHasRoomForFingersAndNames();
@@ -297,6 +299,35 @@ void ParameterFieldsTest::aSliderWithDecadesGoesByTheFirstPlace()
         QCOMPARE(slider.value(), position);
     }
     QVERIFY(chosen.isEmpty());
+}
+
+void ParameterFieldsTest::aLargeNumberIsShownInFull_data()
+{
+    QTest::addColumn<double>("value");
+    QTest::addColumn<QString>("text");
+    QTest::newRow("six figures, without noughts after the point") << 123456.0 << "123456";
+    QTest::newRow("a million") << 1e6 << "1000000";
+    QTest::newRow("below zero") << -123456.0 << QString(QChar(0x2212)) + "123456";
+    QTest::newRow("with a fraction") << 100000.25 << "100000.25";
+}
+
+void ParameterFieldsTest::aLargeNumberIsShownInFull()
+{
+    QFETCH(double, value);
+    QFETCH(QString, text);
+    SessionFixture world;
+    lessons::Parameter parameter = oneToAMillion();
+    parameter.isInteger = false;
+    parameter.decimals = 2;
+    NumberBox box(parameter, world.theme);
+    const int usual = box.width();
+    box.show(value);
+    QCOMPARE(box.text(), text);
+    QVERIFY(box.fontMetrics().horizontalAdvance(text) < box.width());
+    QCOMPARE(box.sizeHint().width(), box.width());
+    box.show(0.5);
+    QCOMPARE(box.text(), QString("0.50"));
+    QCOMPARE(box.width(), usual);
 }
 
 void ParameterFieldsTest::aBoxWithDecadesGoesByTheFirstPlace()

@@ -22,11 +22,13 @@ private slots:
     void init() { QSettings().clear(); }
 
     void aChangeInThePastLeavesAGhostMark();
+    void theNameOfAGhostHasAllFiguresOfALargeNumber();
     void theRowsFollowValuesThatChangeInTime();
     void resetBringsOneParameterBack();
     void resetAllIsOnlyForChanges();
     void theRestUnfolds();
     void thePanelUnfoldsWhenThereIsRoom();
+    void aPanelThatUnfoldsByItselfWantsNoMoreRoom();
     void tabVisitsTheFieldsInOrder();
 };
 
@@ -45,6 +47,17 @@ void ParameterPanelTest::aChangeInThePastLeavesAGhostMark()
              std::optional<double>());
     fixture.session.comparisons().removeShown();
     QCOMPARE(slider->comparison(), std::optional<double>());
+}
+
+void ParameterPanelTest::theNameOfAGhostHasAllFiguresOfALargeNumber()
+{
+    PanelFixture<ParameterPanel> fixture({400, 192});
+    fixture.session.editor().setParameter("k", 1e6);
+    for (int i = 0; i < 5; ++i)
+        fixture.session.playback().frameForward();
+    fixture.session.playback().goTo({2, 0});
+    fixture.session.editor().setParameter("k", 0.2);
+    QCOMPARE(fixture.session.comparisons().comparisonName(), QString("before: stiffness 1000000"));
 }
 
 void ParameterPanelTest::theRowsFollowValuesThatChangeInTime()
@@ -126,6 +139,17 @@ void ParameterPanelTest::thePanelUnfoldsWhenThereIsRoom()
     QVERIFY(rowOf(panel, "radius")->isVisible());
     panel.resize(400, 200);
     QTRY_VERIFY(!rowOf(panel, "radius")->isVisible());
+}
+
+void ParameterPanelTest::aPanelThatUnfoldsByItselfWantsNoMoreRoom()
+{
+    SessionFixture world;
+    world.session.openStep("two", "many");
+    ParameterPanel panel(world.session.run(), world.session.editor(), world.session.playback(), world.theme);
+    const int folded = panel.sizeHint().height();
+    show(panel, {400, 500});
+    QVERIFY(rowOf(panel, "radius")->isVisible());
+    QCOMPARE(panel.sizeHint().height(), folded);
 }
 
 void ParameterPanelTest::tabVisitsTheFieldsInOrder()

@@ -142,6 +142,7 @@ private slots:
     void noBodyIsDraggedWhileAPlaceIsPicked();
     void escapeLeavesTheCrossWhereItIs();
     void aNumberIsTypedAndEnterPlays();
+    void digitsReachTheFieldOfAPredictionThatIsOpened();
     void whatIsNoNumberIsNotCommitted();
     void aCurveIsChosenByItsKey();
     void aCurveIsChosenWithTheMouse();
@@ -263,6 +264,27 @@ void PredictionBoxTest::aNumberIsTypedAndEnterPlays()
     QTest::mouseClick(&fixture.in<QPushButton>("predictAgain"), Qt::LeftButton);
     QVERIFY(field.isVisibleTo(&fixture.box()));
     QCOMPARE(field.text(), QString());
+}
+
+void PredictionBoxTest::digitsReachTheFieldOfAPredictionThatIsOpened()
+{
+    PredictionWindow fixture({predictedThrow(), predictedNumber()});
+    auto &box = *fixture.window.findChildren<PredictionBox *>().at(1);
+    auto &title = *box.findChild<WhyButton *>();
+    QTest::mouseClick(&title, Qt::LeftButton);
+    auto &field = *box.findChild<QLineEdit *>("predictedNumber"); // made when the box is opened
+    QTRY_VERIFY(field.hasFocus());
+    QTest::keyClicks(&field, "10");
+    QCOMPARE(fixture.desk.sheet("slow").said->number, 10.0);
+    fixture.desk.commit("slow");
+    QTRY_VERIFY_WITH_TIMEOUT(fixture.isShown("slow"), 30'000);
+    fixture.view.setFocus();
+    QTest::mouseClick(&title, Qt::LeftButton); // folds it
+    QVERIFY(fixture.view.hasFocus());
+    QTest::mouseClick(&title, Qt::LeftButton);
+    QVERIFY(fixture.view.hasFocus()); // nothing is asked
+    QTest::mouseClick(box.findChild<QPushButton *>("predictAgain"), Qt::LeftButton);
+    QTRY_VERIFY(field.hasFocus());
 }
 
 void PredictionBoxTest::whatIsNoNumberIsNotCommitted()

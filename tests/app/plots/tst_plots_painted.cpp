@@ -1,6 +1,7 @@
 // What plots paint, and when: the run, the old run, and a moment inside a frame.
 
 #include "app/ui/plots/dashed_curve.h"
+#include "app/ui/plots/plot_value.h"
 #include "tests/app/plots/plots_panel_support.h"
 #include "tests/suite.h"
 
@@ -27,6 +28,22 @@ private slots:
         fixture.goTo(120);
         settle();
         QVERIFY(fixture.pixels(comparison, fixture.plot().grab().toImage()) > 20);
+    }
+
+    void aPowerOfTenHasDigitsThatCanBeRead()
+    {
+        const Theme theme(Scheme::light);
+        const QString power = QStringLiteral("−4.1·10¹⁰⁵ px");
+        PlotValue value(theme);
+        value.resize(200, 24);
+        QPixmap expected = value.grab();
+        QPainter painter(&expected);
+        painter.setFont(theme.ui(12)); // not the monospaced one
+        painter.setPen(theme.tokens().ink);
+        painter.drawText(value.rect(), Qt::AlignRight | Qt::AlignVCenter, power);
+        painter.end();
+        value.setText(power, {});
+        QCOMPARE(value.grab().toImage(), expected.toImage());
     }
 
     void dashesAreHalfOfALineAndLieOnIt()

@@ -30,18 +30,24 @@ signals:
     /// The height can be another.
     void changed();
 
+protected:
+    void fill() override;
+
 private:
+    void refreshContent();
     QString demandText() const;
 
     ProjectDesk &m_desk;
     const QString m_lesson;
     const QString m_id;
     const QString m_name;
+    const QString m_text;
     const std::vector<lessons::ProjectDemand> m_demands;
-    NarrationText *m_list; ///< the conditions
-    NarrationText *m_hintText;
-    QLabel *m_sentence;
-    ButtonFlow *m_buttons;
+    const QString m_hintMarkdown;
+    NarrationText *m_list = nullptr; ///< the conditions
+    NarrationText *m_hintText = nullptr;
+    QLabel *m_sentence = nullptr;
+    ButtonFlow *m_buttons = nullptr;
     QToolButton *m_judge = nullptr;
     QToolButton *m_cancel = nullptr;
     QToolButton *m_hint = nullptr;

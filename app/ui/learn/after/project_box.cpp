@@ -1,5 +1,6 @@
 #include "app/ui/learn/after/project_box.h"
 
+#include "app/model/text/phrases.h"
 #include "app/ui/dock/button_flow.h"
 #include "app/ui/learn/after/level_box.h"
 #include "app/ui/learn/narration_text.h"
@@ -104,16 +105,24 @@ void ProjectBox::follow()
 {
     const QString wanted = wantedLesson();
     const lessons::Project *project = wanted.isEmpty() ? nullptr : m_desk.projectOf(wanted);
-    const bool isOther = wanted != m_lesson || (project && project->title != m_shownTitle);
+    if (wanted != m_lesson)
+        m_shownTitle.clear(); // the levels are made again
     m_lesson = project ? wanted : QString();
     setVisible(project);
-    if (!project) {
+    m_isStale = !isVisible();
+    if (!project || m_isStale) {
         emit heightChanged();
         return;
     }
-    if (isOther)
+    if (project->title != m_shownTitle)
         makeLevels();
     refresh();
+}
+
+void ProjectBox::showEvent(QShowEvent *)
+{
+    if (m_isStale)
+        follow();
 }
 
 void ProjectBox::makeLevels()
@@ -142,7 +151,8 @@ void ProjectBox::makeLevels()
 void ProjectBox::refresh()
 {
     m_title->setText(m_shows == Shows::lesson ? tr("Project: %1").arg(m_shownTitle) : m_shownTitle);
-    m_count->setText(tr("%1 of %2").arg(m_desk.passedLevels(m_lesson)).arg(m_levels.size()));
+    m_count->setText(
+        partOf(QString::number(m_desk.passedLevels(m_lesson)), QString::number(m_levels.size())));
     m_count->setToolTip(tr("Levels that you have passed"));
     setAccessibleName(m_title->text());
     for (LevelBox *level : m_levels)

@@ -41,6 +41,9 @@ signals:
     /// The height can be another.
     void heightChanged();
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     void makeHead();
     /// Shows the brief and the levels, or the title only.
@@ -56,7 +59,8 @@ private:
     const Shows m_shows;
     const Theme &m_theme;
     QString m_lesson;
-    QString m_shownTitle; ///< of the project that m_levels belong to, to see another language
+    bool m_isStale = false; ///< while the box is hidden, its texts are not made
+    QString m_shownTitle;   ///< of the project that m_levels belong to, to see another language
     QToolButton *m_fold = nullptr;
     QLabel *m_title;
     QLabel *m_count;

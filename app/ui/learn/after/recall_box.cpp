@@ -114,7 +114,8 @@ void RecallBox::showQuestion(std::size_t number)
 void RecallBox::refresh()
 {
     setVisible(count() > 0);
-    if (count() == 0)
+    m_isStale = !isVisible();
+    if (count() == 0 || m_isStale)
         return;
     m_number = std::min(m_number, count() - 1);
     m_back->setEnabled(m_number > 0);
@@ -126,6 +127,12 @@ void RecallBox::refresh()
     m_do->setVisible(question().task.has_value());
     m_answer->setText(question().task ? question().task->answer : QString());
     showAnswers();
+}
+
+void RecallBox::showEvent(QShowEvent *)
+{
+    if (m_isStale)
+        refresh();
 }
 
 void RecallBox::addRows()

@@ -40,6 +40,9 @@ signals:
     /// The height can be another one.
     void heightChanged();
 
+protected:
+    void showEvent(QShowEvent *event) override;
+
 private:
     /// A choice, and what is said about it once it was chosen.
     struct Row
@@ -60,6 +63,7 @@ private:
     const Theme &m_theme;
     const LessonEntry *m_lesson = nullptr;
     std::size_t m_number = 0;
+    bool m_isStale = false; ///< while the box is hidden, its texts are not made
     QVBoxLayout *m_column;
     QLabel *m_heading;
     QLabel *m_intro;

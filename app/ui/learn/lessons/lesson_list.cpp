@@ -6,12 +6,14 @@
 #include <QHeaderView>
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QPainter>
+#include <QScrollBar>
 #include <QToolTip>
 
 namespace app {
 
 LessonList::LessonList(Session &session, const Theme &theme, QWidget *parent)
-    : QTreeView(parent), m_model(new LessonModel(session, this))
+    : QTreeView(parent), m_theme(theme), m_model(new LessonModel(session, this))
 {
     setModel(m_model);
     setItemDelegate(new LessonDelegate(theme, this));
@@ -56,10 +58,35 @@ void LessonList::showOpen()
     if (openLessonHeight() <= viewport()->height()) {
         scrollTo(m_model->index(m_model->rowCount(lesson) - 1, 0, lesson));
         scrollTo(lesson);
-    } else { // also shows the lesson's title if the open step is close enough
+    } else {
         scrollTo(lesson, QAbstractItemView::PositionAtTop);
         scrollTo(m_model->openRow());
     }
+}
+
+bool LessonList::hasStuckTitle() const
+{
+    const QModelIndex lesson = m_model->openLesson();
+    const int steps = lesson.isValid() ? m_model->rowCount(lesson) : 0;
+    return steps > 0 && visualRect(lesson).top() < 0 &&
+           visualRect(m_model->index(steps - 1, 0, lesson)).bottom() >= LessonDelegate::lessonHeight;
+}
+
+QModelIndex LessonList::indexAt(const QPoint &place) const
+{
+    const bool isOnTitle = place.y() >= 0 && place.y() < LessonDelegate::lessonHeight && hasStuckTitle();
+    return isOnTitle ? m_model->openLesson() : QTreeView::indexAt(place);
+}
+
+void LessonList::scrollTo(const QModelIndex &index, ScrollHint hint)
+{
+    QTreeView::scrollTo(index, hint);
+    QScrollBar &bar = *verticalScrollBar();
+    if (visualRect(index).bottom() == viewport()->height())
+        bar.setValue(bar.value() + 1); // Qt leaves the last line of px outside
+    const int covered = LessonDelegate::lessonHeight - visualRect(index).top();
+    if (covered > 0 && index.parent().isValid() && hasStuckTitle())
+        bar.setValue(bar.value() - covered);
 }
 
 void LessonList::markSummary(bool shown)
@@ -129,6 +156,27 @@ void LessonList::resizeEvent(QResizeEvent *event)
     // The rows have moved away from under the pointer.
     QHoverEvent leave(QEvent::HoverLeave, QPointF(), QPointF(), QPointF());
     viewportEvent(&leave);
+}
+
+void LessonList::paintEvent(QPaintEvent *event)
+{
+    QTreeView::paintEvent(event);
+    if (!hasStuckTitle())
+        return;
+    const QModelIndex lesson = m_model->openLesson();
+    QStyleOptionViewItem option;
+    initViewItemOption(&option);
+    option.rect = QRect(0, 0, viewport()->width(), LessonDelegate::lessonHeight);
+    option.state.setFlag(QStyle::State_HasFocus, hasFocus() && currentIndex() == lesson);
+    QPainter painter(viewport());
+    painter.fillRect(option.rect, m_theme.tokens().panel);
+    itemDelegate()->paint(&painter, option, lesson);
+}
+
+void LessonList::scrollContentsBy(int dx, int dy)
+{
+    QTreeView::scrollContentsBy(dx, dy);
+    viewport()->update(); // Qt moves the pixels of the title, too
 }
 
 bool LessonList::viewportEvent(QEvent *event)

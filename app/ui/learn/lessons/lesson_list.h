@@ -10,7 +10,7 @@ namespace app {
 class LessonModel;
 
 /// A tree view of the lessons and the steps of the open lesson. A click or Enter opens a row; the arrow keys
-/// move without opening.
+/// move without opening. The title of the open lesson stays at the top while its steps are scrolled.
 class LessonList : public QTreeView
 {
     Q_OBJECT
@@ -29,6 +29,9 @@ public:
     void showOpen();
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    /// Returns the open lesson where its title covers a step.
+    QModelIndex indexAt(const QPoint &place) const override;
+    void scrollTo(const QModelIndex &index, ScrollHint hint = EnsureVisible) override;
 
 signals:
     /// Emitted when contentHeight() changes.
@@ -39,6 +42,8 @@ protected:
     void focusInEvent(QFocusEvent *event) override;
     void mousePressEvent(QMouseEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void scrollContentsBy(int dx, int dy) override;
     bool viewportEvent(QEvent *event) override;
     void initViewItemOption(QStyleOptionViewItem *option) const override;
     void drawBranches(QPainter *painter, const QRect &rect, const QModelIndex &index) const override;
@@ -46,7 +51,10 @@ protected:
 private:
     void follow();
     void openRow(const QModelIndex &index);
+    /// Returns whether the title of the open lesson covers what is at the top.
+    bool hasStuckTitle() const;
 
+    const Theme &m_theme;
     LessonModel *m_model;
     bool m_byKeyboard = false; ///< whether the current row has a focus ring
 };

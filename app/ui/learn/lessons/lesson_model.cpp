@@ -68,6 +68,8 @@ QModelIndex LessonModel::openRow() const
 
 void LessonModel::setSummaryShown(bool shown)
 {
+    if (shown == m_summaryShown)
+        return;
     m_summaryShown = shown;
     refresh();
 }

@@ -412,7 +412,8 @@ QString Narration::nextTip() const
 
 void Narration::fitText()
 {
-    m_room.fit(m_desk.task() ? leastTask : leastText);
+    if (m_hasSize)
+        m_room.fit(m_desk.task() ? leastTask : leastText);
 }
 
 void Narration::showProgress()
@@ -475,6 +476,7 @@ bool Narration::eventFilter(QObject *watched, QEvent *event)
 void Narration::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    m_hasSize = true;
     m_text->setLarge(window()->width() >= largeWindow);
     fitText();
 }

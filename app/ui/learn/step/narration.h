@@ -128,8 +128,9 @@ private:
     QVBoxLayout *m_taskColumn = nullptr;
     std::vector<TaskBox *> m_tasks;
     QTimer m_todoDue;
-    bool m_isOpen = false; ///< false while a step opens: ticks from before do not show answers
-    QSet<QString> m_hints; ///< shown hints, by step and number, until the program ends
+    bool m_hasSize = false; ///< once the layout has given it one
+    bool m_isOpen = false;  ///< false while a step opens: ticks from before do not show answers
+    QSet<QString> m_hints;  ///< shown hints, by step and number, until the program ends
     QPushButton *m_back = nullptr;
     StepButton *m_next = nullptr;
 };

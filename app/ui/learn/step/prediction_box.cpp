@@ -41,17 +41,25 @@ std::optional<double> typedNumber(const QString &text)
 
 PredictionBox::PredictionBox(PredictionDesk &desk, const lessons::Prediction &prediction, const Theme &theme,
                              QWidget *parent)
-    : FoldBox(prediction.text, theme, parent), m_desk(desk), m_prediction(prediction),
-      m_sentence(addText("predictionSentence", {})), m_answer(addText("predictionAnswer", prediction.answer))
+    : FoldBox(prediction.text, theme, parent), m_desk(desk), m_prediction(prediction)
 {
     setObjectName("prediction");
     column().setSpacing(4);
-    if (prediction.question.kind == AskedFor::number)
-        addNumberField();
-    else if (prediction.question.kind == AskedFor::curve)
-        addCurveField(theme);
-    addButtons();
     connect(this, &FoldBox::unfolded, this, &PredictionBox::describe);
+    connect(&title(), &QAbstractButton::clicked, this, &PredictionBox::focusNumber);
+    refresh();
+}
+
+void PredictionBox::fill()
+{
+    m_sentence = addText("predictionSentence", {});
+    m_answer = addText("predictionAnswer", m_prediction.answer);
+    if (m_prediction.question.kind == AskedFor::number)
+        addNumberField();
+    else if (m_prediction.question.kind == AskedFor::curve)
+        addCurveField();
+    addButtons();
+    connect(m_again, &QAbstractButton::clicked, this, &PredictionBox::focusNumber);
     refresh();
 }
 
@@ -98,7 +106,7 @@ void PredictionBox::sayNumber(const QString &text)
     m_desk.say(m_prediction.id, number ? std::optional(PredictedAnswer{.number = *number}) : std::nullopt);
 }
 
-void PredictionBox::addCurveField(const Theme &theme)
+void PredictionBox::addCurveField()
 {
     m_curveRow = new QWidget(content());
     auto *row = new QHBoxLayout(m_curveRow);
@@ -106,7 +114,7 @@ void PredictionBox::addCurveField(const Theme &theme)
     row->setSpacing(6);
     const std::array<int, 3> order = curveOrder(m_prediction);
     for (std::size_t i = 0; i < m_curves.size(); ++i) {
-        m_curves[i] = new CurveButton(static_cast<int>(i) + 1, theme, m_curveRow);
+        m_curves[i] = new CurveButton(static_cast<int>(i) + 1, theme(), m_curveRow);
         row->addWidget(m_curves[i]);
         connect(m_curves[i], &QAbstractButton::clicked, this,
                 [this, curve = order[i]] { m_desk.say(m_prediction.id, PredictedAnswer{.curve = curve}); });
@@ -149,6 +157,13 @@ void PredictionBox::focusField()
     if (!field)
         field = m_curves[0];
     field->setFocus(Qt::ShortcutFocusReason);
+}
+
+void PredictionBox::focusNumber()
+{
+    // Digits are keys of the scene, too: 0 zooms to 100 %.
+    if (m_number && isUnfolded() && m_stage == PredictionStage::open)
+        m_number->setFocus(Qt::ShortcutFocusReason);
 }
 
 QString PredictionBox::sentence(const PredictionDesk::Sheet &sheet) const
@@ -222,6 +237,8 @@ bool PredictionBox::refresh()
     const bool isOpen = sheet.stage == PredictionStage::open, isShown = sheet.stage == PredictionStage::shown;
     showTitle(m_prediction.text, isShown, tr("%1, answered").arg(plainText(m_prediction.text)));
     describe();
+    if (!isFilled())
+        return false;
     showField(sheet);
     const QString text = sentence(sheet);
     m_sentence->setText(text);

@@ -36,14 +36,17 @@ public:
     void focusField();
 
 protected:
+    void fill() override;
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
     void describe();
     void addNumberField();
-    void addCurveField(const Theme &theme);
+    void addCurveField();
     void addButtons();
     void sayNumber(const QString &text);
+    /// Moves the keyboard focus to the field for a number, if it is open.
+    void focusNumber();
     void showField(const PredictionDesk::Sheet &sheet);
     void showCurves(const PredictionDesk::Sheet &sheet);
     QString sentence(const PredictionDesk::Sheet &sheet) const;
@@ -58,8 +61,8 @@ private:
     ButtonFlow *m_buttons = nullptr;
     QPushButton *m_commit = nullptr;
     QPushButton *m_again = nullptr;
-    NarrationText *m_sentence;
-    NarrationText *m_answer;
+    NarrationText *m_sentence = nullptr;
+    NarrationText *m_answer = nullptr;
     bool m_hasCurves = false;                                    ///< whether the curves are shown
     PredictionDesk::Stage m_stage = PredictionDesk::Stage::open; ///< as last shown
 };

@@ -12,14 +12,20 @@
 namespace app {
 
 TaskBox::TaskBox(TaskDesk &desk, const lessons::CodeTask &task, const Theme &theme, QWidget *parent)
-    : FoldBox(capitalised(task.title), theme, parent), m_desk(desk), m_task(task),
-      m_buttons(new ButtonFlow(content()))
+    : FoldBox(capitalised(task.title), theme, parent), m_desk(desk), m_task(task)
 {
     setObjectName("codeTask");
-    addText("taskText", task.text);
-    for (const QString &hint : task.hints)
+    refresh();
+    setUnfolded(isActive());
+}
+
+void TaskBox::fill()
+{
+    addText("taskText", m_task.text);
+    for (const QString &hint : m_task.hints)
         m_hints.push_back(addText("taskHint", hint));
     m_sentence = addText("taskSentence", {});
+    m_buttons = new ButtonFlow(content());
     m_start = m_buttons->add<QToolButton>("startTask", tr("Write it yourself"),
                                           tr("Empties the place in the listing, so that you can write it"));
     m_hint = m_buttons->add<QToolButton>("taskHintButton", {}, tr("Shows the next hint"));
@@ -31,11 +37,10 @@ TaskBox::TaskBox(TaskDesk &desk, const lessons::CodeTask &task, const Theme &the
         m_desk.start(m_task.id);
         emit started();
     });
-    connect(m_hint, &QToolButton::clicked, &desk, &TaskDesk::showNextHint);
-    connect(m_solution, &QToolButton::clicked, &desk, &TaskDesk::showSolution);
-    connect(m_stop, &QToolButton::clicked, &desk, &TaskDesk::stop);
+    connect(m_hint, &QToolButton::clicked, &m_desk, &TaskDesk::showNextHint);
+    connect(m_solution, &QToolButton::clicked, &m_desk, &TaskDesk::showSolution);
+    connect(m_stop, &QToolButton::clicked, &m_desk, &TaskDesk::stop);
     refresh();
-    setUnfolded(isActive());
 }
 
 bool TaskBox::refresh()
@@ -43,6 +48,8 @@ bool TaskBox::refresh()
     const bool isDone = m_desk.isDone(m_task);
     const QString title = capitalised(m_task.title);
     showTitle(title, isDone, tr("%1, done").arg(title));
+    if (!isFilled())
+        return false;
     const int shown = isActive() ? m_desk.hintsShown() : 0;
     const int hints = static_cast<int>(m_hints.size());
     for (int i = 0; i < hints; ++i)

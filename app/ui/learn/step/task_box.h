@@ -30,14 +30,17 @@ signals:
     /// Emitted when the learner starts to write, so the listing should be shown.
     void started();
 
+protected:
+    void fill() override;
+
 private:
     bool isActive() const { return m_desk.task() == &m_task; }
 
     TaskDesk &m_desk;
     const lessons::CodeTask &m_task;
-    NarrationText *m_sentence;
+    NarrationText *m_sentence = nullptr;
     std::vector<NarrationText *> m_hints;
-    ButtonFlow *m_buttons; ///< stays in view while the box is scrolled
+    ButtonFlow *m_buttons = nullptr; ///< stays in view while the box is scrolled
     QToolButton *m_start = nullptr;
     QToolButton *m_hint = nullptr;
     QToolButton *m_solution = nullptr;
