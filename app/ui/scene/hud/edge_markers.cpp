@@ -24,8 +24,8 @@ constexpr double arrowLength = 24.0;
 constexpr double headLength = 12.0;
 constexpr double headWidth = 13.0;
 constexpr double shaftWidth = 4.0;
-constexpr double labelGap = 5.0;   ///< px between arrow and label
-constexpr double shared = 44.0; ///< px within which bodies share a marker
+constexpr double labelGap = 5.0; ///< px between arrow and label
+constexpr double shared = 44.0;  ///< px within which bodies share a marker
 
 /// Returns the point where the line from the centre of `free` to `target` leaves `free`.
 QPointF leaving(QRectF free, QPointF target)
