@@ -7294,7 +7294,7 @@ Klick klappt ein oder aus (Eingabe)</translation>
         <translation>Sucht nach Abhilfe …</translation>
     </message>
     <message>
-        <source>Correct this line, and the run goes on. Undo takes your last change back.</source>
+        <source>Correct this line, and the run goes on. Undo reverts your last change.</source>
         <translation>Berichtige diese Zeile, dann geht der Lauf weiter. Rückgängig nimmt deine letzte Änderung zurück.</translation>
     </message>
     <message>

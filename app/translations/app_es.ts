@@ -7294,7 +7294,7 @@ Haz clic para plegar o desplegar (Intro)</translation>
         <translation>Buscando un remedio…</translation>
     </message>
     <message>
-        <source>Correct this line, and the run goes on. Undo takes your last change back.</source>
+        <source>Correct this line, and the run goes on. Undo reverts your last change.</source>
         <translation>Corrige esta línea y la ejecución sigue. Deshacer retira tu último cambio.</translation>
     </message>
     <message>

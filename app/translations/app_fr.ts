@@ -7294,7 +7294,7 @@ Clique pour replier ou déplier (Entrée)</translation>
         <translation>Recherche d’un remède…</translation>
     </message>
     <message>
-        <source>Correct this line, and the run goes on. Undo takes your last change back.</source>
+        <source>Correct this line, and the run goes on. Undo reverts your last change.</source>
         <translation>Corrige cette ligne, et la simulation continue. Annuler retire ton dernier changement.</translation>
     </message>
     <message>

@@ -36,7 +36,7 @@ public:
     /// Ticks what is done at the moment of `timeline`, a run of this step, which plays or stands.
     void check(const QString &lesson, const lessons::Step &step, const sim::Timeline &timeline, bool plays);
     /// Returns what is still to do for the thing to try with this number, which a learner has begun: one or two
-    /// sentences of Markdown. Empty where nothing is missing, and where nobody has begun. In a run that the program has set
+    /// sentences of Markdown. Empty if nothing is missing, or before the learner begins. In a run that the program has set
     /// up, they say why it does not count, once the run is paused.
     QString todo(const QString &lesson, const lessons::Step &step, int number, const sim::Timeline &timeline,
                  bool plays) const;

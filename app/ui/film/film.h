@@ -21,7 +21,7 @@ struct FilmPlan
     double rate = 30.0;             ///< frames per second; 30 is the speed of the window
 };
 
-/// A film, which is made in a session of its own. A piece is at most one picture, and the event loop must run between two
+/// A film of a run. It uses its own session. A piece is at most one picture, and the event loop must run between two
 /// pieces.
 class Film : public Export
 {

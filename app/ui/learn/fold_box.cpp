@@ -133,7 +133,7 @@ void FoldBox::fillNow()
 {
     m_isFilled = true;
     fill();
-    QWidget *before = m_title; // Tab goes from here to what was just made, and then to what is below
+    QWidget *before = m_title; // Tab goes from the title to the new widgets, and then to those below the box
     for (QWidget *one : m_content->findChildren<QWidget *>()) {
         if (one->focusPolicy() == Qt::NoFocus)
             continue;

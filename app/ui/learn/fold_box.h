@@ -59,8 +59,8 @@ signals:
     void unfolded(bool open);
 
 protected:
-    /// Called when the box is unfolded for the first time. Makes what is below the title: most boxes stay folded, and
-    /// texts take long to make.
+    /// Makes the widgets below the title. Called when the box is first unfolded, because most boxes stay folded and texts
+    /// take long to make.
     virtual void fill() = 0;
     bool isFilled() const { return m_isFilled; }
     const Theme &theme() const { return m_theme; }

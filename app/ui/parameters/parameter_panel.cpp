@@ -281,7 +281,7 @@ int ParameterPanel::fullHeight() const
 
 QSize ParameterPanel::sizeHint() const
 {
-    // Rows that unfold because there is room must not take it from the code: only those that the learner unfolds do.
+    // Only rows that the learner unfolds may make the panel higher. Others unfold only if there is room already.
     const bool some = m_rows.size() > alwaysShown;
     return {400, heightOf(some && !(m_unfolded && m_chosen) ? alwaysShown : m_rows.size(), some)};
 }

@@ -38,7 +38,7 @@ public:
 
     static constexpr int slack = 8; ///< px by which the margin at the bottom may be smaller
 
-    /// Returns the size that shows the title and the rows, without those that unfolded only because there is room.
+    /// Returns the size for the title and the rows. Rows that unfolded by themselves count as folded.
     QSize sizeHint() const override;
     /// Returns the height from which all parameters are unfolded automatically, px.
     int fullHeight() const;

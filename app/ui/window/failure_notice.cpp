@@ -65,7 +65,7 @@ void FailureNotice::refresh()
     m_hint->setVisible(isEmpty);
     m_hint->setText(
         runErrorOf(m_run.timeline().track()) || ruleErrorOf(m_run.timeline().track())
-            ? tr("Correct this line, and the run goes on. Undo takes your last change back.")
+            ? tr("Correct this line, and the run goes on. Undo reverts your last change.")
         : m_search.isSearching()
             ? tr("Searching for a remedy…")
             : tr("No smaller step and no other method was found to be stable. Go back, and undo the change "

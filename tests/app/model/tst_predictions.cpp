@@ -232,12 +232,12 @@ void PredictionsTest::theRunOfAPredictionSaysWhyNothingCountsInIt()
     PredictionFixture fixture("fixed_centre");
     const auto todo = [&] { return fixture.session.todo(1); }; // stop inside a frame, after the spring's pull
     QVERIFY(fixture.predict("past", {.number = 20.0}));
-    QCOMPARE(todo(), QString());               // nobody has begun
-    fixture.session.playback().phaseForward(); // the learner goes on in this run
+    QCOMPARE(todo(), QString());               // not begun yet
+    fixture.session.playback().phaseForward(); // the learner continues this run
     QVERIFY(fixture.session.timeline().cursor().phase > 0);
     QVERIFY2(todo().contains("set up for you"), qPrintable(todo()));
     fixture.session.playback().play();
-    QCOMPARE(todo(), QString()); // while it plays, nobody reads it
+    QCOMPARE(todo(), QString()); // a playing run leaves no time to read
     fixture.session.editor().undo();
     fixture.session.playback().goTo({3, 1});
     QVERIFY2(!todo().contains("set up for you"), qPrintable(todo()));

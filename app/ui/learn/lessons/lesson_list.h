@@ -51,7 +51,7 @@ protected:
 private:
     void follow();
     void openRow(const QModelIndex &index);
-    /// Returns whether the title of the open lesson covers what is at the top.
+    /// Returns whether the title of the open lesson is painted over the top row.
     bool hasStuckTitle() const;
 
     const Theme &m_theme;
