@@ -12,7 +12,7 @@ namespace app {
 
 namespace {
 
-constexpr std::size_t memory = std::size_t{32} << 20;
+constexpr std::size_t companionMemory = std::size_t{32} << 20;
 
 }
 
@@ -33,7 +33,7 @@ void CompanionRun::take(const sim::Script &script)
             m_track->seek({std::min(from - 1, m_track->computed()), 0});
             m_track->replaceInput(std::move(input));
         } else {
-            m_track = std::make_unique<sim::Track>(std::move(own), memory);
+            m_track = std::make_unique<sim::Track>(std::move(own), companionMemory);
         }
     } catch (const sim::Error &) {
         m_track.reset();

@@ -11,7 +11,7 @@ namespace app {
 
 namespace {
 
-constexpr qint64 sliceMilliseconds = 4;
+constexpr qint64 measuringMilliseconds = 4;
 
 }
 
@@ -82,7 +82,7 @@ void MeasureSeries::fill()
     QElapsedTimer clock;
     clock.start();
     bool any = false;
-    while ((m_samples.empty() || last() < timeline.computed()) && clock.elapsed() < sliceMilliseconds) {
+    while ((m_samples.empty() || last() < timeline.computed()) && clock.elapsed() < measuringMilliseconds) {
         measureNext();
         any = true;
     }

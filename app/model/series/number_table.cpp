@@ -15,12 +15,14 @@ namespace app {
 namespace {
 
 constexpr qint64 tableSlice = 8;
-constexpr std::size_t memory = std::size_t{1} << 20; ///< bytes for keyframes: the run never goes back
-constexpr qsizetype mostText = qsizetype{1} << 18;   ///< bytes that wait to be written
+constexpr std::size_t tableMemory = std::size_t{1} << 20; ///< bytes for keyframes: the run never goes back
+constexpr qsizetype mostText = qsizetype{1} << 18;        ///< bytes that wait to be written
 
 }
 
-NumberTable::Way::Way(const sim::Script &script, std::int64_t last) : track(script, memory), frames(last) {}
+NumberTable::Way::Way(const sim::Script &script, std::int64_t last) : track(script, tableMemory), frames(last)
+{
+}
 
 bool NumberTable::Way::goTo(std::int64_t frame)
 {
