@@ -8,6 +8,7 @@
 #include "sim/catalogue/hard_cases.h"
 #include "sim/catalogue/judge.h"
 #include "sim/methods/methods.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -130,10 +131,11 @@ void TestStepLimits::limitsAgreeWithTheMeasuredOnset_data()
         {"uneven masses and drags", uneven()},    {"damped tree", tree(0.05, 0.95)},
         {"soft pair", creature(1, 0.2, 0.9)},     {"twenty feet", manyFeet()},
     };
+    int fitting = 0;
     for (const NamedScene &named : scenes) {
         for (const char *method : explicitMethods()) {
             const Stability found = predicted(named.oscillating.scene, method);
-            if (found.limit > 0.0) // the next test covers limit 0
+            if (found.limit > 0.0 && fitting++ % tests::sized(1, 3) == 0) // the next test covers limit 0
                 QTest::addRow("%s, %s", named.name, method) << QString(method) << named.oscillating;
         }
     }
