@@ -286,10 +286,8 @@ private slots:
         CodeFixture shown;
         std::vector<CodeChip> last;
         int changes = 0;
-        int frames = 0;
         QElapsedTimer clock;
         shown.session.onChange(ChangeKind::cursor, this, [&] {
-            ++frames;
             changes += shown.view().values() != last;
             last = shown.view().values();
         });
@@ -298,7 +296,6 @@ private slots:
         QTRY_VERIFY(changes >= 5);
         shown.session.playback().pause();
         QVERIFY2(changes <= clock.elapsed() / 100 + 1, qPrintable(QString::number(changes)));
-        QVERIFY(frames > changes);
         // Stopped, they are those of the moment at once.
         const sim::ComposedInterval &interval = shown.session.timeline().track().interval();
         const auto current =
