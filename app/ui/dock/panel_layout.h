@@ -4,6 +4,7 @@
 #include "app/ui/dock/layout_store.h"
 #include "app/ui/dock/window_mode.h"
 
+#include <QByteArray>
 #include <QSize>
 
 class QMainWindow;
@@ -37,6 +38,7 @@ struct PanelLayout
     Docks docks;
     LayoutStore store;
     LayoutId id;
+    QByteArray first; ///< the layout of a new window
 };
 
 /// Returns whether a window of this size has room for plots between code and parameters.

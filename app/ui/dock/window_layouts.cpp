@@ -76,7 +76,6 @@ void WindowLayouts::useStored(WindowMode before)
 
 void WindowLayouts::restoreAtStart()
 {
-    m_first = m_layout.window.saveState();
     m_layout.id = idFor(m_layout.id.mode);
     m_isArranged = true;
     m_rail.restore();
@@ -91,7 +90,7 @@ void WindowLayouts::reset()
     m_layout.store.forget(m_layout.id.key());
     m_layout.id = idFor(m_layout.id.mode);
     m_rail.restore();
-    restore(m_first);
+    restore(m_layout.first);
     if (m_layout.id.mode == WindowMode::measure)
         arrangeForMeasuring();
     m_plots.arrange();

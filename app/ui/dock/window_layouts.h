@@ -56,7 +56,6 @@ private:
     const PlotsDock &m_plots;
     RailChoice &m_rail;
     bool m_isArranged = false;          ///< false until a layout is in use
-    QByteArray m_first;                 ///< the layout of a new window
     std::optional<QByteArray> m_hidden; ///< the layout that showAll() restores
 };
 

@@ -24,13 +24,46 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTextStream>
-#include <QTimer>
+#include <QTimerEvent>
 
 #include <algorithm>
 
 namespace app {
 
 namespace {
+
+/// Introduces a window after its first frame, which would otherwise wait for the pages that introduce it.
+class Welcome : public QObject
+{
+public:
+    using Introduce = void (Introduction::*)();
+
+    Welcome(MainWindow &window, Introduce introduce)
+        : QObject(&window), m_window(window), m_introduce(introduce)
+    {
+        window.installEventFilter(this);
+    }
+
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        if (event->type() == QEvent::Paint) {
+            m_window.removeEventFilter(this);
+            startTimer(0); // fires after the events that the frame has posted
+        }
+        return false;
+    }
+
+protected:
+    void timerEvent(QTimerEvent *event) override
+    {
+        killTimer(event->timerId());
+        (m_window.introduction().*m_introduce)();
+    }
+
+private:
+    MainWindow &m_window;
+    Introduce m_introduce;
+};
 
 int reportError(const QString &sentence)
 {
@@ -104,9 +137,9 @@ WindowEnd runWindow(QApplication &application, Work &work, const QString &file,
     else if (!file.isEmpty())
         window.openFile(file);
     else if (Tour::isWanted())
-        QTimer::singleShot(0, &window.introduction(), &Introduction::welcome);
+        new Welcome(window, &Introduction::welcome);
     else if (last.lesson.isEmpty())
-        QTimer::singleShot(0, &window.introduction(), &Introduction::showMap); // no lesson was opened yet
+        new Welcome(window, &Introduction::showMap); // no lesson was opened yet
     window.keepGalleryIn(galleryFolder());
     window.autosaveIn(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/scenes");
     const int code = QApplication::exec();

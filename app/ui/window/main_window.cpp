@@ -130,6 +130,8 @@ void MainWindow::makeDocks()
              DockEntry{Panel::stability, "stability", tr("Stability"), right, DockStart::hidden},
          })
         docks.add(entry);
+    // Qt computes the least sizes of all docks for this, which takes long when they have contents.
+    m_layout.first = saveState();
 }
 
 void MainWindow::makePanels(CostFunction cost)

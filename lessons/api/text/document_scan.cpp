@@ -25,17 +25,18 @@ bool isFence(const QString &line)
 /// Returns the lines of `source`, without line ends.
 QStringList decodedLines(const QByteArray &source, const QString &file)
 {
-    QStringList lines;
-    const QList<QByteArray> parts = source.split('\n');
-    for (const QByteArray &part : parts) {
-        QStringDecoder decoder(QStringDecoder::Utf8);
-        QString line = decoder(part);
-        if (decoder.hasError() || line.contains(QChar(0)))
-            throw DocumentError(file, static_cast<int>(lines.size()) + 1,
-                                ScanText::tr("this is not UTF-8. Save the file with the encoding UTF-8."));
+    QStringDecoder decoder(QStringDecoder::Utf8);
+    const QString text = decoder(source);
+    if (decoder.hasError() || text.contains(QChar(0))) {
+        static const QRegularExpression bad(QStringLiteral("[\\x{fffd}\\x00]"));
+        throw DocumentError(file,
+                            static_cast<int>(QStringView(text).left(text.indexOf(bad)).count(u'\n')) + 1,
+                            ScanText::tr("this is not UTF-8. Save the file with the encoding UTF-8."));
+    }
+    QStringList lines = text.split('\n');
+    for (QString &line : lines) {
         if (line.endsWith('\r'))
             line.chop(1);
-        lines << line;
     }
     return lines;
 }

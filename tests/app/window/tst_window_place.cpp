@@ -5,6 +5,7 @@
 #include "app/ui/dock/window_place.h"
 #include "app/ui/film/film_dialog.h"
 #include "app/ui/help/about_page.h"
+#include "app/ui/map/map_page.h"
 #include "app/ui/settings/appearance.h"
 #include "app/ui/window/gui.h"
 #include "app/ui/window/restart.h"
@@ -12,6 +13,7 @@
 #include "tests/suite.h"
 
 #include <QLabel>
+#include <QScopeGuard>
 #include <QScreen>
 #include <QSettings>
 #include <QTimer>
@@ -71,6 +73,23 @@ struct Program
 
     Work work;
     std::optional<Handover> left;
+};
+
+/// Notes whether the map of concepts was there when a window was painted for the first time.
+class FirstPaint : public QObject
+{
+public:
+    bool eventFilter(QObject *receiver, QEvent *event) override
+    {
+        if (event->type() == QEvent::Paint && qobject_cast<MainWindow *>(receiver) && !window) {
+            window = static_cast<MainWindow *>(receiver);
+            hadMap = window->findChild<MapPage *>();
+        }
+        return false;
+    }
+
+    MainWindow *window = nullptr; ///< null until it is painted
+    bool hadMap = false;
 };
 
 QAction *actionCalled(const MainWindow &window, const QString &text)
@@ -259,9 +278,26 @@ private slots:
         });
     }
 
+    void theMapOpensAfterTheFirstFrame()
+    {
+        QSettings().setValue("tour/seen", true);
+        Start start;
+        FirstPaint first;
+        start.application->installEventFilter(&first);
+        QTimer::singleShot(0, [&] {
+            const auto quit = qScopeGuard([] { QApplication::quit(); });
+            QTRY_VERIFY(first.window && first.window->findChild<MapPage *>());
+            QVERIFY(first.window->findChild<MapPage *>()->isVisible());
+            QVERIFY(!first.hadMap);
+        });
+        Work work;
+        QCOMPARE(runWindow(*start.application, work, {}).code, 0);
+        QVERIFY(first.window);
+    }
+
     void aDialogIsOverTheMiddleOfItsWindowEachTime()
     {
-        const Start start;
+        Start start;
         QWidget window;
         window.setGeometry(100, 100, 600, 500);
         window.show();
