@@ -5242,6 +5242,10 @@ Schreib hier in einem Satz, was man jetzt weiß.
         <source>&lt;b&gt;Unknown for your code.&lt;/b&gt; The limit follows from the springs of the scene, and your code may compute anything else.</source>
         <translation>&lt;b&gt;Für deinen Code unbekannt.&lt;/b&gt; Die Grenze folgt aus den Federn der Szene, und dein Code kann etwas ganz anderes berechnen.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Unknown for this rule.&lt;/b&gt; Its force depends on velocities, and the limit is computed from positions only. Try a shorter step: if the motion stays the same, the step is short enough.</source>
+        <translation>&lt;b&gt;Für diese Regel unbekannt.&lt;/b&gt; Ihre Kraft hängt von Geschwindigkeiten ab, und die Grenze wird nur aus den Orten berechnet. Probier einen kürzeren Schritt: Bleibt die Bewegung gleich, dann ist der Schritt kurz genug.</translation>
+    </message>
 </context>
 <context>
     <name>StepText</name>
@@ -8553,6 +8557,10 @@ Klick klappt ein oder aus (Eingabe)</translation>
     <message>
         <source>Goes to a question about a run, at the end of the text</source>
         <translation>Geht zu einer Frage über einen Lauf am Ende des Textes</translation>
+    </message>
+    <message>
+        <source>Goes to a task in the listing, at the end of the text</source>
+        <translation>Geht zu einer Aufgabe im Listing am Ende des Textes</translation>
     </message>
 </context>
 <context>

@@ -5242,6 +5242,10 @@ Escribe aquí en una frase lo que ahora se sabe.
         <source>&lt;b&gt;Unknown for your code.&lt;/b&gt; The limit follows from the springs of the scene, and your code may compute anything else.</source>
         <translation>&lt;b&gt;Desconocido para tu código.&lt;/b&gt; El límite se deduce de los muelles de la escena, y tu código puede calcular cualquier otra cosa.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Unknown for this rule.&lt;/b&gt; Its force depends on velocities, and the limit is computed from positions only. Try a shorter step: if the motion stays the same, the step is short enough.</source>
+        <translation>&lt;b&gt;Desconocido para esta regla.&lt;/b&gt; Su fuerza depende de velocidades, y el límite se calcula solo a partir de las posiciones. Prueba un paso más corto: si el movimiento no cambia, el paso es lo bastante corto.</translation>
+    </message>
 </context>
 <context>
     <name>StepText</name>
@@ -8553,6 +8557,10 @@ Haz clic para plegar o desplegar (Intro)</translation>
     <message>
         <source>Goes to a question about a run, at the end of the text</source>
         <translation>Va a una pregunta sobre una ejecución, al final del texto</translation>
+    </message>
+    <message>
+        <source>Goes to a task in the listing, at the end of the text</source>
+        <translation>Va a una tarea en el listado, al final del texto</translation>
     </message>
 </context>
 <context>

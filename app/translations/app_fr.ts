@@ -5242,6 +5242,10 @@ Un mot que le texte utilise, en une phrase.
         <source>&lt;b&gt;Unknown for your code.&lt;/b&gt; The limit follows from the springs of the scene, and your code may compute anything else.</source>
         <translation>&lt;b&gt;Inconnue pour ton code.&lt;/b&gt; La limite découle des ressorts de la scène, et ton code peut calculer tout autre chose.</translation>
     </message>
+    <message>
+        <source>&lt;b&gt;Unknown for this rule.&lt;/b&gt; Its force depends on velocities, and the limit is computed from positions only. Try a shorter step: if the motion stays the same, the step is short enough.</source>
+        <translation>&lt;b&gt;Inconnue pour cette règle.&lt;/b&gt; Sa force dépend de vitesses, et la limite est calculée à partir des positions seules. Essaie un pas plus court : si le mouvement reste le même, le pas est assez court.</translation>
+    </message>
 </context>
 <context>
     <name>StepText</name>
@@ -8553,6 +8557,10 @@ Clique pour replier ou déplier (Entrée)</translation>
     <message>
         <source>Goes to a question about a run, at the end of the text</source>
         <translation>Va à une question sur une simulation, à la fin du texte</translation>
+    </message>
+    <message>
+        <source>Goes to a task in the listing, at the end of the text</source>
+        <translation>Va à une tâche dans le listing, à la fin du texte</translation>
     </message>
 </context>
 <context>

@@ -68,8 +68,9 @@ void addTo(LineChip &chip, const QString &path, const listing::Value &value,
     const QString now = shownText(value);
     append(chip.text, path + QStringLiteral(" = ") + now);
     if (chip.shorter.isEmpty())
-        chip.shorter = {QString()};
+        chip.shorter = {QString(), QString()};
     append(chip.shorter.front(), now);
+    append(chip.shorter.back(), shownText(value, -1));
     const bool isOther = before && before->index() == value.index() && *before != value;
     append(chip.tip, isOther ? LineValuesText::tr("%1: from %2 to %3").arg(path, shownText(*before), now)
                              : labelled(path, now));
@@ -102,16 +103,16 @@ std::vector<LoopNote> loopNotes(const ListingFrame &frame, int index, const list
 
 }
 
-QString shownText(const listing::Value &value)
+QString shownText(const listing::Value &value, int more)
 {
     if (const auto *number = std::get_if<double>(&value))
-        return shownNumber(*number);
+        return shownNumber(*number, more);
     if (const auto *whole = std::get_if<std::int64_t>(&value))
         return QString::number(*whole).replace('-', u'−');
     if (const auto *truth = std::get_if<bool>(&value))
         return *truth ? QStringLiteral("true") : QStringLiteral("false"); // as in the listing
     if (const auto *vector = std::get_if<sim::Vec2>(&value))
-        return shownValue(*vector);
+        return shownValue(*vector, more);
     const std::string &name = std::get<listing::BodyReference>(value).name;
     return name.empty() ? LineValuesText::tr("no body") : QString::fromStdString(name);
 }

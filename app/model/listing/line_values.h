@@ -43,7 +43,7 @@ struct LineValues
 /// Returns the values after `index` lines of `frame`. If all have run, there are no loops, and the only call is "frame".
 LineValues valuesAfter(const ListingFrame &frame, int index);
 
-/// Returns the value as a reader sees it: "1.57", "(3.2, −14)", "true", "feet[2]".
-QString shownText(const listing::Value &value);
+/// Returns the value as a reader sees it: "1.57", "(3.2, −14)", "true", "feet[2]". `more`: decimals more than usual.
+QString shownText(const listing::Value &value, int more = 0);
 
 }

@@ -155,6 +155,7 @@ QString gaugeWords(const StabilityReading &reading)
     case Bound::noSprings:
         return StabilityText::tr("no springs act");
     case Bound::unknown:
+    case Bound::velocity:
         return StabilityText::tr("unknown here");
     case Bound::tooLarge:
         return StabilityText::tr("too many points");
@@ -190,6 +191,10 @@ QString stabilityVerdict(const StabilityReading &reading)
                 "<b>Unknown for your code.</b> The limit follows from the springs of the scene, "
                 "and your code may compute anything else.");
         return StabilityText::tr("<b>Unknown here.</b> The pulls in this state are not finite numbers.");
+    case Bound::velocity:
+        return StabilityText::tr(
+            "<b>Unknown for this rule.</b> Its force depends on velocities, and the limit is computed from "
+            "positions only. Try a shorter step: if the motion stays the same, the step is short enough.");
     case Bound::tooLarge:
         return StabilityText::
             tr("<b>Too many points.</b> With more than %1 of them, finding the limit would take too long. If "

@@ -16,9 +16,10 @@ constexpr double nameRoom = 128.0;   ///< px right of the last marker
 constexpr double besideFirst = 24.0; ///< px left of the first one
 constexpr double besideFrame = 14.0; ///< px right of the time that a frame has
 constexpr double nameFactor = 30.0;  ///< from the most expensive marker to that time, so that names have room
-constexpr double shortest = 80.0;    ///< px between them, at least
-constexpr double above = 30.0;       ///< a factor of room over the largest error
-constexpr double fromTop = 0.06;     ///< of the height, the place of unstable rows
+constexpr double mostBeyond = 2.0 / 3.0; ///< of the decades of the markers, from the last one to that time
+constexpr double shortest = 80.0;        ///< px between them, at least
+constexpr double above = 30.0;           ///< a factor of room over the largest error
+constexpr double fromTop = 0.06;         ///< of the height, the place of unstable rows
 
 /// Returns whether all measured rows have times, so that times can be compared.
 bool isTimed(const std::vector<AccuracyRow> &rows)
@@ -65,7 +66,9 @@ void fitCosts(WorkPrecisionLayout &layout, double width, bool withFrame)
         cheap = std::min(cheap, spot.place.x());
         expensive = std::max(expensive, spot.place.x());
     }
-    const bool isFrameShown = withFrame && expensive * nameFactor < frameOnScreen;
+    const double farthest = expensive * std::pow(expensive / cheap, mostBeyond);
+    const bool isFrameShown =
+        withFrame && expensive * nameFactor < frameOnScreen && frameOnScreen <= farthest;
     const double last = isFrameShown ? frameOnScreen : expensive;
     const double room = isFrameShown ? besideFrame : nameRoom;
     const double inner = std::max(shortest, width - room - besideFirst);

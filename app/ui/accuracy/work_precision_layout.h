@@ -25,7 +25,7 @@ double costOf(const sim::AccuracyRow &row, bool timed);
 constexpr double frameOnScreen = 1e6 / 30.0;
 
 /// Returns the layout of the rows of `accuracy` that are `shown`, on an area of `size` px. The error `target`, in px,
-/// is in sight, too. Unless all methods are shown, there is room for frameOnScreen.
+/// is in sight, too, and so is frameOnScreen if it is near the rows and not all methods are shown.
 WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, const ShownMethods &shown,
                                         double target, QSizeF size);
 

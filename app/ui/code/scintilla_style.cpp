@@ -12,7 +12,6 @@ namespace {
 
 using Base = QsciScintillaBase;
 
-constexpr double codePixels = 13.0;
 constexpr double numberPixels = 11.5;
 
 void makeRowsAsHigh(QsciScintilla &view, int pixels)
@@ -44,10 +43,10 @@ void defineStyle(QsciScintilla &view, int style, const QFont &font, const QColor
     view.SendScintilla(Base::SCI_STYLESETBACK, s, paper);
 }
 
-void styleCode(QsciScintilla &view, const Theme &theme)
+void styleCode(QsciScintilla &view, const Theme &theme, double letterPixels)
 {
     const Tokens &t = theme.tokens();
-    const QFont code = inPoints(view, theme.mono(), codePixels);
+    const QFont code = inPoints(view, theme.mono(), letterPixels);
     view.setPaper(t.panel);
     view.setColor(t.ink);
     const auto ink = [&](Ink which, const QFont &font, const QColor &color) {

@@ -19,6 +19,7 @@ QFont inPoints(const QsciScintilla &view, QFont font, double pixels);
 void defineStyle(QsciScintilla &view, int style, const QFont &font, const QColor &ink, const QColor &paper);
 
 /// Gives a view of code its fonts and colours: the styles of Ink, line numbers, the selection, and the height of lines.
-void styleCode(QsciScintilla &view, const Theme &theme);
+/// Letters of the code are `letterPixels` high.
+void styleCode(QsciScintilla &view, const Theme &theme, double letterPixels = 13.0);
 
 }

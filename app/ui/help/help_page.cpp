@@ -22,7 +22,6 @@ constexpr int columnWidth = 450; ///< px, so that a long gesture leaves room for
 constexpr int margin = 24;
 constexpr int rowHeight = 28;
 constexpr int rowGap = 3; ///< px, above and below a text
-constexpr int longestPage = 720;
 constexpr int headHeight = 90;
 
 /// Makes a label. `name` is its object name in the style sheet.
@@ -52,13 +51,13 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
     auto *title = label(tr("Keys and mouse"), "stepTitle", m_page);
     auto *hint =
         label(tr("Everything works without the mouse, too. Esc closes this page."), "caption", m_page);
-    auto *columns = new QHBoxLayout;
-    columns->setSpacing(2 * margin);
+    m_row = new QHBoxLayout;
+    m_row->setSpacing(2 * margin);
     for (QVBoxLayout *&column : m_columns) {
         column = new QVBoxLayout;
         column->setSpacing(20);
         column->addStretch(1); // an alignment would ignore that wrapped texts need more height
-        columns->addLayout(column, 1);
+        m_row->addLayout(column);
     }
     auto *page = new QVBoxLayout(m_page);
     page->setContentsMargins(margin, 20, margin, margin);
@@ -66,7 +65,7 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
     page->addWidget(title);
     page->addWidget(hint);
     page->addSpacing(16);
-    page->addLayout(columns);
+    page->addLayout(m_row);
     page->addStretch(1);
     auto *area = m_area = new QScrollArea(this);
     area->setWidgetResizable(true);
@@ -127,23 +126,40 @@ void HelpPage::addRow(const QString &group, const QString &text, QWidget *caps)
     to.column->addLayout(row);
 }
 
-void HelpPage::arrange()
+int HelpPage::fill(std::size_t columns)
 {
-    // The lengths of the groups are known only now. Each group goes into the shorter column.
-    int rows[2] = {0, 0};
-    for (const Group &group : m_groups) {
-        const int column = rows[1] < rows[0] ? 1 : 0;
-        m_columns[0]->removeWidget(group.box);
-        m_columns[1]->removeWidget(group.box);
-        m_columns[column]->insertWidget(m_columns[column]->count() - 1, group.box);
-        group.box->setVisible(group.rows > 0);
-        rows[column] += group.rows > 0 ? group.rows + 2 : 0;
+    std::array<int, std::tuple_size_v<decltype(m_columns)>> rows{};
+    for (QVBoxLayout *column : m_columns) {
+        for (const Group &group : m_groups)
+            column->removeWidget(group.box);
     }
-    const int high = std::max(rows[0], rows[1]) * rowHeight + headHeight;
-    const QSize most = screen()->availableGeometry().size() - QSize(80, 80);
+    const auto end = rows.begin() + static_cast<std::ptrdiff_t>(columns);
+    for (const Group &group : m_groups) {
+        const auto shortest = std::min_element(rows.begin(), end);
+        QVBoxLayout *column = m_columns[static_cast<std::size_t>(shortest - rows.begin())];
+        column->insertWidget(column->count() - 1, group.box);
+        group.box->setVisible(group.rows > 0);
+        *shortest += group.rows > 0 ? group.rows + 2 : 0;
+    }
+    for (std::size_t i = 0; i < m_columns.size(); ++i)
+        m_row->setStretch(static_cast<int>(i), i < columns ? 1 : 0);
+    return *std::max_element(rows.begin(), rows.end());
+}
+
+void HelpPage::fitTo(QSize screen)
+{
+    // The lengths of the groups are known only now. A third column is there if the page would scroll without
+    // it.
+    const QSize most = screen - QSize(80, 80);
+    const auto widthOf = [](int columns) { return columns * (columnWidth + 2 * margin); };
+    int columns = 2;
+    int high = fill(2) * rowHeight + headHeight;
+    if (high > most.height() && widthOf(3) <= most.width()) {
+        columns = 3;
+        high = fill(3) * rowHeight + headHeight;
+    }
     m_page->setMinimumHeight(0);
-    resize(std::min(2 * (columnWidth + margin) + 2 * margin, most.width()),
-           std::min({high, longestPage, most.height()}));
+    resize(std::min(widthOf(columns), most.width()), std::min(high, most.height()));
 }
 
 void HelpPage::resizeEvent(QResizeEvent *event)
@@ -162,7 +178,7 @@ void HelpPage::makeRoom()
 void HelpPage::setVisible(bool visible)
 {
     if (visible && !isVisible()) {
-        arrange();
+        fitTo(screen()->availableGeometry().size());
         placeOverParent(*this);
     }
     QDialog::setVisible(visible);

@@ -4,9 +4,11 @@
 
 #include <QDialog>
 
+#include <array>
 #include <vector>
 
 class QAction;
+class QHBoxLayout;
 class QScrollArea;
 class QVBoxLayout;
 
@@ -30,6 +32,8 @@ public:
     void addGesture(const QString &group, const QString &gesture, const QString &effect);
 
     void setVisible(bool visible) override;
+    /// Arranges the groups and sets the size, for a screen of this size in px.
+    void fitTo(QSize screen);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -43,7 +47,8 @@ private:
         int rows = 0;
     };
 
-    void arrange();
+    /// Shares the groups among `columns`. Returns the rows of the longest column.
+    int fill(std::size_t columns);
     /// Makes the page as high as its texts need at their present width.
     void makeRoom();
     void addRow(const QString &group, const QString &text, QWidget *caps);
@@ -52,7 +57,8 @@ private:
     const Theme &m_theme;
     QWidget *m_page;
     QScrollArea *m_area = nullptr;
-    QVBoxLayout *m_columns[2]; ///< each group goes into the shorter column
+    QHBoxLayout *m_row = nullptr;           ///< of the columns
+    std::array<QVBoxLayout *, 3> m_columns; ///< each group goes into the shortest of those in use
     std::vector<Group> m_groups;
 };
 

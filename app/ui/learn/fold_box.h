@@ -53,6 +53,7 @@ public:
 
     bool isUnfolded() const { return m_title->isChecked(); }
     void setUnfolded(bool isUnfolded) { m_title->setChecked(isUnfolded); }
+    void focusTitle() { m_title->setFocus(Qt::OtherFocusReason); }
 
 signals:
     /// Emitted when the box is folded or unfolded.

@@ -184,12 +184,17 @@ void SceneBar::follow(const QString &id, Command &command)
     for (QAction *entry : m_show->menu()->actions()) {
         if (entry->data().toString() != id)
             continue;
-        command.setChecked(entry->isChecked());
+        // A command that cannot be used has no tick: the scene shows nothing of it.
+        const auto tick = [entry, &command] {
+            command.setChecked(entry->isChecked() && command.isEnabled());
+        };
+        tick();
         connect(&command, &QAction::triggered, entry, [entry](bool on) {
             if (entry->isChecked() != on)
                 entry->trigger();
         });
-        connect(entry, &QAction::toggled, &command, &QAction::setChecked);
+        connect(entry, &QAction::toggled, &command, tick);
+        connect(&command, &QAction::enabledChanged, &command, tick);
     }
 }
 

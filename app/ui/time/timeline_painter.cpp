@@ -12,7 +12,6 @@ namespace {
 
 using Places = TimelinePlaces;
 
-constexpr double labelBaseline = 10.0;
 constexpr double nameGap = 8.0;
 constexpr double bend = 16.0; ///< px over which the dots descend from the track
 
@@ -58,10 +57,10 @@ void paintTicks(QPainter &painter, const TimelineAxis &axis, const Theme &theme)
         const double width = metrics.horizontalAdvance(label);
         const double start = std::clamp(x - width / 2, axis.left(), axis.right() - width);
         painter.setPen(theme.tokens().ink3);
-        painter.drawText(QPointF(start, labelBaseline), label);
+        painter.drawText(QPointF(start, Places::labels), label);
         const double line = std::min(std::floor(x), axis.right() - 1) + 0.5;
         painter.setPen(theme.tokens().line2);
-        painter.drawLine(QPointF(line, 13), QPointF(line, 17));
+        painter.drawLine(QPointF(line, Places::labels + 3), QPointF(line, Places::labels + 7));
     }
 }
 

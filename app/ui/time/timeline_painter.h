@@ -52,10 +52,11 @@ struct RunView
 struct TimelinePlaces
 {
     static constexpr int height = 98;
-    static constexpr double track = 25.0;
-    static constexpr double comparisonRun = 40.0;
-    static constexpr int fan = 48;
-    static constexpr int strip = 60;
+    static constexpr double labels = 14.0; ///< the baseline; the focus ring is above
+    static constexpr double track = 29.0;
+    static constexpr double comparisonRun = 44.0;
+    static constexpr int fan = 52;
+    static constexpr int strip = 64;
     static constexpr int stripHeight = 28;
 };
 

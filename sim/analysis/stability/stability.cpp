@@ -25,6 +25,15 @@ Bound boundOf(const Method &method)
     return Bound::stiffness;
 }
 
+bool hasVelocityForce(const Scene &scene, const State &state)
+{
+    return std::any_of(scene.effects.begin(), scene.effects.end(), [&](const EffectPtr &effect) {
+        const auto *force = as<Force>(effect);
+        return force && force->dependsOnVelocity() && !force->isIdle() &&
+               force->count(state, {0, state.pointCount()}) > 0;
+    });
+}
+
 /// Returns the factor per frame for a logarithm per step. Growth within rounding counts as none.
 double factorPerFrame(double growth, double rounding, double h)
 {
@@ -64,6 +73,8 @@ Stability stabilityOf(const Scene &scene, const State &state, const Method &meth
     found.bound = boundOf(method);
     if (found.bound == Bound::stiffness && state.pointCount() > maxAnalysedPoints)
         found.bound = Bound::tooLarge;
+    else if (found.bound == Bound::stiffness && hasVelocityForce(scene, state))
+        found.bound = Bound::velocity;
     if (found.bound != Bound::stiffness)
         return found;
     const LinearisedScene linearised = linearise(scene, state, method);

@@ -13,6 +13,7 @@ enum class Bound {
     tolerance, ///< nothing: the method adapts its steps to a tolerance
     noSprings, ///< nothing: no force here has stiffness
     unknown,   ///< unknown, because forces are not finite
+    velocity,  ///< unknown, because a force depends on velocities, and only positions are analysed
     tooLarge,  ///< unknown, because more than maxAnalysedPoints points would take too long to analyse
 };
 
@@ -44,7 +45,7 @@ struct Stability
     /// Returns the step divided by the limit. Infinite if the limit is 0.
     double share() const;
     /// Returns whether small disturbances stay small.
-    bool holds() const { return bound != Bound::unknown && growth <= 1.0; }
+    bool holds() const { return bound != Bound::unknown && bound != Bound::velocity && growth <= 1.0; }
 };
 
 /// Computes the stability of `method` at steps of `h` frames on `scene`, linearised at `state`. Contacts,

@@ -291,7 +291,7 @@ private slots:
     void ctrlAndAClickInTheMarginSetsADot()
     {
         ListingFixture shown("single_spring", "radial");
-        const int line = shown.line("foot.velocity *= damp");
+        const int line = shown.line("if (foot.held)");
         const auto click = [&](Qt::KeyboardModifiers modifiers, const QPoint &at) {
             QTest::mouseClick(shown.editor.viewport(), Qt::LeftButton, modifiers, at);
             tests::settle();

@@ -7,6 +7,7 @@
 
 #include <QLineEdit>
 #include <QMenu>
+#include <QScrollBar>
 #include <QSettings>
 
 using namespace listing_window;
@@ -104,6 +105,34 @@ private slots:
         shown.key(Qt::Key_F10);
         QVERIFY(!isInside());
         QVERIFY(shown.session.lines().index() >= out);
+    }
+
+    void longLinesAreWrappedAndTheirValuesAreShown()
+    {
+        ListingFixture shown("walking_gait", "ground");
+        shown.goTo(60);
+        QCOMPARE(shown.editor.horizontalScrollBar()->maximum(), 0);
+        const int width = shown.editor.viewport()->width();
+        int wrapped = 0;
+        for (int line = 1; line <= shown.editor.lines(); ++line) {
+            const auto length = static_cast<int>(shown.editor.text(line - 1).trimmed().size());
+            if (length == 0)
+                continue;
+            const auto last =
+                static_cast<int>(shown.editor.text(line - 1).indexOf(shown.editor.text(line - 1).trimmed())) +
+                length;
+            const QRect letter = shown.editor.wordRect({line, last, 1});
+            QVERIFY(letter.right() <= width);
+            QVERIFY(shown.editor.lineRect(line).contains(letter.center()) ||
+                    letter.bottom() > shown.editor.viewport()->height());
+            wrapped += shown.editor.lineRect(line).height() > letter.height() ? 1 : 0;
+        }
+        QVERIFY(wrapped > 0);
+        for (const LineChip &chip : shown.editor.values().chips) {
+            if (chip.shorter.last().size() <= 4)
+                QVERIFY2(shown.editor.chipText(chip.line) != "…", qPrintable(chip.text));
+        }
+        QVERIFY(shown.editor.values().chips.size() > 3);
     }
 
     void aLoopSaysWhichTurnItIsIn()

@@ -93,6 +93,7 @@ private slots:
     void init() { QSettings().clear(); }
 
     void tasksAreUnfoldedAndStartedWithTheMouse();
+    void aButtonAboveTheThingsToTryLeadsToTheTask();
     void theLearnerTypesBelowTheComment_data();
     void theLearnerTypesBelowTheComment();
     void thePanelShowsWhatIsWrongAndThenTheTick();
@@ -133,6 +134,27 @@ void TaskBoxTest::tasksAreUnfoldedAndStartedWithTheMouse()
     QCOMPARE(world.texts("taskSentence").size(), 1);
     world.press("stopTask");
     QVERIFY(world.texts("taskHint").isEmpty() && world.texts("taskSentence").isEmpty());
+}
+
+void TaskBoxTest::aButtonAboveTheThingsToTryLeadsToTheTask()
+{
+    TaskPanelFixture world;
+    auto &pointer = *world.panel.findChild<QToolButton *>("toTask");
+    QVERIFY(world.box().visibleRegion().isEmpty());
+    QTRY_VERIFY(pointer.isVisible());
+    QCOMPARE(pointer.text(), QString("Write it yourself"));
+    QVERIFY(!pointer.toolTip().isEmpty());
+    QCOMPARE(pointer.visibleRegion().boundingRect(), pointer.rect());
+    QTest::mouseClick(&pointer, Qt::LeftButton);
+    QTRY_VERIFY(!world.box().visibleRegion().isEmpty());
+    QTRY_VERIFY(world.button("startTask").isVisible());
+    QTRY_VERIFY(!pointer.isVisible()); // the task is in view
+    world.press("startTask");
+    world.press("taskSolution");
+    scrollTo(world.box(), -2000);
+    QTRY_VERIFY(pointer.isVisible());
+    world.session.openStep("single_spring", "offset");
+    QTRY_COMPARE(pointer.isVisible(), !world.session.step().codeTasks.empty());
 }
 
 void TaskBoxTest::theLearnerTypesBelowTheComment_data()

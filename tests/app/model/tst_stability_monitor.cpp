@@ -1,9 +1,11 @@
 // The stability monitor of a session: readings, remedies, maps and texts, for the installed lessons.
 
+#include "app/model/experiment/experiment.h"
 #include "app/model/session/session.h"
 #include "app/model/text/stability_text.h"
 
 #include "sim/methods/methods.h"
+#include "sim/run/track.h"
 #include "tests/app/support/waiting.h"
 #include "tests/suite.h"
 
@@ -70,6 +72,7 @@ private slots:
     void wordsSayWhatBoundsTheStep();
     void aRemedySaysWhatComesOfIt();
     void aStepThatHoldsWhereShorterOnesGrowIsSaid();
+    void theLimitOfARuleWithVelocitiesIsUnknown();
     void jumpsAreNamed();
     void theMapHoldsWhereReadingsHold_data();
     void theMapHoldsWhereReadingsHold();
@@ -283,6 +286,23 @@ void StabilityMonitorTest::aStepThatHoldsWhereShorterOnesGrowIsSaid()
     reading.stability.limit = 2.5;
     QVERIFY(stabilityVerdict(reading).contains("but still stable"));
     QVERIFY(growthWords(INFINITY).contains("more than a million"));
+}
+
+void StabilityMonitorTest::theLimitOfARuleWithVelocitiesIsUnknown()
+{
+    const LessonLibrary library = LessonLibrary::load({LESSON_DIR});
+    for (const char *name : {"flock", "whirlpool"}) {
+        const Experiment example =
+            readExperiment(QStringLiteral(":/examples/sandbox/%1.json").arg(name), library);
+        sim::Track track(example.script, std::size_t{1} << 20);
+        track.seek({10, 0});
+        const StabilityReading reading = readStability(example.script, track.intervalPtr(), track.state());
+        QCOMPARE(reading.stability.bound, sim::Bound::velocity);
+        QCOMPARE(gaugeWords(reading), QString("unknown here"));
+        QVERIFY(nearnessOf(reading.stability) == Nearness::none);
+        QVERIFY(stabilityVerdict(reading).contains("depends on velocities"));
+        QVERIFY(!stabilityVerdict(reading).contains("No step is stable"));
+    }
 }
 
 void StabilityMonitorTest::jumpsAreNamed()

@@ -25,6 +25,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <set>
+
 using namespace app;
 using namespace tests;
 
@@ -38,6 +40,7 @@ private slots:
 
     void theHelpPageListsEveryActionThatHasAShortcut();
     void groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded();
+    void theHelpPageHasAThirdColumnBeforeItScrolls();
     void escapeClosesTheHelpPage();
     void aDockTitleIsAsHighAsItsDockExpects();
     void tabPutsARingRoundAControl();
@@ -95,6 +98,32 @@ void PanelPartsTest::groupsOfTheHelpPageStandInTheOrderInWhichTheyAreAdded()
     QVERIFY(place("Time").x() >= 0 && place("Time").x() < place("Picture").x());
     QCOMPARE(place("Time").y(), place("Picture").y());
     QVERIFY(place("Code").y() > place("Time").y());
+}
+
+void PanelPartsTest::theHelpPageHasAThirdColumnBeforeItScrolls()
+{
+    Theme theme(Scheme::light);
+    HelpPage page(theme);
+    for (int group = 0; group < 9; ++group) {
+        for (int i = 0; i < 8; ++i)
+            page.addGesture(QString("Group %1").arg(group), "Press", "do it");
+    }
+    show(page, {800, 600});
+    const auto columns = [&](QSize screen) {
+        page.fitTo(screen);
+        settle();
+        std::set<int> places;
+        for (const QLabel *label : page.findChildren<QLabel *>("heading"))
+            places.insert(label->mapTo(&page, QPoint()).x());
+        return places.size();
+    };
+    const QScrollBar *bar = page.findChild<QScrollArea *>()->verticalScrollBar();
+    QCOMPARE(columns({1280, 800}), std::size_t{2});
+    QVERIFY(bar->maximum() > 0);
+    QCOMPARE(columns({1920, 1080}), std::size_t{3});
+    QCOMPARE(bar->maximum(), 0);
+    QCOMPARE(columns({1920, 2000}), std::size_t{2}); // nothing scrolls there
+    QCOMPARE(bar->maximum(), 0);
 }
 
 void PanelPartsTest::escapeClosesTheHelpPage()

@@ -85,6 +85,7 @@ class SceneOutdoorsTest : public QObject
 private slots:
     void theGroundLiesWhereItSays();
     void distancesScrollWithThePicture();
+    void noDistanceIsCutAtTheEdge();
     void thePictureFollowsWhatWalks();
     void thePictureStaysWhileItsWalkerIsInTheMiddle();
     void whoMovesThePictureIsNotPulledBack();
@@ -149,6 +150,28 @@ void SceneOutdoorsTest::distancesScrollWithThePicture()
     fixture.move({40 - 137, 60}, Qt::MiddleButton);
     fixture.release({40 - 137, 60}, Qt::MiddleButton);
     QVERIFY(agree(ticks(), expected()));
+}
+
+void SceneOutdoorsTest::noDistanceIsCutAtTheEdge()
+{
+    SceneFixture fixture({walker(0.0)});
+    constexpr int belowTicks = 15, lineHeight = 16; // px
+    const int top = static_cast<int>(std::round(onScreen(fixture, {0, 400}).y())) + belowTicks;
+    const auto isDark = [](const QImage &image, int x, int y) { return qGray(image.pixel(x, y)) < 190; };
+    for (int moved = 0; moved < 160; moved += 8) {
+        const QImage image = fixture.image();
+        int dark = 0;
+        for (int y = top; y < top + lineHeight; ++y) {
+            for (int x = 0; x < image.width(); ++x)
+                dark += isDark(image, x, y) ? 1 : 0;
+            for (const int x : {0, 1, image.width() - 2, image.width() - 1})
+                QVERIFY2(!isDark(image, x, y), qPrintable(QString("moved by %1 px").arg(moved)));
+        }
+        QVERIFY(dark > 50); // the other numbers
+        fixture.press({200, 60}, Qt::MiddleButton);
+        fixture.move({200 - 8, 60}, Qt::MiddleButton);
+        fixture.release({200 - 8, 60}, Qt::MiddleButton);
+    }
 }
 
 void SceneOutdoorsTest::thePictureFollowsWhatWalks()

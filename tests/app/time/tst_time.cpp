@@ -1,3 +1,4 @@
+#include "app/ui/theme/focus_ring.h"
 #include "app/ui/time/timeline_painter.h"
 #include "tests/app/support/waiting.h"
 #include "tests/app/time/time_support.h"
@@ -57,6 +58,7 @@ private slots:
     void theCurrentPhaseAlwaysHasItsName();
     void namesComeBackWhereThereIsRoomAgain();
     void theNameOfTheOldRunIsWholeWhileThatRunGrows();
+    void theFocusRingTouchesNoNumber();
     void screenReadersHearFrameAndPhase();
     void nothingRunsWhileNothingMoves();
 };
@@ -216,7 +218,7 @@ void TestTime::theGhostAppearsAfterAChangeInThePastAndCanBeForgotten()
 void TestTime::whilePlayingThePhaseStripIsNotPainted()
 {
     TimeFixture fixture;
-    const QRect phases(0, 62, 600, 28);
+    const QRect phases(0, TimelinePlaces::strip, 600, TimelinePlaces::stripHeight);
     fixture.session.playback().play();
     QTRY_VERIFY(fixture.at().frame >= 3);
     PaintLog log;
@@ -343,6 +345,21 @@ void TestTime::theNameOfTheOldRunIsWholeWhileThatRunGrows()
     const QImage empty(600, TimelinePlaces::height, QImage::Format_RGB32);
     const QImage before = paint(was, empty, empty.rect());
     QCOMPARE(paint(is, before, changedByMove(axis, was, is, theme)), paint(is, empty, empty.rect()));
+}
+
+void TestTime::theFocusRingTouchesNoNumber()
+{
+    TimeFixture fixture;
+    fixture.window.activateWindow();
+    fixture.strip->setFocus(Qt::TabFocusReason);
+    const QImage image = fixture.strip->grab().toImage();
+    const QColor ink = fixture.theme.tokens().ink, panel = fixture.theme.tokens().panel;
+    const int middle = image.width() / 2;
+    QCOMPARE(image.pixelColor(middle, 0), ink);
+    for (int x = 12; x < image.width() - 12; ++x) {
+        for (int y = FocusRing::width; y < FocusRing::width + 2; ++y)
+            QCOMPARE(image.pixelColor(x, y), panel);
+    }
 }
 
 void TestTime::screenReadersHearFrameAndPhase()

@@ -158,12 +158,16 @@ void UnitCircleTest::itIsThereOnlyInStepsWithAnAngle()
     QVERIFY(fixture.circle().lines().isEmpty());
     QVERIFY(fixture.view.shown().card.isEmpty());
     QVERIFY(!fixture.action("unitCircle").isEnabled());
+    QVERIFY(!fixture.action("unitCircle").isChecked()); // and yet the choice is kept
     fixture.session.openStep("single_spring", "radial");
     QVERIFY(fixture.circle().isVisible());
     QVERIFY(fixture.action("unitCircle").isEnabled());
+    QVERIFY(fixture.action("unitCircle").isChecked());
     QCOMPARE(fixture.view.shown().card, QRectF(fixture.circle().geometry()));
     fixture.session.openStep("single_spring", "drag");
     QVERIFY(!fixture.circle().isVisible());
+    QVERIFY(!fixture.action("unitCircle").isChecked());
+    QVERIFY(fixture.view.extras().unitCircle);
 }
 
 void UnitCircleTest::theKeySwitchesItAndTheChoiceIsRemembered()

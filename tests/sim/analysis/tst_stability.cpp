@@ -43,6 +43,13 @@ private:
     std::shared_ptr<const Force> m_inner;
 };
 
+class VelocityForce : public ForceWithoutJacobian
+{
+public:
+    using ForceWithoutJacobian::ForceWithoutJacobian;
+    bool dependsOnVelocity() const override { return true; }
+};
+
 }
 
 class TestStability : public QObject
@@ -61,6 +68,7 @@ private slots:
     void heldBodyIsFixed();
     void largestEigenvalueOfALargeMatrixIsFound();
     void nonFiniteForcesAreReported();
+    void forcesThatDependOnVelocitiesHaveNoKnownLimit();
     void extremeParametersGiveAResult_data();
     void extremeParametersGiveAResult();
 };
@@ -203,6 +211,19 @@ void TestStability::nonFiniteForcesAreReported()
     const Stability found = predicted(scene, "semi_implicit_euler");
     QCOMPARE(found.bound, Bound::unknown);
     QVERIFY(!found.holds());
+}
+
+void TestStability::forcesThatDependOnVelocitiesHaveNoKnownLimit()
+{
+    Scene scene = creature(1, 0.3, 0.9).scene;
+    for (EffectPtr &effect : scene.effects) {
+        if (const auto force = std::dynamic_pointer_cast<const Force>(effect))
+            effect = make_shared<VelocityForce>(force);
+    }
+    const Stability found = predicted(scene, "semi_implicit_euler");
+    QCOMPARE(found.bound, Bound::velocity);
+    QVERIFY(!found.holds());
+    QCOMPARE(predicted(scene, "backward_euler").bound, Bound::none);
 }
 
 void TestStability::extremeParametersGiveAResult_data()

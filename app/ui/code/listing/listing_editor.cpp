@@ -22,6 +22,7 @@ namespace app {
 namespace {
 
 constexpr int tabColumns = 4;
+constexpr int leastChipRoom = 46;              ///< px right of the code: a value with some digits
 constexpr int marginWidths[] = {30, 13, 3, 7}; ///< px: numbers, the arrow, changed lines, a gap
 
 }
@@ -59,8 +60,7 @@ ListingEditor::ListingEditor(const Theme &theme, Kind kind, QWidget *parent)
             Qt::QueuedConnection);
     connect(this, &QsciScintillaBase::SCN_UPDATEUI, this, &ListingEditor::showBrackets);
     // Scintilla does not scroll the values that are painted over the text.
-    for (const QScrollBar *bar : {verticalScrollBar(), horizontalScrollBar()})
-        connect(bar, &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
+    connect(verticalScrollBar(), &QScrollBar::valueChanged, viewport(), qOverload<>(&QWidget::update));
 }
 
 void ListingEditor::setUp()
@@ -76,14 +76,14 @@ void ListingEditor::setUp()
     setTabWidth(tabColumns);
     setIndentationWidth(tabColumns);
     setMinimumSize(160, 3 * codeRowPixels);
-    auto *corner = new QWidget(this); // otherwise the style draws its own square where two scroll bars meet
-    corner->setAutoFillBackground(true);
-    setCornerWidget(corner);
     send(*this, SCI_SETUNDOCOLLECTION, 0); // undo is the session's
     send(*this, SCI_SETLEXER, SCLEX_CONTAINER);
-    send(*this, SCI_SETSCROLLWIDTH, 1);
-    send(*this, SCI_SETSCROLLWIDTHTRACKING, 1);
+    setWrapMode(WrapWhitespace); // by words, a row could begin with ");"
+    setWrapIndentMode(WrapIndentIndented);
+    send(*this, SCI_SETSCROLLWIDTH, 1); // nothing to scroll sideways
     send(*this, SCI_SETMARGINLEFT, 0, 0);
+    if (m_kind == Kind::listing)
+        send(*this, SCI_SETMARGINRIGHT, 0, leastChipRoom);
     send(*this, SCI_AUTOCSETORDER, SC_ORDER_PRESORTED);
     send(*this, SCI_AUTOCSETMAXHEIGHT, 8);
     send(*this, SCI_INDICSETSTYLE, mistakeIndicator, INDIC_SQUIGGLE);
@@ -104,10 +104,11 @@ void ListingEditor::setUp()
 void ListingEditor::applyTheme()
 {
     const Tokens &t = m_theme.tokens();
-    styleCode(*this, m_theme);
+    const double letterPixels = isNarrow(viewport()->width()) ? 12.0 : 13.0;
+    styleCode(*this, m_theme, letterPixels);
     for (const int marker : {nextText, nextMargin})
         setMarkerBackgroundColor(t.wash, marker), setMarkerForegroundColor(t.wash, marker);
-    QFont bold = inPoints(*this, m_theme.mono(), 13);
+    QFont bold = inPoints(*this, m_theme.mono(), letterPixels);
     bold.setWeight(QFont::Bold);
     defineStyle(*this, STYLE_BRACELIGHT, bold, t.ink, t.sunk);
     defineStyle(*this, STYLE_BRACEBAD, bold, t.past, t.panel);
@@ -155,8 +156,6 @@ void ListingEditor::showTop()
 {
     send(*this, SCI_GOTOPOS, 0);
     send(*this, SCI_SETFIRSTVISIBLELINE, 0);
-    send(*this, SCI_SETXOFFSET, 0);
-    send(*this, SCI_SETSCROLLWIDTH, 1); // as wide as the new text, not the old one
 }
 
 void ListingEditor::flush()
@@ -298,7 +297,6 @@ void ListingEditor::writeBehind(int line)
 {
     const QString code = text(line - 1);
     setCursorPosition(line - 1, static_cast<int>(code.size()) - (code.endsWith('\n') ? 1 : 0));
-    send(*this, SCI_SETXOFFSET, 0); // a long comment would scroll the code out of view
 }
 
 void ListingEditor::setValues(LineValues values)

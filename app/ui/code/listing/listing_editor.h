@@ -79,7 +79,7 @@ public:
     const std::vector<LineStop> &stops() const { return m_stops; }
     /// Moves the caret to a line and scrolls to it.
     void showLine(int line);
-    /// Moves the caret to the end of a line. The view shows the beginnings of lines.
+    /// Moves the caret to the end of a line.
     void writeBehind(int line);
     /// Sets the values at the ends of lines. While they are `earlier` ones, they are paler.
     void setValues(LineValues values);
@@ -93,6 +93,7 @@ public:
 
     // For tests: lines from 1, columns in characters from 1, places in the viewport, px.
     QString chipText(int line) const { return chipOf(line).text; }
+    /// Returns the place of all rows of a line.
     QRect lineRect(int line) const;
     /// Returns the place of the dot of a breakpoint.
     QRect stopRect(int line) const;
@@ -178,7 +179,12 @@ private:
     QString textBefore(int line, int index) const;
 
     long positionOf(int line, int column) const { return positionFromLineIndex(line - 1, column - 1); }
-    int endOfCode(int line) const;
+    /// Returns the place of the end of the code in a line, without a trailing comment.
+    QPoint endOfCode(int line) const;
+    /// Returns the first row of a line, which has more rows if it is wrapped.
+    QRect firstRow(int line) const;
+    QPoint placeOf(long position) const;
+    int rowHeight() const;
     /// Returns the forms of the value or loop beside a line, longest first.
     QStringList formsOf(int line) const;
     const LineChip *valueOf(int line) const;

@@ -4,12 +4,14 @@
 #include "app/ui/code/code_keys.h"
 #include "app/ui/code/code_scintilla.h"
 #include "app/ui/code/listing/listing_editor.h"
+#include "app/ui/code/listing/listing_editor_styles.h"
 
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QRegularExpression>
+#include <QResizeEvent>
 #include <QToolTip>
 
 #include <algorithm>
@@ -456,6 +458,11 @@ bool ListingEditor::viewportEvent(QEvent *event)
 {
     if (event->type() == QEvent::Leave)
         setPointed(std::nullopt);
+    if (event->type() == QEvent::Resize) {
+        const auto *resize = static_cast<QResizeEvent *>(event);
+        if (isNarrow(resize->oldSize().width()) != isNarrow(resize->size().width()))
+            applyTheme();
+    }
     if (event->type() != QEvent::ToolTip)
         return QsciScintilla::viewportEvent(event);
     const auto *help = static_cast<QHelpEvent *>(event);

@@ -26,30 +26,48 @@ constexpr int changeWidth = 3;
 
 }
 
+QPoint ListingEditor::placeOf(long position) const
+{
+    return {static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, position)),
+            static_cast<int>(send(*this, SCI_POINTYFROMPOSITION, 0, position))};
+}
+
+int ListingEditor::rowHeight() const
+{
+    return static_cast<int>(send(*this, SCI_TEXTHEIGHT, 0));
+}
+
+QRect ListingEditor::firstRow(int line) const
+{
+    return {0, placeOf(positionOf(line, 1)).y(), viewport()->width(), rowHeight()};
+}
+
 QRect ListingEditor::lineRect(int line) const
 {
-    const auto height = static_cast<int>(send(*this, SCI_TEXTHEIGHT, 0));
-    const long above = line - 1 - send(*this, SCI_GETFIRSTVISIBLELINE);
-    return {0, static_cast<int>(above) * height, viewport()->width(), height};
+    QRect rows = firstRow(line);
+    rows.setHeight(rowHeight() *
+                   static_cast<int>(send(*this, SCI_WRAPCOUNT, static_cast<std::size_t>(line - 1))));
+    return rows;
 }
 
 QRect ListingEditor::stopRect(int line) const
 {
-    const QRect row = lineRect(line);
-    return {0, row.top(), stopWidth, row.height()};
+    QRect place = firstRow(line);
+    place.setWidth(stopWidth);
+    return place;
 }
 
 QRect ListingEditor::wordRect(const TextRange &range) const
 {
-    const auto x = [this](long position) {
-        return static_cast<int>(send(*this, SCI_POINTXFROMPOSITION, 0, position));
-    };
-    const QRect row = lineRect(range.line);
-    const int left = x(positionOf(range.line, range.column));
-    return {left, row.top(), x(positionOf(range.line, range.column + range.length)) - left, row.height()};
+    const QPoint from = placeOf(positionOf(range.line, range.column));
+    const QPoint last = placeOf(positionOf(range.line, range.column + range.length - 1));
+    // Behind the last letter the next row can begin.
+    const auto letter =
+        static_cast<int>(SendScintilla(SCI_TEXTWIDTH, static_cast<unsigned long>(STYLE_DEFAULT), "x"));
+    return {from, QPoint(last.x() + letter - 1, from.y() + rowHeight() - 1)};
 }
 
-int ListingEditor::endOfCode(int line) const
+QPoint ListingEditor::endOfCode(int line) const
 {
     QString code = text(line - 1);
     while (code.endsWith('\n') || code.endsWith('\r'))
@@ -59,8 +77,7 @@ int ListingEditor::endOfCode(int line) const
     qsizetype length = comment < 0 ? code.size() : QString::fromUtf8(code.toUtf8().left(comment)).size();
     while (length > 0 && code[length - 1].isSpace())
         --length;
-    return static_cast<int>(
-        send(*this, SCI_POINTXFROMPOSITION, 0, positionOf(line, static_cast<int>(length) + 1)));
+    return placeOf(positionOf(line, static_cast<int>(length) + 1));
 }
 
 const LineChip *ListingEditor::valueOf(int line) const
@@ -93,7 +110,9 @@ ValueChip ListingEditor::chipOf(int line) const
     QStringList forms = formsOf(line);
     if (forms.isEmpty())
         return {};
-    ChipRoom room{lineRect(line), endOfCode(line), verticalScrollBar()->isVisible()};
+    const QPoint end = endOfCode(line);
+    ChipRoom room{QRect(0, end.y(), viewport()->width(), rowHeight()), end.x(),
+                  verticalScrollBar()->isVisible()};
     const ValueChip beside = fitChip(forms, room, m_theme);
     const LineChip *value = valueOf(line);
     const bool isLoop = std::any_of(m_values.loops.begin(), m_values.loops.end(),

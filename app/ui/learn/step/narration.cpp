@@ -11,11 +11,14 @@
 #include "app/ui/learn/why_box.h"
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace app {
 
@@ -120,25 +123,36 @@ void Narration::makeTries()
     m_tryColumn = new QVBoxLayout(m_tryPage);
     m_tryColumn->setContentsMargins(18 - TryBox::left, 0, 18, 4);
     m_tryColumn->setSpacing(0);
-    m_toPredictions = new QToolButton(m_tryHead);
-    m_toPredictions->setObjectName("toPredictions");
-    m_toPredictions->setText(tr("Predict first"));
-    m_toPredictions->setToolTip(tr("Goes to a question about a run, at the end of the text"));
-    m_toPredictions->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_toPredictions->setIconSize({14, 14});
-    m_toPredictions->setFocusPolicy(Qt::TabFocus);
-    QSizePolicy kept = m_toPredictions->sizePolicy();
-    kept.setRetainSizeWhenHidden(true); // or the text would jump when it is scrolled
-    m_toPredictions->setSizePolicy(kept);
-    m_toPredictions->hide();
-    connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerPredictions);
-    connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerPredictions);
+    m_toPredictions = addPointer("toPredictions", tr("Predict first"),
+                                 tr("Goes to a question about a run, at the end of the text"));
+    m_toTask = addPointer("toTask", tr("Write it yourself"),
+                          tr("Goes to a task in the listing, at the end of the text"));
+    connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerPointers);
+    connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerPointers);
     connect(m_toPredictions, &QToolButton::clicked, this, &Narration::goToPrediction);
-    auto *row = new QHBoxLayout(m_tryHead);
-    row->setContentsMargins(18 - TryBox::left, 6, 18, 2);
-    row->addWidget(m_heading);
-    row->addStretch(1);
-    row->addWidget(m_toPredictions);
+    connect(m_toTask, &QToolButton::clicked, this, &Narration::goToTask);
+    m_headGrid = new QGridLayout(m_tryHead);
+    m_headGrid->setContentsMargins(18 - TryBox::left, 6, 18, 2);
+    m_headGrid->setVerticalSpacing(0);
+    m_headGrid->setColumnStretch(0, 1);
+    m_headGrid->addWidget(m_heading, 0, 0);
+    m_headGrid->addWidget(m_toPredictions, 0, 1, Qt::AlignLeft);
+}
+
+QToolButton *Narration::addPointer(const char *name, const QString &text, const QString &tip)
+{
+    auto *button = new QToolButton(m_tryHead);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({14, 14});
+    button->setFocusPolicy(Qt::TabFocus);
+    QSizePolicy kept = button->sizePolicy();
+    kept.setRetainSizeWhenHidden(true); // or the text would jump when it is scrolled
+    button->setSizePolicy(kept);
+    button->hide();
+    return button;
 }
 
 void Narration::makeButtons()
@@ -237,7 +251,7 @@ void Narration::addPredictions()
         }
         connect(box, &PredictionBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
     }
-    QTimer::singleShot(0, this, &Narration::offerPredictions); // once the layout is done
+    QTimer::singleShot(0, this, &Narration::offerPointers); // once the layout is done
     m_predictionHeading->setVisible(!m_predictionBoxes.empty());
     m_predictionColumn->setContentsMargins(0, m_predictionBoxes.empty() ? 0 : belowText, 0, 0);
 }
@@ -265,18 +279,39 @@ void Narration::showPredictions()
     emit heightChanged();
 }
 
+void Narration::offerPointers()
+{
+    offerPredictions();
+    offerTasks();
+}
+
 void Narration::offerPredictions()
 {
-    const QWidget *view = m_room.viewport();
-    bool isOpen = false, isInView = false;
+    std::vector<const QWidget *> open;
     for (const PredictionBox *box : m_predictionBoxes) {
-        if (m_predictions.sheet(box->id()).stage == PredictionDesk::Stage::shown)
-            continue;
-        const int top = box->mapTo(view, QPoint()).y();
-        isOpen = true;
-        isInView = isInView || (top >= 0 && top + headingHeight <= view->height());
+        if (m_predictions.sheet(box->id()).stage != PredictionDesk::Stage::shown)
+            open.push_back(box);
     }
-    m_toPredictions->setVisible(isOpen && !isInView);
+    m_toPredictions->setVisible(areOutOfView(open));
+}
+
+void Narration::offerTasks()
+{
+    std::vector<const QWidget *> open;
+    for (const TaskBox *box : m_tasks) {
+        if (!m_desk.isDone(box->task()))
+            open.push_back(box);
+    }
+    m_toTask->setVisible(areOutOfView(open));
+}
+
+bool Narration::areOutOfView(const std::vector<const QWidget *> &boxes) const
+{
+    const QWidget *view = m_room.viewport();
+    return !boxes.empty() && std::none_of(boxes.begin(), boxes.end(), [view](const QWidget *box) {
+        const int top = box->mapTo(view, QPoint()).y();
+        return top >= 0 && top + headingHeight <= view->height();
+    });
 }
 
 void Narration::goToPrediction()
@@ -288,6 +323,18 @@ void Narration::goToPrediction()
         m_room.showWhole(box);
         fitText();
         emit heightChanged();
+        return;
+    }
+}
+
+void Narration::goToTask()
+{
+    for (TaskBox *box : m_tasks) {
+        if (m_desk.isDone(box->task()))
+            continue;
+        box->setUnfolded(true);
+        box->focusTitle();
+        m_room.showTopOf(box);
         return;
     }
 }
@@ -320,6 +367,10 @@ void Narration::addTasks()
                 [this, &task] { emit listingRequested(m_session.step().listing.lineToWrite(task)); });
     }
     m_taskHeading->setVisible(!m_tasks.empty());
+    // The panel is too narrow for two pointers side by side.
+    m_headGrid->removeWidget(m_toTask);
+    if (!m_tasks.empty())
+        m_headGrid->addWidget(m_toTask, m_predictionBoxes.empty() ? 0 : 1, 1, Qt::AlignLeft);
     const int above = m_whys.empty() ? belowText : belowWhys;
     m_taskColumn->setContentsMargins(0, m_tasks.empty() ? 0 : above, 0, 0);
 }
@@ -329,6 +380,7 @@ void Narration::showTasks()
     bool changed = false;
     for (TaskBox *box : m_tasks)
         changed = box->refresh() || changed;
+    offerTasks();
     if (!changed)
         return;
     for (TaskBox *box : m_tasks) {
@@ -456,7 +508,8 @@ void Narration::showTodos()
 void Narration::applyTheme()
 {
     m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
-    m_toPredictions->setIcon(m_theme.icon("right", m_theme.tokens().ink2));
+    for (QToolButton *pointer : {m_toPredictions, m_toTask})
+        pointer->setIcon(m_theme.icon("right", m_theme.tokens().ink2));
     showProgress();
 }
 

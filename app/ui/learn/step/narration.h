@@ -13,6 +13,7 @@
 
 #include <vector>
 
+class QGridLayout;
 class QLabel;
 class QPushButton;
 class QToolButton;
@@ -81,8 +82,16 @@ private:
     void addPredictions();
     void showPredictions();
     void goToPrediction();
+    void goToTask();
+    /// Returns a button, beside the heading of the things to try, that goes to a part of the text.
+    QToolButton *addPointer(const char *name, const QString &text, const QString &tip);
+    void offerPointers();
     /// Shows the way to the predictions while one is open and none of them is in view.
     void offerPredictions();
+    /// The same for the code tasks.
+    void offerTasks();
+    /// Returns whether there are boxes, and the title of none of them is in view.
+    bool areOutOfView(const std::vector<const QWidget *> &boxes) const;
     void addTries();
     void rememberChoice(std::size_t number, int chosen);
     QString keyOfChoice(std::size_t number) const;
@@ -117,7 +126,10 @@ private:
     QVBoxLayout *m_tryColumn = nullptr;
     std::vector<TryBox *> m_tries;
     PredictionDesk m_predictions;
+    QGridLayout *m_headGrid =
+        nullptr; ///< the heading of the things to try, and pointers to parts of the text
     QToolButton *m_toPredictions = nullptr;
+    QToolButton *m_toTask = nullptr;
     QLabel *m_predictionHeading = nullptr;
     QVBoxLayout *m_predictionColumn = nullptr;
     std::vector<PredictionBox *> m_predictionBoxes;

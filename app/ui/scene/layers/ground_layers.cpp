@@ -27,6 +27,7 @@ constexpr double edgeShade = 26.0;   ///< screen px
 constexpr double tickLength = 14.0;  ///< screen px
 constexpr double leastTicks = 70.0;  ///< screen px between two distance labels
 constexpr double finestTicks = 100.; ///< px between two distance labels
+constexpr double besideNumber = 4.0; ///< screen px between a distance label and the edge of the view
 constexpr double bottomLines = 32.0; ///< screen px at the bottom of the view, for the scale and legends
 constexpr double leastBuried = 8.0;  ///< px; a branch this far below the ground shows through it
 
@@ -102,10 +103,13 @@ void drawDistances(const Canvas &canvas, double y)
         const QString number = QString::number(std::abs(at), 'f', 0);
         const QString text =
             GroundLayersText::tr("%1\u202fpx").arg(at < 0.0 ? QChar(0x2212) + number : number);
+        const double width = metrics.horizontalAdvance(text);
+        const double start = x - width / 2.0;
+        // Part of a number would look like another number.
+        if (start < canvas.area.left() + besideNumber || start + width > canvas.area.right() - besideNumber)
+            continue;
         p.setPen(canvas.tokens().ink3);
-        p.drawText(
-            QPointF(x - metrics.horizontalAdvance(text) / 2.0, y + tickLength + metrics.ascent() + 1.0),
-            text);
+        p.drawText(QPointF(start, y + tickLength + metrics.ascent() + 1.0), text);
     }
     p.setPen(QPen(canvas.tokens().contact, 1.5, Qt::SolidLine, Qt::FlatCap));
     p.drawLines(ticks);
