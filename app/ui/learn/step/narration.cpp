@@ -123,12 +123,12 @@ void Narration::makeTries()
     m_tryColumn = new QVBoxLayout(m_tryPage);
     m_tryColumn->setContentsMargins(18 - TryBox::left, 0, 18, 4);
     m_tryColumn->setSpacing(0);
-    m_toPredictions = addPointer("toPredictions", tr("Predict first"),
-                                 tr("Goes to a question about a run, at the end of the text"));
-    m_toTask = addPointer("toTask", tr("Write it yourself"),
-                          tr("Goes to a task in the listing, at the end of the text"));
-    connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerPointers);
-    connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerPointers);
+    m_toPredictions = addLink("toPredictions", tr("Predict first"),
+                              tr("Goes to a question about a run, at the end of the text"));
+    m_toTask = addLink("toTask", tr("Write it yourself"),
+                       tr("Goes to a task in the listing, at the end of the text"));
+    connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerLinks);
+    connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerLinks);
     connect(m_toPredictions, &QToolButton::clicked, this, &Narration::goToPrediction);
     connect(m_toTask, &QToolButton::clicked, this, &Narration::goToTask);
     m_headGrid = new QGridLayout(m_tryHead);
@@ -139,7 +139,7 @@ void Narration::makeTries()
     m_headGrid->addWidget(m_toPredictions, 0, 1, Qt::AlignLeft);
 }
 
-QToolButton *Narration::addPointer(const char *name, const QString &text, const QString &tip)
+QToolButton *Narration::addLink(const char *name, const QString &text, const QString &tip)
 {
     auto *button = new QToolButton(m_tryHead);
     button->setObjectName(name);
@@ -251,7 +251,7 @@ void Narration::addPredictions()
         }
         connect(box, &PredictionBox::unfolded, this, [this, box](bool open) { showUnfolded(box, open); });
     }
-    QTimer::singleShot(0, this, &Narration::offerPointers); // once the layout is done
+    QTimer::singleShot(0, this, &Narration::offerLinks); // once the layout is done
     m_predictionHeading->setVisible(!m_predictionBoxes.empty());
     m_predictionColumn->setContentsMargins(0, m_predictionBoxes.empty() ? 0 : belowText, 0, 0);
 }
@@ -279,7 +279,7 @@ void Narration::showPredictions()
     emit heightChanged();
 }
 
-void Narration::offerPointers()
+void Narration::offerLinks()
 {
     offerPredictions();
     offerTasks();
@@ -367,7 +367,7 @@ void Narration::addTasks()
                 [this, &task] { emit listingRequested(m_session.step().listing.lineToWrite(task)); });
     }
     m_taskHeading->setVisible(!m_tasks.empty());
-    // The panel is too narrow for two pointers side by side.
+    // The panel is too narrow for two of them side by side.
     m_headGrid->removeWidget(m_toTask);
     if (!m_tasks.empty())
         m_headGrid->addWidget(m_toTask, m_predictionBoxes.empty() ? 0 : 1, 1, Qt::AlignLeft);
@@ -508,8 +508,8 @@ void Narration::showTodos()
 void Narration::applyTheme()
 {
     m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
-    for (QToolButton *pointer : {m_toPredictions, m_toTask})
-        pointer->setIcon(m_theme.icon("right", m_theme.tokens().ink2));
+    for (QToolButton *link : {m_toPredictions, m_toTask})
+        link->setIcon(m_theme.icon("right", m_theme.tokens().ink2));
     showProgress();
 }
 

@@ -84,8 +84,8 @@ private:
     void goToPrediction();
     void goToTask();
     /// Returns a button, beside the heading of the things to try, that goes to a part of the text.
-    QToolButton *addPointer(const char *name, const QString &text, const QString &tip);
-    void offerPointers();
+    QToolButton *addLink(const char *name, const QString &text, const QString &tip);
+    void offerLinks();
     /// Shows the way to the predictions while one is open and none of them is in view.
     void offerPredictions();
     /// The same for the code tasks.
@@ -126,8 +126,7 @@ private:
     QVBoxLayout *m_tryColumn = nullptr;
     std::vector<TryBox *> m_tries;
     PredictionDesk m_predictions;
-    QGridLayout *m_headGrid =
-        nullptr; ///< the heading of the things to try, and pointers to parts of the text
+    QGridLayout *m_headGrid = nullptr; ///< the heading of the things to try, and what addLink() makes
     QToolButton *m_toPredictions = nullptr;
     QToolButton *m_toTask = nullptr;
     QLabel *m_predictionHeading = nullptr;
