@@ -74,8 +74,10 @@ bool hasRates(const Drag &drag, const std::vector<PointRange> &ranges)
 }
 
 /// Copies numbers in a loop, which is faster for a few numbers than a call of memcpy. See sim/CMakeLists.txt.
+/// The two ranges must not overlap.
 void copy(const double *from, int count, double *to)
 {
+    SIM_INDEPENDENT_ITERATIONS
     for (int i = 0; i < count; ++i)
         to[i] = from[i];
 }

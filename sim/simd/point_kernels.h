@@ -39,7 +39,7 @@ inline void setZero(Eigen::ArrayX2d &columns, PointRange points)
 }
 
 /// Returns whether no point of `points` has the inverse mass 0.
-inline bool areAllDynamic(const double *inverseMass, PointRange points)
+SIM_INLINED inline bool areAllDynamic(const double *inverseMass, PointRange points)
 {
     std::int64_t anyFixed = 0;
     for (int i = points.first; i < points.end(); ++i)

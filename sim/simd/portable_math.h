@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/simd/dispatch.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -113,7 +115,7 @@ inline double arcTail(double z)
 /// Returns the cosine and the sine of clampedAngle(rad).
 /// Source: Sun Microsystems, FDLIBM 5.3, k_sin.c and k_cos.c (coefficients), e_rem_pio2.c (pi/2 as a sum of
 /// three numbers).
-inline SinCos sinCos(double rad)
+SIM_INLINED inline SinCos sinCos(double rad)
 {
     rad = clampedAngle(rad);
     // Subtract whole quarter turns. pi/2 is a sum of three numbers, because a double is not accurate enough.
@@ -157,7 +159,7 @@ inline DoubleDouble arcTangentTail(double t, double correction)
 /// Returns the angle of (x, y) in rad, from -pi to pi; NaN if x or y is not finite. For (0, 0) it is 0 or pi
 /// by the sign of x, with the sign of y. The series needs a small argument: it is |y / x| or |x / y|,
 /// whichever is smaller. If that exceeds tan(pi/8), an eighth of a turn is subtracted first.
-inline double atan2(double y, double x)
+SIM_INLINED inline double atan2(double y, double x)
 {
     const double absX = std::abs(x), absY = std::abs(y);
     const double small = std::min(absX, absY), large = std::max(absX, absY);
@@ -207,7 +209,7 @@ inline double withSignOf(std::uint64_t quarters, double x)
     return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) ^ ((quarters & 2) << 62));
 }
 
-inline SinCos sinCos(double rad)
+SIM_INLINED inline SinCos sinCos(double rad)
 {
     rad = clampedAngle(rad);
     const double shifted = rad * quartersPerRadian + roundingShift, quarterTurns = shifted - roundingShift;
@@ -233,7 +235,7 @@ inline double sin(double rad)
 }
 
 /// Returns the angle of (x, y) in rad, from -pi to pi; NaN for (0, 0), or if x or y is NaN.
-inline double atan2(double y, double x)
+SIM_INLINED inline double atan2(double y, double x)
 {
     constexpr double pi = std::numbers::pi;
     const double absX = std::abs(x), absY = std::abs(y);

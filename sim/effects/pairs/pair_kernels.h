@@ -42,7 +42,7 @@ public:
     {
     }
 
-    void addAll()
+    SIM_INLINED void addAll()
     {
         for (const PairBatch &batch : m_list.batches) {
             if (batch.shape == PairBatch::Shape::row && batch.isDisjoint() && batch.isReciprocal) {
@@ -65,7 +65,7 @@ private:
     static constexpr int chunkSize = 256; ///< number of pulls that fit the L1 cache
 
     /// Adds the pulls of a row whose pairs have no point in common, without the buffers m_x and m_y.
-    void addDisjointRow(const PairBatch &row)
+    SIM_INLINED void addDisjointRow(const PairBatch &row)
     {
         const double *moverX = m_columns.x + row.mover, *moverY = m_columns.y + row.mover;
         const double *anchorX = m_columns.x + row.anchor, *anchorY = m_columns.y + row.anchor;
@@ -98,7 +98,7 @@ private:
         }
     }
 
-    void addRow(const PairBatch &row, int from, int count)
+    SIM_INLINED void addRow(const PairBatch &row, int from, int count)
     {
         const int mover = row.mover + from, anchor = row.anchor + from;
         const double *moverX = m_columns.x + mover, *moverY = m_columns.y + mover,
@@ -120,7 +120,7 @@ private:
             addToRow(anchor, count, -1.0);
     }
 
-    void addFan(const PairBatch &fan, int from, int count)
+    SIM_INLINED void addFan(const PairBatch &fan, int from, int count)
     {
         const int mover = fan.mover, anchor = fan.anchor + from;
         const Vec2 at = {m_columns.x[mover], m_columns.y[mover]};
@@ -142,7 +142,7 @@ private:
         m_columns.ay[mover] = ay;
     }
 
-    void addListed(int first, int count)
+    SIM_INLINED void addListed(int first, int count)
     {
         const PointPair *pairs = m_list.pairs.data() + first;
         const double *x = m_columns.x, *y = m_columns.y;
@@ -163,7 +163,7 @@ private:
 
     /// Computes the pulls of `count` pairs, from index `first` of the list on, into m_x and m_y.
     template <class MoverAt, class AnchorAt>
-    void compute(int first, int count, const MoverAt &moverAt, const AnchorAt &anchorAt)
+    SIM_INLINED void compute(int first, int count, const MoverAt &moverAt, const AnchorAt &anchorAt)
     {
         const PullOf pullOf = m_pullOf; // a copy, which stores to the columns cannot change
         std::int64_t anyCoincident = 0;
@@ -184,7 +184,7 @@ private:
     }
 
     /// Returns `sum` plus the acceleration that `pull` gives a point with the inverse mass `inverseMass`.
-    static double plusPull(double sum, double inverseMass, double pull)
+    SIM_INLINED static double plusPull(double sum, double inverseMass, double pull)
     {
         if constexpr (masses)
             return inverseMass != 0.0 ? sum + inverseMass * pull : sum;
@@ -192,13 +192,13 @@ private:
             return sum + pull;
     }
 
-    void addTo(int point, double x, double y)
+    SIM_INLINED void addTo(int point, double x, double y)
     {
         m_columns.ax[point] = plusPull(m_columns.ax[point], m_columns.inverseMass[point], x);
         m_columns.ay[point] = plusPull(m_columns.ay[point], m_columns.inverseMass[point], y);
     }
 
-    void addToRow(int point, int count, double sign)
+    SIM_INLINED void addToRow(int point, int count, double sign)
     {
         const double *inverseMass = m_columns.inverseMass + point, *x = m_x, *y = m_y;
         double *ax = m_columns.ax + point, *ay = m_columns.ay + point;
@@ -219,7 +219,7 @@ private:
 };
 
 /// Returns whether all points in the ranges of `list` have mass 1.
-inline bool areOfMassOne(const double *inverseMass, const PairList &list)
+SIM_INLINED inline bool areOfMassOne(const double *inverseMass, const PairList &list)
 {
     std::int64_t others = 0;
     for (const PointRange &range : list.ranges) {

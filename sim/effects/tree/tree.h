@@ -72,6 +72,7 @@ using portable::remainder;
 // Shown lines are short.
 // clang-format off
 template <class Cos, class Sin>
+SIM_INLINED
 //! [reach]
 Vec2 branchReach(
     double angle, double length,

@@ -33,7 +33,7 @@ using portable::fast::atan2;
 /// can vectorise loops that call it. The second one handles all ends.
 // Shown lines are short.
 // clang-format off
-inline
+SIM_INLINED inline
 //! [wind]
 BranchWind windAt(
     Vec2 end, Vec2 pointer)
@@ -70,7 +70,7 @@ namespace tree_formulas {
 /// subtracts 180 degrees from the angle of `d`. Published: swaying tree, bend().
 // Shown lines are short.
 // clang-format off
-inline
+SIM_INLINED inline
 //! [wind_published]
 BranchWind windPublished(Vec2 d)
 {
