@@ -320,14 +320,12 @@ std::string SceneCells::firstNonFinite() const
 
 double SceneCells::random(int i) const
 {
-    return sim::uniform(m_seed, static_cast<std::uint64_t>(m_frameNumber),
-                        static_cast<std::uint64_t>(static_cast<std::int64_t>(i)));
+    return sim::uniform(m_seed, static_cast<std::int64_t>(m_frameNumber), i);
 }
 
 double SceneCells::randomInFrame(int i, int frame) const
 {
-    return sim::uniform(m_seed, static_cast<std::uint64_t>(static_cast<std::int64_t>(frame)),
-                        static_cast<std::uint64_t>(static_cast<std::int64_t>(i)));
+    return sim::uniform(m_seed, frame, i);
 }
 
 Vec2 SceneCells::directionOfBranch(const BodyCell *branch) const

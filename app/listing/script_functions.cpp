@@ -106,8 +106,9 @@ double clamped(double x, double low, double high)
 void registerVec2(asIScriptEngine &engine)
 {
     engine.RegisterObjectType("Vec2", sizeof(Vec2),
-                              asOBJ_VALUE | asOBJ_POD | asOBJ_APP_CLASS | asOBJ_APP_CLASS_ALLFLOATS |
-                                  asOBJ_APP_CLASS_MORE_CONSTRUCTORS);
+                              static_cast<asDWORD>(asOBJ_VALUE | asOBJ_POD | asOBJ_APP_CLASS |
+                                                   asOBJ_APP_CLASS_ALLFLOATS |
+                                                   asOBJ_APP_CLASS_MORE_CONSTRUCTORS));
     engine.RegisterObjectProperty("Vec2", "double x", static_cast<int>(offsetof(Vec2, x)));
     engine.RegisterObjectProperty("Vec2", "double y", static_cast<int>(offsetof(Vec2, y)));
     engine.RegisterObjectBehaviour("Vec2", asBEHAVE_CONSTRUCT, "void f()", asFUNCTION(makeVec2),

@@ -76,9 +76,9 @@ Tree grow(const Values &values)
 
     Tree tree = Tree::ofTrunk(length);
     for (int i = 0; i < tree.branchCount(); ++i) {
-        double scale = slope * tree.scale[i];
+        double scale = slope * tree.scaleOf(i);
         if (scale > minScale) {
-            double angle = tree.rest[i];
+            double angle = tree.restOf(i);
             double left = angle - spread;
             double right = angle + spread;
             tree.addBranch(i, left, scale);
@@ -122,9 +122,9 @@ Tree grow(const Values &values)
     };
     Tree tree = Tree::ofTrunk(length);
     for (int i = 0; i < tree.branchCount(); ++i) {
-        double scale = slope * tree.scale[i];
+        double scale = slope * tree.scaleOf(i);
         if (scale > minScale) {
-            double angle = tree.rest[i];
+            double angle = tree.restOf(i);
             int n = tree.branchCount();
             double left =
                 angle - spread + some(n);

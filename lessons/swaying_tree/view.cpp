@@ -189,7 +189,7 @@ std::vector<Overlay> aimByBothFormulas(const sim::Scene &scene, const sim::State
         return {};
     const Vec2 pointer = *pressed(state);
     const int i = nearestBranch(scene, state, pointer);
-    const double scale = joints->tree().scale[static_cast<std::size_t>(i)];
+    const double scale = joints->tree().scaleOf(i);
     const Vec2 reach = sim::branchReach(state.angle[i], joints->tree().baseLength, sim::publishedDegrees);
     const sim::PointerOffset sight = sim::pointerOffsetPublished(pointer, state.positionOf(i), reach, scale);
     const Vec2 out = sim::direction(pointer - state.positionOf(i), i, -1).out;

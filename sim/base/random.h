@@ -16,9 +16,10 @@ constexpr std::uint64_t mixBits(std::uint64_t z)
 
 /// Returns a pseudorandom number in [0, 1) that depends only on the arguments. No generator state is stored,
 /// so a run that goes back in time gets the same numbers again.
-constexpr double uniform(std::uint64_t seed, std::uint64_t frame, std::uint64_t index)
+constexpr double uniform(std::uint64_t seed, std::int64_t frame, std::int64_t index)
 {
-    const std::uint64_t bits = mixBits(mixBits(mixBits(seed) ^ frame) ^ index);
+    const std::uint64_t bits = mixBits(mixBits(mixBits(seed) ^ static_cast<std::uint64_t>(frame)) ^
+                                       static_cast<std::uint64_t>(index));
     return static_cast<double>(bits >> 11) * 0x1.0p-53;
 }
 

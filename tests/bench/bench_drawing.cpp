@@ -96,11 +96,10 @@ void paintCreatures(benchmark::State &bench, int count, double across)
     const sim::Room room{270.0 - 250.0 * size, 270.0 + 250.0 * size, 380.0, 1.0};
     sim::Scene scene = scenes::crowdByParts(count, feet);
     for (int i = 0; i < count; ++i) {
-        const auto index = static_cast<std::uint64_t>(i);
-        scene.start.place(i, {room.left + 60.0 + (500.0 * size - 120.0) * sim::uniform(1, 0, index),
-                              320.0 - (360.0 * size - 120.0) * sim::uniform(1, 1, index)});
+        scene.start.place(i, {room.left + 60.0 + (500.0 * size - 120.0) * sim::uniform(1, 0, i),
+                              320.0 - (360.0 * size - 120.0) * sim::uniform(1, 1, i)});
         for (int foot = i + count; foot < scene.start.pointCount(); foot += count) {
-            const double angle = 2.0 * M_PI * sim::uniform(1, 2, static_cast<std::uint64_t>(foot));
+            const double angle = 2.0 * M_PI * sim::uniform(1, 2, foot);
             scene.start.place(foot,
                               scene.start.positionOf(i) + 50.0 * sim::Vec2{std::cos(angle), std::sin(angle)});
         }

@@ -431,8 +431,8 @@ void BrokenDocumentsTest::aMistakeLeavesTheStepAsItWas()
     QByteArray other = goodDocument;
     other.replace("# A foot\n", "# Another\n");
     other.replace("## Try {#pull}", "## Try {#push}");
-    QVERIFY_EXCEPTION_THROWN(step.setTexts(lessons::parseDocument(other, documentName)),
-                             lessons::DocumentError);
+    QVERIFY_THROWS_EXCEPTION(lessons::DocumentError,
+                             step.setTexts(lessons::parseDocument(other, documentName)));
     QCOMPARE(step.title, QString("A foot"));
     QCOMPARE(step.tries[0].id, QString("pull"));
 }

@@ -131,7 +131,7 @@ void Crowd::workIsProportionalToCreatures()
         };
         QCOMPARE(scene.effects[0]->id(), std::string("radial_spring"));
         QCOMPARE(work(0), 10 * count);
-        for (const std::size_t effect : {1, 2, 3})
+        for (const std::size_t effect : {1u, 2u, 3u})
             QCOMPARE(work(effect), 6 * count);
     }
 }

@@ -103,13 +103,13 @@ void ListingMethodSuite::handThrowsABodyThatTheListingLetsGo()
         {1, sim::Grab{"foot"}}, {2, sim::Move{{110, 90}}}, {3, sim::Move{{130, 94}}}, {4, sim::Release{}}};
     sim::Track track(script, budget);
     track.seek({1, 0});
-    QVERIFY(track.state().velocityOf(0) == Vec2(0, 0)); // grabbed, and the hand stands still
+    QVERIFY(track.state().velocityOf(0) == (Vec2{0, 0})); // grabbed, and the hand stands still
     track.seek({3, 0});
-    QVERIFY(track.state().positionOf(0) == Vec2(130, 94));
-    QVERIFY(track.state().velocityOf(0) == Vec2(20, 4));
+    QVERIFY(track.state().positionOf(0) == (Vec2{130, 94}));
+    QVERIFY(track.state().velocityOf(0) == (Vec2{20, 4}));
     track.seek({4, 0});
-    QVERIFY(track.state().velocityOf(0) == Vec2(10, 2));
-    QVERIFY(track.state().positionOf(0) == Vec2(140, 96));
+    QVERIFY(track.state().velocityOf(0) == (Vec2{10, 2}));
+    QVERIFY(track.state().positionOf(0) == (Vec2{140, 96}));
 }
 
 void ListingMethodSuite::listingWithoutAnIfIgnoresTheHand()
@@ -118,7 +118,7 @@ void ListingMethodSuite::listingWithoutAnIfIgnoresTheHand()
     script.input = {{2, sim::Grab{"foot"}}, {3, sim::Move{{300, 300}}}};
     sim::Track track(script, budget);
     track.seek({6, 0});
-    QVERIFY(track.state().positionOf(0) == Vec2(106, 100));
+    QVERIFY(track.state().positionOf(0) == (Vec2{106, 100}));
 }
 
 void ListingMethodSuite::runEndsBeforeTheFrameWithAnError()

@@ -66,8 +66,8 @@ void ListingRun::freeFallFollowsItsClosedForm()
     for (int i = 0; i < 20; ++i)
         QVERIFY(!bench.run());
     // v = n g, y = g n (n + 1) / 2
-    QVERIFY(bench.state.velocityOf(3) == Vec2(0, 10));
-    QVERIFY(bench.body() == Vec2(100, 50 + 0.5 * 20 * 21 / 2));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{0, 10}));
+    QVERIFY(bench.body() == (Vec2{100, 50 + 0.5 * 20 * 21 / 2}));
 }
 
 void ListingRun::dampedGlideEndsAtTheSumOfItsSeries()
@@ -77,7 +77,7 @@ void ListingRun::dampedGlideEndsAtTheSumOfItsSeries()
     for (int i = 0; i < 80; ++i)
         QVERIFY(!bench.run());
     // damp = 1/2: the sum of the series is the first velocity
-    QVERIFY(sim::length(bench.body() - Vec2(164, 18)) < 1e-12);
+    QVERIFY(sim::length(bench.body() - (Vec2{164, 18})) < 1e-12);
 }
 
 void ListingRun::operatorsComputeByHand_data()
@@ -127,8 +127,8 @@ void ListingRun::arrayReachesEveryBody()
     Bench bench = Bench::ofFrame("for (int i = 0; i < feet.count; i++)\n    feet[i].position.y = 2 * i;");
     QVERIFY(!bench.run());
     for (int i = 0; i < 3; ++i)
-        QVERIFY(bench.state.positionOf(i) == Vec2(10.0 * i, 2.0 * i));
-    QVERIFY(bench.body() == Vec2(100, 50));
+        QVERIFY(bench.state.positionOf(i) == (Vec2{10.0 * i, 2.0 * i}));
+    QVERIFY(bench.body() == (Vec2{100, 50}));
 }
 
 void ListingRun::bodyVariableStandsForTheBody()
@@ -136,9 +136,9 @@ void ListingRun::bodyVariableStandsForTheBody()
     Bench bench("void push(Body me, Body other) { me.velocity += other.position; other.velocity.x = 9; }\n" +
                 frameOf("Body first = feet[1]; push(first, body); first.position.y = 4;"));
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(1) == Vec2(100, 50));
-    QVERIFY(bench.state.velocityOf(3) == Vec2(9, 0));
-    QVERIFY(bench.state.positionOf(1) == Vec2(10, 4));
+    QVERIFY(bench.state.velocityOf(1) == (Vec2{100, 50}));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{9, 0}));
+    QVERIFY(bench.state.positionOf(1) == (Vec2{10, 4}));
 }
 
 void ListingRun::bodiesAreEqualIfTheyAreTheSame()
@@ -149,7 +149,7 @@ void ListingRun::bodiesAreEqualIfTheyAreTheSame()
         "    return sum;\n}\n" +
         frameOf("body.position = Vec2(neighbours(feet[1]), neighbours(body));"));
     QVERIFY(!bench.run());
-    QVERIFY(bench.body() == Vec2(2, 3));
+    QVERIFY(bench.body() == (Vec2{2, 3}));
 }
 
 void ListingRun::anglesAndTheGaitClockAreInTheState()
@@ -183,9 +183,9 @@ void ListingRun::creatureHasItsBodyItsFeetAndItsClock()
                 threeCreatures());
     QVERIFY(!bench.run());
     for (int i = 0; i < 3; ++i) { // each has two feet, then its body
-        QVERIFY(bench.state.positionOf(3 * i + 2) == Vec2(i, 2));
-        QVERIFY(bench.state.velocityOf(3 * i + 1) == Vec2(15, 10 * i));
-        QVERIFY(bench.state.velocityOf(3 * i) == Vec2(0, 0));
+        QVERIFY(bench.state.positionOf(3 * i + 2) == (Vec2{1.0 * i, 2}));
+        QVERIFY(bench.state.velocityOf(3 * i + 1) == (Vec2{15, 10.0 * i}));
+        QVERIFY(bench.state.velocityOf(3 * i) == (Vec2{0, 0}));
         QCOMPARE(bench.state.gait[i], i + 0.5);
         QCOMPARE(bench.state.gaitSpeed[i], double(-i));
     }
@@ -207,7 +207,7 @@ void ListingRun::creatureVariableStandsForTheCreature()
     QCOMPARE(listing::typeName(variables.front().value), std::string("Creature"));
     QCOMPARE(std::get<listing::BodyReference>(variables.front().value).point, 8);
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.positionOf(6) == Vec2(2, 1));
+    QVERIFY(bench.state.positionOf(6) == (Vec2{2, 1}));
 }
 
 void ListingRun::globalsSurviveThatACreatureLeaves()
@@ -242,9 +242,9 @@ void ListingRun::branchHasTheNumbersOfTheTree()
                         "branches[1].spin = trunk.inertia;"),
                 swingingBush());
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(0) == Vec2(2, 0));
-    QVERIFY(bench.state.velocityOf(1) == Vec2(2, 30));
-    QVERIFY(bench.state.velocityOf(2) == Vec2(0.7, 70));
+    QVERIFY(bench.state.velocityOf(0) == (Vec2{2, 0}));
+    QVERIFY(bench.state.velocityOf(1) == (Vec2{2, 30}));
+    QVERIFY(bench.state.velocityOf(2) == (Vec2{0.7, 70}));
     // a rod of mass 1 and length 1 in units of its own inertia, with two masses at its end: 1 + 3 (0.8^3 + 0.7^3)
     QCOMPARE(bench.state.spin[1], 1 + 3 * (0.512 + 0.343));
 }
@@ -292,12 +292,12 @@ void ListingRun::gustIsInTheState()
                         "branches[0].velocity = Vec2(gust, gust_known ? 1 : 0);"),
                 swingingBush());
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(0) == Vec2(0, 0));
+    QVERIFY(bench.state.velocityOf(0) == (Vec2{0, 0}));
     bench.state.input.gust = -15;
     QVERIFY(!bench.run());
     QCOMPARE(bench.state.gustExtent.front, 24.0);
     QCOMPARE(bench.state.gustExtent.tail, 4.0);
-    QVERIFY(bench.state.velocityOf(0) == Vec2(-15, 1));
+    QVERIFY(bench.state.velocityOf(0) == (Vec2{-15, 1}));
 }
 
 void ListingRun::stickJoinsTwoBodies()
@@ -309,10 +309,10 @@ void ListingRun::stickJoinsTwoBodies()
                 "if (sticks[0].b == sticks[1].a && sticks[1].a == points[1])\n    points[1].position.x = 1;"),
         twoSticks());
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(1) == Vec2(10, 0.25));
-    QVERIFY(bench.state.velocityOf(2) == Vec2(7, 0.5)); // a body that has no name of its own
-    QVERIFY(bench.state.positionOf(0) == Vec2(8, 9));
-    QVERIFY(bench.state.positionOf(1) == Vec2(1, 4));
+    QVERIFY(bench.state.velocityOf(1) == (Vec2{10, 0.25}));
+    QVERIFY(bench.state.velocityOf(2) == (Vec2{7, 0.5})); // a body that has no name of its own
+    QVERIFY(bench.state.positionOf(0) == (Vec2{8, 9}));
+    QVERIFY(bench.state.positionOf(1) == (Vec2{1, 4}));
 }
 
 void ListingRun::stickVariableStandsForTheStick()
@@ -345,8 +345,8 @@ void ListingRun::globalsSurviveThatAStickLeaves()
     Bench second(text, fewer); // compiled anew, so its globals had no value yet
     second.state.memory = first.state.memory;
     QVERIFY(!second.run());
-    QVERIFY(second.state.positionOf(0) == Vec2(12, 0));
-    QVERIFY(second.state.positionOf(1) == Vec2(3, 12));
+    QVERIFY(second.state.positionOf(0) == (Vec2{12, 0}));
+    QVERIFY(second.state.positionOf(1) == (Vec2{3, 12}));
 }
 
 void ListingRun::beforeIsWhereTheFrameBegan()
@@ -356,10 +356,10 @@ void ListingRun::beforeIsWhereTheFrameBegan()
                        "feet[0].velocity = feet[0].before;");
     bench.state.hold = {0, {110, 45}, {7, 8}, {1, 1}};
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(3) == Vec2(3, 4));
-    QVERIFY(bench.state.velocityOf(0) == Vec2(7, 8)); // held: before the hand moved it
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{3, 4}));
+    QVERIFY(bench.state.velocityOf(0) == (Vec2{7, 8})); // held: before the hand moved it
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(3) == Vec2(3, 4));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{3, 4}));
 }
 
 void ListingRun::directionHasLengthOneEvenOnTheSpot()
@@ -370,10 +370,10 @@ void ListingRun::directionHasLengthOneEvenOnTheSpot()
                                  "body.velocity = direction(Vec2(1, 1), Vec2(1, 1), body);");
     bench.state.place(1, {100, 50}); // on the body
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(0) == Vec2(0.6, 0.8));
+    QVERIFY(bench.state.velocityOf(0) == (Vec2{0.6, 0.8}));
     const Vec2 there = bench.state.velocityOf(1), back = bench.state.velocityOf(2);
     QVERIFY(std::abs(sim::length(there) - 1) < 1e-15);
-    QVERIFY(there == Vec2(-back.x, -back.y)); // so they part
+    QVERIFY(there == (Vec2{-back.x, -back.y})); // so they part
     QVERIFY(std::abs(sim::length(bench.state.velocityOf(3)) - 1) < 1e-15);
     QVERIFY(there == sim::direction({}, 1, 3).out);
     QVERIFY(bench.state.velocityOf(3) == sim::direction({}, -1, 3).out);
@@ -397,10 +397,10 @@ void ListingRun::newTargetsAreThoseOfTheFrame()
     Bench bench = Bench::ofFrame("body.velocity = Vec2();\nfor (int i = 0; i < new_targets.count; i++)\n"
                                  "    body.velocity += (i + 1) * new_targets[i];");
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(3) == Vec2(0, 0));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{0, 0}));
     bench.state.input.newTargets = {{1, 2}, {10, 30}};
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.velocityOf(3) == Vec2(21, 62));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{21, 62}));
 }
 
 void ListingRun::vectorsAndNumbersArePassedByValue()
@@ -409,8 +409,8 @@ void ListingRun::vectorsAndNumbersArePassedByValue()
                 frameOf("Vec2 v(1, 2); double n = 3; double sum = change(v, n);\n"
                         "body.position = v; body.velocity = Vec2(n, sum);"));
     QVERIFY(!bench.run());
-    QVERIFY(bench.body() == Vec2(1, 2));
-    QVERIFY(bench.state.velocityOf(3) == Vec2(3, 165));
+    QVERIFY(bench.body() == (Vec2{1, 2}));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{3, 165}));
 }
 
 void ListingRun::functionThatCallsItselfComputesFactorials()
@@ -433,11 +433,11 @@ void ListingRun::inputReachesTheProgram()
     bench.state.input.keys = {false, true, true, false};
     bench.state.frame = 41;
     QVERIFY(!bench.run());
-    QVERIFY(bench.body() == Vec2(12, 34));
-    QVERIFY(bench.state.velocityOf(3) == Vec2(56, 78));
-    QVERIFY(bench.state.positionOf(0) == Vec2(0, 1));
-    QVERIFY(bench.state.positionOf(1) == Vec2(1, 0));
-    QVERIFY(bench.state.positionOf(2) == Vec2(1, 42));
+    QVERIFY(bench.body() == (Vec2{12, 34}));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{56, 78}));
+    QVERIFY(bench.state.positionOf(0) == (Vec2{0, 1}));
+    QVERIFY(bench.state.positionOf(1) == (Vec2{1, 0}));
+    QVERIFY(bench.state.positionOf(2) == (Vec2{1, 42}));
 }
 
 void ListingRun::handIsApartFromThePointer()
@@ -445,16 +445,16 @@ void ListingRun::handIsApartFromThePointer()
     Bench bench = Bench::ofFrame("feet[0].position = hand; feet[1].position = pointer;\n"
                                  "feet[2].position = Vec2(pointer_down ? 1 : 0, pointer_known ? 1 : 0);");
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.positionOf(2) == Vec2(0, 0)); // it has not moved yet
+    QVERIFY(bench.state.positionOf(2) == (Vec2{0, 0})); // it has not moved yet
     bench.state.input.pointer = Vec2{12, 34};
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.positionOf(0) == Vec2(12, 34));
-    QVERIFY(bench.state.positionOf(2) == Vec2(0, 1));
+    QVERIFY(bench.state.positionOf(0) == (Vec2{12, 34}));
+    QVERIFY(bench.state.positionOf(2) == (Vec2{0, 1}));
     bench.state.hold = {3, {56, 78}, {100, 50}, {0, 0}};
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.positionOf(0) == Vec2(56, 78));
-    QVERIFY(bench.state.positionOf(1) == Vec2(12, 34));
-    QVERIFY(bench.state.positionOf(2) == Vec2(0, 1)); // a hand that holds a body does not press the button
+    QVERIFY(bench.state.positionOf(0) == (Vec2{56, 78}));
+    QVERIFY(bench.state.positionOf(1) == (Vec2{12, 34}));
+    QVERIFY(bench.state.positionOf(2) == (Vec2{0, 1})); // a hand that holds a body does not press the button
 }
 
 void ListingRun::heldBodyIsWhereItWasBeforeTheHandMovedIt()
@@ -467,15 +467,15 @@ void ListingRun::heldBodyIsWhereItWasBeforeTheHandMovedIt()
     bench.state.place(3, {110, 45});
     bench.state.setVelocity(3, {10, -5});
     QVERIFY(!bench.run());
-    QVERIFY(bench.body() == Vec2(110, 45));
-    QVERIFY(bench.state.velocityOf(3) == Vec2(10, -5));
+    QVERIFY(bench.body() == (Vec2{110, 45}));
+    QVERIFY(bench.state.velocityOf(3) == (Vec2{10, -5}));
     // a listing that does nothing with a held body leaves it where it was
     Bench idle = Bench::ofFrame("");
     idle.state.hold = {3, {110, 45}, {100, 50}, {1, 1}};
     idle.state.place(3, {110, 45});
     QVERIFY(!idle.run());
-    QVERIFY(idle.body() == Vec2(100, 50));
-    QVERIFY(idle.state.velocityOf(3) == Vec2(1, 1));
+    QVERIFY(idle.body() == (Vec2{100, 50}));
+    QVERIFY(idle.state.velocityOf(3) == (Vec2{1, 1}));
 }
 
 void ListingRun::randomDependsOnSeedFrameAndIndexOnly()
@@ -501,12 +501,12 @@ void ListingRun::globalsAreInTheState()
                         "body.position = Vec2(clock, turns); body.velocity = last;"));
     QVERIFY(!bench.run());
     const sim::State first = bench.state;
-    QVERIFY(first.positionOf(3) == Vec2(0.75, 2));
-    QVERIFY(first.velocityOf(3) == Vec2(101, 50));
+    QVERIFY(first.positionOf(3) == (Vec2{0.75, 2}));
+    QVERIFY(first.velocityOf(3) == (Vec2{101, 50}));
     QCOMPARE(first.memory.size(), std::size_t{8 + 4 + 16 + 1});
     QVERIFY(!bench.run());
     const sim::State second = bench.state;
-    QVERIFY(second.positionOf(3) == Vec2(1, 1));
+    QVERIFY(second.positionOf(3) == (Vec2{1, 1}));
     bench.state = first; // going back
     QVERIFY(!bench.run());
     QVERIFY(sim::sameBits(bench.state, second));
@@ -529,7 +529,7 @@ void ListingRun::localsStartAnewInEveryFrame()
         Bench::ofFrame("double sum = 0; Vec2 v; sum += 1; v.x += 2; body.position = Vec2(sum, v.x);");
     for (int i = 0; i < 3; ++i)
         QVERIFY(!bench.run());
-    QVERIFY(bench.body() == Vec2(1, 2));
+    QVERIFY(bench.body() == (Vec2{1, 2}));
 }
 
 void ListingRun::handleAndBodyHaveTheirMassAndRadius()
@@ -540,8 +540,8 @@ void ListingRun::handleAndBodyHaveTheirMassAndRadius()
     bench.scene.start.inverseMass[3] = 0.25; // mass 4
     bench.binding = listing::bind(bench.program->vocabulary(), bench.scene);
     QVERIFY(!bench.run());
-    QVERIFY(bench.state.positionOf(0) == Vec2(4, 15));
-    QVERIFY(bench.state.positionOf(1) == Vec2(0, 5));
+    QVERIFY(bench.state.positionOf(0) == (Vec2{4, 15}));
+    QVERIFY(bench.state.positionOf(1) == (Vec2{0, 5}));
 }
 
 SUITE(tst_listing_run, ListingRun)

@@ -245,16 +245,16 @@ void ListingTrace::stateInsideTheFrameIsThatAfterTheLines()
                 frameOf("body.position.x = 1;\nbody.position.x = 2;\nsteps++;\nbody.position.y = 3;"));
     const Moment start = bench.program->runLines(bench.state, bench.binding, 0);
     QVERIFY(start.next && start.next->line == 4);
-    QVERIFY(start.state.positionOf(3) == Vec2(100, 50));
+    QVERIFY(start.state.positionOf(3) == (Vec2{100, 50}));
     const Moment second = bench.program->runLines(bench.state, bench.binding, 2);
     QVERIFY(second.next && second.next->line == 6);
-    QVERIFY(second.state.positionOf(3) == Vec2(2, 50));
+    QVERIFY(second.state.positionOf(3) == (Vec2{2, 50}));
     QCOMPARE(shown(second.next->variables, "steps"), std::string("steps = 0"));
     const Moment third = bench.program->runLines(bench.state, bench.binding, 3);
     QCOMPARE(shown(third.next->variables, "steps"), std::string("steps = 1"));
     const Moment end = bench.program->runLines(bench.state, bench.binding, 99);
     QVERIFY(!end.next && !end.error);
-    QVERIFY(end.state.positionOf(3) == Vec2(2, 3));
+    QVERIFY(end.state.positionOf(3) == (Vec2{2, 3}));
 }
 
 void ListingTrace::everyPrefixOfAFrameMatchesItsTrace()

@@ -163,10 +163,10 @@ private slots:
         const sim::Script script =
             scriptOf(planOf({{.name = "planet", .x = {270 + far, 180}, .v = {0, speed}}}, planet, {{0, 1}}),
                      method.toStdString(), h);
-        constexpr int frames = 500;
-        const sim::State state = stateAfterFrames(script, frames);
+        constexpr int orbitFrames = 500;
+        const sim::State state = stateAfterFrames(script, orbitFrames);
         // Kepler's equation, from the far end: M = E + e sin E.
-        const double mean = frames * std::sqrt(mu / (semiAxis * semiAxis * semiAxis));
+        const double mean = orbitFrames * std::sqrt(mu / (semiAxis * semiAxis * semiAxis));
         double angle = mean;
         for (int i = 0; i < 100; ++i)
             angle = mean - eccentricity * std::sin(angle);

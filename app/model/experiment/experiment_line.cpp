@@ -94,7 +94,7 @@ QByteArray textInLine(const QString &line, qint64 largest)
     }
     if (!line.startsWith(prefix))
         refuseCut();
-    QString code = line.mid(qstrlen(prefix));
+    QString code = line.mid(QLatin1StringView(prefix).size());
     code.removeIf([](QChar c) { return c.isSpace(); });
     const auto decoded =
         QByteArray::fromBase64Encoding(code.toLatin1(), encoding | QByteArray::AbortOnBase64DecodingErrors);

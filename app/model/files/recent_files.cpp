@@ -7,13 +7,13 @@ namespace app {
 
 namespace {
 
-const char *const key = "files/recent";
+const char *const recentKey = "files/recent";
 
 }
 
 QStringList recentFiles()
 {
-    return QSettings().value(key).toStringList().mid(0, mostRecentFiles);
+    return QSettings().value(recentKey).toStringList().mid(0, mostRecentFiles);
 }
 
 void addRecentFile(const QString &path)
@@ -22,14 +22,14 @@ void addRecentFile(const QString &path)
     QStringList files = recentFiles();
     files.removeAll(absolute);
     files.prepend(absolute);
-    QSettings().setValue(key, QStringList(files.mid(0, mostRecentFiles)));
+    QSettings().setValue(recentKey, QStringList(files.mid(0, mostRecentFiles)));
 }
 
 void dropRecentFile(const QString &path)
 {
     QStringList files = recentFiles();
     files.removeAll(QFileInfo(path).absoluteFilePath());
-    QSettings().setValue(key, files);
+    QSettings().setValue(recentKey, files);
 }
 
 }

@@ -11,8 +11,9 @@ namespace {
 
 constexpr qint64 aheadMilliseconds = 4;
 constexpr std::int64_t recheckAfter = 300; ///< frames; after these, a moving run may have come to rest
-constexpr std::int64_t farthest = 100'000; ///< frames; a run that does not sleep by then may never sleep
-constexpr double seen = 1e-6;              ///< px, px/frame or degrees
+constexpr std::int64_t mostFramesAhead =
+    100'000;                  ///< frames; a run that does not sleep by then may never sleep
+constexpr double seen = 1e-6; ///< px, px/frame or degrees
 
 bool isApart(const sim::State &a, const sim::State &b)
 {
@@ -48,7 +49,7 @@ bool RestDetector::isOver(const sim::Track &run)
     clock.start();
     while (!m_ahead->isFinished() && clock.elapsed() < aheadMilliseconds) {
         m_ahead->seek({m_ahead->cursor().frame + m_ahead->framesPerOutput(), 0});
-        const bool tooFar = m_ahead->cursor().frame > run.cursor().frame + farthest;
+        const bool tooFar = m_ahead->cursor().frame > run.cursor().frame + mostFramesAhead;
         if (tooFar || isApart(m_ahead->state(), m_last)) {
             m_again = tooFar ? std::numeric_limits<std::int64_t>::max() : run.cursor().frame + recheckAfter;
             m_ahead.reset();

@@ -30,19 +30,18 @@ public:
     template <typename Receiver, typename Slot>
     void onChange(ChangeKinds kinds, Receiver *receiver, Slot slot) const
     {
-        QObject::connect(&m_changes, &ChangeNotifier::changed, receiver,
-                         [kinds, receiver, slot](const Change &change) {
-                             if (!change.isAny(kinds))
-                                 return;
-                             if constexpr (std::is_invocable_v<Slot, Receiver *, const Change &>)
-                                 std::invoke(slot, receiver, change);
-                             else if constexpr (std::is_invocable_v<Slot, Receiver *>)
-                                 std::invoke(slot, receiver);
-                             else if constexpr (std::is_invocable_v<Slot, const Change &>)
-                                 std::invoke(slot, change);
-                             else
-                                 std::invoke(slot);
-                         });
+        QObject::connect(&m_changes, &ChangeNotifier::changed, receiver, [=](const Change &change) {
+            if (!change.isAny(kinds))
+                return;
+            if constexpr (std::is_invocable_v<Slot, Receiver *, const Change &>)
+                std::invoke(slot, receiver, change);
+            else if constexpr (std::is_invocable_v<Slot, Receiver *>)
+                std::invoke(slot, receiver);
+            else if constexpr (std::is_invocable_v<Slot, const Change &>)
+                std::invoke(slot, change);
+            else
+                std::invoke(slot);
+        });
     }
     /// Shows `sentence` in the status line.
     void showMessage(const QString &sentence) const { m_changes.showMessage(sentence); }

@@ -14,7 +14,7 @@ namespace app {
 namespace {
 
 constexpr QChar minus(0x2212);
-constexpr double longest = 1e7; ///< from this value on, numbers are written with a power of ten
+constexpr double leastWithPower = 1e7; ///< from this value on, numbers are written with a power of ten
 
 /// Returns `text` with the learner's decimal sign, and without a minus sign if the shown number is 0.
 QString signedText(QString text)
@@ -29,14 +29,14 @@ QString signedText(QString text)
 
 QString fixedNumber(double value, int decimals)
 {
-    if (std::abs(value) >= longest)
+    if (std::abs(value) >= leastWithPower)
         return roughNumber(value);
     return signedText(QString::number(value, 'f', decimals));
 }
 
 QString writtenNumber(double value, int decimals)
 {
-    if (std::abs(value) >= longest)
+    if (std::abs(value) >= leastWithPower)
         return signedText(withoutPadding(QString::number(value, 'g', QLocale::FloatingPointShortest)));
     QString text = QString::number(value, 'f', decimals);
     if (text.toDouble() != value)

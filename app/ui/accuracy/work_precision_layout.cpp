@@ -18,7 +18,7 @@ constexpr double besideFrame = 14.0; ///< px right of the time that a frame has
 constexpr double nameFactor = 30.0;  ///< from the most expensive marker to that time, so that names have room
 constexpr double mostBeyond = 2.0 / 3.0; ///< of the decades of the markers, from the last one to that time
 constexpr double shortest = 80.0;        ///< px between them, at least
-constexpr double above = 30.0;           ///< a factor of room over the largest error
+constexpr double factorAbove = 30.0;     ///< a factor of room over the largest error
 constexpr double fromTop = 0.06;         ///< of the height, the place of unstable rows
 
 /// Returns whether all measured rows have times, so that times can be compared.
@@ -114,7 +114,7 @@ WorkPrecisionLayout workPrecisionLayout(const sim::Accuracy &accuracy, const Sho
     }
     if (layout.spots.empty())
         return layout;
-    layout.errors = errorScale(errors, above, size.height());
+    layout.errors = errorScale(errors, factorAbove, size.height());
     for (Spot &spot : layout.spots)
         spot.place.setY(layout.errors.place(spot.place.y()));
     fitCosts(layout, size.width(), layout.timed && !shown.areAll);

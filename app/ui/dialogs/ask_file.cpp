@@ -10,12 +10,12 @@ namespace app {
 
 namespace {
 
-const char *const key = "files/folder";
+const char *const folderKey = "files/folder";
 
 QString lastFolder()
 {
     const QString documents = QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-    for (const QString &folder : {QSettings().value(key).toString(), documents}) {
+    for (const QString &folder : {QSettings().value(folderKey).toString(), documents}) {
         if (!folder.isEmpty() && QDir(folder).exists())
             return folder;
     }
@@ -34,7 +34,7 @@ QString chosenIn(QFileDialog &dialog)
     if (dialog.exec() != QDialog::Accepted)
         return {};
     const QString path = dialog.selectedFiles().value(0);
-    QSettings().setValue(key, QFileInfo(path).absolutePath());
+    QSettings().setValue(folderKey, QFileInfo(path).absolutePath());
     return path;
 }
 

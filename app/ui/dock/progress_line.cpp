@@ -4,14 +4,14 @@ namespace app {
 
 namespace {
 
-constexpr int thickness = 6; ///< px
-constexpr int whole = 100;   ///< percent
+constexpr int thickness = 6;   ///< px
+constexpr int fullRange = 100; ///< percent
 
 }
 
 ProgressLine::ProgressLine(const QString &name, QWidget *parent) : QProgressBar(parent)
 {
-    setRange(0, whole);
+    setRange(0, fullRange);
     setTextVisible(false);
     setFixedHeight(thickness);
     setAccessibleName(name);
@@ -19,7 +19,7 @@ ProgressLine::ProgressLine(const QString &name, QWidget *parent) : QProgressBar(
 
 void ProgressLine::setShare(double share)
 {
-    const int next = qRound(whole * share);
+    const int next = qRound(fullRange * share);
     if (next == value())
         return;
     // setValue() calls repaint(), which does nothing while updates are disabled. Enabling them again calls

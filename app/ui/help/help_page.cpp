@@ -19,7 +19,7 @@ namespace app {
 namespace {
 
 constexpr int columnWidth = 450; ///< px, so that a long gesture leaves room for its text
-constexpr int margin = 24;
+constexpr int pageMargin = 24;
 constexpr int rowHeight = 28;
 constexpr int rowGap = 3; ///< px, above and below a text
 constexpr int headHeight = 90;
@@ -52,7 +52,7 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
     auto *hint =
         label(tr("Everything works without the mouse, too. Esc closes this page."), "caption", m_page);
     m_row = new QHBoxLayout;
-    m_row->setSpacing(2 * margin);
+    m_row->setSpacing(2 * pageMargin);
     for (QVBoxLayout *&column : m_columns) {
         column = new QVBoxLayout;
         column->setSpacing(20);
@@ -60,7 +60,7 @@ HelpPage::HelpPage(const Theme &theme, QWidget *parent) : QDialog(parent), m_the
         m_row->addLayout(column);
     }
     auto *page = new QVBoxLayout(m_page);
-    page->setContentsMargins(margin, 20, margin, margin);
+    page->setContentsMargins(pageMargin, 20, pageMargin, pageMargin);
     page->setSpacing(2);
     page->addWidget(title);
     page->addWidget(hint);
@@ -151,7 +151,7 @@ void HelpPage::fitTo(QSize screen)
     // The lengths of the groups are known only now. A third column is there if the page would scroll without
     // it.
     const QSize most = screen - QSize(80, 80);
-    const auto widthOf = [](int columns) { return columns * (columnWidth + 2 * margin); };
+    const auto widthOf = [](int columns) { return columns * (columnWidth + 2 * pageMargin); };
     int columns = 2;
     int high = fill(2) * rowHeight + headHeight;
     if (high > most.height() && widthOf(3) <= most.width()) {

@@ -6,7 +6,7 @@ namespace app {
 
 namespace {
 
-constexpr int around = 2 * 13 + 16 + 12; ///< px: padding and border, icon, and the gap before it
+constexpr int besideText = 2 * 13 + 16 + 12; ///< px: padding and border, icon, and the gap before it
 
 }
 
@@ -42,7 +42,7 @@ QSize StepButton::minimumSizeHint() const
 
 void StepButton::fit()
 {
-    const int room = width() - around;
+    const int room = width() - besideText;
     const QString &fitting = fontMetrics().horizontalAdvance(m_text) <= room ? m_text : m_brief;
     QString shown = fontMetrics().elidedText(fitting, Qt::ElideRight, room);
     shown.replace('&', "&&");

@@ -245,9 +245,10 @@ bool HandInDialog::hasContent() const
 QString HandInDialog::base() const
 {
     QString path = m_file->text().trimmed();
-    for (const char *ending : {notebookEnding, webEnding, pdfEnding}) {
-        if (path.endsWith(QLatin1String(ending), Qt::CaseInsensitive))
-            path.chop(qstrlen(ending));
+    for (const QLatin1StringView ending :
+         {QLatin1StringView(notebookEnding), QLatin1StringView(webEnding), QLatin1StringView(pdfEnding)}) {
+        if (path.endsWith(ending, Qt::CaseInsensitive))
+            path.chop(ending.size());
     }
     return path;
 }

@@ -192,11 +192,11 @@ void QuantityPlot::refresh(const std::vector<double> &begun, const std::optional
         fillComparison();
     if (isChanged || m_axesAreOld)
         fillCurves();
-    draw(isChanged, isComparisonChanged);
+    drawCurves(isChanged, isComparisonChanged);
     announceCursor();
 }
 
-void QuantityPlot::draw(bool curves, bool comparison)
+void QuantityPlot::drawCurves(bool curves, bool comparison)
 {
     const bool isRescaled = fitAxes();
     if (std::exchange(m_axesAreOld, false) || isRescaled) {

@@ -84,7 +84,7 @@ private:
     bool fitAxes();
     void fitAxis(QCPAxis &axis, PlotRange &range, std::size_t column);
     void keepShape();
-    void draw(bool curves, bool comparison);
+    void drawCurves(bool curves, bool comparison);
     void fillCurves();
     void fillComparison();
     Moment momentOf(const std::vector<double> &numbers, double time) const;

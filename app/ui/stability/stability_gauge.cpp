@@ -17,7 +17,7 @@ namespace app {
 namespace {
 
 constexpr int gaugeMargin = 8;
-constexpr int gap = 8;
+constexpr int gaugeGap = 8;
 constexpr int gaugeHeight = 24;
 constexpr int tickHeight = 12;
 constexpr double paleness = 0.45;
@@ -159,7 +159,8 @@ QSize StabilityGauge::sizeHint() const
     const int words =
         std::max(metrics.horizontalAdvance(m_words),
                  metrics.horizontalAdvance(tr("%1\u2009% of the limit").arg(fixedNumber(99.9, 1))));
-    return {2 * gaugeMargin + metrics.horizontalAdvance(tr("Stability")) + gap + barWidth + gap + words,
+    return {2 * gaugeMargin + metrics.horizontalAdvance(tr("Stability")) + gaugeGap + barWidth + gaugeGap +
+                words,
             gaugeHeight};
 }
 
@@ -204,9 +205,9 @@ void StabilityGauge::paintEvent(QPaintEvent *)
     painter.setPen(tokens.ink2);
     QRectF row = QRectF(rect()).adjusted(gaugeMargin, 0, -gaugeMargin, 0);
     painter.drawText(row, Qt::AlignVCenter | Qt::AlignLeft, tr("Stability"));
-    row.setLeft(row.left() + metrics.horizontalAdvance(tr("Stability")) + gap);
+    row.setLeft(row.left() + metrics.horizontalAdvance(tr("Stability")) + gaugeGap);
     paintBar(painter, QRectF(row.left(), row.center().y() - barHeight / 2.0, barWidth, barHeight));
-    row.setLeft(row.left() + barWidth + gap);
+    row.setLeft(row.left() + barWidth + gaugeGap);
     painter.setPen(tokens.ink);
     painter.drawText(row, Qt::AlignVCenter | Qt::AlignLeft, m_words);
 }

@@ -14,7 +14,7 @@ namespace app {
 
 namespace {
 
-constexpr double tip = 7.0;           ///< how far the current phase's arrow extends into the next phase
+constexpr double arrowTip = 7.0;      ///< how far the current phase's arrow extends into the next phase
 constexpr double markAndGap = 14.0;   ///< the square or tick before a name
 constexpr double leastPadding = 12.0; ///< of a name, both sides together
 constexpr double leastMark = 24.0;    ///< the width of a phase without its name, which still can be clicked
@@ -206,7 +206,7 @@ QPainterPath PhaseStrip::outline(std::size_t index) const
                    -90);
     } else {
         path.lineTo(area.right(), area.top());
-        path.lineTo(area.right() + tip, middle);
+        path.lineTo(area.right() + arrowTip, middle);
         path.lineTo(area.right(), area.bottom());
     }
     if (first) {
@@ -215,7 +215,7 @@ QPainterPath PhaseStrip::outline(std::size_t index) const
         path.arcTo(QRectF(area.left(), area.top(), 2 * corner, 2 * corner), 180, -90);
     } else {
         path.lineTo(area.left(), area.bottom());
-        path.lineTo(area.left() + tip, middle);
+        path.lineTo(area.left() + arrowTip, middle);
     }
     path.closeSubpath();
     return path;

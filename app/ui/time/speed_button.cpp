@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::array speeds = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0};
 constexpr double padding = 8.0;
-constexpr double gap = 6.0;
+constexpr double chipGap = 6.0;
 constexpr int arrow = 12;
 
 QString number(double value)
@@ -93,10 +93,10 @@ QString SpeedButton::rate() const
 
 QSize SpeedButton::sizeHint() const
 {
-    double width = 2 * padding + gap + arrow;
+    double width = 2 * padding + chipGap + arrow;
     width += QFontMetricsF(m_theme.ui(13, QFont::Medium)).horizontalAdvance(factor());
     if (!m_isBrief)
-        width += gap + QFontMetricsF(m_theme.ui(13)).horizontalAdvance(rate());
+        width += chipGap + QFontMetricsF(m_theme.ui(13)).horizontalAdvance(rate());
     return {static_cast<int>(std::ceil(width)), 28};
 }
 
@@ -112,7 +112,7 @@ void SpeedButton::paintEvent(QPaintEvent *)
         painter.setFont(font);
         painter.setPen(color);
         painter.drawText(QRectF(x, 0, width(), height()), Qt::AlignVCenter | Qt::AlignLeft, text);
-        x += QFontMetricsF(font).horizontalAdvance(text) + gap;
+        x += QFontMetricsF(font).horizontalAdvance(text) + chipGap;
     };
     write(factor(), m_theme.ui(13, QFont::Medium), t.ink);
     if (!m_isBrief)

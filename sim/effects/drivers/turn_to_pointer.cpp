@@ -38,7 +38,7 @@ void TurnToPointer::drive(State &state, double) const
     if (m_formula == TreeFormula::published) {
         forEachFromTrunk(*m_tree, state, degrees, [&](int i) {
             const Vec2 reach = branchReach(state.angle[i], m_tree->baseLength, degrees);
-            const double scale = m_tree->scale[static_cast<std::size_t>(i)];
+            const double scale = m_tree->scaleOf(i);
             state.angle[i] =
                 turnToPointerPublished(pointerOffsetPublished(pointer, state.positionOf(i), reach, scale).d);
         });
@@ -57,7 +57,7 @@ std::vector<LiveValue> TurnToPointer::explain(const State &before, const State &
     std::vector<LiveValue> live;
     if (m_formula == TreeFormula::published) {
         const Vec2 reach = branchReach(before.angle[point], m_tree->baseLength, degreesOf(m_formula));
-        const double scale = m_tree->scale[static_cast<std::size_t>(point)];
+        const double scale = m_tree->scaleOf(point);
         const PointerOffset offset = pointerOffsetPublished(pointer, after.positionOf(point), reach, scale);
         live = {{"reach", reach, {}}, {"mouse", offset.mouse, {}}, {"d", offset.d, {}}};
     } else {

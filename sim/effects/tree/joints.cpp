@@ -25,7 +25,7 @@ void Joints::drive(State &state, double) const
 
 std::vector<LiveValue> Joints::explain(const State &, const State &after, int point) const
 {
-    const double scale = m_tree->scale[static_cast<std::size_t>(point)];
+    const double scale = m_tree->scaleOf(point);
     const Vec2 reach = branchReach(after.angle[point], m_tree->baseLength, m_degrees);
     return {{"angle", after.angle[point], {}},
             {"rad", after.angle[point] / m_degrees, {}},

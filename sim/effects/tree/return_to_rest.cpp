@@ -26,7 +26,7 @@ std::vector<LiveValue> ReturnToRest::explain(const State &before, const State &a
 {
     if (!before.isDynamic(point))
         return {};
-    const double rest = m_tree->rest[static_cast<std::size_t>(point)];
+    const double rest = m_tree->restOf(point);
     return {{"rest", rest, {}},
             {"way", rest - before.angle[point], {}},
             {"angle", after.angle[point], before.angle[point]}};

@@ -37,7 +37,7 @@ int Torsion::count(const State &, PointRange points) const
 
 double Torsion::bend(const State &state, int branch) const
 {
-    return state.angle[branch] - m_tree->rest[static_cast<std::size_t>(branch)];
+    return state.angle[branch] - m_tree->restOf(branch);
 }
 
 double Torsion::torqueOn(const State &state, int branch) const

@@ -27,6 +27,8 @@ struct Tree
     /// Adds a branch at the end of branch `from`, at the rest angle `angle` (degrees). All children of a
     /// branch have to be added before those of the next branch.
     void addBranch(int from, double angle, double branchScale);
+    double restOf(int branch) const { return rest[static_cast<std::size_t>(branch)]; }
+    double scaleOf(int branch) const { return scale[static_cast<std::size_t>(branch)]; }
     int branchCount() const { return static_cast<int>(parent.size()); }
     /// Adds the pairs (branch, parent).
     void addCouplings(std::vector<std::pair<int, int>> &couplings) const;
@@ -158,7 +160,7 @@ PointerOffset pointerOffsetPublished(
 inline Vec2 endOf(const Tree &tree, const State &state, int i, double degrees)
 {
     const Vec2 reach = branchReach(state.angle[i], tree.baseLength, degrees);
-    return branchEnd(state.positionOf(i), reach, tree.scale[static_cast<std::size_t>(i)]);
+    return branchEnd(state.positionOf(i), reach, tree.scaleOf(i));
 }
 
 /// Visits the branches from the trunk to the twigs. For each dynamic branch calls `turn(i)`, after the branch

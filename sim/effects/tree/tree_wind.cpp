@@ -119,7 +119,7 @@ int TreeWind::count(const State &, PointRange points) const
 
 BranchWind TreeWind::windOn(TreeFormula formula, int point, Vec2 origin, double angle, Vec2 pointer) const
 {
-    const double scale = m_tree->scale[static_cast<std::size_t>(point)];
+    const double scale = m_tree->scaleOf(point);
     const Vec2 reach = branchReach(angle, m_tree->baseLength, degreesOf(formula));
     if (formula == TreeFormula::published)
         return windPublished(pointerOffsetPublished(pointer, origin, reach, scale).d);
@@ -132,13 +132,12 @@ double TreeWind::gustNow(const State &state) const
         return 0.0;
     if (state.input.gust)
         return *state.input.gust;
-    const auto frame = static_cast<std::uint64_t>(state.frame);
-    return gustOf(m_turbulence->degrees, uniform(m_turbulence->seed, frame, 0));
+    return gustOf(m_turbulence->degrees, uniform(m_turbulence->seed, state.frame, 0));
 }
 
 double TreeWind::strength(double distance, int point) const
 {
-    const double scale = m_tree->scale[static_cast<std::size_t>(point)];
+    const double scale = m_tree->scaleOf(point);
     return withStrengthFormula(m_resistance.by, [&](auto strengthFormula) {
         return strengthFormula(m_resistance, distance, scale);
     });

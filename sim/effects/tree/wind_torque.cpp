@@ -30,7 +30,7 @@ int WindTorque::count(const State &, PointRange points) const
 
 WindTorque::BranchPush WindTorque::pushOn(const State &state, int branch) const
 {
-    const double scale = m_tree->scale[static_cast<std::size_t>(branch)];
+    const double scale = m_tree->scaleOf(branch);
     const Vec2 along = branchReach(state.angle[branch], 1.0, degreesPerRadian);
     const Vec2 end = branchEnd(state.positionOf(branch), along, m_tree->baseLength * scale);
     const Direction heading = direction(end - *state.input.pointer, pointerIndex, branch);
@@ -53,7 +53,7 @@ WindTorque::PushDerivatives WindTorque::pushDerivatives(const State &state, int 
 {
     const auto [distance, out, share, push] = pushOn(state, branch);
     const Vec2 along = branchReach(state.angle[branch], 1.0, degreesPerRadian);
-    const double scale = m_tree->scale[static_cast<std::size_t>(branch)], scaleSquared = scale * scale;
+    const double scale = m_tree->scaleOf(branch), scaleSquared = scale * scale;
     const double factor = m_wind * degreesPerRadian * scaleSquared * scaleSquared / m_inertia[branch];
     const double far = std::max(distance, 100.0);
     const double strength = factor * share / far;
@@ -78,7 +78,7 @@ bool WindTorque::addJacobian(const State &state, PointRange movers, double scale
         const PushDerivatives derivatives = pushDerivatives(state, i);
         jacobian.addAngular(i, i, scale * derivatives.byAngle);
         for (int branch = i; branch >= 0; branch = m_tree->parent[static_cast<std::size_t>(branch)]) {
-            const double length = m_tree->baseLength * m_tree->scale[static_cast<std::size_t>(branch)];
+            const double length = m_tree->baseLength * m_tree->scaleOf(branch);
             const Vec2 reach = branchReach(state.angle[branch], length, degreesPerRadian);
             const double byBranchAngle = derivatives.byEnd.y * reach.x - derivatives.byEnd.x * reach.y;
             jacobian.addAngular(i, branch, scale * byBranchAngle / degreesPerRadian);

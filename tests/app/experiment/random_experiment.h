@@ -14,7 +14,7 @@ namespace random_experiments {
 class Draw
 {
 public:
-    Draw(std::uint64_t seed, std::uint64_t trial) : m_seed(seed), m_trial(trial) {}
+    Draw(std::uint64_t seed, std::uint64_t trial) : m_seed(seed), m_trial(static_cast<std::int64_t>(trial)) {}
 
     /// In [0, 1).
     double share();
@@ -30,8 +30,8 @@ public:
 
 private:
     std::uint64_t m_seed;
-    std::uint64_t m_trial;
-    std::uint64_t m_index = 0;
+    std::int64_t m_trial;
+    std::int64_t m_index = 0;
 };
 
 /// What a step has, untouched: what experiments on it are drawn from.

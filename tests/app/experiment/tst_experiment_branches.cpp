@@ -100,7 +100,7 @@ private slots:
             script.values.set("k", 0.001 * i);
             experiment.branches.add(branchOf(QString::number(i), true, true, script));
         }
-        QVERIFY_EXCEPTION_THROWN(experimentText(experiment, library()), UserError);
+        QVERIFY_THROWS_EXCEPTION(UserError, experimentText(experiment, library()));
         QByteArray list;
         for (int i = 0; i <= int(mostKeptBranches); ++i)
             list += "\"name\": \"a\"}, {";

@@ -143,7 +143,7 @@ private slots:
     {
         Experiment experiment = newExperiment("single_spring", "radial", library());
         experiment.script.bodies["foot"] = {{std::numeric_limits<double>::quiet_NaN(), 0.0}, {}};
-        QVERIFY_EXCEPTION_THROWN(experimentText(experiment, library()), UserError);
+        QVERIFY_THROWS_EXCEPTION(UserError, experimentText(experiment, library()));
     }
 
     void savingReplacesTheFileOrLeavesIt()
@@ -158,10 +158,10 @@ private slots:
         QCOMPARE(QDir(folder.path()).entryList(QDir::Files), QStringList("saved.json"));
         Experiment bad = other;
         bad.script.bodies["body"] = {{std::numeric_limits<double>::infinity(), 0.0}, {}};
-        QVERIFY_EXCEPTION_THROWN(writeExperiment(path, bad, library()), UserError);
+        QVERIFY_THROWS_EXCEPTION(UserError, writeExperiment(path, bad, library()));
         compareExperiments(readExperiment(path, library()), other);
-        QVERIFY_EXCEPTION_THROWN(writeExperiment(folder.filePath("no/such/folder.json"), other, library()),
-                                 UserError);
+        QVERIFY_THROWS_EXCEPTION(UserError,
+                                 writeExperiment(folder.filePath("no/such/folder.json"), other, library()));
     }
 
     void aFileThatCannotBeReadIsNamed()

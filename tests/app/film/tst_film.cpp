@@ -240,7 +240,7 @@ void FilmTest::aNameThatIsNoFilmsIsRefused_data()
 void FilmTest::aNameThatIsNoFilmsIsRefused()
 {
     QFETCH(QString, name);
-    QVERIFY_EXCEPTION_THROWN(filmKind(name), UserError);
+    QVERIFY_THROWS_EXCEPTION(UserError, filmKind(name));
     QCOMPARE(filmKind("a b%.gif"), FilmKind::gif);
     QCOMPARE(filmKind("/100 %/%d/walk_%04d.png"),
              FilmKind::pictures); // folders are called what they are called
@@ -270,7 +270,7 @@ void FilmTest::filesInTheWayAreThoseThatWouldBeWrittenOver()
     QCOMPARE(in("walk_%d.png", 0, 12), QStringList("walk_4.png"));
     QCOMPARE(in("nowhere/walk_%d.png", 0, 12), QStringList());
     QCOMPARE(in("100%/_%d.png", 0, 12), QStringList());
-    QVERIFY_EXCEPTION_THROWN(in("walk.mp4", 0, 3), UserError);
+    QVERIFY_THROWS_EXCEPTION(UserError, in("walk.mp4", 0, 3));
 }
 
 void FilmTest::makingAFilmGetsNothingDone()

@@ -203,14 +203,14 @@ void NotebookFileTest::aBadFileIsOneSentence()
 void NotebookFileTest::aPathThatIsNoNotebookIsNamed()
 {
     const QTemporaryDir folder;
-    QVERIFY_EXCEPTION_THROWN(readNotebook(folder.path(), allLessons()), UserError);
-    QVERIFY_EXCEPTION_THROWN(readNotebook(folder.filePath("none"), allLessons()), UserError);
+    QVERIFY_THROWS_EXCEPTION(UserError, readNotebook(folder.path(), allLessons()));
+    QVERIFY_THROWS_EXCEPTION(UserError, readNotebook(folder.filePath("none"), allLessons()));
     QFile large(folder.filePath("large"));
     QVERIFY(large.open(QIODevice::WriteOnly));
     QVERIFY(large.resize(largestNotebook + 1)); // a file with a hole takes no room
     large.close();
-    QVERIFY_EXCEPTION_THROWN(readNotebook(large.fileName(), allLessons()), UserError);
-    QVERIFY_EXCEPTION_THROWN(writeWholeFile(folder.filePath("none/a"), "a"), UserError);
+    QVERIFY_THROWS_EXCEPTION(UserError, readNotebook(large.fileName(), allLessons()));
+    QVERIFY_THROWS_EXCEPTION(UserError, writeWholeFile(folder.filePath("none/a"), "a"));
 }
 
 void NotebookFileTest::thePageEscapesWhatLearnersWrite()

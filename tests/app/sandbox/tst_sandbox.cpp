@@ -108,9 +108,12 @@ private slots:
                 world.editor.moveChosen({double(upTo(40)) - 20, double(upTo(40)) - 20});
                 world.session.editor().endGesture();
                 break;
-            case 3:
-                world.editor.setEffect(effects[upTo(int(effects.size()) - 1)], upTo(1) == 1);
+            case 3: {
+                const bool isOn =
+                    upTo(1) == 1; // drawn first: compilers evaluate arguments in different orders
+                world.editor.setEffect(effects[upTo(int(effects.size()) - 1)], isOn);
                 break;
+            }
             default:
                 world.editor.use(at, upTo(2) == 0 ? -1 : upTo(points - 1));
             }

@@ -119,8 +119,7 @@ Tree::Tree(int forks)
 
 void Tree::frame(std::int64_t number)
 {
-    m_numbers.gust =
-        trees::turbulence * (2.0 * sim::uniform(trees::seed, static_cast<std::uint64_t>(number), 0) - 1.0);
+    m_numbers.gust = trees::turbulence * (2.0 * sim::uniform(trees::seed, number, 0) - 1.0);
     limitFrame(m_arrays, m_numbers);
 }
 

@@ -21,8 +21,8 @@ sim::Scene sprung(int creatures)
 {
     sim::Scene scene = scenes::crowdByParts(creatures, feet);
     for (int creature = 0; creature < creatures; ++creature) {
-        auto between = [&, drawn = 0u](double low, double high) mutable {
-            return low + (high - low) * sim::uniform(1, drawn++, static_cast<std::uint64_t>(creature));
+        auto between = [&, drawn = 0](double low, double high) mutable {
+            return low + (high - low) * sim::uniform(1, drawn++, creature);
         };
         const sim::Vec2 body = {between(left + 65.0, right - 65.0), between(50.0, floor - 65.0)};
         scene.start.place(pointOf(creatures, creature, -1), body);

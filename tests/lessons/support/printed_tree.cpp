@@ -15,7 +15,7 @@ struct PrintedTree::Branch
 
     /// `number` counts in breadth-first order. A branch has two children or none, so n has 2n + 1 and 2n + 2.
     Branch(const PrintedTree &owner, double initialAngle, double initialScale, double originX, double originY,
-           std::uint64_t number)
+           std::int64_t number)
         : tree(owner), x(originX), y(originY), scale(initialScale), angle(initialAngle),
           restAngle(initialAngle)
     {
@@ -31,7 +31,7 @@ struct PrintedTree::Branch
         }
     }
 
-    double randomJitter(std::uint64_t number) const
+    double randomJitter(std::int64_t number) const
     {
         const double jitter = tree.m_numbers.jitter;
         return tree.random(0, number) * 2 * jitter - jitter;
@@ -109,7 +109,7 @@ PrintedTree::PrintedTree(Stage stage, const Numbers &numbers) : m_stage(stage), 
 
 PrintedTree::~PrintedTree() = default;
 
-double PrintedTree::random(std::uint64_t frame, std::uint64_t index) const
+double PrintedTree::random(std::int64_t frame, std::int64_t index) const
 {
     return sim::uniform(m_numbers.seed, frame, index);
 }

@@ -40,14 +40,14 @@ public:
 
 private:
     struct Branch;
-    double random(std::uint64_t frame, std::uint64_t index) const;
+    double random(std::int64_t frame, std::int64_t index) const;
 
     Stage m_stage;
     Numbers m_numbers;
     std::unique_ptr<Branch> m_trunk;
     double m_mouseX = 0.0, m_mouseY = 0.0;
     bool m_down = false;
-    std::uint64_t m_frame = 0;
+    std::int64_t m_frame = 0;
 };
 
 }

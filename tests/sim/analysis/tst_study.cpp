@@ -134,12 +134,12 @@ private slots:
     {
         Accuracy found;
         const MethodPtr method = findMethod("published");
-        const auto add = [&](double error, double ns, Outcome outcome) {
+        const auto add = [&](double error, double cost, Outcome outcome) {
             AccuracyRow row;
             row.setup = {method, StepSize::ofLength(1.0)};
             row.outcome = outcome;
             row.error = error;
-            row.nsPerFrame = ns;
+            row.nsPerFrame = cost;
             found.rows.push_back(row);
         };
         add(5.0, 10.0, Outcome::measured);
@@ -225,7 +225,7 @@ private slots:
         Scene scene = dampedSpring();
         scene.effects.clear();
         scene.groups = {};
-        QVERIFY_EXCEPTION_THROWN(studyAccuracy(scriptOf(scene), quickPlan(5), keepGoing), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, studyAccuracy(scriptOf(scene), quickPlan(5), keepGoing));
     }
 };
 

@@ -175,8 +175,8 @@ private slots:
 
     void springWithoutAnEndIsRefused()
     {
-        QVERIFY_EXCEPTION_THROWN(Springs({{0, 4, k, 1.0}}, 4), Error);
-        QVERIFY_EXCEPTION_THROWN(Springs({{-1, 0, k, 1.0}}, 4), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, Springs({{0, 4, k, 1.0}}, 4));
+        QVERIFY_THROWS_EXCEPTION(Error, Springs({{-1, 0, k, 1.0}}, 4));
     }
 
     void gustsTravelAndAverageToZero()

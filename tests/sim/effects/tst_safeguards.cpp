@@ -202,9 +202,9 @@ void TestSafeguards::coincidentPointsHaveADirection()
 
 void TestSafeguards::windAtDistanceZeroTurnsNoFartherThanItsDirection()
 {
-    const double strength = byDistance(0.0);
-    QVERIFY(!std::isfinite(bendPublished(0.0, 90.0, strength, 1.0))); // without the bound on the angle
-    QCOMPARE(bend(0.0, 90.0, strength, 1.0), 90.0);
+    const double drag = byDistance(0.0);
+    QVERIFY(!std::isfinite(bendPublished(0.0, 90.0, drag, 1.0))); // without the bound on the angle
+    QCOMPARE(bend(0.0, 90.0, drag, 1.0), 90.0);
 }
 
 void TestSafeguards::spineOfLengthZeroHasAFiniteWidth()

@@ -305,14 +305,14 @@ private slots:
     {
         const support::Sample &walkers = support::sample("walkers");
         const Scene scene = walkers.build(walkers.values);
-        std::string ids;
+        std::string phases;
         std::string innerEffects;
         for (const Phase &phase : compose(scene, *findMethod("tr_bdf2"), StepSize::ofLength(1.0)).phases) {
-            ids += phase.id + " ";
+            phases += phase.id + " ";
             for (const EffectPtr &effect : phase.innerEffects)
                 innerEffects += effect->id() + " ";
         }
-        QCOMPARE(ids, std::string("steering solve ground walls turn_round "));
+        QCOMPARE(phases, std::string("steering solve ground walls turn_round "));
         QCOMPARE(innerEffects, std::string("leg_spring push gravity damping gait_clock "));
     }
 

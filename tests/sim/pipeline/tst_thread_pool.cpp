@@ -140,9 +140,9 @@ private slots:
             _MM_SET_DENORMALS_ZERO_MODE(flushes ? _MM_DENORMALS_ZERO_ON : _MM_DENORMALS_ZERO_OFF);
             std::atomic<int> asCaller = 0;
             runOnAllThreads(pool, 2, [&] {
-                volatile double minNormal = std::numeric_limits<double>::min();
+                volatile double leastNormal = std::numeric_limits<double>::min();
                 volatile double denormal = std::numeric_limits<double>::denorm_min();
-                const bool isFlushed = minNormal / 4.0 == 0.0 && denormal * 1e300 == 0.0;
+                const bool isFlushed = leastNormal / 4.0 == 0.0 && denormal * 1e300 == 0.0;
                 asCaller += isFlushed == flushes ? 1 : 0;
             });
             _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_OFF);

@@ -139,7 +139,7 @@ private slots:
         expected.seek({50, 0});
         QVERIFY(sameBits(expected.state(), timeline.state()));
         input.push_back({80, Set{"damp", std::nan("")}});
-        QVERIFY_EXCEPTION_THROWN(timeline.replaceInput(input), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, timeline.replaceInput(input));
         QCOMPARE(timeline.script().input.size(), std::size_t(1));
         input.back() = {80, Set{"damp", 0.5}}; // after the computed frames, so no comparison run
         QVERIFY(!timeline.replaceInput(input));
@@ -267,9 +267,9 @@ private slots:
         timeline.seek({20, 0});
         timeline.seek({10, 2});
         const State before = timeline.state();
-        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("k", 2.0), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, timeline.setParameter("k", 2.0));
         timeline.seek({0, 0});
-        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("k", 2.0), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, timeline.setParameter("k", 2.0));
         timeline.seek({10, 2});
         QVERIFY(sameBits(timeline.state(), before));
         QVERIFY(timeline.script().input.empty() && !timeline.comparison());
@@ -289,11 +289,11 @@ private slots:
         Timeline timeline(script); // composes
         timeline.seek({10, 0});
         // The value does not compose together with the later event.
-        QVERIFY_EXCEPTION_THROWN(timeline.setParameter("damp", 0.95), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, timeline.setParameter("damp", 0.95));
         timeline.seek({40, 0});
         script.input.push_back({40, Set{"damp", 0.95}});
         // The constructor throws, because stepping never does.
-        QVERIFY_EXCEPTION_THROWN(Timeline(script, 1000), Error);
+        QVERIFY_THROWS_EXCEPTION(Error, Timeline(script, 1000));
     }
 };
 

@@ -143,12 +143,12 @@ void MethodMemory::holdKnowsWhereThePointWasBeforeTheHandMovedIt()
     script.input = {{3, Grab{"foot"}}, {3, Move{{150, 90}}}, {4, Move{{160, 95}}}};
     Track track(script, budget);
     track.seek({3, 0});
-    QVERIFY(track.state().hold.positionBefore == Vec2(106, 108));
-    QVERIFY(track.state().hold.velocityBefore == Vec2(3, 4));
+    QVERIFY(track.state().hold.positionBefore == (Vec2{106, 108}));
+    QVERIFY(track.state().hold.velocityBefore == (Vec2{3, 4}));
     track.seek({4, 0});
-    QVERIFY(track.state().hold.positionBefore == Vec2(150, 90));
-    QVERIFY(track.state().hold.velocityBefore == Vec2(44, -18));
-    QVERIFY(track.state().positionOf(0) == Vec2(160, 95));
+    QVERIFY(track.state().hold.positionBefore == (Vec2{150, 90}));
+    QVERIFY(track.state().hold.velocityBefore == (Vec2{44, -18}));
+    QVERIFY(track.state().positionOf(0) == (Vec2{160, 95}));
 }
 
 SUITE(tst_method_memory, MethodMemory)

@@ -53,10 +53,9 @@ private slots:
         double sum = 0.0, squares = 0.0;
         std::vector<int> bins(100);
         for (int i = 0; i < sampleCount; ++i) {
-            const auto n = static_cast<std::uint64_t>(i);
-            const double u = argument == 0   ? uniform(n, 3, 4)
-                             : argument == 1 ? uniform(5, n, 4)
-                                             : uniform(5, 3, n);
+            const double u = argument == 0   ? uniform(static_cast<std::uint64_t>(i), 3, 4)
+                             : argument == 1 ? uniform(5, i, 4)
+                                             : uniform(5, 3, i);
             QVERIFY(u >= 0.0 && u < 1.0);
             sum += u;
             squares += (u - 0.5) * (u - 0.5);
@@ -75,7 +74,7 @@ private slots:
     void neighboursAreUncorrelated()
     {
         std::vector<double> reference, nextSeed, nextFrame, nextIndex, swapped;
-        for (std::uint64_t i = 0; i < sampleCount; ++i) {
+        for (int i = 0; i < sampleCount; ++i) {
             reference.push_back(uniform(1, i, 7));
             nextSeed.push_back(uniform(2, i, 7));
             nextFrame.push_back(uniform(1, i + 1, 7));
@@ -89,9 +88,11 @@ private slots:
 
     void extremeArgumentsStayInTheUnitInterval()
     {
-        for (const std::uint64_t a : {std::uint64_t{0}, ~std::uint64_t{0}, std::uint64_t{1} << 63}) {
-            for (const std::uint64_t b : {std::uint64_t{0}, ~std::uint64_t{0}})
-                QVERIFY(uniform(a, b, a) >= 0.0 && uniform(a, b, a) < 1.0);
+        for (const std::uint64_t seed : {std::uint64_t{0}, ~std::uint64_t{0}, std::uint64_t{1} << 63}) {
+            for (const std::int64_t frame : {std::int64_t{0}, std::int64_t{-1}}) {
+                const auto index = static_cast<std::int64_t>(seed);
+                QVERIFY(uniform(seed, frame, index) >= 0.0 && uniform(seed, frame, index) < 1.0);
+            }
         }
     }
 };

@@ -132,9 +132,9 @@ private slots:
         QFETCH(double, h);
         const Script plain = support::script(support::sample(scene.toStdString()), method.toStdString(), h);
         for (const Script &script : {plain, withInput(plain)}) {
-            for (const std::size_t budget : {std::size_t{0}, tinyBudget, Timeline::defaultBudget}) {
+            for (const std::size_t bytes : {std::size_t{0}, tinyBudget, Timeline::defaultBudget}) {
                 const std::string found =
-                    support::seekMismatch(script, budget, h > 2 ? 200 : 60, tests::sized(500, 40), 1);
+                    support::seekMismatch(script, bytes, h > 2 ? 200 : 60, tests::sized(500, 40), 1);
                 QVERIFY2(found.empty(), found.c_str());
             }
         }
@@ -274,10 +274,10 @@ private slots:
             track.seek({dice.whole(0, 30), dice.whole(0, 9)});
             // The output step that ends at frame 10 is the first with two feet, including its phases.
             const std::int64_t end = track.cursor().frame + (track.cursor().phase > 0 ? 1 : 0);
-            const int feet = end < 10 ? 5 : end < 20 ? 2 : 4;
-            QCOMPARE(track.state().pointCount(), feet + 1);
-            QCOMPARE(track.interval().scene.start.pointCount(), feet + 1);
-            QCOMPARE(track.interval().values.integer("feet"), feet);
+            const int movedFeet = end < 10 ? 5 : end < 20 ? 2 : 4;
+            QCOMPARE(track.state().pointCount(), movedFeet + 1);
+            QCOMPARE(track.interval().scene.start.pointCount(), movedFeet + 1);
+            QCOMPARE(track.interval().values.integer("feet"), movedFeet);
         }
     }
 

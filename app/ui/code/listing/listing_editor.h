@@ -171,7 +171,7 @@ private:
     void setPointed(std::optional<TextRange> place);
     void drag(const QPoint &to, bool fine);
     void endDrag(bool keep);
-    void replace(const TextRange &range, const QString &by);
+    void replaceText(const TextRange &range, const QString &by);
 
     void breakLine();
     void closeBrace();

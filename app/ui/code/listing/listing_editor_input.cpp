@@ -377,7 +377,7 @@ void ListingEditor::drag(const QPoint &to, bool fine)
     const QString number = draggedNumber(m_drag->before, pixels, fine);
     if (number == m_drag->spot.text)
         return;
-    replace(m_drag->spot.range, number);
+    replaceText(m_drag->spot.range, number);
     m_drag->spot.text = number;
     m_drag->spot.range.length = static_cast<int>(number.size());
     flush();
@@ -391,12 +391,12 @@ void ListingEditor::endDrag(bool keep)
         return;
     }
     if (!keep)
-        replace(drag.spot.range, drag.before);
+        replaceText(drag.spot.range, drag.before);
     flush();
     emit numberGesture();
 }
 
-void ListingEditor::replace(const TextRange &range, const QString &by)
+void ListingEditor::replaceText(const TextRange &range, const QString &by)
 {
     const QByteArray bytes = by.toUtf8();
     send(*this, SCI_SETTARGETSTART, static_cast<std::size_t>(positionOf(range.line, range.column)));

@@ -28,10 +28,10 @@ constexpr int largeWindow = 1600; ///< px, the window width from which the type 
 constexpr int buttonHeight = 32;
 constexpr int titleHeight = 24;
 constexpr int headingHeight = 20;
-constexpr int belowText = 12;  ///< px above the tasks
-constexpr int belowWhys = 6;   ///< px: a question has some px below it already
-constexpr int leastText = 200; ///< px of text above the things to try; with less, these scroll
-constexpr int leastTask = 240; ///< the same while the learner writes a task
+constexpr int belowText = 12;   ///< px above the tasks
+constexpr int belowWhys = 6;    ///< px: a question has some px below it already
+constexpr int leastAbove = 200; ///< px of text above the things to try; with less, these scroll
+constexpr int leastTask = 240;  ///< the same while the learner writes a task
 constexpr int todoMilliseconds =
     300; ///< between two updates of the missing tasks: faster changes cannot be read
 
@@ -465,7 +465,7 @@ QString Narration::nextTip() const
 void Narration::fitText()
 {
     if (m_hasSize)
-        m_room.fit(m_desk.task() ? leastTask : leastText);
+        m_room.fit(m_desk.task() ? leastTask : leastAbove);
 }
 
 void Narration::showProgress()

@@ -20,7 +20,7 @@ constexpr double meadowStep = 6.0; ///< screen px between two corners of the mea
 
 double starChance(int star, int what)
 {
-    return sim::uniform(starSeed, static_cast<std::uint64_t>(star), static_cast<std::uint64_t>(what));
+    return sim::uniform(starSeed, star, what);
 }
 
 void paintStars(QPainter &p, QRectF view, double horizon, const QColor &color)

@@ -12,8 +12,8 @@ namespace app {
 
 namespace {
 
-constexpr int fewest = 3;            ///< turns of a coil
-constexpr int most = 14;             ///< turns of a coil
+constexpr int fewestTurns = 3;       ///< turns of a coil
+constexpr int mostTurns = 14;        ///< turns of a coil
 constexpr int turnsOfNoLength = 14;  ///< turns of a spring with rest length 0
 constexpr double turnLength = 9.0;   ///< scene px, of a spring at rest
 constexpr double halfWidth = 4.0;    ///< scene px, of a spring at rest
@@ -89,11 +89,12 @@ void addSpring(Coils &coils, const lessons::SpringView &spring)
     if (line.isNull() || canvas.cut(line.p1(), line.p2()).isNull())
         return;
     const bool hasLength = spring.length > 0.0;
-    const int turns =
-        hasLength ? std::clamp(static_cast<int>(spring.length / turnLength), fewest, most) : turnsOfNoLength;
+    const int turns = hasLength
+                          ? std::clamp(static_cast<int>(spring.length / turnLength), fewestTurns, mostTurns)
+                          : turnsOfNoLength;
     const double zoom = canvas.camera.zoom;
     const double rest = (hasLength ? spring.length : turns * turnLength) * zoom;
-    if (line.length() < smallest * fewest) {
+    if (line.length() < smallest * fewestTurns) {
         coils.add(coils.front, line.p1(), line.p2());
         return;
     }

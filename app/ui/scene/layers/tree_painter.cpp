@@ -25,9 +25,9 @@ constexpr int mostBlossoms = 1500;
 constexpr double blossomBranch = 5.0; ///< screen px; thicker tips have no blossoms
 constexpr std::uint64_t treeSeed = 11;
 
-double branchChance(int branch, std::uint64_t what)
+double branchChance(int branch, int what)
 {
-    return sim::uniform(treeSeed, what, static_cast<std::uint64_t>(branch));
+    return sim::uniform(treeSeed, what, branch);
 }
 
 int times(double least, double is)

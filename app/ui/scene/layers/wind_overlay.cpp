@@ -19,9 +19,9 @@ constexpr double nearest = 40.0;
 constexpr double drift = 130.0; ///< how far a streak moves before it starts again
 constexpr double period = 40.0; ///< frames per such move
 
-double streakChance(int streak, std::uint64_t what)
+double streakChance(int streak, int what)
 {
-    return sim::uniform(windSeed, what, static_cast<std::uint64_t>(streak));
+    return sim::uniform(windSeed, what, streak);
 }
 
 void drawStreak(const Canvas &canvas, QPointF middle, int streak)

@@ -16,7 +16,7 @@ Eigen::VectorXd randomVector(Eigen::Index size, std::uint64_t seed)
 {
     Eigen::VectorXd numbers(size);
     for (Eigen::Index i = 0; i < size; ++i)
-        numbers[i] = uniform(seed, 0, static_cast<std::uint64_t>(i)) - 0.5;
+        numbers[i] = uniform(seed, 0, i) - 0.5;
     return numbers;
 }
 
