@@ -28,7 +28,7 @@ void HandoutCliTest::aLessonBecomesAPdf_data()
     const auto utf16 = [](const QString &text) {
         QByteArray bytes;
         for (const QChar one : text)
-            bytes += QByteArray(1, one.row()) + QByteArray(1, one.cell());
+            bytes.append(static_cast<char>(one.row())).append(static_cast<char>(one.cell()));
         return bytes;
     };
     QTest::newRow("in English") << "two_body"

@@ -26,8 +26,8 @@ constexpr std::array plainKeys{
     Qt::Key_F11,   Qt::Key_Delete, Qt::Key_Plus,  Qt::Key_Minus, Qt::Key_Backspace, Qt::Key_BracketLeft,
     Qt::Key_H,     Qt::Key_V,      Qt::Key_P,     Qt::Key_N,     Qt::Key_S,         Qt::Key_T,
     Qt::Key_F,     Qt::Key_Menu};
-constexpr std::array modifiers{Qt::NoModifier,    Qt::NoModifier,      Qt::NoModifier,
-                               Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
+constexpr std::array drawnModifiers{Qt::NoModifier,    Qt::NoModifier,      Qt::NoModifier,
+                                    Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
 
 }
 
@@ -86,7 +86,7 @@ void RandomUser::key()
         to = &m_window;
     const Qt::Key pressed = plainKeys[static_cast<std::size_t>(below(static_cast<int>(plainKeys.size())))];
     const Qt::KeyboardModifier with =
-        modifiers[static_cast<std::size_t>(below(static_cast<int>(modifiers.size())))];
+        drawnModifiers[static_cast<std::size_t>(below(static_cast<int>(drawnModifiers.size())))];
     note(QString("key %1+%2 in %3")
              .arg(static_cast<int>(with), 0, 16)
              .arg(QKeySequence(pressed).toString(), to->metaObject()->className()));
