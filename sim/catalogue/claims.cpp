@@ -95,6 +95,8 @@ double smallestTolerance(const Rest &rest)
         within = std::min(within, place.within);
     for (const RestDistance &distance : rest.distances)
         within = std::min(within, distance.within);
+    if (rest.legs.feet > 0)
+        within = std::min(within, rest.legs.within);
     return within;
 }
 

@@ -64,6 +64,14 @@ struct RestDistance
     double within = 0.0; ///< px, allowed difference
 };
 
+/// The legs of a creature at rest: the distances of the bodies "foot0", "foot1" and so on from "body".
+struct RestLegs
+{
+    int feet = 0;
+    double length = 0.0; ///< px
+    double within = 0.0; ///< px, allowed difference
+};
+
 /// The state of rest at the end of a run.
 struct Rest
 {
@@ -71,6 +79,7 @@ struct Rest
     std::vector<RestPosition> places = {};
     std::vector<RestDistance> distances = {};
     double speed = 0.0; ///< px/frame, upper bound of each displacement per frame in the last output step
+    RestLegs legs = {};
 };
 
 /// Bounds that hold at every output step of a case.

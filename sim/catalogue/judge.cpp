@@ -96,13 +96,22 @@ std::optional<Error> checkRest(const Rest &rest, const Scene &scene, const State
         if (!(difference <= expected.within))
             return Error("hard-elsewhere", {{"body", expected.body}, {"off", numberText(difference)}});
     }
-    for (const RestDistance &expected : rest.distances) {
+    const auto checkDistance = [&](const RestDistance &expected) -> std::optional<Error> {
         const Vec2 apart =
             state.positionOf(scene.find(expected.a)) - state.positionOf(scene.find(expected.b));
         const double difference = std::abs(length(apart) - expected.length);
-        if (!(difference <= expected.within))
-            return Error("hard-length",
-                         {{"a", expected.a}, {"b", expected.b}, {"off", numberText(difference)}});
+        if (difference <= expected.within)
+            return {};
+        return Error("hard-length", {{"a", expected.a}, {"b", expected.b}, {"off", numberText(difference)}});
+    };
+    for (const RestDistance &expected : rest.distances) {
+        if (const auto error = checkDistance(expected))
+            return error;
+    }
+    for (int i = 0; i < rest.legs.feet; ++i) {
+        const RestLegs &legs = rest.legs;
+        if (const auto error = checkDistance({"foot" + std::to_string(i), "body", legs.length, legs.within}))
+            return error;
     }
     return {};
 }

@@ -20,13 +20,7 @@ StiffestSpring legsAsOne(double feet, double stretch)
 /// Returns the rest in which all legs have the given length (px).
 Rest legsAtLength(int feet, double length, double within)
 {
-    Rest rest;
-    rest.distances.reserve(static_cast<std::size_t>(feet));
-    for (int i = 0; i < feet; ++i)
-        rest.distances.push_back({"foot" + std::to_string(i), "body", length, within});
-    rest.speed = within;
-    rest.after = 200;
-    return rest;
+    return {200, {}, {}, within, {feet, length, within}};
 }
 
 HardCase feetOnBody(const char *id, const char *title, const char *story, int feet, std::int64_t brief)

@@ -24,9 +24,7 @@ HardCase dragged(const char *id, const char *title, const char *story, double k,
     hardCase.stiffest = StiffestSpring{stretch, footCount * k, 1.0 / footCount, 1.0, outsideDamp};
     // A thrown body goes 1 / (1 - outsideDamp) times its speed far. The factor allows for several such overshoots.
     hardCase.bound.reach = 100.0 * stretch;
-    hardCase.rest = Rest{600, {}, {}, speed};
-    for (int i = 0; i < footCount; ++i)
-        hardCase.rest->distances.push_back({"foot" + std::to_string(i), "body", 50.0, 1e-2});
+    hardCase.rest = Rest{600, {}, {}, speed, {footCount, 50.0, 1e-2}};
     return hardCase;
 }
 

@@ -58,7 +58,8 @@ HardCase unequal(const char *id, const char *title, const char *story, double k)
 
 HardCase suddenlyStiff()
 {
-    const double feet = 3, k = 0.2, stiff = 1e6, damp = 0.85;
+    const int feet = 3;
+    const double k = 0.2, stiff = 1e6, damp = 0.85;
     HardCase hardCase =
         caseOf("stiffness_jumps", SIM_TEXT("suddenly stiff"),
                SIM_TEXT("In the middle of the run, the stiffness jumps from 0.2 to one million."), creature,
@@ -67,9 +68,7 @@ HardCase suddenlyStiff()
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::parameterJumps};
     hardCase.stiffest = StiffestSpring{100.0, feet * stiff, 1.0 / feet, 1.0, damp};
     hardCase.bound.reach = 500.0;
-    hardCase.rest = Rest{400, {}, {}, 1e-3};
-    for (const char *foot : {"foot0", "foot1", "foot2"})
-        hardCase.rest->distances.push_back({foot, "body", 50.0, 1e-3});
+    hardCase.rest = Rest{400, {}, {}, 1e-3, {feet, 50.0, 1e-3}};
     return hardCase;
 }
 

@@ -29,7 +29,8 @@ HardCase tenMillionFrames()
 
 HardCase atRest()
 {
-    const double feet = 2, k = 0.2, damp = 0.85;
+    const int feet = 2;
+    const double k = 0.2, damp = 0.85;
     HardCase hardCase =
         caseOf("million_frames_at_rest", SIM_TEXT("a million frames at rest"),
                SIM_TEXT("At rest, bodies still have velocities that are almost too small to be stored, but "
@@ -40,9 +41,7 @@ HardCase atRest()
     hardCase.requirements = {Requirement::oscillates, Requirement::comesToRest, Requirement::longRun};
     hardCase.stiffest = StiffestSpring{50.0, feet * k, 1.0 / feet, 1.0, damp};
     hardCase.bound.reach = 200.0;
-    hardCase.rest = Rest{10'000, {}, {}, 1e-9};
-    for (const char *foot : {"foot0", "foot1"})
-        hardCase.rest->distances.push_back({foot, "body", 50.0, 1e-9});
+    hardCase.rest = Rest{10'000, {}, {}, 1e-9, {feet, 50.0, 1e-9}};
     return hardCase;
 }
 

@@ -139,6 +139,8 @@ void TestHardCatalogue::casesAreComplete()
             QVERIFY2(scene.find(position.body) >= 0, id);
         for (const RestDistance &distance : testCase.rest->distances)
             QVERIFY2(scene.find(distance.a) >= 0 && scene.find(distance.b) >= 0, id);
+        for (int i = 0; i < testCase.rest->legs.feet; ++i)
+            QVERIFY2(scene.find("foot" + std::to_string(i)) >= 0 && scene.find("body") >= 0, id);
     }
 }
 

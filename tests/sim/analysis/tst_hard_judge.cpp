@@ -65,7 +65,7 @@ void TestHardJudge::wrongRestPositionIsFound()
 
 void TestHardJudge::wrongRestLengthIsFound()
 {
-    const auto change = [](HardCase &testCase) { testCase.rest->distances.front().length += 1e-3; };
+    const auto change = [](HardCase &testCase) { testCase.rest->legs.length += 1e-3; };
     QCOMPARE(failureAfter("runaway_pair", change), std::string("hard-length"));
 }
 
