@@ -4,6 +4,7 @@
 #include "app/ui/actions/command.h"
 #include "app/ui/learn/narration_text.h"
 #include "app/ui/learn/prose.h"
+#include "app/ui/learn/step/part_link.h"
 #include "app/ui/learn/step/prediction_box.h"
 #include "app/ui/learn/step/task_box.h"
 #include "app/ui/learn/step/try_box.h"
@@ -15,10 +16,10 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QTimer>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <iterator>
 
 namespace app {
 
@@ -123,10 +124,12 @@ void Narration::makeTries()
     m_tryColumn = new QVBoxLayout(m_tryPage);
     m_tryColumn->setContentsMargins(18 - TryBox::left, 0, 18, 4);
     m_tryColumn->setSpacing(0);
-    m_toPredictions = addLink("toPredictions", tr("Predict first"),
-                              tr("Goes to a question about a run, at the end of the text"));
-    m_toTask = addLink("toTask", tr("Write it yourself"),
-                       tr("Goes to a task in the listing, at the end of the text"));
+    m_toPredictions = new PartLink(tr("Predict first"),
+                                   tr("Goes to a question about a run, at the end of the text"), m_tryHead);
+    m_toPredictions->setObjectName("toPredictions");
+    m_toTask = new PartLink(tr("Write it yourself"),
+                            tr("Goes to a task in the listing, at the end of the text"), m_tryHead);
+    m_toTask->setObjectName("toTask");
     connect(&m_room.bar(), &QScrollBar::valueChanged, this, &Narration::offerLinks);
     connect(&m_room.bar(), &QScrollBar::rangeChanged, this, &Narration::offerLinks);
     connect(m_toPredictions, &QToolButton::clicked, this, &Narration::goToPrediction);
@@ -137,22 +140,6 @@ void Narration::makeTries()
     m_headGrid->setColumnStretch(0, 1);
     m_headGrid->addWidget(m_heading, 0, 0);
     m_headGrid->addWidget(m_toPredictions, 0, 1, Qt::AlignLeft);
-}
-
-QToolButton *Narration::addLink(const char *name, const QString &text, const QString &tip)
-{
-    auto *button = new QToolButton(m_tryHead);
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setIconSize({14, 14});
-    button->setFocusPolicy(Qt::TabFocus);
-    QSizePolicy kept = button->sizePolicy();
-    kept.setRetainSizeWhenHidden(true); // or the text would jump when it is scrolled
-    button->setSizePolicy(kept);
-    button->hide();
-    return button;
 }
 
 void Narration::makeButtons()
@@ -266,7 +253,7 @@ void Narration::showPredictions()
         if (wasActive && !box->isActive())
             ended = box;
     }
-    offerPredictions();
+    m_toPredictions->offer(openPredictions(), m_room.viewport());
     if (!changed)
         return;
     if (ended)
@@ -279,64 +266,49 @@ void Narration::showPredictions()
     emit heightChanged();
 }
 
+std::vector<PredictionBox *> Narration::openPredictions() const
+{
+    std::vector<PredictionBox *> open;
+    std::copy_if(m_predictionBoxes.begin(), m_predictionBoxes.end(), std::back_inserter(open),
+                 [this](const PredictionBox *box) {
+                     return m_predictions.sheet(box->id()).stage != PredictionDesk::Stage::shown;
+                 });
+    return open;
+}
+
+std::vector<TaskBox *> Narration::openTasks() const
+{
+    std::vector<TaskBox *> open;
+    std::copy_if(m_tasks.begin(), m_tasks.end(), std::back_inserter(open),
+                 [this](const TaskBox *box) { return !m_desk.isDone(box->task()); });
+    return open;
+}
+
 void Narration::offerLinks()
 {
-    offerPredictions();
-    offerTasks();
-}
-
-void Narration::offerPredictions()
-{
-    std::vector<const QWidget *> open;
-    for (const PredictionBox *box : m_predictionBoxes) {
-        if (m_predictions.sheet(box->id()).stage != PredictionDesk::Stage::shown)
-            open.push_back(box);
-    }
-    m_toPredictions->setVisible(areOutOfView(open));
-}
-
-void Narration::offerTasks()
-{
-    std::vector<const QWidget *> open;
-    for (const TaskBox *box : m_tasks) {
-        if (!m_desk.isDone(box->task()))
-            open.push_back(box);
-    }
-    m_toTask->setVisible(areOutOfView(open));
-}
-
-bool Narration::areOutOfView(const std::vector<const QWidget *> &boxes) const
-{
-    const QWidget *view = m_room.viewport();
-    return !boxes.empty() && std::none_of(boxes.begin(), boxes.end(), [view](const QWidget *box) {
-        const int top = box->mapTo(view, QPoint()).y();
-        return top >= 0 && top + headingHeight <= view->height();
-    });
+    m_toPredictions->offer(openPredictions(), m_room.viewport());
+    m_toTask->offer(openTasks(), m_room.viewport());
 }
 
 void Narration::goToPrediction()
 {
-    for (PredictionBox *box : m_predictionBoxes) {
-        if (m_predictions.sheet(box->id()).stage == PredictionDesk::Stage::shown)
-            continue;
-        box->focusField();
-        m_room.showWhole(box);
-        fitText();
-        emit heightChanged();
+    const std::vector<PredictionBox *> open = openPredictions();
+    if (open.empty())
         return;
-    }
+    open.front()->focusField();
+    m_room.showWhole(open.front());
+    fitText();
+    emit heightChanged();
 }
 
 void Narration::goToTask()
 {
-    for (TaskBox *box : m_tasks) {
-        if (m_desk.isDone(box->task()))
-            continue;
-        box->setUnfolded(true);
-        box->focusTitle();
-        m_room.showTopOf(box);
+    const std::vector<TaskBox *> open = openTasks();
+    if (open.empty())
         return;
-    }
+    open.front()->setUnfolded(true);
+    open.front()->focusTitle();
+    m_room.showTopOf(open.front());
 }
 
 void Narration::addWhys()
@@ -380,7 +352,7 @@ void Narration::showTasks()
     bool changed = false;
     for (TaskBox *box : m_tasks)
         changed = box->refresh() || changed;
-    offerTasks();
+    m_toTask->offer(openTasks(), m_room.viewport());
     if (!changed)
         return;
     for (TaskBox *box : m_tasks) {
@@ -508,7 +480,7 @@ void Narration::showTodos()
 void Narration::applyTheme()
 {
     m_back->setIcon(m_theme.icon("left", m_theme.tokens().ink));
-    for (QToolButton *link : {m_toPredictions, m_toTask})
+    for (PartLink *link : {m_toPredictions, m_toTask})
         link->setIcon(m_theme.icon("right", m_theme.tokens().ink2));
     showProgress();
 }

@@ -16,13 +16,13 @@
 class QGridLayout;
 class QLabel;
 class QPushButton;
-class QToolButton;
 class QVBoxLayout;
 
 namespace app {
 
 class NarrationText;
 class Glossary;
+class PartLink;
 class PredictionBox;
 class StepButton;
 class TaskBox;
@@ -83,15 +83,11 @@ private:
     void showPredictions();
     void goToPrediction();
     void goToTask();
-    /// Returns a button, beside the heading of the things to try, that goes to a part of the text.
-    QToolButton *addLink(const char *name, const QString &text, const QString &tip);
+    /// Returns the predictions without a shown answer.
+    std::vector<PredictionBox *> openPredictions() const;
+    /// Returns the code tasks that are not done.
+    std::vector<TaskBox *> openTasks() const;
     void offerLinks();
-    /// Shows the way to the predictions while one is open and none of them is in view.
-    void offerPredictions();
-    /// The same for the code tasks.
-    void offerTasks();
-    /// Returns whether there are boxes, and the title of none of them is in view.
-    bool areOutOfView(const std::vector<const QWidget *> &boxes) const;
     void addTries();
     void rememberChoice(std::size_t number, int chosen);
     QString keyOfChoice(std::size_t number) const;
@@ -126,9 +122,9 @@ private:
     QVBoxLayout *m_tryColumn = nullptr;
     std::vector<TryBox *> m_tries;
     PredictionDesk m_predictions;
-    QGridLayout *m_headGrid = nullptr; ///< the heading of the things to try, and what addLink() makes
-    QToolButton *m_toPredictions = nullptr;
-    QToolButton *m_toTask = nullptr;
+    QGridLayout *m_headGrid = nullptr; ///< the heading of the things to try, and links to parts of the text
+    PartLink *m_toPredictions = nullptr;
+    PartLink *m_toTask = nullptr;
     QLabel *m_predictionHeading = nullptr;
     QVBoxLayout *m_predictionColumn = nullptr;
     std::vector<PredictionBox *> m_predictionBoxes;

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QToolButton>
+
+#include <algorithm>
+#include <vector>
+
+namespace app {
+
+/// A button that leads to boxes further down in the text of a step. It is shown while none of them is in view.
+class PartLink : public QToolButton
+{
+    Q_OBJECT
+
+public:
+    PartLink(const QString &text, const QString &tip, QWidget *parent);
+
+    /// Shows the button if there are `boxes`, and the title of none of them is in `view`, an ancestor of theirs.
+    template <class Box>
+    void offer(const std::vector<Box *> &boxes, const QWidget *view)
+    {
+        const auto isInView = [view](const Box *box) { return isTitleIn(*view, *box); };
+        setVisible(!boxes.empty() && std::none_of(boxes.begin(), boxes.end(), isInView));
+    }
+
+private:
+    static bool isTitleIn(const QWidget &view, const QWidget &box);
+};
+
+}
