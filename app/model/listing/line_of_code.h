@@ -11,4 +11,8 @@ int lineOfCodeFrom(const QString &text, int line);
 /// Returns the line of the innermost brace that the lines before `line` (from 1) leave open; 0 if there is none.
 int lineOfOpenBrace(const QString &text, int line);
 
+/// Returns whether `code`, the beginning of a listing, ends with the head of an `if` or a loop, or with `else`, so that
+/// its statement comes next.
+bool endsWithHead(const QString &code);
+
 }

@@ -107,6 +107,32 @@ private slots:
         QVERIFY(shown.panel.sentence().isEmpty());
     }
 
+    void theStatementOfAnIfWithoutBracesIsIndented()
+    {
+        ListingFixture shown;
+        const int line = shown.line("*= damp");
+        shown.editor.setFocus();
+        shown.editor.setCursorPosition(line - 1, static_cast<int>(shown.editor.text(line - 1).size()) - 1);
+        for (const char *typed :
+             {"", "for (int i = 0; i < 2; i++) // twice", "if (foot.held)", "foot.velocity *= 2;",
+              "if (foot.held)", "foot.velocity *= 3;", "else", "foot.velocity *= 4;"}) {
+            QTest::keyClicks(&shown.editor, typed);
+            QTest::keyClick(&shown.editor, Qt::Key_Return);
+        }
+        QTest::keyClicks(&shown.editor, "foot.velocity *= 5;");
+        shown.compile();
+        const QStringList wanted = {"        for (int i = 0; i < 2; i++) // twice",
+                                    "            if (foot.held)",
+                                    "                foot.velocity *= 2;",
+                                    "        if (foot.held)",
+                                    "            foot.velocity *= 3;",
+                                    "        else",
+                                    "            foot.velocity *= 4;",
+                                    "        foot.velocity *= 5;"};
+        QCOMPARE(shown.editor.text().split('\n').mid(line, wanted.size()), wanted);
+        QVERIFY(shown.panel.sentence().isEmpty());
+    }
+
     void aClosingBraceStandsBelowTheLineOfItsPartner()
     {
         ListingFixture shown;

@@ -174,7 +174,12 @@ private:
     void replaceText(const TextRange &range, const QString &by);
 
     void breakLine();
+    /// Returns the text above the line with this number (from 0).
+    QString linesAbove(int line) const;
+    void openBrace();
     void closeBrace();
+    /// Moves the cursor back to `column` if there are only spaces before it and nothing is selected.
+    void indentTo(int column);
     void indentLines(int by);
     QString textBefore(int line, int index) const;
 

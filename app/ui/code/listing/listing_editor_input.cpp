@@ -142,6 +142,9 @@ void ListingEditor::keyPressEvent(QKeyEvent *event)
         getCursorPosition(&line, &index);
         return requestStop(line + 1);
     }
+    case Qt::Key_BraceLeft:
+        openBrace();
+        break;
     case Qt::Key_BraceRight:
         closeBrace();
         break;
@@ -169,7 +172,8 @@ void ListingEditor::focusOutEvent(QFocusEvent *event)
         flush();
 }
 
-/// Starts a line with the indent of this one, and one level more behind a brace.
+/// Starts a line with the indent of this one, and one level more behind a brace or the head of an `if` or a loop. Behind
+/// the only statement of such a head, the line starts below the head.
 void ListingEditor::breakLine()
 {
     removeSelectedText();
@@ -177,13 +181,32 @@ void ListingEditor::breakLine()
     getCursorPosition(&line, &index);
     const QString before = textBefore(line + 1, index);
     const QString behind = text(line).mid(index).trimmed();
-    const int indent = std::min(indentOf(before), index);
+    int indent = std::min(indentOf(before), index);
     const bool opens = before.trimmed().endsWith('{');
-    const QString inner = '\n' + QString(indent + (opens ? columnsOfIndent : 0), ' ');
+    const bool isInside = opens || endsWithHead(linesAbove(line) + before);
+    if (before.trimmed().endsWith(';')) {
+        for (int above = line; above > 0 && endsWithHead(linesAbove(above)); --above)
+            indent = std::min(indent, indentOf(text(above - 1)));
+    }
+    const QString inner = '\n' + QString(indent + (isInside ? columnsOfIndent : 0), ' ');
     const QString outer = opens && behind.startsWith('}') ? '\n' + QString(indent, ' ') : QString();
     insert(inner + outer);
     setCursorPosition(line + 1, static_cast<int>(inner.size()) - 1);
     ensureCursorVisible();
+}
+
+QString ListingEditor::linesAbove(int line) const
+{
+    return line > 0 ? text().section('\n', 0, line - 1) + '\n' : QString();
+}
+
+/// Moves an opening brace that begins a line below the head of its `if` or loop.
+void ListingEditor::openBrace()
+{
+    int line = 0, index = 0;
+    getCursorPosition(&line, &index);
+    if (endsWithHead(linesAbove(line)))
+        indentTo(indentOf(text(line - 1)));
 }
 
 /// Moves a closing brace that begins a line below the line of its partner; without one, a level to the left.
@@ -191,14 +214,18 @@ void ListingEditor::closeBrace()
 {
     int line = 0, index = 0;
     getCursorPosition(&line, &index);
-    const QString before = textBefore(line + 1, index);
-    if (hasSelectedText() || before.isEmpty() || !before.trimmed().isEmpty())
-        return;
     const int opened = lineOfOpenBrace(text(), line + 1);
-    const int indent = opened > 0 ? indentOf(text(opened - 1)) : std::max(0, index - columnsOfIndent);
-    if (indent >= index)
+    indentTo(opened > 0 ? indentOf(text(opened - 1)) : std::max(0, index - columnsOfIndent));
+}
+
+void ListingEditor::indentTo(int column)
+{
+    int line = 0, index = 0;
+    getCursorPosition(&line, &index);
+    const QString before = textBefore(line + 1, index);
+    if (hasSelectedText() || !before.trimmed().isEmpty() || column >= index)
         return;
-    setSelection(line, indent, line, index);
+    setSelection(line, column, line, index);
     removeSelectedText();
 }
 
