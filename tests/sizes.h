@@ -1,16 +1,27 @@
 #pragma once
 
+// GCC and clang tell differently whether they compile for AddressSanitizer.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#define SPRINGSTEP_FOR_ADDRESS_SANITIZER
+#endif
+#elif defined(__SANITIZE_ADDRESS__)
+#define SPRINGSTEP_FOR_ADDRESS_SANITIZER
+#endif
+
 namespace tests {
+
+#ifdef SPRINGSTEP_FOR_ADDRESS_SANITIZER
+constexpr bool isSanitized = true;
+#else
+constexpr bool isSanitized = false;
+#endif
 
 /// How many of a great number of cases of one kind a suite runs: `all`, or `some` under the sanitizers, where each takes
 /// ten to twenty times as long, and the same lines run in fewer of them.
-constexpr int sized([[maybe_unused]] int all, [[maybe_unused]] int some)
+constexpr int sized(int all, int some)
 {
-#ifdef __SANITIZE_ADDRESS__
-    return some;
-#else
-    return all;
-#endif
+    return isSanitized ? some : all;
 }
 
 }

@@ -2,6 +2,7 @@
 // terminal, work that would take for ever.
 
 #include "tests/app/cli/program.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QDir>
@@ -177,9 +178,8 @@ void AttackTest::withoutMemoryItEndsWithASentence_data()
 
 void AttackTest::withoutMemoryItEndsWithASentence()
 {
-#ifdef __SANITIZE_ADDRESS__
-    QSKIP("AddressSanitizer wants terabytes of address space");
-#endif
+    if (tests::isSanitized)
+        QSKIP("AddressSanitizer wants terabytes of address space");
     QFETCH(QByteArray, text);
     fileWith("small.json", "{\"format\": \"springstep-experiment/1\", \"lesson\": \"multi_foot\", \"step\": "
                            "\"any_number\", \"frames\": 1}");
@@ -211,9 +211,8 @@ void AttackTest::aFileThatHoldsTooMuchIsRefusedInLittleMemory_data()
 
 void AttackTest::aFileThatHoldsTooMuchIsRefusedInLittleMemory()
 {
-#ifdef __SANITIZE_ADDRESS__
-    QSKIP("AddressSanitizer wants terabytes of address space");
-#endif
+    if (tests::isSanitized)
+        QSKIP("AddressSanitizer wants terabytes of address space");
     QFETCH(QByteArray, piece);
     QFETCH(QString, sentence);
     fileWith("small.json", "{\"format\": \"springstep-experiment/1\", \"lesson\": \"multi_foot\", \"step\": "

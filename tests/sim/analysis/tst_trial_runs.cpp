@@ -8,6 +8,7 @@
 #include "sim/effects/constraints/sticks.h"
 #include "sim/effects/drags/damping.h"
 #include "sim/methods/methods.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -219,6 +220,8 @@ private slots:
 
     void longTrialRunIsSkipped()
     {
+        if (tests::isSanitized)
+            QSKIP("Trials up to the limit of work take minutes with the sanitizers");
         Script script = linearStar(500);
         script.values.set("damp", 1.0); // a damped run would sleep, and then any length is quick
         Stop stop = stopOf(script);
