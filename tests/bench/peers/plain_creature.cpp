@@ -4,14 +4,14 @@
 
 namespace bench {
 
-void PlainCreature::pullPublished(int mover, int anchor)
+void PlainCreature::pullPublished(std::size_t mover, std::size_t anchor)
 {
     const double angle = std::atan2(y[mover] - y[anchor], x[mover] - x[anchor]);
     vx[mover] += k * (x[anchor] + radius * std::cos(angle) - x[mover]);
     vy[mover] += k * (y[anchor] + radius * std::sin(angle) - y[mover]);
 }
 
-void PlainCreature::finish(int i)
+void PlainCreature::finish(std::size_t i)
 {
     const double half = i == feet ? 15.0 : 5.0;
     vx[i] *= damp;
@@ -34,13 +34,13 @@ void PlainCreature::finish(int i)
 
 void PlainCreature::published()
 {
-    for (int i = 0; i < feet; ++i)
+    for (std::size_t i = 0; i < feet; ++i)
         pullPublished(i, feet);
-    for (int i = 0; i < feet; ++i) {
+    for (std::size_t i = 0; i < feet; ++i) {
         vy[i] += gravity;
         finish(i);
     }
-    for (int i = 0; i < feet; ++i)
+    for (std::size_t i = 0; i < feet; ++i)
         pullPublished(feet, i);
     vy[feet] += gravity;
     finish(feet);
@@ -49,7 +49,7 @@ void PlainCreature::published()
 void PlainCreature::semiImplicit()
 {
     std::array<double, points> ax{}, ay{};
-    for (int i = 0; i < feet; ++i) {
+    for (std::size_t i = 0; i < feet; ++i) {
         const double dx = x[i] - x[feet], dy = y[i] - y[feet];
         const double length = std::sqrt(dx * dx + dy * dy);
         const double ux = dx / length, uy = dy / length;
@@ -58,7 +58,7 @@ void PlainCreature::semiImplicit()
         ax[feet] += k * (x[i] + radius * -ux - x[feet]);
         ay[feet] += k * (y[i] + radius * -uy - y[feet]);
     }
-    for (int i = 0; i < points; ++i) {
+    for (std::size_t i = 0; i < points; ++i) {
         vx[i] += ax[i];
         vy[i] += ay[i] + gravity;
         finish(i);

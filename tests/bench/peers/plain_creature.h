@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace bench {
 
@@ -8,8 +9,8 @@ namespace bench {
 /// damping, walls. It adds the same numbers in the same order as sim.
 struct PlainCreature
 {
-    static constexpr int feet = 5;
-    static constexpr int points = feet + 1;
+    static constexpr std::size_t feet = 5;
+    static constexpr std::size_t points = feet + 1;
     using Row = std::array<double, points>;
     Row x{}, y{}, vx{}, vy{};
     double k = 0.2, radius = 50.0, gravity = 0.5, damp = 0.85;
@@ -21,8 +22,8 @@ struct PlainCreature
     void semiImplicit();
 
 private:
-    void pullPublished(int mover, int anchor);
-    void finish(int point);
+    void pullPublished(std::size_t mover, std::size_t anchor);
+    void finish(std::size_t point);
 };
 
 }

@@ -28,7 +28,7 @@ void finish(FourCreatures::Point &point, Pull pull, double half)
     Lanes vy = (load(point.vy) + pull.y + gravity) * damp;
     Lanes x = load(point.x) + vx, y = load(point.y) + vy;
     const Lanes far = every(right - half), near = every(left + half), low = every(floor - half);
-    vx = (x > far) | (x < near) ? vx * -bounce : vx;
+    vx = ((x > far) | (x < near)) ? vx * -bounce : vx;
     x = larger(smaller(x, far), near);
     vy = y > low ? vy * -bounce : vy;
     y = smaller(y, low);
