@@ -15,7 +15,7 @@ constexpr int pointsPerTask = 16'384;
 /// Returns 0 if the numbers of `points` in `column` are finite, else 1. An integer, so that the loop
 /// vectorises.
 template <class Number>
-SIM_INLINED std::int64_t notFinite(const Number *column, PointRange points)
+SIM_INLINED inline std::int64_t notFinite(const Number *column, PointRange points)
 {
     std::int64_t found = 0;
     // x - x is 0 for every finite x, else NaN

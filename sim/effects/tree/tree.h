@@ -74,7 +74,7 @@ using portable::remainder;
 // Shown lines are short.
 // clang-format off
 template <class Cos, class Sin>
-SIM_INLINED
+SIM_INLINED inline
 //! [reach]
 Vec2 branchReach(
     double angle, double length,
