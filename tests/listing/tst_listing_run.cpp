@@ -310,7 +310,7 @@ void ListingRun::stickJoinsTwoBodies()
         twoSticks());
     QVERIFY(!bench.run());
     QVERIFY(bench.state.velocityOf(1) == (Vec2{10, 0.25}));
-    QVERIFY(bench.state.velocityOf(2) == (Vec2{7, 0.5})); // a body that has no name of its own
+    QVERIFY(bench.state.velocityOf(2) == (Vec2{7, 0.5})); // reached only through its stick
     QVERIFY(bench.state.positionOf(0) == (Vec2{8, 9}));
     QVERIFY(bench.state.positionOf(1) == (Vec2{1, 4}));
 }

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// A button that leads to boxes further down in the text of a step. It is shown while none of them is in view.
+/// A button that goes to boxes further down in the text of a step. It is visible while none of these boxes is in view.
 class PartLink : public QToolButton
 {
     Q_OBJECT
