@@ -1,4 +1,4 @@
-# Fails when sim includes or links Qt, when the core includes a library that is built on the core, or when a source is
+# Fails when sim includes or links Qt, when a folder of sim includes one that is built on it, or when a source is
 # compiled with options that change floating-point results. LIBRARIES are separated by |. BUILD: where sim is built.
 
 file(GLOB_RECURSE sources ${SOURCE}/*.h ${SOURCE}/*.cpp)
@@ -12,9 +12,13 @@ foreach(source IN LISTS sources)
         message(FATAL_ERROR "${source}: ${includes}")
     endif()
     file(RELATIVE_PATH name ${SOURCE} ${source})
-    set(above "catalogue|scenes") # libraries that this file must not include
+    set(above "catalogue|scenes|analysis") # folders that this file must not include
     if(name MATCHES "^scenes/")
         set(above "catalogue")
+    elseif(name MATCHES "^analysis/")
+        set(above "catalogue|scenes")
+    elseif(name MATCHES "^effects/")
+        set(above "catalogue|scenes|analysis|methods|pipeline|run")
     elseif(name MATCHES "^catalogue/")
         continue()
     endif()

@@ -106,7 +106,7 @@ constexpr ParameterSpec chargeParameters[] = {
         .sliderMax = 50.0,
         .decimals = 0,
     }};
-constexpr ParameterSpec pointParameters[] = {{
+constexpr ParameterSpec chargeProperties[] = {{
     .id = "charge",
     .name = SIM_TEXT("Charge"),
     .symbol = "q",
@@ -118,16 +118,16 @@ constexpr ParameterSpec pointParameters[] = {{
     .sliderMax = 10.0,
     .decimals = 1,
 }};
-constexpr CodeVariable variables[] = {
+constexpr CodeVariable chargeVariables[] = {
     {"from", "px", SIM_TEXT("Where this charge is, seen from the other one.")},
     {"length", "px", SIM_TEXT("How far apart the two charges are.")},
     {"force", "px/frame²",
      SIM_TEXT("How hard they push each other apart, for a mass of 1. Below 0: they attract each other.")},
     {"pull", "px/frame²", SIM_TEXT("What all charges together add to the velocity each frame.")}};
 
-EffectPtr build(const Blueprint &blueprint, const Values &values)
+EffectPtr buildCharges(const Blueprint &blueprint, const Values &values)
 {
-    return std::make_shared<Charges>(valuesOf(blueprint, pointParameters[0]), values["charge_strength"],
+    return std::make_shared<Charges>(valuesOf(blueprint, chargeProperties[0]), values["charge_strength"],
                                      values["softening"]);
 }
 
@@ -137,7 +137,7 @@ bool Charges::addToDraft(BlueprintDraft &draft) const
 {
     draft.addEffect("charges", {{"charge_strength", law().strength}, {"softening", law().softening}});
     for (int i = 0; i < draft.state.pointCount(); ++i)
-        setValue(draft.blueprint.points[static_cast<std::size_t>(i)], pointParameters[0], m_charge[i]);
+        setValue(draft.blueprint.points[static_cast<std::size_t>(i)], chargeProperties[0], m_charge[i]);
     return true;
 }
 
@@ -149,9 +149,9 @@ constinit const EffectDescription charges = {
     .purpose = SIM_TEXT("Push points with like charges apart, and pull unlike ones together: the closer they "
                         "are, the harder."),
     .parameters = chargeParameters,
-    .pointProperties = pointParameters,
-    .variables = variables,
-    .make = build};
+    .pointProperties = chargeProperties,
+    .variables = chargeVariables,
+    .make = buildCharges};
 }
 
 }

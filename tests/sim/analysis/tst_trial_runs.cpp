@@ -152,7 +152,11 @@ private slots:
         script.bodies["foot3"] = {{111, 222}, {}};
         script.effectsOff = {"wind"};
         script.input = {{3, Grab{"foot1"}}, {3, Move{{300, 310}}}, {9, Release{}}, {12, Set{"damp", 0.9}}};
-        for (const Remedy &remedy : remediesAfter(script, stopOf(script), &dampRange, neverCancel)) {
+        const std::vector<Remedy> found = remediesAfter(script, stopOf(script), &dampRange, neverCancel);
+        for (const auto kind :
+             {Remedy::Kind::smallerStep, Remedy::Kind::moreDamping, Remedy::Kind::unlimitedMethod})
+            QVERIFY(findRemedy(found, kind));
+        for (const Remedy &remedy : found) {
             const Script other = withRemedy(script, remedy);
             QVERIFY(other.bodies == script.bodies);
             QCOMPARE(other.effectsOff, script.effectsOff);

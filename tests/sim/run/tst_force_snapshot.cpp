@@ -39,19 +39,23 @@ private slots:
         QFETCH(QString, scene);
         Track track(support::script(support::sample(scene.toStdString()), "semi_implicit_euler", 0.5), 0);
         bool consumed = true;
+        int compared = 0;
         for (int i = 0; i < 100; ++i) {
             track.seek({track.cursor().frame, track.cursor().phase + 1});
             const Pipeline &pipeline = track.interval().pipeline;
             const int done = track.cursor().phase % pipeline.phasesPerStep();
             consumed = done == 0 || pipeline.phaseAt(done - 1).consumesAcceleration || (consumed && done > 1);
             const std::vector<ForceSnapshot> snapshots = accumulatedForces(track);
-            if (consumed)
+            if (consumed) {
                 QVERIFY(snapshots.empty());
-            else
-                QVERIFY((sumOf(snapshots, track.state().pointCount()) - track.state().acceleration)
-                            .abs()
-                            .maxCoeff() < 1e-12);
+                continue;
+            }
+            ++compared;
+            QVERIFY(
+                (sumOf(snapshots, track.state().pointCount()) - track.state().acceleration).abs().maxCoeff() <
+                1e-12);
         }
+        QVERIFY(compared > 0);
     }
 
     void publishedSnapshotsAddUpToTheVelocityChange()
@@ -88,7 +92,9 @@ private slots:
         script.input = {{1, Grab{"foot2"}}};
         Track track(script, 0);
         track.seek({0, 2});
-        for (const ForceSnapshot &snapshot : accumulatedForces(track))
+        const std::vector<ForceSnapshot> snapshots = accumulatedForces(track);
+        QVERIFY((sumOf(snapshots, track.state().pointCount()) != 0.0).any());
+        for (const ForceSnapshot &snapshot : snapshots)
             QVERIFY((snapshot.acceleration.row(2) == 0.0).all());
     }
 };
