@@ -1,5 +1,8 @@
 #pragma once
 
+#include <concepts>
+#include <cstdlib>
+
 // GCC and clang tell differently whether they compile for AddressSanitizer.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
@@ -22,6 +25,14 @@ constexpr bool isSanitized = false;
 constexpr int sized(int all, int some)
 {
     return isSanitized ? some : all;
+}
+
+/// Returns the number that an environment variable gives, or `preset` if it is not set.
+template <std::unsigned_integral Number>
+Number setting(const char *variable, Number preset)
+{
+    const char *given = std::getenv(variable);
+    return given && *given ? static_cast<Number>(std::strtoull(given, nullptr, 10)) : preset;
 }
 
 }

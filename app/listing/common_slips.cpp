@@ -1,5 +1,6 @@
 #include "app/listing/common_slips.h"
 
+#include "app/listing/language.h"
 #include "app/listing/language_rules.h"
 
 #include <algorithm>
@@ -16,6 +17,8 @@ namespace {
 using Slip = std::optional<CompileError>;
 
 const char *const loopForm = "A loop is written 'for (int i = 0; i < 5; i++)'.";
+const char *const vectorForm = "A place or a velocity is written 'Vec2(x, y)'.";
+const char *const memberForm = "Write '.' between a body and its member, for example 'body.position'.";
 
 bool isAnyOf(std::string_view word, std::initializer_list<std::string_view> words)
 {
@@ -25,6 +28,13 @@ bool isAnyOf(std::string_view word, std::initializer_list<std::string_view> word
 Slip slip(const Token &token, std::string sentence)
 {
     return errorAt(token, std::move(sentence));
+}
+
+/// Returns the mistake that the ';' at token `i` leaves a head such as `if (...)` without its lines.
+Slip emptyBody(const Tokens &tokens, std::size_t i, std::string_view head)
+{
+    return slip(tokens[i],
+                "This ';' ends " + quoted(head) + ", so that nothing belongs to it. Delete the ';'.");
 }
 
 /// Returns whether the brackets that token `i` opens have `text` directly inside.
@@ -108,9 +118,23 @@ Slip numberSlip(const Tokens &tokens, std::size_t i)
 {
     const Token &number = tokens[i];
     const std::string text(number.text);
-    if (const std::string factor(factorOf(number.text)); !factor.empty())
-        return slip(number, "Write '*' between a number and a name: " +
-                                quoted(factor + " * " + text.substr(factor.size())) + ".");
+    const auto product = [&](const std::string &factor, const std::string &name) {
+        return slip(number, "Write '*' between a number and a name: " + quoted(factor + " * " + name) + ".");
+    };
+    if (const std::string factor(factorOf(number.text)); !factor.empty()) {
+        const bool isName =
+            i > 0 && (isPrimitive(tokens[i - 1].text) || isAnyOf(tokens[i - 1].text, {"Vec2", "Body"}));
+        return isName ? slip(number, "A name begins with a letter.")
+                      : product(factor, text.substr(factor.size()));
+    }
+    if (tokens.isWord(i + 1) && tokens[i + 1].line == number.line &&
+        !isAnyOf(tokens[i + 1].text, {"and", "or", "else"}))
+        return product(text, std::string(tokens[i + 1].text));
+    if (tokens.is(i + 1, "/") && wholeNumber(text) && tokens.isWord(i + 2) && tokens.is(i + 3, ".") &&
+        tokens.is(i + 4, "count"))
+        return slip(tokens[i + 1], "Between whole numbers, '/' drops the fraction. Write " +
+                                       quoted(text + ".0 / " + std::string(tokens[i + 2].text) + ".count") +
+                                       ".");
     if (i + 2 >= tokens.size() || tokens[i + 2].kind != Token::Kind::number)
         return {};
     const std::string next(tokens[i + 2].text);
@@ -149,6 +173,8 @@ Slip equalsSlip(const Tokens &tokens, std::size_t i)
         return slip(tokens[i], "'==' compares and changes nothing. To set a value, write '='.");
     if (tokens.touches(i, "+") && !tokens.touches(i + 1, "+"))
         return slip(tokens[i], "Write '+=' to add to a value.");
+    if (tokens.touches(i, "-") && i + 2 < tokens.size() && tokens[i + 2].offset > tokens[i + 1].end())
+        return slip(tokens[i], "Write '-=' to subtract from a value.");
     for (const char *const sign : {">", "<"}) {
         if (tokens.touches(i, sign))
             return slip(tokens[i], "Write " + quoted(std::string(sign) + "=") + " to compare.");
@@ -163,12 +189,24 @@ Slip signSlip(const Tokens &tokens, std::size_t i)
         return equalsSlip(tokens, i);
     if (sign == "(" && i > 0 && !closes(tokens[i - 1].text) && hasInside(tokens, i, ",") &&
         (!tokens.isWord(i - 1) || tokens.is(i - 1, "return")))
-        return slip(tokens[i], "A place or a velocity is written 'Vec2(x, y)'.");
+        return slip(tokens[i], vectorForm);
+    if ((sign == "[" || sign == "{") && i > 0 && (tokens.is(i - 1, "=") || tokens.is(i - 1, "return")) &&
+        hasInside(tokens, i, ","))
+        return slip(tokens[i], vectorForm);
+    if (sign == "]" && tokens.isWord(i + 1) && tokens[i + 1].line == tokens[i].line &&
+        !isAnyOf(tokens[i + 1].text, {"and", "or", "else"}))
+        return slip(tokens[i + 1], "'.' is missing before " + quoted(tokens[i + 1].text) + ".");
+    if (sign == "," && i > 1 && tokens.isInBlock(i) && tokens.is(i - 2, ".") &&
+        isAnyOf(tokens[i - 1].text, {"position", "velocity", "before"}) &&
+        (tokens.is(i + 1, "x") || tokens.is(i + 1, "y")))
+        return slip(tokens[i], memberForm);
+    if (sign == "<" && tokens.touches(i, ">"))
+        return slip(tokens[i], "Write '!=' to compare.");
     if (isAnyOf(sign, {"+", "-", "*", "/"}) && tokens.is(i + 1, "=") && !tokens.touches(i, "=") &&
         !tokens.touches(i + 1, "="))
         return slip(tokens[i], "Write " + quoted(sign + "=") + " without a space in between.");
     if (sign == "-" && tokens.touches(i, ">"))
-        return slip(tokens[i], "Write '.' between a body and its member, for example 'body.position'.");
+        return slip(tokens[i], memberForm);
     return {};
 }
 
@@ -182,9 +220,9 @@ Slip conditionSlip(const Tokens &tokens, std::size_t i)
         return slip(tokens[behind],
                     "No ':' stands here. The lines that belong to a condition stand between '{' and '}'.");
     if (tokens.is(behind, "then"))
-        return slip(tokens[behind], "No 'then' stands here.");
+        return slip(tokens[behind], "'then' is not part of this language. Leave it out.");
     if (word == "if" && tokens.is(behind, ";"))
-        return slip(tokens[behind], "This ';' ends the 'if', so that nothing belongs to it. Delete the ';'.");
+        return emptyBody(tokens, behind, word);
     return {};
 }
 
@@ -210,7 +248,10 @@ Slip keywordSlip(const Tokens &tokens, std::size_t i)
     if (word == "for") {
         const bool isOverValues = hasInside(tokens, i + 1, ":") && !hasInside(tokens, i + 1, "?");
         const bool isWhole = tokens.is(i + 1, "(") && hasInside(tokens, i + 1, ";");
-        return isWhole && !isOverValues ? Slip() : slip(tokens[i], loopForm);
+        if (!isWhole || isOverValues)
+            return slip(tokens[i], loopForm);
+        const std::size_t behind = tokens.closing(i + 1) + 1;
+        return tokens.is(behind, ";") ? emptyBody(tokens, behind, word) : Slip();
     }
     if (isAnyOf(word, {"if", "while"}))
         return conditionSlip(tokens, i);
@@ -266,8 +307,11 @@ Slip slipOutside(const Tokens &tokens, std::size_t i)
     if (isDefinition || (!isControl && isHead))
         return slip(tokens[i],
                     "A function begins with the type of its result, for example 'void' or 'Vec2'.");
-    if (!isControl && tokens.isWord(i + 1))
-        return {}; // a declaration
+    if (!isControl && tokens.isWord(i + 1)) { // a declaration
+        const std::size_t behind = tokens.is(i + 2, "(") ? tokens.closing(i + 2) + 1 : tokens.size();
+        const bool isCutOff = tokens.is(behind, ";") && tokens.is(behind + 1, "{");
+        return isCutOff ? emptyBody(tokens, behind, tokens[i + 1].text) : Slip();
+    }
     return slip(tokens[i],
                 std::string("This stands outside of a function. ") +
                     (i == 0 ? "Put it between the braces of a function." : "Look for a '}' too many above."));
@@ -336,7 +380,11 @@ Slip slipAt(const Tokens &tokens, std::size_t i)
     case Token::Kind::word:
         break;
     }
-    if (i > 0 && tokens.is(i - 1, ".") && tokens.is(i + 1, "("))
+    const bool isMemberCall = i > 0 && tokens.is(i - 1, ".") && tokens.is(i + 1, "(");
+    if (isMemberCall && isAnyOf(tokens[i].text, {"position", "velocity", "before", "held", "mass", "radius",
+                                                 "angle", "spin", "x", "y", "count"}))
+        return slip(tokens[i], quoted(tokens[i].text) + " is not a function. Write it without '()'.");
+    if (isMemberCall)
         return slip(tokens[i],
                     "A function stands alone here: " + quoted(std::string(tokens[i].text) + "(...)") + ".");
     return keywordSlip(tokens, i);
@@ -346,6 +394,8 @@ Slip slipAt(const Tokens &tokens, std::size_t i)
 
 std::optional<CompileError> commonSlip(const Tokens &tokens)
 {
+    if (tokens.openComment())
+        return slip(*tokens.openComment(), "This '/*' has no '*/'.");
     if (Slip found = newArray(tokens))
         return found;
     if (Slip found = slipOutside(tokens))
@@ -355,6 +405,33 @@ std::optional<CompileError> commonSlip(const Tokens &tokens)
     for (std::size_t i = 0; i < tokens.size(); ++i) {
         if (Slip found = slipAt(tokens, i))
             return found;
+    }
+    return {};
+}
+
+std::optional<CompileError> unusedValue(const Tokens &tokens)
+{
+    const std::vector<std::string> functions = functionNames();
+    std::size_t begin = 0;
+    bool mayMatter =
+        false; // whether the statement sets, declares or steers something, or calls the listing's functions
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+        const std::string_view text = tokens[i].text;
+        const bool ends = text == ";" && tokens.isInBlock(i);
+        if (ends && i > begin && !mayMatter)
+            return slip(tokens[begin],
+                        "This computes a value, and nothing keeps it. To set a value, write '='.");
+        if (ends || text == "{" || text == "}") {
+            begin = i + 1;
+            mayMatter = false;
+            continue;
+        }
+        const bool isCall = tokens.isWord(i) && tokens.is(i + 1, "(") && text != "Vec2" &&
+                            std::find(functions.begin(), functions.end(), text) == functions.end();
+        const bool isCount = (text == "+" || text == "-") && tokens.touches(i, text); // ++ or --
+        const bool isControl = isAnyOf(text, {"else", "do", "return", "break", "continue"});
+        mayMatter = mayMatter || isCall || isCount || isControl || text == "=" ||
+                    (tokens.isWord(i) && tokens.isWord(i + 1));
     }
     return {};
 }

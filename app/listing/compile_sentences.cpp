@@ -51,6 +51,12 @@ std::string plainType(std::string type)
     return type;
 }
 
+constexpr const char *arrayAsOne =
+    "This is an array of bodies. Choose one of them first, for example with [0].";
+constexpr const char *usesOfBodies = " Use the position or the velocity of the body.";
+constexpr const char *valueAsCondition =
+    "A condition is true or false. Compare this with something, for example with == or >.";
+
 /// Returns "a double" or "an int".
 std::string withArticle(const std::string &article, const std::string &type)
 {
@@ -169,6 +175,8 @@ std::string noName(const Gaps &gaps, const MarkedPlace &place)
 {
     const std::string &word = gaps[0];
     const std::string sentence = "There is no " + quotedName(word) + ".";
+    if (has({"print", "println", "printf", "cout", "console", "log"}, word))
+        return sentence + " A listing prints nothing: its values stand beside its lines.";
     if (const std::string hint = hintForMember(word, place); !hint.empty())
         return sentence + hint;
     if (const std::string hint = hintFor(word, allNames(place)); !hint.empty())
@@ -189,11 +197,15 @@ std::string noName(const Gaps &gaps, const MarkedPlace &place)
 std::string wrongValues(const Gaps &gaps, const MarkedPlace &place)
 {
     const std::string &call = gaps[0];
+    if (call.find("::") < call.find('(')) // in brackets behind an array
+        return call.starts_with("Bodies") || call.starts_with("Children")
+                   ? arrayAsOne
+                   : "Choose one of them first, for example with [0].";
     const std::string name = call.substr(0, call.find('('));
     const std::vector<std::string> names = allNames(place);
     if (!has(names, name) && name != "Vec2")
         return "There is no function " + quotedName(name) + "." + hintFor(name, names);
-    const std::string form = formOf(name);
+    const std::string form = place.word == name && !place.form.empty() ? place.form : formOf(name);
     return quotedName(name) + " does not take these values: " + quotedName(plainType(call)) + "." +
            (form.empty() ? "" : " Write it as " + quotedName(form) + ".");
 }
@@ -210,9 +222,24 @@ std::string noType(const Gaps &gaps, const MarkedPlace &place)
 
 std::string wrongType(const Gaps &gaps, const MarkedPlace &)
 {
-    if (plainType(gaps[0]) == "Bodies")
-        return "This is an array of bodies. Choose one of them first, for example with [0].";
-    return withArticle("A", gaps[0]) + " cannot be used as " + withArticle("a", gaps[1]) + ".";
+    const std::string from = plainType(gaps[0]), to = plainType(gaps[1]);
+    if (from == "Bodies")
+        return arrayAsOne;
+    const auto isNumber = [](const std::string &type) { return type == "double" || type == "int"; };
+    return withArticle("A", from) + " cannot be used as " + withArticle("a", to) + "." +
+           (to == "Vec2" && isNumber(from)   ? " A place or a velocity is written 'Vec2(x, y)'."
+            : to == "Vec2" && from == "Body" ? usesOfBodies
+            : from == "Vec2" && isNumber(to) ? " Use its x, its y or its length."
+            : to == "bool" && isNumber(from) ? " Write 'true' or 'false'."
+                                             : "");
+}
+
+std::string typeAsValue(const Gaps &gaps, const MarkedPlace &place)
+{
+    const Vocabulary &vocabulary = place.vocabulary;
+    const bool isBody = gaps[0] == "Body" && !vocabulary.bodies.empty();
+    return quotedName(gaps[0]) + " is a type and has no value." +
+           (isBody ? " Write " + quotedName(vocabulary.bodies.front()) + "." : "");
 }
 
 const std::string usesOfVectors = " A Vec2 can be added to a Vec2, and multiplied or divided by a number.";
@@ -224,16 +251,22 @@ std::string wrongOperands(const Gaps &gaps, const MarkedPlace &)
     const auto isAny = [&](const char *type) {
         return plainType(gaps[0]) == type || plainType(gaps[1]) == type;
     };
-    return sentence + "." +
-           (isAny("Body")   ? " Use the position or the velocity of the body."
-            : isAny("Vec2") ? usesOfVectors
-                            : "");
+    return sentence + "." + (isAny("Body") ? usesOfBodies : isAny("Vec2") ? usesOfVectors : "");
 }
 
 std::string wrongOperand(const Gaps &gaps, const MarkedPlace &)
 {
+    if (has(functionNames(), plainType(gaps[0])))
+        return "Write it as " + quotedName(formOf(plainType(gaps[0]))) + ".";
     return "This sign does not work between " + withArticle("a", gaps[0]) + " and the other value." +
            usesOfVectors;
+}
+
+std::string noSign(const Gaps &gaps, const MarkedPlace &place)
+{
+    if (gaps[0].starts_with("'Vec2'"))
+        return wrongOperand({"Vec2"}, place);
+    return place.word == "!" ? valueAsCondition : "This sign does not work with this value.";
 }
 
 std::string missing(const Gaps &gaps, const MarkedPlace &place)
@@ -256,6 +289,11 @@ std::string nameTwice(const Gaps &gaps, const MarkedPlace &)
     return "There already is " + quotedName(gaps[0]) + " here. Use another name.";
 }
 
+std::string functionTwice(const Gaps &, const MarkedPlace &place)
+{
+    return nameTwice({place.next}, place);
+}
+
 std::string nameOfScene(const Gaps &gaps, const MarkedPlace &)
 {
     return "There already is " + quotedName(gaps[0]) + " in this scene. Use another name.";
@@ -263,8 +301,14 @@ std::string nameOfScene(const Gaps &gaps, const MarkedPlace &)
 
 std::string noChange(const Gaps &, const MarkedPlace &place)
 {
-    if (has(place.vocabulary.bodies, place.word))
+    const std::vector<Vocabulary::Array> &arrays = place.vocabulary.arrays;
+    const bool isArray = std::any_of(arrays.begin(), arrays.end(), [&](const Vocabulary::Array &array) {
+        return array.name == place.word;
+    });
+    if (has(place.vocabulary.bodies, place.word) || isArray)
         return "A Body cannot be replaced by another one. Set its position or its velocity.";
+    if (!place.isMember && has(place.vocabulary.parameters, place.word))
+        return "This is a parameter. Set it with its slider.";
     return "This cannot be changed. A listing changes positions, velocities and its own variables.";
 }
 
@@ -278,6 +322,11 @@ std::string noReplacement(const Gaps &gaps, const MarkedPlace &)
 std::string noValue(const Gaps &gaps, const MarkedPlace &)
 {
     return quotedName(gaps[0]) + " has no value yet.";
+}
+
+std::string unexpected(const Gaps &gaps, const MarkedPlace &)
+{
+    return quotedName(gaps[0]) + " does not belong here.";
 }
 
 std::string noFunction(const Gaps &gaps, const MarkedPlace &)
@@ -330,8 +379,18 @@ constexpr Rule rules[] = {
     {"Variable '*' hides another variable of same name*", nameTwice},
     {"'*' is not initialized*", noValue},
     {"Expected *", missing},
-    {"Expression must be of boolean type*", nullptr,
-     "A condition is true or false. Compare this with something, for example with == or >."},
+    {"Expression must be of boolean type*", nullptr, valueAsCondition},
+    {"Illegal operation on *", noSign},
+    {"Function 'op*' not found*", noSign},
+    {"Expression '*' is a data type*", typeAsValue},
+    {"A function with the same name and parameters already exists*", functionTwice},
+    {"Divide by zero*", nullptr, "This divides by 0."},
+    {"Invalid 'break'*", nullptr, "'break' stands only in a loop."},
+    {"Invalid 'continue'*", nullptr, "'continue' stands only in a loop."},
+    {"Expression doesn't evaluate to a function*", nullptr,
+     "This is not a function. To multiply, write '*'."},
+    {"Type '*' doesn't support the indexing operator*", nullptr, "Only an array has an index in '[...]'."},
+    {"Unexpected token '*'*", unexpected},
     {"Can't find unambiguous implicit conversion to make both expressions have the same type*", nullptr,
      "Both values of a choice with ? need the same type. Write '1.0' for '1' beside a double."},
     {"Can't return value when return type is 'void'*", nullptr,

@@ -14,6 +14,8 @@ struct MarkedPlace
     const Vocabulary &vocabulary;
     std::vector<std::string> declared; ///< names that the listing declares itself
     std::string next = {};             ///< the word or sign behind `word`
+    bool isMember = false;             ///< whether a dot stands before `word`
+    std::string form = {};             ///< how `word` is called if it is a function of the listing
     /// For a message of isAboutGap(): whether something is missing behind `word`, the last word or sign of its line.
     bool isAtLineEnd = false;
 };

@@ -8,11 +8,11 @@ namespace listing {
 namespace {
 
 /// Words of the interpreter that listings leave out: they reserve memory, hide mistakes, or have no use here.
-constexpr std::array<std::string_view, 34> leftOut = {
+constexpr std::array<std::string_view, 35> leftOut = {
     "cast",   "catch",  "class",   "enum",      "float",  "funcdef",   "function", "import", "in",
     "inout",  "int8",   "int16",   "int32",     "int64",  "interface", "is",       "mixin",  "namespace",
     "null",   "out",    "private", "protected", "try",    "typedef",   "uint",     "uint8",  "uint16",
-    "uint32", "uint64", "xor",     "super",     "switch", "case",      "default"};
+    "uint32", "uint64", "xor",     "super",     "switch", "case",      "default",  "struct"};
 
 /// How functions and Vec2, the last one, are called.
 constexpr std::array<std::string_view, 17> callForms = {

@@ -35,10 +35,38 @@ std::string insteadOf(std::string_view word)
     return "Use another name.";
 }
 
-/// Returns a sentence that says what to write in place of a sign that listings leave out, or an empty string.
-std::string insteadOf(char sign)
+/// Returns a sentence that says what to write in place of a sign that listings leave out, or an empty string. The texts
+/// of the lessons have many of these signs, so that they come with formulas that are pasted.
+std::string insteadOfSign(std::string_view sign)
 {
-    return sign == '#' ? " A comment begins with '//'." : sign == '^' ? " A power is 'pow(a, b)'." : "";
+    constexpr std::array<std::array<std::string_view, 2>, 20> sentences = {{
+        {"#", " A comment begins with '//'."},
+        {"^", " A power is 'pow(a, b)'."},
+        {"²", " A power is 'pow(a, b)'."},
+        {"³", " A power is 'pow(a, b)'."},
+        {"√", " Write 'sqrt(x)'."},
+        {"×", " To multiply, write '*'."},
+        {"·", " To multiply, write '*'."},
+        {"⋅", " To multiply, write '*'."},
+        {"÷", " Write '/'."},
+        {"−", " Write '-'."},
+        {"–", " Write '-'."},
+        {"π", " Write 'pi'."},
+        {"½", " Write '0.5'."},
+        {"≤", " Write '<='."},
+        {"≥", " Write '>='."},
+        {"≠", " Write '!='."},
+        {"；", " Write ';'."},
+        {"，", " Write ','."},
+        {"（", " Write '('."},
+        {"）", " Write ')'."},
+    }};
+    for (const auto &[known, sentence] : sentences) {
+        if (sign == known)
+            return std::string(sentence);
+    }
+    const bool isLetter = sign.size() == 2 && sign[0] >= '\xC3' && sign[0] <= '\xD4';
+    return isLetter ? " A name has only the letters a to z, digits and '_'." : "";
 }
 
 Violation boundsViolation(const Tokens &tokens)
@@ -56,10 +84,10 @@ Violation boundsViolation(const Tokens &tokens)
         if (token.kind == Token::Kind::sign &&
             (static_cast<unsigned char>(first) >= 0x7F || static_cast<unsigned char>(first) < 0x20 ||
              first == '#' || first == '$' || first == '`' || first == '\\'))
-            return violation(token,
-                             static_cast<unsigned char>(first) < 0x20 || first == 0x7F
-                                 ? std::string("This character is not part of this language.")
-                                 : quoted(token.text) + " is not part of this language." + insteadOf(first));
+            return violation(token, static_cast<unsigned char>(first) < 0x20 || first == 0x7F
+                                        ? std::string("This character is not part of this language.")
+                                        : quoted(token.text) + " is not part of this language." +
+                                              insteadOfSign(token.text));
         if (token.kind == Token::Kind::word && isLeftOut(token.text))
             return violation(token, quoted(token.text) + " is reserved and not part of this language. " +
                                         insteadOf(token.text));
@@ -94,10 +122,13 @@ Violation signViolation(const Tokens &tokens)
         const auto isPair = [&](std::size_t first) { return tokens.touches(first, tokens[first].text); };
         if (sign == "^" || sign == "~")
             return violation(tokens[i],
-                             quoted(sign) + " is not part of this language." + insteadOf(sign.front()));
+                             quoted(sign) + " is not part of this language." + insteadOfSign(sign));
         if ((sign == "<" || sign == ">") && isPair(i))
-            return violation(tokens[i], quoted(std::string(sign) + std::string(sign)) +
-                                            " is not part of this language.");
+            return violation(
+                tokens[i], quoted(std::string(sign) + std::string(sign)) + " is not part of this language." +
+                               (i > 0 && tokens.is(i - 1, "cout")
+                                    ? " A listing prints nothing: its values stand beside its lines."
+                                    : ""));
         if (sign != "&" && sign != "|")
             continue;
         if (!isPair(i))

@@ -85,13 +85,22 @@ void ScriptEngine::messageCallback(const asSMessageInfo *message, void *self)
     if (marked == tokens.end())
         return engine.addError(line, column, plainSentence(text, place));
     place.isAtLineEnd = isAboutGap(text) && marked != tokens.begin() && (marked - 1)->line < marked->line;
-    if (place.isAtLineEnd || (isAboutChange(text) && marked != tokens.begin()))
+    if (isAboutGap(text) && marked->text == "else")
+        return engine.addError(
+            marked->line, marked->column,
+            "This 'else' has no 'if'. The lines that belong to a condition stand between '{' "
+            "and '}'.");
+    const bool isBehindName = marked != tokens.begin() && marked->kind == Token::Kind::sign &&
+                              (marked - 1)->kind == Token::Kind::word;
+    if (place.isAtLineEnd || (isAboutChange(text) && isBehindName))
         --marked; // the interpreter points at the word or sign behind it
     else if (marked->text == "." && marked + 1 != tokens.end())
         ++marked; // the interpreter points at the dot before a member
     place.word = std::string(marked->text);
+    place.isMember = marked != tokens.begin() && (marked - 1)->text == ".";
     if (marked + 1 != tokens.end())
         place.next = std::string((marked + 1)->text);
+    place.form = scan.formOf(place.word);
     engine.addError(marked->line, marked->column, plainSentence(text, place));
 }
 
@@ -112,8 +121,12 @@ asIScriptModule *ScriptEngine::build()
         m_errors.push_back(*m_scan.unclosed());
         return nullptr;
     }
-    if (built >= 0)
-        return module;
+    if (built >= 0) {
+        const std::optional<CompileError> unused = unusedValue(m_scan.tokens());
+        if (!unused)
+            return module;
+        m_errors.push_back(*unused);
+    }
     if (m_errors.empty())
         addError(1, 1, "This text cannot be compiled.");
     return nullptr;

@@ -48,8 +48,15 @@ Vec2 numberTimes(double s, const VectorCell &a)
 {
     return s * read(a);
 }
+/// Stops the program as a division of two numbers does.
+void requireDivisor(double s)
+{
+    if (s == 0)
+        asGetActiveContext()->SetException("Divide by zero");
+}
 Vec2 divided(const VectorCell &a, double s)
 {
+    requireDivisor(s);
     return read(a) / s;
 }
 Vec2 negated(const VectorCell &a)
@@ -70,6 +77,7 @@ VectorCell &multiply(double s, VectorCell &a)
 }
 VectorCell &divide(double s, VectorCell &a)
 {
+    requireDivisor(s);
     return write(a, read(a) / s);
 }
 bool equal(const VectorCell &a, const VectorCell &b)

@@ -51,6 +51,7 @@ void SourceScan::closeBraces()
     };
     auto missing = countOf("{") - countOf("}");
     std::vector<std::size_t> open;
+    const bool isBalanced = missing == 0;
     const auto closeBefore = [&](std::size_t i) {
         if (!m_unclosed)
             m_unclosed = errorAt(m_tokens[open.back()], "This '{' has no '}'.");
@@ -68,6 +69,8 @@ void SourceScan::closeBraces()
         const bool beginsFunction = (m_tokens.is(i, "void") || isType(m_tokens[i].text)) &&
                                     m_tokens.isWord(i + 1) && m_tokens.is(i + 2, "(") &&
                                     m_tokens.is(m_tokens.closing(i + 2) + 1, "{");
+        if (beginsFunction && isBalanced && !open.empty() && indents.back() < m_tokens[i].column)
+            return fail(m_tokens[i], "No function stands inside another one. Move it out.");
         while (beginsFunction && !open.empty()) // no function stands inside another one
             closeBefore(i);
         if (m_tokens.is(i, "{")) {
@@ -265,6 +268,18 @@ std::vector<std::string> SourceScan::declaredNames() const
         add(function.declarations);
     }
     return names;
+}
+
+std::string SourceScan::formOf(std::string_view function) const
+{
+    for (std::size_t i = 1; i < m_tokens.size(); ++i) {
+        const bool isHead = m_tokens.is(i, function) && m_tokens.isWord(i - 1) && m_tokens.is(i + 1, "(") &&
+                            m_tokens.is(m_tokens.closing(i + 1) + 1, "{");
+        if (isHead)
+            return m_text.substr(m_tokens[i].offset,
+                                 m_tokens.endOf(m_tokens.closing(i + 1)) - m_tokens[i].offset);
+    }
+    return {};
 }
 
 bool SourceScan::declares(std::string_view name, std::size_t offset) const

@@ -68,6 +68,8 @@ public:
     const std::vector<Loop> &loops() const { return m_loops; }
     /// Returns the names of all functions, variables and parameters.
     std::vector<std::string> declaredNames() const;
+    /// Returns how a function of the text is called, for example "move(Body branch)"; empty for other names.
+    std::string formOf(std::string_view function) const;
     /// Returns whether there are variables outside of functions.
     bool hasGlobals() const { return !m_globals.empty(); }
     /// Returns whether the word `name` at a byte is a variable of the text, or a parameter of one of its functions: there it

@@ -54,6 +54,9 @@ void Tokens::split(std::string_view text)
             i = std::min(text.find('\n', i), text.size());
         } else if (text.substr(i, 2) == "/*") {
             const std::size_t end = std::min(text.find("*/", i + 2), text.size());
+            if (end == text.size())
+                m_openComment = {Token::Kind::sign, text.substr(i, 2), i, line,
+                                 static_cast<int>(i - lineStart) + 1};
             for (; i < end; ++i) {
                 if (text[i] == '\n') {
                     ++line;

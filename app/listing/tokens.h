@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -48,6 +49,8 @@ public:
     std::size_t closing(std::size_t i) const { return i < size() ? m_closing[i] : size(); }
     /// Returns whether the innermost bracket around token `i` is a brace, or there is none.
     bool isInBlock(std::size_t i) const { return m_isInBlock[i]; }
+    /// Returns the sign of a comment that never ends, if there is one.
+    const std::optional<Token> &openComment() const { return m_openComment; }
     /// Returns the byte at which token `i` begins, or the length of the text.
     std::size_t beginOf(std::size_t i) const { return i < size() ? m_all[i].offset : m_textSize; }
     /// Returns the byte after token `i`, or the length of the text.
@@ -61,6 +64,7 @@ private:
     std::vector<Token> m_all;
     std::vector<std::size_t> m_closing;
     std::vector<bool> m_isInBlock;
+    std::optional<Token> m_openComment;
 };
 
 }

@@ -136,8 +136,10 @@ void ListingErrors::errorStopsTheFrameOnItsLine_data()
     row("root of a negative number",
         frameOf("feet[0].position.x = 1;\nfeet[1].position = Vec2(sqrt(-1), 0);"), RunErrorKind::notFinite, 4,
         "The position of feet[1] is not a finite number.");
-    row("infinite vector", frameOf("body.velocity = body.velocity / 0;"), RunErrorKind::notFinite, 3,
-        "The velocity of body is not a finite number.");
+    row("division of a vector", frameOf("double n = 0;\nVec2 a = hand / n;"), RunErrorKind::divisionByZero, 4,
+        "This divides by 0.");
+    row("vector that is divided", frameOf("body.velocity /= length(body.velocity);"),
+        RunErrorKind::divisionByZero, 3, "This divides by 0.");
     row("infinite global", "double g = 1e300;\n" + frameOf("g *= g;"), RunErrorKind::notFinite, 4,
         "'g' is not a finite number.");
     row("error in an initial value", "double g = feet[9].mass;\n" + frameOf(""), RunErrorKind::noSuchBody, 1,

@@ -11,6 +11,7 @@
 #include "sim/scene/values.h"
 #include "tests/listing/listing_mutations.h"
 #include "tests/listing/listing_support.h"
+#include "tests/sizes.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -23,12 +24,6 @@
 using namespace listing_support;
 
 namespace {
-
-unsigned setting(const char *name, unsigned preset)
-{
-    const QByteArray given = qgetenv(name);
-    return given.isEmpty() ? preset : given.toUInt();
-}
 
 /// A listing to mutate, and the scene that it is for.
 struct Original
@@ -145,9 +140,9 @@ private:
     void checkFrames(const listing::Program &program, const sim::Scene &scene);
 
     const std::vector<Original> m_originals = originals();
-    const unsigned m_seed = setting("SPRINGSTEP_RANDOM_SEED", 20);
-    const unsigned m_count = setting("SPRINGSTEP_RANDOM_COUNT", LISTING_MUTATIONS);
-    const unsigned m_first = setting("SPRINGSTEP_RANDOM_FIRST", 1);
+    const unsigned m_seed = tests::setting("SPRINGSTEP_RANDOM_SEED", 20u);
+    const unsigned m_count = tests::setting<unsigned>("SPRINGSTEP_RANDOM_COUNT", LISTING_MUTATIONS);
+    const unsigned m_first = tests::setting("SPRINGSTEP_RANDOM_FIRST", 1u);
     unsigned m_built = 0, m_failed = 0, m_builtRules = 0, m_failedRules = 0;
     double m_slowest = 0.0; ///< s
 };

@@ -1,10 +1,7 @@
-#include "app/listing/limits.h"
 #include "app/listing/program.h"
 #include "sim/base/direction.h"
 #include "sim/base/random.h"
-#include "sim/effects/constraints/sticks.h"
 #include "sim/effects/tree/joints.h"
-#include "sim/scenes/creatures.h"
 #include "sim/scenes/trees.h"
 #include "sim/simd/portable_math.h"
 #include "tests/listing/listing_support.h"
@@ -16,8 +13,6 @@
 #include <cmath>
 
 using namespace listing_support;
-using listing::RunError;
-using listing::RunErrorKind;
 using sim::Vec2;
 
 class ListingRun : public QObject
@@ -35,7 +30,6 @@ private slots:
     void anglesAndTheGaitClockAreInTheState();
     void creatureHasItsBodyItsFeetAndItsClock();
     void creatureVariableStandsForTheCreature();
-    void globalsSurviveThatACreatureLeaves();
     void floorOfARoomIsANumber();
     void branchHasTheNumbersOfTheTree();
     void functionThatCallsItselfReachesEveryBranch();
@@ -43,7 +37,6 @@ private slots:
     void gustIsInTheState();
     void stickJoinsTwoBodies();
     void stickVariableStandsForTheStick();
-    void globalsSurviveThatAStickLeaves();
     void beforeIsWhereTheFrameBegan();
     void directionHasLengthOneEvenOnTheSpot();
     void directionOfABranchIsWhereItPoints();
@@ -54,9 +47,6 @@ private slots:
     void handIsApartFromThePointer();
     void heldBodyIsWhereItWasBeforeTheHandMovedIt();
     void randomDependsOnSeedFrameAndIndexOnly();
-    void globalsAreInTheState();
-    void globalsBeginWithTheParametersOfTheFirstFrame();
-    void localsStartAnewInEveryFrame();
     void handleAndBodyHaveTheirMassAndRadius();
 };
 
@@ -210,21 +200,6 @@ void ListingRun::creatureVariableStandsForTheCreature()
     QVERIFY(bench.state.positionOf(6) == (Vec2{2, 1}));
 }
 
-void ListingRun::globalsSurviveThatACreatureLeaves()
-{
-    const std::string text =
-        "double way = creatures[2].gait;\n" + frameOf("way += 1; creatures[0].gait = way;");
-    Bench first(text, threeCreatures());
-    QVERIFY(!first.run());
-    sim::Scene fewer = scenes::crowd(2, 2);
-    fewer.start.gait = fewer.start.gaitSpeed = Eigen::ArrayXd::Zero(2);
-    fewer.values = first.scene.values;
-    Bench second(text, fewer); // compiled anew, so its globals had no value yet
-    second.state.memory = first.state.memory;
-    QVERIFY(!second.run());
-    QCOMPARE(second.state.gait[0], 4.0);
-}
-
 void ListingRun::floorOfARoomIsANumber()
 {
     Bench bench(frameOf("creatures[0].body.position.y = floor - creatures[0].body.radius;"),
@@ -331,22 +306,6 @@ void ListingRun::stickVariableStandsForTheStick()
     QCOMPARE(std::get<listing::BodyReference>(variables.back().value).point, 2);
     QVERIFY(!bench.run());
     QCOMPARE(bench.state.positionOf(2).y, 5.0);
-}
-
-void ListingRun::globalsSurviveThatAStickLeaves()
-{
-    const std::string text = "double way = sticks[1].length + points[1].position.x;\n" +
-                             frameOf("way += 1; points[0].position.x = way; sticks[0].b.position.y = way;");
-    Bench first(text, twoSticks());
-    QVERIFY(!first.run());
-    sim::Scene fewer = twoSticks();
-    fewer.effects.clear();
-    scenes::add<sim::Sticks>(fewer, std::vector<sim::Stick>{{0, 1, 10, 0.25}}, 3);
-    Bench second(text, fewer); // compiled anew, so its globals had no value yet
-    second.state.memory = first.state.memory;
-    QVERIFY(!second.run());
-    QVERIFY(second.state.positionOf(0) == (Vec2{12, 0}));
-    QVERIFY(second.state.positionOf(1) == (Vec2{3, 12}));
 }
 
 void ListingRun::beforeIsWhereTheFrameBegan()
@@ -492,44 +451,6 @@ void ListingRun::randomDependsOnSeedFrameAndIndexOnly()
     QVERIFY(!other.run());
     QCOMPARE(other.body().x, sim::uniform(7, 12, 5));
     QCOMPARE(other.body().y, sim::uniform(7, 0, 0));
-}
-
-void ListingRun::globalsAreInTheState()
-{
-    Bench bench("double clock = 0.5;\nint turns = 3;\nVec2 last = body.position;\nbool started = false;\n" +
-                frameOf("clock += 0.25; turns--; if (!started) last.x += 1; started = true;\n"
-                        "body.position = Vec2(clock, turns); body.velocity = last;"));
-    QVERIFY(!bench.run());
-    const sim::State first = bench.state;
-    QVERIFY(first.positionOf(3) == (Vec2{0.75, 2}));
-    QVERIFY(first.velocityOf(3) == (Vec2{101, 50}));
-    QCOMPARE(first.memory.size(), std::size_t{8 + 4 + 16 + 1});
-    QVERIFY(!bench.run());
-    const sim::State second = bench.state;
-    QVERIFY(second.positionOf(3) == (Vec2{1, 1}));
-    bench.state = first; // going back
-    QVERIFY(!bench.run());
-    QVERIFY(sim::sameBits(bench.state, second));
-}
-
-void ListingRun::globalsBeginWithTheParametersOfTheFirstFrame()
-{
-    Bench bench("double half = radius / 2;\n" + frameOf("body.position.x = half;"));
-    bench.binding.parameters[2] = 8;
-    QVERIFY(!bench.run());
-    QCOMPARE(bench.body().x, 4.0);
-    bench.binding.parameters[2] = 100; // later changes do not set them anew
-    QVERIFY(!bench.run());
-    QCOMPARE(bench.body().x, 4.0);
-}
-
-void ListingRun::localsStartAnewInEveryFrame()
-{
-    Bench bench =
-        Bench::ofFrame("double sum = 0; Vec2 v; sum += 1; v.x += 2; body.position = Vec2(sum, v.x);");
-    for (int i = 0; i < 3; ++i)
-        QVERIFY(!bench.run());
-    QVERIFY(bench.body() == (Vec2{1, 2}));
 }
 
 void ListingRun::handleAndBodyHaveTheirMassAndRadius()

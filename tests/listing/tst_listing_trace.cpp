@@ -149,16 +149,17 @@ void ListingTrace::innerVariableHidesNothingOutsideItsBlock()
                                  "    body.velocity.x = i;\n"
                                  "body.velocity.y = 1;");
     const Trace trace = bench.program->trace(bench.state, bench.binding);
-    for (const TracedLine &line : trace.lines) {
-        if (line.line == 4)
-            QCOMPARE(shown(line.variables, "i"), std::string("i = 0"));
-        if (line.line == 6) {
-            QCOMPARE(shown(line.variables, "i"), std::string("i = 7"));
-            QCOMPARE(line.variables.size(), std::size_t{1});
+    const auto variablesOf = [&](int number) {
+        for (const TracedLine &line : trace.lines) {
+            if (line.line == number)
+                return line.variables;
         }
-        if (line.line == 7)
-            QVERIFY(line.variables.empty());
-    }
+        qFatal("line %d is not traced", number);
+    };
+    QCOMPARE(shown(variablesOf(4), "i"), std::string("i = 0"));
+    QCOMPARE(shown(variablesOf(6), "i"), std::string("i = 7"));
+    QCOMPARE(variablesOf(6).size(), std::size_t{1});
+    QVERIFY(variablesOf(7).empty());
 }
 
 void ListingTrace::loopsCountTheirTurns()
