@@ -76,8 +76,6 @@ private slots:
     void fixedStepThroughABounceHasOrderOne();
     void contactEventsKeepTheParabolas();
     void ballComesToRestInFiniteTime();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, accuracyAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
     void slowRunExceedsTheBudget();
     void changedCreatureDoesNotMeetTheBudget();
 };

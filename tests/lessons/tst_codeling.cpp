@@ -1,6 +1,6 @@
-#include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/codeling_targets.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/support.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -104,8 +104,6 @@ private slots:
     void heldLeadDoesNotAnticipate();
     void softStickRelaxationDoesNotDependOnStep();
     void settingTheTargetParameterMovesIt();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, codelingAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void Codeling::matchesPrintedCode_data()

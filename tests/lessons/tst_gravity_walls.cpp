@@ -2,8 +2,8 @@
 #include "sim/pipeline/pipeline.h"
 #include "sim/run/script/script.h"
 #include "sim/scene/scene.h"
-#include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/support.h"
 #include "tests/lessons/support/tutorial_match.h"
 #include "tests/suite.h"
 
@@ -54,8 +54,6 @@ private slots:
     void methodsConvergeWithOrderOneInTheAir();
     void noGravityPhaseWithoutGravity();
     void viewShowsTheRoom();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, gravityWallsAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void GravityWalls::matchesTutorialCode_data()

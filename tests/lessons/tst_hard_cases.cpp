@@ -5,7 +5,7 @@
 #include "tests/lessons/support/hard_cases_support.h"
 
 #include "sim/base/direction.h"
-#include "tests/lessons/attempts/attempts.h"
+#include "tests/lessons/support/support.h"
 #include "tests/suite.h"
 
 #include <QTest>
@@ -61,8 +61,6 @@ private slots:
     void coincidentPairsGetDistinctDirections();
     void companionRunsAreStable_data();
     void companionRunsAreStable();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, hardCasesAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void HardCases::undampedLimitMatchesClosedForm()

@@ -1,6 +1,6 @@
 #include "sim/scene/scene.h"
-#include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/support.h"
 #include "tests/lessons/support/tutorial_match.h"
 #include "tests/suite.h"
 
@@ -42,8 +42,6 @@ private slots:
     void grownFeetStartWithin50PxAndDependOnlyOnTheSeed();
     void singleFootIsNumbered();
     void feetAfterTheFifthStartOnACircle();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, multiFootAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void MultiFoot::matchesTutorialCode_data()

@@ -1,6 +1,6 @@
 #include "sim/run/script/script.h"
-#include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/support.h"
 
 #include "sim/base/error.h"
 #include "tests/suite.h"
@@ -105,8 +105,6 @@ private slots:
     void p0StaysAtItsStartWithoutAPointer();
     void sticksWithAMissingEndAreRejected_data();
     void sticksWithAMissingEndAreRejected();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, rigidConstraintAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void RigidConstraint::matchesPrintedCode_data()

@@ -1,7 +1,7 @@
 #include "lessons/api/view/view.h"
 #include "sim/run/script/composed_interval.h"
-#include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/support.h"
 #include "tests/lessons/support/tutorial_match.h"
 #include "tests/suite.h"
 
@@ -49,8 +49,6 @@ private slots:
     void onlyActingSpringsAreDrawn_data();
     void onlyActingSpringsAreDrawn();
     void angleLabelShowsDegreesAndRadians();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, singleSpringAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void SingleSpring::matchesTutorialCode_data()

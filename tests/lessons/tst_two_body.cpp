@@ -1,7 +1,7 @@
 #include "lessons/api/view/view.h"
 #include "sim/scene/scene.h"
-#include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/support.h"
 #include "tests/lessons/support/tutorial_match.h"
 
 #include "lessons/api/checks/run_queries.h"
@@ -48,8 +48,6 @@ private slots:
     void pairRestsOneRadiusApart();
     void methodsConvergeWithOrderOne();
     void legChangesOnlyTheView();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, twoBodyAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void TwoBody::matchesTutorialCode_data()

@@ -1,6 +1,6 @@
 #include "lessons/api/view/view.h"
-#include "tests/lessons/attempts/attempts.h"
 #include "tests/lessons/support/published_files.h"
+#include "tests/lessons/support/support.h"
 #include "tests/lessons/support/trajectory.h"
 #include "tests/lessons/support/walking_tutorial.h"
 
@@ -80,8 +80,6 @@ private slots:
     void legsConserveMomentum();
     void heldEndStaysAndTheOtherFeelsTheLeg();
     void curveChangesOnlyTheView();
-    void thingsToTryRecogniseAttempts_data() { addAttemptRows(m_lesson, walkingGaitAttempts()); }
-    void thingsToTryRecogniseAttempts() { checkAttempt(m_lesson); }
 };
 
 void WalkingGait::publishedTrajectories_data()

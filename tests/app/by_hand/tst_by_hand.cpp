@@ -5,6 +5,7 @@
 #include "app/ui/learn/after/summary_page.h"
 #include "tests/app/by_hand/learner.h"
 #include "tests/app/support/window_fixture.h"
+#include "tests/lesson_list.h"
 #include "tests/lessons/attempts/attempts.h"
 #include "tests/suite.h"
 
@@ -141,15 +142,6 @@ void ByHand::cleanupTestCase()
         return std::make_unique<ByHand>(#lesson);                                                            \
     }
 
-BY_HAND(single_spring)
-BY_HAND(two_body)
-BY_HAND(multi_foot)
-BY_HAND(gravity_walls)
-BY_HAND(walking_gait)
-BY_HAND(swaying_tree)
-BY_HAND(rigid_constraint)
-BY_HAND(codeling)
-BY_HAND(accuracy)
-BY_HAND(hard_cases)
+LESSONS(BY_HAND)
 
 #include "tst_by_hand.moc"

@@ -20,7 +20,7 @@ void playWith(Player &p, const char *method, double h, int frames)
 
 }
 
-std::vector<Attempt> accuracyAttempts()
+ATTEMPTS(accuracy)
 {
     return {
         {"big_step", 0, "1/8 frame", [](Player &p) { playWith(p, "semi_implicit_euler", 0.125, 100); }},

@@ -23,28 +23,12 @@ struct Attempt
     bool isNearMiss() const { return *missing; }
 };
 
-// At least one attempt for each thing to try of a lesson, in the file of that lesson.
-std::vector<Attempt> singleSpringAttempts();
-std::vector<Attempt> twoBodyAttempts();
-std::vector<Attempt> multiFootAttempts();
-std::vector<Attempt> gravityWallsAttempts();
-std::vector<Attempt> walkingGaitAttempts();
-std::vector<Attempt> swayingTreeAttempts();
-std::vector<Attempt> rigidConstraintAttempts();
-std::vector<Attempt> codelingAttempts();
-std::vector<Attempt> accuracyAttempts();
-std::vector<Attempt> hardCasesAttempts();
+/// Begins the function that returns the attempts of `lesson`: at least one for each of its things to try. The file
+/// LESSON.cpp in this folder has it.
+#define ATTEMPTS(lesson) std::vector<Attempt> attempts_of_##lesson()
 
-/// Returns the attempts of the lesson with this id.
+/// Returns the attempts of the lesson with this id. A lesson without things to try has none.
 std::vector<Attempt> attemptsOf(const std::string &lesson);
-
-/// Adds one test row per attempt. Fails the test if a thing to try of `lesson` has no successful attempt.
-void addAttemptRows(const LoadedLesson &lesson, const std::vector<Attempt> &all);
-
-/// Checks the attempt of the current row. The thing to try is not done at the start and is done at the end.
-/// Once it has begun, it always has a hint about what is missing. A near miss does not complete it and gets
-/// the expected hint.
-void checkAttempt(const LoadedLesson &lesson);
 
 }
 

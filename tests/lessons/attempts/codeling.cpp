@@ -15,7 +15,7 @@ void sendBackAndForth(Player &p, sim::Vec2 a, sim::Vec2 b, int times, int frames
 
 }
 
-std::vector<Attempt> codelingAttempts()
+ATTEMPTS(codeling)
 {
     return {
         {"motor", 0, "sent to the right",

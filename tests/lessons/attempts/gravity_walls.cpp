@@ -2,7 +2,7 @@
 
 namespace support {
 
-std::vector<Attempt> gravityWallsAttempts()
+ATTEMPTS(gravity_walls)
 {
     return {
         {"walls", 0, "thrown to the left",

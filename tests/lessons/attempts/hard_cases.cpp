@@ -25,7 +25,7 @@ void withStep(Player &p, const char *method, double h)
 
 }
 
-std::vector<Attempt> hardCasesAttempts()
+ATTEMPTS(hard_cases)
 {
     return {
         {"limit", 0, "1/2 frame",

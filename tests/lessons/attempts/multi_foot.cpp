@@ -2,7 +2,7 @@
 
 namespace support {
 
-std::vector<Attempt> multiFootAttempts()
+ATTEMPTS(multi_foot)
 {
     return {
         {"two_feet", 0, "a foot pulled out",

@@ -16,7 +16,7 @@ void movePointer(Player &p, sim::Vec2 to, int frames)
 
 }
 
-std::vector<Attempt> rigidConstraintAttempts()
+ATTEMPTS(rigid_constraint)
 {
     return {
         {"pair", 0, "led to the right",

@@ -2,7 +2,7 @@
 
 namespace support {
 
-std::vector<Attempt> singleSpringAttempts()
+ATTEMPTS(single_spring)
 {
     const auto slowThrow = [](Player &p) { p.drag("foot", {310, 170}, 6); };
     return {

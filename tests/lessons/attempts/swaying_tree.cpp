@@ -29,7 +29,7 @@ void compareFormulas(Player &p, sim::Vec2 at)
 
 }
 
-std::vector<Attempt> swayingTreeAttempts()
+ATTEMPTS(swaying_tree)
 {
     return {
         {"trunk", 1, "set", [](Player &p) { p.set("base_length", 200.0); }},

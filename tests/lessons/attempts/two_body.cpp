@@ -2,7 +2,7 @@
 
 namespace support {
 
-std::vector<Attempt> twoBodyAttempts()
+ATTEMPTS(two_body)
 {
     return {
         {"mutual", 0, "stopped between the two moves",

@@ -270,7 +270,7 @@ std::vector<Attempt> variationAttempts()
 
 }
 
-std::vector<Attempt> walkingGaitAttempts()
+ATTEMPTS(walking_gait)
 {
     std::vector<Attempt> all;
     for (const std::vector<Attempt> &part : {standingAttempts(), groundAttempts(), variationAttempts()})

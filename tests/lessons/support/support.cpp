@@ -121,8 +121,9 @@ std::vector<sim::MethodPtr> walkingMethods()
 {
     std::vector<sim::MethodPtr> methods = sim::allMethods();
     std::erase_if(methods, [](const sim::MethodPtr &method) {
-        return method->stepping() == sim::Stepping::adaptive || method->order() > 2 ||
-               method->id() == "explicit_euler" || method->id() == "midpoint";
+        const bool isStable = method->id() == "published" || method->symplectic() == sim::Symplectic::yes ||
+                              method->stepLimit() == sim::StepLimit::none;
+        return method->stepping() == sim::Stepping::adaptive || method->order() > 2 || !isStable;
     });
     return methods;
 }

@@ -45,8 +45,8 @@ void addStepAndMethodRows(const std::function<bool(const lessons::Step &, const 
 std::optional<QString> regionText(const sim::Region &region);
 
 /// Returns the methods that the walking lesson is tested with. They have a fixed step, because steering acts
-/// once per step. They stay stable with steps of one frame: explicit Euler and the midpoint rule gain energy
-/// without damping. Their order is at most 2, so that rounding does not hide their errors at the steps where
+/// once per step. They stay stable with steps of one frame: explicit Euler and explicit Runge-Kutta methods of order 2
+/// gain energy without damping. Their order is at most 2, so that rounding does not hide their errors at the steps where
 /// orders are measured.
 std::vector<sim::MethodPtr> walkingMethods();
 /// Adds one test row per walking method, with the column "method".
