@@ -1,6 +1,7 @@
 // A lesson on paper: it has all that a learner needs, asks before it answers, and can be cancelled.
 
 #include "app/model/handout/handout.h"
+#include "app/model/handout/paper.h"
 #include "app/model/learning/prediction_truth.h"
 #include "app/model/learning/run_setup.h"
 #include "app/model/text/language.h"
@@ -42,6 +43,7 @@ private slots:
     void curvesAreDrawn();
     void itStopsWhenCancelled();
     void theFileIsAPdf();
+    void noHeadingStandsAloneAtTheEndOfAPage();
 };
 
 void HandoutTest::aHandoutAsksFirstAndAnswersOnAnotherPage_data()
@@ -193,6 +195,29 @@ void HandoutTest::theFileIsAPdf()
     QVERIFY(pdf.trimmed().endsWith("%%EOF"));
     QVERIFY(pdf.count("/Type /Page\n") + pdf.count("/Type /Page ") >= 3);
     QVERIFY(pdf.contains("/Subtype /Image"));
+}
+
+void HandoutTest::noHeadingStandsAloneAtTheEndOfAPage()
+{
+    QImage picture(200, 300, QImage::Format_RGB32);
+    picture.fill(Qt::gray);
+    QStringList
+        moved; // the numbers of paragraphs above a heading that goes to the next page with its picture
+    for (int paragraphs = 1; paragraphs <= 40; ++paragraphs) {
+        QTextDocument document;
+        Paper paper(document);
+        for (int i = 0; i < paragraphs; ++i)
+            paper.addText("text");
+        paper.addHeading(2, "heading");
+        paper.addPicture(picture);
+        pdfOf(document, "title");
+        const QTextBlock heading = document.findBlockByNumber(paragraphs);
+        QCOMPARE(heading.text(), QString("heading"));
+        if (heading.blockFormat().pageBreakPolicy() & QTextFormat::PageBreak_AlwaysBefore)
+            moved << QString::number(paragraphs);
+    }
+    QVERIFY(moved.size() > 5 && moved.size() < 30);
+    QVERIFY(!moved.contains("1") && !moved.contains("40")); // the picture has room on the page
 }
 
 SUITE(tst_handout, HandoutTest)
